@@ -1,0 +1,5 @@
+include(CMakeFindDependencyMacro)
+find_dependency(Boost 1.74)
+find_dependency(pugixml)
+find_dependency(Threads)
+include(${CMAKE_CURRENT_LIST_DIR}/jauscat-targets.cmake)

@@ -1,0 +1,100 @@
+// Several members packed into one integer, from its least significant bit up.
+#pragma once
+#include <jauscat/wire/item.hpp>
+#include <jauscat/wire/scalar.hpp>
+
+#include <tuple>
+
+namespace jauscat::wire {
+
+/// A bit-field of `Width` bits: the member is bool, an unsigned integer or an enumeration of one.
+/// A value wider than its bits does not encode (`out_of_range`).
+template <auto Member, std::size_t Width> struct bit {
+    static constexpr auto key = Member;
+    using keys = key_list<Member>;
+    static constexpr std::size_t width = Width;
+    using value_type = member_t<Member>;
+    using raw_type = value_type;
+    static constexpr bool optional = false;
+    static_assert(std::is_enum_v<value_type> || std::unsigned_integral<value_type>,
+                  "bit: the member must be bool, an unsigned integer or an enumeration");
+
+    static consteval std::string_view name() { return name_of<Member>(); }
+
+    [[gnu::always_inline]] static constexpr std::uint64_t value(const auto& object) noexcept {
+        return static_cast<std::uint64_t>(member_of<Member>(object));
+    }
+    [[gnu::always_inline]] static constexpr bool fits(const auto& object) noexcept {
+        if constexpr (std::is_same_v<value_type, bool> || Width >= sizeof(value_type) * 8)
+            return true;
+        else
+            return value(object) >> Width == 0;
+    }
+    [[gnu::always_inline]] static constexpr void assign(auto& object, std::uint64_t raw) noexcept {
+        member_of<Member>(object) = static_cast<value_type>(raw);
+    }
+    static constexpr void visit(auto& object, auto&& visitor) { visitor(bit{}, member_of<Member>(object)); }
+};
+
+/// `Width` bits that the standard reserves: sent as zero, ignored on receipt.
+template <std::size_t Width> struct reserved {
+    using keys = key_list<>;
+    static constexpr std::size_t width = Width;
+    [[gnu::always_inline]] static constexpr std::uint64_t value(const auto&) noexcept { return 0; }
+    [[gnu::always_inline]] static constexpr bool fits(const auto&) noexcept { return true; }
+    [[gnu::always_inline]] static constexpr void assign(auto&, std::uint64_t) noexcept {}
+    static constexpr void visit(auto&, auto&&) {}
+};
+
+/// Bit-fields of one integer, least significant first; their widths fill it exactly.
+template <codec Carrier, class... Fields> struct bits {
+    using carrier_type = typename Carrier::value_type;
+    using fields = std::tuple<Fields...>;
+    using keys = joined_keys<typename Fields::keys...>;
+    static constexpr bool optional = false;
+    static constexpr std::size_t min_size = Carrier::size, max_size = Carrier::size;
+    static_assert((Fields::width + ... + 0) == Carrier::size * 8,
+                  "bits: the widths must fill the carrier exactly (add reserved<n> for unused bits)");
+
+    [[gnu::always_inline]] static constexpr errc put(const auto& object, std::byte* out) noexcept {
+        if (!(Fields::fits(object) && ...)) return errc::out_of_range;
+        std::size_t at = 0;
+        carrier_type word{};
+        ((word = static_cast<carrier_type>(word | (Fields::value(object) << at)), at += Fields::width), ...);
+        return Carrier::store(out, word);
+    }
+    [[gnu::always_inline]] static constexpr errc get(auto& object, const std::byte* in) noexcept {
+        carrier_type word{};
+        Carrier::load(in, word);
+        std::size_t at = 0;
+        ((Fields::assign(object, (word >> at) & mask<Fields::width>), at += Fields::width), ...);
+        return errc::ok;
+    }
+
+    template <auto Member, reading> [[gnu::always_inline]] static constexpr auto read(const std::byte* in) noexcept {
+        carrier_type word{};
+        Carrier::load(in, word);
+        std::size_t at = 0;
+        std::uint64_t raw = 0;
+        ((raw = Fields::keys::template holds<Member> ? (word >> at) & mask<Fields::width> : raw, at += Fields::width),
+         ...);
+        return static_cast<member_t<Member>>(raw);
+    }
+
+    static constexpr void visit(auto& object, auto&& visitor) { (Fields::visit(object, visitor), ...); }
+
+    /// Where a member lies: its first bit, counted from the least significant.
+    template <auto Member>
+    static constexpr std::size_t first_bit = [] {
+        std::size_t at = 0;
+        bool found = false;
+        ((found = found || Fields::keys::template holds<Member>, at += found ? 0 : Fields::width), ...);
+        return at;
+    }();
+
+  private:
+    template <std::size_t Width>
+    static constexpr std::uint64_t mask = Width >= 64 ? ~std::uint64_t{} : (std::uint64_t{1} << (Width & 63)) - 1;
+};
+
+} // namespace jauscat::wire

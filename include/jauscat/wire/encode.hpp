@@ -1,0 +1,39 @@
+// From a value to bytes.
+#pragma once
+#include <jauscat/wire/layout.hpp>
+
+#include <span>
+
+namespace jauscat::wire {
+
+namespace detail {
+/// The one function per message that a compiler may keep out of line. All below it is forced inline, so the promise
+/// made here, that value and bytes do not overlap, lets neighbouring loads and stores merge.
+template <message T> constexpr out_cursor put_message(const T& __restrict value, std::byte* __restrict out) noexcept {
+    return layout_of<T>::put(value, {out, errc::ok});
+}
+} // namespace detail
+
+/// Bytes that `value` takes on the wire.
+template <message T> [[nodiscard]] constexpr std::size_t encoded_size(const T& value) noexcept {
+    if constexpr (fixed_message<T>)
+        return max_size<T>;
+    else
+        return layout_of<T>::size(value);
+}
+
+/// Writes `value` to the front of `out`, which must not overlap it, and returns the number of bytes.
+/// Errors: no_space (nothing was written), out_of_range (`out` is then unspecified).
+template <message T> constexpr result encode(const T& value, std::span<std::byte> out) noexcept {
+    if (out.size() < max_size<T>) {
+        if (fixed_message<T> || out.size() < encoded_size(value)) return errc::no_space;
+    }
+    const out_cursor end = detail::put_message(value, out.data());
+    if (end.error != errc::ok) return end.error;
+    if constexpr (fixed_message<T>)
+        return max_size<T>;
+    else
+        return static_cast<std::size_t>(end.at - out.data());
+}
+
+} // namespace jauscat::wire

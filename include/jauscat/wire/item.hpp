@@ -1,0 +1,73 @@
+// What the parts of a layout have in common: where encoding and decoding stand, and how an item meets a value.
+//
+// An item describes some consecutive bytes and the members they carry. It offers
+//   keys                      the member pointers it carries, in wire order
+//   min_size, max_size        bytes
+//   put, get                  write and read; fixed items take a pointer, variable ones a cursor
+//   size(object)              variable items: bytes that `object` needs
+//   extent(bytes)             variable items: bytes it takes in a message that was measured before
+//   measure(cursor)           variable items: steps over it and checks that it is complete
+//   visit(object, f)          calls f(leaf item, member) for each member
+//   read<Member, Mode>(bytes) one member out of measured bytes
+// All of it is forced inline: only whole messages are worth a call, and offsets fold to constants.
+#pragma once
+#include <jauscat/wire/member.hpp>
+#include <jauscat/wire/result.hpp>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+
+namespace jauscat::wire {
+
+/// Where encoding stands. A null pointer says that it failed.
+struct out_cursor {
+    std::byte* at;
+    errc error;
+};
+
+/// Where decoding stands. `slack` counts the bytes beyond the layout's minimum: only variable items spend it, so a
+/// fixed field is never checked twice. A null pointer says that decoding failed; `slack` then holds the errc.
+struct in_cursor {
+    const std::byte* at;
+    std::size_t slack;
+
+    [[nodiscard]] static constexpr in_cursor failed(errc error) noexcept {
+        return {nullptr, static_cast<std::size_t>(error)};
+    }
+    [[nodiscard]] constexpr errc error() const noexcept { return at ? errc::ok : static_cast<errc>(slack); }
+};
+
+template <auto... Members> struct key_list {
+    static constexpr std::size_t count = sizeof...(Members);
+    template <auto Member> static constexpr bool holds = (std::is_same_v<key_list<Member>, key_list<Members>> || ...);
+};
+
+namespace detail {
+template <class... Lists> struct joined { using type = key_list<>; };
+template <auto... Members> struct joined<key_list<Members...>> { using type = key_list<Members...>; };
+template <auto... A, auto... B, class... More>
+struct joined<key_list<A...>, key_list<B...>, More...> : joined<key_list<A..., B...>, More...> {};
+} // namespace detail
+template <class... Lists> using joined_keys = typename detail::joined<Lists...>::type;
+
+template <class Item> concept fixed_item = Item::min_size == Item::max_size;
+
+/// Marks an object whose scaled fields are raw integers.
+template <class Object> concept raw_object = requires { typename std::remove_cvref_t<Object>::raw_of; };
+
+/// What a view reads: real values, or the integers on the wire.
+enum class reading { real, raw };
+
+namespace detail {
+template <class Codec, bool Raw> struct codec_in_mode { using type = Codec; };
+template <class Codec>
+requires requires { typename Codec::raw_codec; }
+struct codec_in_mode<Codec, true> {
+    using type = typename Codec::raw_codec;
+};
+} // namespace detail
+/// The codec itself, or the carrier of a scaled one where raw values are wanted.
+template <class Codec, bool Raw> using codec_in_mode = typename detail::codec_in_mode<Codec, Raw>::type;
+
+} // namespace jauscat::wire

@@ -1,0 +1,82 @@
+// A member pointer is a field's identity: this header reads its type, its owner, its name, and reaches the member in a
+// value or in a `raw`.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace jauscat::wire {
+
+namespace detail {
+
+template <class> struct member_pointer;
+template <class Owner, class Member> struct member_pointer<Member Owner::*> {
+    using owner = Owner;
+    using type = Member;
+};
+
+template <class T> struct optional_value {
+    using type = T;
+    static constexpr bool is_optional = false;
+};
+template <class T> struct optional_value<std::optional<T>> {
+    using type = T;
+    static constexpr bool is_optional = true;
+};
+
+struct any_member {
+    template <class T> operator T() const noexcept; // never defined: only asked whether it would do
+};
+template <class T, std::size_t... I> consteval bool takes(std::index_sequence<I...>) {
+    return requires { T{(static_cast<void>(I), any_member{})...}; };
+}
+
+} // namespace detail
+
+template <auto Member> using member_t = typename detail::member_pointer<decltype(Member)>::type;
+template <auto Member> using owner_t = typename detail::member_pointer<decltype(Member)>::owner;
+/// The member's type, or what it holds if it is a std::optional.
+template <auto Member> using member_value_t = typename detail::optional_value<member_t<Member>>::type;
+template <auto Member> inline constexpr bool is_optional_member = detail::optional_value<member_t<Member>>::is_optional;
+
+/// Name of a member, from the compiler's own spelling of the pointer, so that no name is written twice.
+/// Consteval: firmware that never asks for a name carries no text.
+template <auto Member> consteval std::string_view name_of() {
+    constexpr std::string_view spelling = __PRETTY_FUNCTION__; // "... [with auto Member = &a::b::c; ...]"
+    constexpr auto end = spelling.find_first_of(";]", spelling.find("Member = "));
+    constexpr auto start = spelling.rfind(':', end) + 1;
+    return spelling.substr(start, spelling.find_first_of(";])", start) - start);
+}
+
+/// The same as a constant, where an expression is evaluated at run time.
+template <auto Member> inline constexpr std::string_view member_name = name_of<Member>();
+
+/// Name of a type without its namespaces: `set_wrench_effort`.
+template <class Type> consteval std::string_view type_name() {
+    constexpr std::string_view spelling = __PRETTY_FUNCTION__; // "... [with Type = a::b; ...]" or "[Type = a::b]"
+    constexpr auto first = spelling.find("Type = ") + 7;
+    constexpr auto end = spelling.find_first_of(";]", first);
+    constexpr auto colon = spelling.rfind(':', end);
+    constexpr auto start = colon == std::string_view::npos || colon < first ? first : colon + 1;
+    return spelling.substr(start, end - start);
+}
+
+/// How many members an aggregate has.
+template <class T, std::size_t N = 0> consteval std::size_t member_count() {
+    if constexpr (detail::takes<T>(std::make_index_sequence<N + 1>{}))
+        return member_count<T, N + 1>();
+    else
+        return N;
+}
+
+/// The member `Member` of a value, or the slot that stands for it in a `raw`.
+template <auto Member> [[gnu::always_inline]] constexpr auto& member_of(auto& object) noexcept {
+    if constexpr (requires { object.*Member; })
+        return object.*Member;
+    else
+        return object.template slot<Member>();
+}
+
+} // namespace jauscat::wire

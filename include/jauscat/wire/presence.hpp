@@ -1,0 +1,193 @@
+// A presence vector and the fields it announces (JAUS RA 3.3 part 3; SAE AS5684).
+#pragma once
+#include <jauscat/wire/item.hpp>
+#include <jauscat/wire/scalar.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <tuple>
+
+namespace jauscat::wire {
+
+/// What a presence vector does with bits that its layout does not define.
+enum class unknown_bits {
+    refused,  ///< errc::unknown_presence_bit
+    tolerated ///< dropped, with all bytes to the end of the body, where later editions append their fields
+};
+
+/// A presence vector in `Carrier`, then its items. Each item with a std::optional member takes the next bit, from the
+/// least significant up, and is there when its bit is set; an item without one is always there.
+template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_group {
+    using carrier_codec = Carrier;
+    using mask_type = typename Carrier::value_type;
+    using keys = joined_keys<typename Items::keys...>;
+    static constexpr bool optional = false;
+    static constexpr std::size_t optional_count = (static_cast<std::size_t>(Items::optional) + ... + 0);
+    static_assert((fixed_item<Items> && ... && true), "presence: each item must have a fixed size");
+    static_assert(optional_count <= Carrier::size * 8,
+                  "presence: more optional fields than bits in the presence vector");
+    static constexpr std::size_t required_size = ((Items::optional ? 0 : Items::max_size) + ... + 0);
+    static constexpr std::size_t min_size = Carrier::size + required_size;
+    static constexpr std::size_t max_size = Carrier::size + (Items::max_size + ... + 0);
+    static constexpr std::uint64_t known_bits =
+        optional_count == 64 ? ~std::uint64_t{} : (std::uint64_t{1} << (optional_count & 63)) - 1;
+
+    /// The presence vector that `object` encodes with.
+    [[gnu::always_inline]] static constexpr mask_type mask(const auto& object) noexcept {
+        mask_type m{};
+        std::size_t at = 0;
+        ((m = static_cast<mask_type>(m | present<Items>(object) << at), at += Items::optional), ...);
+        return m;
+    }
+
+    [[gnu::always_inline]] static constexpr std::size_t size(const auto& object) noexcept {
+        return min_size + announced(mask(object));
+    }
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c) noexcept {
+        const mask_type m = mask(object);
+        Carrier::store(c.at, m);
+        c.at += Carrier::size;
+        std::size_t at = 0;
+        static_cast<void>((put_item<Items>(object, m, at, c) && ...));
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c) noexcept {
+        mask_type m{};
+        Carrier::load(c.at, m);
+        const in_cursor end = end_of(c, m);
+        if (end.at == nullptr) return end;
+        const std::byte* in = c.at + Carrier::size;
+        std::size_t at = 0;
+        errc error = errc::ok;
+        static_cast<void>((get_item<Items>(object, m, at, in, error) && ...));
+        return error == errc::ok ? end : in_cursor::failed(error);
+    }
+    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c) noexcept {
+        mask_type m{};
+        Carrier::load(c.at, m);
+        return end_of(c, m);
+    }
+    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in) noexcept {
+        mask_type m{};
+        Carrier::load(in, m);
+        return min_size + announced(m);
+    }
+    /// A member of a presence vector is read as a std::optional.
+    template <auto Member, reading Mode>
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in) noexcept {
+        using item = std::tuple_element_t<index_of<Member>, std::tuple<Items...>>;
+        using value = decltype(item::template read<Member, Mode>(in));
+        mask_type m{};
+        Carrier::load(in, m);
+        const std::byte* const at =
+            in + Carrier::size + required_before<Member> + announced(static_cast<mask_type>(m & bits_before<Member>));
+        if constexpr (!item::optional)
+            return item::template read<Member, Mode>(at);
+        else if constexpr (detail::optional_value<value>::is_optional)
+            return (m & bit_of<Member>) ? item::template read<Member, Mode>(at) : value{};
+        else
+            return (m & bit_of<Member>) ? std::optional<value>{item::template read<Member, Mode>(at)}
+                                        : std::optional<value>{};
+    }
+    static constexpr void visit(auto& object, auto&& visitor) { (Items::visit(object, visitor), ...); }
+    static constexpr bool all_items(auto&& f) { return (f.template operator()<Items>() && ...); }
+
+  private:
+    template <class Item> [[gnu::always_inline]] static constexpr std::uint64_t present(const auto& object) noexcept {
+        if constexpr (Item::optional)
+            return member_of<Item::key>(object).has_value();
+        else
+            return 0;
+    }
+
+    // Bytes that the set bits stand for: one population count for each field size there is.
+    [[gnu::always_inline]] static constexpr std::size_t announced(mask_type m) noexcept {
+        constexpr std::size_t largest = std::max({std::size_t{}, (Items::optional ? Items::max_size : 0)...});
+        return [&]<std::size_t... S>(std::index_sequence<S...>) { return (bytes_of_size<S + 1>(m) + ... + 0); }
+        (std::make_index_sequence<largest>{});
+    }
+    template <std::size_t Size>
+    [[gnu::always_inline]] static constexpr std::size_t bytes_of_size(mask_type m) noexcept {
+        constexpr mask_type of_size = [] {
+            mask_type found{};
+            std::size_t at = 0;
+            ((found = static_cast<mask_type>(found | std::uint64_t{Items::optional && Items::max_size == Size} << at),
+              at += Items::optional),
+             ...);
+            return found;
+        }();
+        if constexpr (of_size == 0)
+            return 0;
+        else
+            return Size * static_cast<std::size_t>(std::popcount(static_cast<mask_type>(m & of_size)));
+    }
+
+    [[gnu::always_inline]] static constexpr in_cursor end_of(in_cursor c, mask_type m) noexcept {
+        constexpr auto undefined = static_cast<mask_type>(~known_bits);
+        const std::size_t extra = announced(m);
+        if (extra > c.slack) return in_cursor::failed(errc::truncated);
+        if (undefined != 0 && (m & undefined) != 0) {
+            if constexpr (Unknown == unknown_bits::refused)
+                return in_cursor::failed(errc::unknown_presence_bit);
+            else
+                return {c.at + min_size + c.slack, 0};
+        }
+        return {c.at + min_size + extra, c.slack - extra};
+    }
+
+    template <class Item>
+    [[gnu::always_inline]] static constexpr bool put_item(const auto& object, mask_type m, std::size_t& at,
+                                                          out_cursor& c) noexcept {
+        if constexpr (Item::optional) {
+            if ((m >> at++ & 1u) == 0) return true;
+        }
+        c.error = Item::put(object, c.at);
+        c.at += Item::max_size;
+        return c.error == errc::ok;
+    }
+    template <class Item>
+    [[gnu::always_inline]] static constexpr bool get_item(auto& object, mask_type m, std::size_t& at,
+                                                          const std::byte*& in, errc& error) noexcept {
+        if constexpr (Item::optional) {
+            if ((m >> at++ & 1u) == 0) {
+                member_of<Item::key>(object).reset();
+                return true;
+            }
+        }
+        error = Item::get(object, in);
+        in += Item::max_size;
+        return error == errc::ok;
+    }
+
+    template <auto Member>
+    static constexpr std::size_t index_of = [] {
+        std::size_t index = 0;
+        static_cast<void>((... || (Items::keys::template holds<Member> || (++index, false))));
+        return index;
+    }();
+    template <auto Member>
+    static constexpr std::size_t optionals_before = [] {
+        std::size_t count = 0, index = 0;
+        ((count += Items::optional && index < index_of<Member>, ++index), ...);
+        return count;
+    }();
+    template <auto Member>
+    static constexpr std::size_t required_before = [] {
+        std::size_t bytes = 0, index = 0;
+        ((bytes += !Items::optional && index < index_of<Member> ? Items::max_size : 0, ++index), ...);
+        return bytes;
+    }();
+    template <auto Member> static constexpr std::uint64_t bit_of = std::uint64_t{1} << (optionals_before<Member> & 63);
+    template <auto Member> static constexpr std::uint64_t bits_before = bit_of<Member> - 1;
+};
+
+/// A presence vector that refuses bits it does not define.
+template <codec Carrier, class... Items> using presence = presence_group<unknown_bits::refused, Carrier, Items...>;
+
+/// A presence vector that tolerates bits it does not define, and drops the bytes they stand for. Use it only as the
+/// last item, and only where peers are known to send more than the standard.
+template <codec Carrier, class... Items>
+using open_presence = presence_group<unknown_bits::tolerated, Carrier, Items...>;
+
+} // namespace jauscat::wire

@@ -1,0 +1,129 @@
+// Codecs of single values of a fixed size: integers and floating point in either byte order, enumerations, octets.
+// A codec has `value_type`, `size` in bytes, `store(bytes, value)` and `load(bytes, value)`; both say errc::ok or why
+// not.
+#pragma once
+#include <jauscat/wire/result.hpp>
+
+#include <boost/endian/conversion.hpp>
+
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+namespace jauscat::wire {
+
+template <class C> concept codec = requires(std::byte* out, const std::byte* in, typename C::value_type value) {
+    { C::size } -> std::convertible_to<std::size_t>;
+    { C::store(out, value) } -> std::same_as<errc>;
+    { C::load(in, value) } -> std::same_as<errc>;
+};
+
+/// An integer of 8 to 64 bits in the byte order `Order`.
+template <std::integral T, boost::endian::order Order> struct integer {
+    using value_type = T;
+    static constexpr std::size_t size = sizeof(T);
+
+    // The loop serves constant evaluation; memcpy lets the optimiser merge neighbouring fields into one access.
+    [[gnu::always_inline]] static constexpr errc store(std::byte* out, T value) noexcept {
+        const T ordered = boost::endian::conditional_reverse<boost::endian::order::native, Order>(value);
+        if (std::is_constant_evaluated()) {
+            const auto bytes = std::bit_cast<std::array<std::byte, size>>(ordered);
+            for (std::size_t i = 0; i != size; ++i) out[i] = bytes[i];
+        } else {
+            std::memcpy(out, &ordered, size);
+        }
+        return errc::ok;
+    }
+
+    [[gnu::always_inline]] static constexpr errc load(const std::byte* in, T& value) noexcept {
+        T ordered{};
+        if (std::is_constant_evaluated()) {
+            std::array<std::byte, size> bytes{};
+            for (std::size_t i = 0; i != size; ++i) bytes[i] = in[i];
+            ordered = std::bit_cast<T>(bytes);
+        } else {
+            std::memcpy(&ordered, in, size);
+        }
+        value = boost::endian::conditional_reverse<Order, boost::endian::order::native>(ordered);
+        return errc::ok;
+    }
+};
+
+/// IEEE 754 single or double precision, carried by the integer codec of its size. Every bit pattern passes, NaN
+/// included.
+template <std::floating_point T, class Bits> struct floating {
+    using value_type = T;
+    static constexpr std::size_t size = Bits::size;
+    static_assert(sizeof(T) == size, "floating: the value and its carrier differ in size");
+
+    [[gnu::always_inline]] static constexpr errc store(std::byte* out, T value) noexcept {
+        return Bits::store(out, std::bit_cast<typename Bits::value_type>(value));
+    }
+    [[gnu::always_inline]] static constexpr errc load(const std::byte* in, T& value) noexcept {
+        typename Bits::value_type bits{};
+        Bits::load(in, bits);
+        value = std::bit_cast<T>(bits);
+        return errc::ok;
+    }
+};
+
+using u8 = integer<std::uint8_t, boost::endian::order::little>;
+using i8 = integer<std::int8_t, boost::endian::order::little>;
+using u16le = integer<std::uint16_t, boost::endian::order::little>;
+using i16le = integer<std::int16_t, boost::endian::order::little>;
+using u32le = integer<std::uint32_t, boost::endian::order::little>;
+using i32le = integer<std::int32_t, boost::endian::order::little>;
+using u64le = integer<std::uint64_t, boost::endian::order::little>;
+using i64le = integer<std::int64_t, boost::endian::order::little>;
+using u16be = integer<std::uint16_t, boost::endian::order::big>;
+using i16be = integer<std::int16_t, boost::endian::order::big>;
+using u32be = integer<std::uint32_t, boost::endian::order::big>;
+using i32be = integer<std::int32_t, boost::endian::order::big>;
+using u64be = integer<std::uint64_t, boost::endian::order::big>;
+using i64be = integer<std::int64_t, boost::endian::order::big>;
+using f32le = floating<float, u32le>;
+using f64le = floating<double, u64le>;
+using f32be = floating<float, u32be>;
+using f64be = floating<double, u64be>;
+
+/// An enumeration carried by an integer codec. Open: a value without a name passes through unchanged, because standards
+/// reserve values for later editions.
+template <class Enum, codec Carrier>
+requires std::is_enum_v<Enum>
+struct enumeration {
+    using value_type = Enum;
+    static constexpr std::size_t size = Carrier::size;
+    static_assert(std::is_same_v<std::underlying_type_t<Enum>, typename Carrier::value_type>,
+                  "enumeration: the enumeration's underlying type must be the carrier's integer type");
+
+    [[gnu::always_inline]] static constexpr errc store(std::byte* out, Enum value) noexcept {
+        return Carrier::store(out, static_cast<typename Carrier::value_type>(value));
+    }
+    [[gnu::always_inline]] static constexpr errc load(const std::byte* in, Enum& value) noexcept {
+        typename Carrier::value_type raw{};
+        Carrier::load(in, raw);
+        value = static_cast<Enum>(raw);
+        return errc::ok;
+    }
+};
+
+/// N bytes as they are, for example a MAC address.
+template <std::size_t N> struct octets {
+    using value_type = std::array<std::byte, N>;
+    static constexpr std::size_t size = N;
+
+    [[gnu::always_inline]] static constexpr errc store(std::byte* out, const value_type& value) noexcept {
+        for (std::size_t i = 0; i != N; ++i) out[i] = value[i];
+        return errc::ok;
+    }
+    [[gnu::always_inline]] static constexpr errc load(const std::byte* in, value_type& value) noexcept {
+        for (std::size_t i = 0; i != N; ++i) value[i] = in[i];
+        return errc::ok;
+    }
+};
+
+} // namespace jauscat::wire
