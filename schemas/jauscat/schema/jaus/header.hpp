@@ -54,6 +54,7 @@ inline constexpr std::size_t max_body_size = 4080;
 
 } // namespace jauscat::jaus
 
+// clang-format off: one line per field, as in the standard's table
 namespace jauscat {
 
 template <> struct wire::schema<jaus::address> {
