@@ -1,6 +1,6 @@
 // Communications subgroup of RA 3.3 part 3.
 #pragma once
-#include <jauscat/wire/layout.hpp>
+#include <jauscat/wire/schema.hpp>
 
 namespace jauscat::jaus {
 

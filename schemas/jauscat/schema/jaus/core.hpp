@@ -1,8 +1,6 @@
 // Core subgroup of RA 3.3 part 3: authority, emergency, component status.
 #pragma once
-#include <jauscat/wire/bits.hpp>
-#include <jauscat/wire/field.hpp>
-#include <jauscat/wire/layout.hpp>
+#include <jauscat/wire/schema.hpp>
 
 namespace jauscat::jaus {
 

@@ -1,8 +1,6 @@
 // The JAUS message header. RA 3.3 part 2, message header: 16 bytes, little endian.
 #pragma once
-#include <jauscat/wire/bits.hpp>
-#include <jauscat/wire/field.hpp>
-#include <jauscat/wire/nested.hpp>
+#include <jauscat/wire/schema.hpp>
 
 namespace jauscat::jaus {
 

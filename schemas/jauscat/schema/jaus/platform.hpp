@@ -2,10 +2,7 @@
 #pragma once
 #include <jauscat/schema/jaus/time_stamp.hpp>
 #include <jauscat/schema/jaus/types.hpp>
-#include <jauscat/wire/field.hpp>
-#include <jauscat/wire/nested.hpp>
-#include <jauscat/wire/presence.hpp>
-#include <jauscat/wire/scaled.hpp>
+#include <jauscat/wire/schema.hpp>
 
 namespace jauscat::jaus {
 

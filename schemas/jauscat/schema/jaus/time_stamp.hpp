@@ -1,6 +1,6 @@
 // The time stamp of pose and velocity reports. RA 3.3 part 3, time stamp format.
 #pragma once
-#include <jauscat/wire/bits.hpp>
+#include <jauscat/wire/schema.hpp>
 
 namespace jauscat::jaus {
 

@@ -1,0 +1,9 @@
+// The vocabulary that a schema is declared with.
+#pragma once
+#include <jauscat/wire/bits.hpp>
+#include <jauscat/wire/field.hpp>
+#include <jauscat/wire/layout.hpp>
+#include <jauscat/wire/nested.hpp>
+#include <jauscat/wire/presence.hpp>
+#include <jauscat/wire/scalar.hpp>
+#include <jauscat/wire/scaled.hpp>
