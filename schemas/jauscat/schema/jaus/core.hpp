@@ -56,7 +56,8 @@ struct report_component_status {
 
 } // namespace jauscat::jaus
 
-// clang-format off: one line per field, as in the standard's table
+// One line per field, as in the standard's table.
+// clang-format off
 namespace jauscat {
 
 template <> struct wire::schema<jaus::set_component_authority> {
@@ -66,20 +67,27 @@ template <> struct wire::schema<jaus::set_component_authority> {
 
 template <> struct wire::schema<jaus::set_emergency> {
     using T = jaus::set_emergency;
-    using type = layout<bits<u16le, bit<&T::transition_to_emergency, 1>, bit<&T::unassigned_bits, 15>>>;
+    using type = layout<
+        bits<u16le,
+            bit<&T::transition_to_emergency, 1>,
+            bit<&T::unassigned_bits, 15>>>;
 };
 
 template <> struct wire::schema<jaus::clear_emergency> {
     using T = jaus::clear_emergency;
-    using type = layout<bits<u16le, bit<&T::clear_emergency_condition, 1>, bit<&T::unassigned_bits, 15>>>;
+    using type = layout<
+        bits<u16le,
+            bit<&T::clear_emergency_condition, 1>,
+            bit<&T::unassigned_bits, 15>>>;
 };
 
 template <> struct wire::schema<jaus::query_component_status> { using type = layout<>; };
 
 template <> struct wire::schema<jaus::report_component_status> {
     using T = jaus::report_component_status;
-    using type = layout<field<&T::primary_status_code, enumeration<jaus::primary_status_code, u8>>,
-                        field<&T::secondary_status_code, u32le>>;
+    using type = layout<
+        field<&T::primary_status_code, enumeration<jaus::primary_status_code, u8>>,
+        field<&T::secondary_status_code, u32le>>;
 };
 
 } // namespace jauscat

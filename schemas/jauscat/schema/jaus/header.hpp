@@ -52,21 +52,36 @@ inline constexpr std::size_t max_body_size = 4080;
 
 } // namespace jauscat::jaus
 
-// clang-format off: one line per field, as in the standard's table
+// One line per field, as in the standard's table.
+// clang-format off
 namespace jauscat {
 
 template <> struct wire::schema<jaus::address> {
     using T = jaus::address;
-    using type =
-        layout<field<&T::instance, u8>, field<&T::component, u8>, field<&T::node, u8>, field<&T::subsystem, u8>>;
+    using type = layout<
+        field<&T::instance, u8>,
+        field<&T::component, u8>,
+        field<&T::node, u8>,
+        field<&T::subsystem, u8>>;
 };
 
 template <> struct wire::schema<jaus::header> {
     using T = jaus::header;
-    using type = layout<bits<u16le, bit<&T::priority, 4>, bit<&T::ack_nak, 2>, bit<&T::service_connection, 1>,
-                             bit<&T::experimental, 1>, bit<&T::version, 6>, bit<&T::reserved, 2>>,
-                        field<&T::command_code, u16le>, nested<&T::destination>, nested<&T::source>,
-                        bits<u16le, bit<&T::data_size, 12>, bit<&T::data_flag, 4>>, field<&T::sequence_number, u16le>>;
+    using type = layout<
+        bits<u16le,
+            bit<&T::priority, 4>,
+            bit<&T::ack_nak, 2>,
+            bit<&T::service_connection, 1>,
+            bit<&T::experimental, 1>,
+            bit<&T::version, 6>,
+            bit<&T::reserved, 2>>,
+        field<&T::command_code, u16le>,
+        nested<&T::destination>,
+        nested<&T::source>,
+        bits<u16le,
+            bit<&T::data_size, 12>,
+            bit<&T::data_flag, 4>>,
+        field<&T::sequence_number, u16le>>;
 };
 
 } // namespace jauscat

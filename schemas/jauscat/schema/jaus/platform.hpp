@@ -96,23 +96,26 @@ struct report_travel_speed {
 
 } // namespace jauscat::jaus
 
-// clang-format off: one line per field, as in the standard's table
+// One line per field, as in the standard's table.
+// clang-format off
 namespace jauscat {
 
 template <> struct wire::schema<jaus::set_wrench_effort> {
     using T = jaus::set_wrench_effort;
-    using type = layout<presence<u16le, field<&T::propulsive_linear_effort_x, scaled<i16le, jaus::signed_percent>>,
-                                 field<&T::propulsive_linear_effort_y, scaled<i16le, jaus::signed_percent>>,
-                                 field<&T::propulsive_linear_effort_z, scaled<i16le, jaus::signed_percent>>,
-                                 field<&T::propulsive_rotational_effort_x, scaled<i16le, jaus::signed_percent>>,
-                                 field<&T::propulsive_rotational_effort_y, scaled<i16le, jaus::signed_percent>>,
-                                 field<&T::propulsive_rotational_effort_z, scaled<i16le, jaus::signed_percent>>,
-                                 field<&T::resistive_linear_effort_x, scaled<u8, jaus::percent>>,
-                                 field<&T::resistive_linear_effort_y, scaled<u8, jaus::percent>>,
-                                 field<&T::resistive_linear_effort_z, scaled<u8, jaus::percent>>,
-                                 field<&T::resistive_rotational_effort_x, scaled<u8, jaus::percent>>,
-                                 field<&T::resistive_rotational_effort_y, scaled<u8, jaus::percent>>,
-                                 field<&T::resistive_rotational_effort_z, scaled<u8, jaus::percent>>>>;
+    using type = layout<
+        presence<u16le,
+            field<&T::propulsive_linear_effort_x, scaled<i16le, jaus::signed_percent>>,
+            field<&T::propulsive_linear_effort_y, scaled<i16le, jaus::signed_percent>>,
+            field<&T::propulsive_linear_effort_z, scaled<i16le, jaus::signed_percent>>,
+            field<&T::propulsive_rotational_effort_x, scaled<i16le, jaus::signed_percent>>,
+            field<&T::propulsive_rotational_effort_y, scaled<i16le, jaus::signed_percent>>,
+            field<&T::propulsive_rotational_effort_z, scaled<i16le, jaus::signed_percent>>,
+            field<&T::resistive_linear_effort_x, scaled<u8, jaus::percent>>,
+            field<&T::resistive_linear_effort_y, scaled<u8, jaus::percent>>,
+            field<&T::resistive_linear_effort_z, scaled<u8, jaus::percent>>,
+            field<&T::resistive_rotational_effort_x, scaled<u8, jaus::percent>>,
+            field<&T::resistive_rotational_effort_y, scaled<u8, jaus::percent>>,
+            field<&T::resistive_rotational_effort_z, scaled<u8, jaus::percent>>>>;
 };
 
 template <> struct wire::schema<jaus::set_travel_speed> {
@@ -134,31 +137,35 @@ template <> struct wire::schema<jaus::query_travel_speed> { using type = layout<
 
 template <> struct wire::schema<jaus::report_global_pose> {
     using T = jaus::report_global_pose;
-    using type =
-        layout<open_presence<u16le, field<&T::latitude, scaled<i32le, jaus::latitude_range>>,
-                             field<&T::longitude, scaled<i32le, jaus::longitude_range>>,
-                             field<&T::elevation, scaled<i32le, jaus::elevation_range>>,
-                             field<&T::position_rms, scaled<u32le, jaus::position_error>>,
-                             field<&T::roll, scaled<i16le, jaus::signed_angle>>,
-                             field<&T::pitch, scaled<i16le, jaus::signed_angle>>,
-                             field<&T::yaw, scaled<i16le, jaus::signed_angle>>,
-                             field<&T::attitude_rms, scaled<u16le, jaus::positive_angle>>, nested<&T::time_stamp>>>;
+    using type = layout<
+        open_presence<u16le,
+            field<&T::latitude, scaled<i32le, jaus::latitude_range>>,
+            field<&T::longitude, scaled<i32le, jaus::longitude_range>>,
+            field<&T::elevation, scaled<i32le, jaus::elevation_range>>,
+            field<&T::position_rms, scaled<u32le, jaus::position_error>>,
+            field<&T::roll, scaled<i16le, jaus::signed_angle>>,
+            field<&T::pitch, scaled<i16le, jaus::signed_angle>>,
+            field<&T::yaw, scaled<i16le, jaus::signed_angle>>,
+            field<&T::attitude_rms, scaled<u16le, jaus::positive_angle>>,
+            nested<&T::time_stamp>>>;
 };
 
 template <> struct wire::schema<jaus::report_wrench_effort> {
     using T = jaus::report_wrench_effort;
-    using type = layout<presence<u16le, field<&T::propulsive_linear_effort_x, scaled<i16le, jaus::signed_percent>>,
-                                 field<&T::propulsive_linear_effort_y, scaled<i16le, jaus::signed_percent>>,
-                                 field<&T::propulsive_linear_effort_z, scaled<i16le, jaus::signed_percent>>,
-                                 field<&T::propulsive_rotational_effort_x, scaled<i16le, jaus::signed_percent>>,
-                                 field<&T::propulsive_rotational_effort_y, scaled<i16le, jaus::signed_percent>>,
-                                 field<&T::propulsive_rotational_effort_z, scaled<i16le, jaus::signed_percent>>,
-                                 field<&T::resistive_linear_effort_x, scaled<u8, jaus::percent>>,
-                                 field<&T::resistive_linear_effort_y, scaled<u8, jaus::percent>>,
-                                 field<&T::resistive_linear_effort_z, scaled<u8, jaus::percent>>,
-                                 field<&T::resistive_rotational_effort_x, scaled<u8, jaus::percent>>,
-                                 field<&T::resistive_rotational_effort_y, scaled<u8, jaus::percent>>,
-                                 field<&T::resistive_rotational_effort_z, scaled<u8, jaus::percent>>>>;
+    using type = layout<
+        presence<u16le,
+            field<&T::propulsive_linear_effort_x, scaled<i16le, jaus::signed_percent>>,
+            field<&T::propulsive_linear_effort_y, scaled<i16le, jaus::signed_percent>>,
+            field<&T::propulsive_linear_effort_z, scaled<i16le, jaus::signed_percent>>,
+            field<&T::propulsive_rotational_effort_x, scaled<i16le, jaus::signed_percent>>,
+            field<&T::propulsive_rotational_effort_y, scaled<i16le, jaus::signed_percent>>,
+            field<&T::propulsive_rotational_effort_z, scaled<i16le, jaus::signed_percent>>,
+            field<&T::resistive_linear_effort_x, scaled<u8, jaus::percent>>,
+            field<&T::resistive_linear_effort_y, scaled<u8, jaus::percent>>,
+            field<&T::resistive_linear_effort_z, scaled<u8, jaus::percent>>,
+            field<&T::resistive_rotational_effort_x, scaled<u8, jaus::percent>>,
+            field<&T::resistive_rotational_effort_y, scaled<u8, jaus::percent>>,
+            field<&T::resistive_rotational_effort_z, scaled<u8, jaus::percent>>>>;
 };
 
 template <> struct wire::schema<jaus::report_travel_speed> {

@@ -16,13 +16,19 @@ struct time_stamp {
 
 } // namespace jauscat::jaus
 
-// clang-format off: one line per field, as in the standard's table
+// One line per field, as in the standard's table.
+// clang-format off
 namespace jauscat {
 
 template <> struct wire::schema<jaus::time_stamp> {
     using T = jaus::time_stamp;
-    using type = layout<bits<u32le, bit<&T::milliseconds, 10>, bit<&T::seconds, 6>, bit<&T::minutes, 6>,
-                             bit<&T::hours, 5>, bit<&T::day, 5>>>;
+    using type = layout<
+        bits<u32le,
+            bit<&T::milliseconds, 10>,
+            bit<&T::seconds, 6>,
+            bit<&T::minutes, 6>,
+            bit<&T::hours, 5>,
+            bit<&T::day, 5>>>;
 };
 
 } // namespace jauscat

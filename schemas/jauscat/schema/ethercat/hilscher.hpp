@@ -1,0 +1,178 @@
+// Packets of the Hilscher EtherCAT master's API (netX, cifX cards; V2/V3): the common packet header and the SDO
+// services. netX Dual-Port Memory Interface manual; EtherCAT Master V3/V4 Protocol API manual. Little endian, no
+// padding.
+#pragma once
+#include <jauscat/wire/schema.hpp>
+
+namespace jauscat::hilscher {
+
+/// ulCmd: what a packet asks for. An answer is its request plus 1.
+enum class packet_command : std::uint32_t {
+    sdo_upload_req = 0x00650006,
+    sdo_upload_cnf = 0x00650007,
+    sdo_download_req = 0x00650008,
+    sdo_download_cnf = 0x00650009,
+};
+
+/// ulSta of a confirmation: the result. EtherCAT Master Protocol API, status codes; other values are possible.
+enum class packet_status : std::uint32_t {
+    ok = 0,
+    fail = 0xC0000001,
+    unknown_command = 0xC0000004,
+    unknown_destination = 0xC0000005,
+    invalid_packet_length = 0xC0000007,
+    invalid_parameter = 0xC0000009,
+    no_link = 0xC0650002,
+    coe_invalid_slave_id = 0xC065000F,
+    coe_invalid_communication_state = 0xC0650013,
+    coe_frame_lost = 0xC0650014,
+    coe_timeout = 0xC0650015,
+    coe_slave_not_addressable = 0xC0650016,
+    coe_slave_response_too_big = 0xC0650018,
+    coe_working_counter_error = 0xC065001A,
+    coe_no_mailbox_support = 0xC0650023,
+    coe_no_coe_support = 0xC0650024,
+    sdo_abort_toggle = 0xC0650027,
+    sdo_abort_timeout = 0xC0650028,
+    sdo_abort_command_specifier = 0xC0650029,
+    sdo_abort_block_size = 0xC065002A,
+    sdo_abort_sequence_number = 0xC065002B,
+    sdo_abort_crc = 0xC065002C,
+    sdo_abort_memory = 0xC065002D,
+    sdo_abort_access = 0xC065002E,
+    sdo_abort_write_only = 0xC065002F,
+    sdo_abort_read_only = 0xC0650030,
+    sdo_abort_no_object = 0xC0650031,
+    sdo_abort_pdo_mapping = 0xC0650032,
+    sdo_abort_pdo_length = 0xC0650033,
+    sdo_abort_parameter_incompatible = 0xC0650034,
+    sdo_abort_internal_incompatible = 0xC0650035,
+    sdo_abort_hardware = 0xC0650036,
+    sdo_abort_data_size = 0xC0650037,
+    sdo_abort_data_too_long = 0xC0650038,
+    sdo_abort_data_too_short = 0xC0650039,
+    sdo_abort_no_subindex = 0xC065003A,
+    sdo_abort_value_range = 0xC065003B,
+    sdo_abort_value_too_high = 0xC065003C,
+    sdo_abort_value_too_low = 0xC065003D,
+    sdo_abort_max_below_min = 0xC065003E,
+    sdo_abort_general = 0xC065003F,
+    sdo_abort_transfer = 0xC0650040,
+    sdo_abort_local_control = 0xC0650041,
+    sdo_abort_device_state = 0xC0650042,
+    sdo_abort_no_dictionary = 0xC0650043,
+    sdo_abort_unknown = 0xC0650044, ///< any abort code that this list lacks
+};
+
+/// The header of every packet, 40 bytes. An answer keeps all of it but ulSta, ulCmd and ulLen.
+struct packet_header {
+    std::uint32_t ul_dest{};    ///< receiver: 0x20 for the channel in use
+    std::uint32_t ul_src{};     ///< sender, returned untouched
+    std::uint32_t ul_dest_id{}; ///< secondary receiver reference
+    std::uint32_t ul_src_id{};  ///< secondary sender reference, returned untouched
+    std::uint32_t ul_len{};     ///< bytes of body, 0 to 1556 (before 2011-09: 1560)
+    std::uint32_t ul_id{};      ///< packet number of the sender's choice, returned untouched
+    packet_status ul_sta{};     ///< result, in an answer; 0 in a request
+    packet_command ul_cmd{};    ///< what is asked for
+    std::uint32_t
+        ul_ext{}; ///< place in a fragmented sequence: 0x80 first, 0xC0 middle, 0x40 last, 0x200 will be retried
+    std::uint32_t ul_rout{}; ///< 0; firmware internal
+    friend constexpr bool operator==(const packet_header&, const packet_header&) = default;
+};
+
+/// ETHERCAT_MASTER_PACKET_SDO_DOWNLOAD_REQ_T without its data: 56 bytes, then abSdoData with ulDataCnt bytes.
+/// ulCmd 0x00650008, ulLen 16 + n.
+struct sdo_download_request {
+    packet_header head{.ul_cmd = packet_command::sdo_download_req};
+    std::uint32_t ul_node_id{};   ///< fixed station address of the slave
+    std::uint32_t ul_index{};     ///< object index, 0 to 0xFFFF
+    std::uint32_t ul_sub_index{}; ///< subindex, 0 to 255
+    std::uint32_t ul_data_cnt{};  ///< n, bytes of abSdoData
+    friend constexpr bool operator==(const sdo_download_request&, const sdo_download_request&) = default;
+};
+
+/// Answer to a download: 40 bytes. ulCmd 0x00650009, ulLen 0; the result is ulSta.
+struct sdo_download_confirmation {
+    packet_header head{.ul_cmd = packet_command::sdo_download_cnf};
+    friend constexpr bool operator==(const sdo_download_confirmation&, const sdo_download_confirmation&) = default;
+};
+
+/// Request to read an object: 52 bytes. ulCmd 0x00650006, ulLen 12.
+struct sdo_upload_request {
+    packet_header head{.ul_len = 12, .ul_cmd = packet_command::sdo_upload_req};
+    std::uint32_t ul_node_id{};   ///< fixed station address of the slave
+    std::uint32_t ul_index{};     ///< object index, 0 to 0xFFFF
+    std::uint32_t ul_sub_index{}; ///< subindex, 0 to 255
+    friend constexpr bool operator==(const sdo_upload_request&, const sdo_upload_request&) = default;
+};
+
+/// Answer to an upload without its data: 56 bytes, then abSdoData. ulCmd 0x00650007, ulLen 16 + n. An answer with an
+/// error in ulSta has ulLen 12 and ends after ulSubIndex.
+struct sdo_upload_confirmation {
+    packet_header head{.ul_cmd = packet_command::sdo_upload_cnf};
+    std::uint32_t ul_node_id{};   ///< as in the request
+    std::uint32_t ul_index{};     ///< as in the request
+    std::uint32_t ul_sub_index{}; ///< as in the request
+    std::uint32_t ul_data_cnt{};  ///< n, bytes of abSdoData
+    friend constexpr bool operator==(const sdo_upload_confirmation&, const sdo_upload_confirmation&) = default;
+};
+
+/// Most bytes of abSdoData: the body's 1556 less 16. Cards from before 2011-09 take 1544.
+inline constexpr std::size_t max_sdo_data = 1540;
+
+} // namespace jauscat::hilscher
+
+// One line per field, as in the manual's table.
+// clang-format off
+namespace jauscat {
+
+template <> struct wire::schema<hilscher::packet_header> {
+    using T = hilscher::packet_header;
+    using type = layout<
+        field<&T::ul_dest, u32le>,
+        field<&T::ul_src, u32le>,
+        field<&T::ul_dest_id, u32le>,
+        field<&T::ul_src_id, u32le>,
+        field<&T::ul_len, u32le>,
+        field<&T::ul_id, u32le>,
+        field<&T::ul_sta, enumeration<hilscher::packet_status, u32le>>,
+        field<&T::ul_cmd, enumeration<hilscher::packet_command, u32le>>,
+        field<&T::ul_ext, u32le>,
+        field<&T::ul_rout, u32le>>;
+};
+
+template <> struct wire::schema<hilscher::sdo_download_request> {
+    using T = hilscher::sdo_download_request;
+    using type = layout<
+        nested<&T::head>,
+        field<&T::ul_node_id, u32le>,
+        field<&T::ul_index, u32le>,
+        field<&T::ul_sub_index, u32le>,
+        field<&T::ul_data_cnt, u32le>>;
+};
+
+template <> struct wire::schema<hilscher::sdo_download_confirmation> {
+    using T = hilscher::sdo_download_confirmation;
+    using type = layout<nested<&T::head>>;
+};
+
+template <> struct wire::schema<hilscher::sdo_upload_request> {
+    using T = hilscher::sdo_upload_request;
+    using type = layout<
+        nested<&T::head>,
+        field<&T::ul_node_id, u32le>,
+        field<&T::ul_index, u32le>,
+        field<&T::ul_sub_index, u32le>>;
+};
+
+template <> struct wire::schema<hilscher::sdo_upload_confirmation> {
+    using T = hilscher::sdo_upload_confirmation;
+    using type = layout<
+        nested<&T::head>,
+        field<&T::ul_node_id, u32le>,
+        field<&T::ul_index, u32le>,
+        field<&T::ul_sub_index, u32le>,
+        field<&T::ul_data_cnt, u32le>>;
+};
+
+} // namespace jauscat
