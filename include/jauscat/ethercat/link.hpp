@@ -8,21 +8,16 @@
 
 namespace jauscat::ethercat {
 
-/// Largest Ethernet frame without its check sequence, in bytes. A receive buffer of this size holds every frame.
-inline constexpr std::size_t max_frame_size = 1514;
-
-/// Smallest Ethernet frame without its check sequence, in bytes. Shorter frames are padded with zeros.
-inline constexpr std::size_t min_frame_size = 60;
-
 /// A medium for EtherCAT frames.
 ///
 /// A frame is a full Ethernet frame, whatever the medium: 14-byte Ethernet header with EtherType 88A4h, EtherCAT
-/// header, datagrams, zeros up to `min_frame_size`; no check sequence. A source address of all zeros asks the link to
+/// header, datagrams, zeros up to 60 bytes; no check sequence. A source address of all zeros asks the link to
 /// put its own there; any other is sent as it is, because a slave returns the master's.
 ///
 /// - `send(frame)`: false when the medium did not take the frame; nobody will answer it.
 /// - `receive(buffer, timeout)`: the size of the frame now in `buffer`, or 0 when none came in time or the medium
-///   failed. A frame that does not fit the buffer is dropped. A timeout of 0 looks once and does not wait.
+///   failed. A frame that does not fit the buffer is dropped; 1514 bytes hold every frame. A timeout of 0 looks once
+///   and does not wait.
 template <class L>
 concept link = requires(L& medium, std::span<const std::byte> frame, std::span<std::byte> buffer,
                         std::chrono::nanoseconds timeout) {

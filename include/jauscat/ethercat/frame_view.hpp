@@ -1,0 +1,112 @@
+// Checks a frame that came from outside and walks over its datagrams. Trusts the announced length, never the frame's
+// size.
+#pragma once
+
+#include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/frame_errc.hpp>
+#include <jauscat/schema/ethercat/datagram.hpp>
+#include <jauscat/schema/ethercat/frame.hpp>
+#include <jauscat/wire/decode.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// One datagram of a frame. `Byte` is std::byte where a slave changes it in place.
+template <class Byte> struct basic_datagram {
+    datagram_header header{};
+    std::uint16_t working_counter{};
+    std::span<Byte> data{};
+    std::span<Byte> bytes{}; ///< header, data and trailer
+};
+
+/// The datagrams of a checked frame: `frame_view view; if (view.parse(bytes)) for (auto datagram : view) ...`.
+template <class Byte> class basic_frame_view {
+  public:
+    /// Checks all of `frame`, a VLAN tag allowed, and returns the bytes used, padding excluded.
+    /// Errors: too_short, not_ethercat, not_datagrams, length_beyond_frame, truncated_datagram, length_mismatch.
+    /// After an error the view is empty.
+    constexpr frame_result parse(std::span<Byte> frame) noexcept {
+        datagrams_ = {};
+        ethernet_header ethernet{};
+        auto used = wire::decode_prefix(ethernet, frame);
+        if (!used) return frame_errc::too_short;
+        std::size_t at = used.size();
+        if (ethernet.ether_type == ether_type_vlan) {
+            vlan_tag tag{};
+            used = wire::decode_prefix(tag, frame.subspan(at));
+            if (!used) return frame_errc::too_short;
+            at += used.size();
+            ethernet.ether_type = tag.ether_type;
+        }
+        if (ethernet.ether_type != ether_type_ethercat) return frame_errc::not_ethercat;
+        frame_header header{};
+        used = wire::decode_prefix(header, frame.subspan(at));
+        if (!used) return frame_errc::too_short;
+        at += used.size();
+        if (header.type != frame_type::datagrams) return frame_errc::not_datagrams;
+        if (frame.size() - at < header.length) return frame_errc::length_beyond_frame;
+
+        const auto datagrams = frame.subspan(at, header.length);
+        std::size_t walked = 0;
+        for (bool more = true; more;) {
+            datagram_header datagram{};
+            if (!wire::decode_prefix(datagram, datagrams.subspan(walked))) return frame_errc::truncated_datagram;
+            if (datagrams.size() - walked < datagram_overhead + datagram.length) return frame_errc::truncated_datagram;
+            walked += datagram_overhead + datagram.length;
+            more = datagram.more;
+        }
+        if (walked != datagrams.size()) return frame_errc::length_mismatch;
+        datagrams_ = datagrams;
+        return at + walked;
+    }
+
+    class iterator {
+      public:
+        using value_type = basic_datagram<Byte>;
+        using difference_type = std::ptrdiff_t;
+
+        constexpr iterator() noexcept = default;
+        constexpr explicit iterator(std::span<Byte> rest) noexcept : rest_{rest} {}
+
+        constexpr value_type operator*() const noexcept {
+            value_type datagram{};
+            const std::size_t header = wire::decode_prefix(datagram.header, rest_).size();
+            datagram.data = rest_.subspan(header, datagram.header.length);
+            datagram.bytes = rest_.first(datagram_overhead + datagram.header.length);
+            datagram_trailer trailer{};
+            static_cast<void>(wire::decode_prefix(trailer, rest_.subspan(header + datagram.header.length)));
+            datagram.working_counter = trailer.working_counter;
+            return datagram;
+        }
+        constexpr iterator& operator++() noexcept {
+            rest_ = rest_.subspan((**this).bytes.size());
+            return *this;
+        }
+        constexpr iterator operator++(int) noexcept {
+            const auto before = *this;
+            ++*this;
+            return before;
+        }
+        constexpr bool operator==(std::default_sentinel_t) const noexcept { return rest_.empty(); }
+        constexpr bool operator==(const iterator& other) const noexcept { return rest_.size() == other.rest_.size(); }
+
+      private:
+        std::span<Byte> rest_{};
+    };
+
+    [[nodiscard]] constexpr iterator begin() const noexcept { return iterator{datagrams_}; }
+    [[nodiscard]] constexpr std::default_sentinel_t end() const noexcept { return {}; }
+
+  private:
+    std::span<Byte> datagrams_{};
+};
+
+using datagram_view = basic_datagram<const std::byte>;
+using frame_view = basic_frame_view<const std::byte>;
+using mutable_frame_view = basic_frame_view<std::byte>;
+
+} // namespace jauscat::ethercat

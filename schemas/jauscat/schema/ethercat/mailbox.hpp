@@ -1,0 +1,59 @@
+// The mailbox header and its error reply. ETG.1000.4, clause 5.6.
+#pragma once
+
+#include <jauscat/wire/wire.hpp>
+
+#include <cstdint>
+
+namespace jauscat::ethercat {
+
+/// The protocol that a mailbox message carries.
+enum class mailbox_type : std::uint8_t { error = 0, aoe = 1, eoe = 2, coe = 3, foe = 4, soe = 5, voe = 15 };
+
+/// Mailbox header, 6 bytes.
+struct mailbox_header {
+    std::uint16_t length{};  ///< bytes that follow this header
+    std::uint16_t address{}; ///< station address of a routed message's other end; 0 from a master
+    std::uint8_t channel{};  ///< 0
+    std::uint8_t priority{}; ///< 0 (lowest) to 3
+    mailbox_type type{};
+    std::uint8_t counter{}; ///< 1 to 7, another one for each new message; 0: not used
+};
+
+/// Why a slave refused a mailbox message.
+enum class mailbox_error_code : std::uint16_t {
+    none = 0,
+    syntax = 1,
+    unsupported_protocol = 2,
+    invalid_channel = 3,
+    service_not_supported = 4,
+    invalid_header = 5,
+    size_too_short = 6,
+    no_more_memory = 7,
+    invalid_size = 8,
+    service_in_work = 9,
+};
+
+/// Body of a message of type error, 4 bytes.
+struct mailbox_error_reply {
+    std::uint16_t type{}; ///< 1
+    mailbox_error_code code{};
+};
+
+} // namespace jauscat::ethercat
+
+namespace jauscat {
+
+template <> struct wire::schema<ethercat::mailbox_header> {
+    using T = ethercat::mailbox_header;
+    using type =
+        layout<field<&T::length, u16le>, field<&T::address, u16le>, bits<u8, bit<&T::channel, 6>, bit<&T::priority, 2>>,
+               bits<u8, bit<&T::type, 4>, bit<&T::counter, 3>, reserved<1>>>;
+};
+
+template <> struct wire::schema<ethercat::mailbox_error_reply> {
+    using T = ethercat::mailbox_error_reply;
+    using type = layout<field<&T::type, u16le>, field<&T::code, enumeration<ethercat::mailbox_error_code, u16le>>>;
+};
+
+} // namespace jauscat

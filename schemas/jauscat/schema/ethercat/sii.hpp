@@ -1,0 +1,167 @@
+// Slave Information Interface (SII): what a slave's EEPROM says about it. ETG.2010. Addresses are in words of 2 bytes.
+#pragma once
+
+#include <jauscat/wire/wire.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace jauscat::ethercat {
+
+/// Word addresses of the fixed part, and of the first category.
+namespace sii_words {
+inline constexpr std::uint16_t configuration = 0x00;
+inline constexpr std::uint16_t identity = 0x08;
+inline constexpr std::uint16_t mailbox = 0x18;
+inline constexpr std::uint16_t size = 0x3E;
+inline constexpr std::uint16_t categories = 0x40;
+} // namespace sii_words
+
+/// Words 0x00 to 0x07: what the slave controller loads at power-on, 16 bytes.
+struct sii_configuration {
+    std::uint16_t pdi_control{};
+    std::uint16_t pdi_configuration{};
+    std::uint16_t sync_impulse_length{}; ///< 10 ns
+    std::uint16_t pdi_configuration_2{};
+    std::uint16_t station_alias{};
+    std::array<std::byte, 4> gap{};
+    std::uint16_t checksum{}; ///< low byte: CRC-8 of the 14 bytes before, polynomial 0x07, start 0xFF
+};
+
+/// Words 0x08 to 0x0F: who made the slave, 16 bytes.
+struct sii_identity {
+    std::uint32_t vendor{};
+    std::uint32_t product{};
+    std::uint32_t revision{};
+    std::uint32_t serial{};
+};
+
+/// Words 0x18 to 0x1C: the standard mailbox, 10 bytes.
+struct sii_mailbox {
+    std::uint16_t receive_offset{}; ///< master to slave, SyncManager 0
+    std::uint16_t receive_size{};   ///< bytes
+    std::uint16_t send_offset{};    ///< slave to master, SyncManager 1
+    std::uint16_t send_size{};      ///< bytes
+    bool aoe{};
+    bool eoe{};
+    bool coe{};
+    bool foe{};
+    bool soe{};
+    bool voe{};
+};
+
+/// Words 0x3E and 0x3F, 4 bytes.
+struct sii_size {
+    std::uint16_t kibit{};   ///< size of the memory in Kibit, less 1
+    std::uint16_t version{}; ///< 1
+};
+
+/// Kinds of categories.
+enum class sii_category : std::uint16_t {
+    strings = 10,
+    general = 30,
+    fmmu = 40,
+    sync_manager = 41,
+    tx_pdo = 50,
+    rx_pdo = 51,
+    dc = 60,
+    end = 0xFFFF,
+};
+
+/// Header of a category, 4 bytes; its data follow.
+struct sii_category_header {
+    sii_category category{};
+    std::uint16_t words{}; ///< length of the data
+};
+
+/// Category general, 32 bytes.
+struct sii_general {
+    std::uint8_t group{}; ///< index of a string, from 1; 0: none
+    std::uint8_t image{}; ///< index of a string
+    std::uint8_t order{}; ///< index of a string
+    std::uint8_t name{};  ///< index of a string
+    std::uint8_t gap{};
+    bool sdo{};
+    bool sdo_information{};
+    bool pdo_assign{};
+    bool pdo_configuration{};
+    bool upload_at_start{};
+    bool complete_access{};
+    std::uint8_t foe{};
+    std::uint8_t eoe{};
+    std::array<std::byte, 3> soe{};
+    std::uint8_t flags{};
+    std::int16_t ebus_current{}; ///< mA
+    std::array<std::byte, 2> gap_2{};
+    std::uint16_t ports{}; ///< 4 bits per port: 0 none, 1 MII, 3 EBUS
+    std::array<std::byte, 14> gap_3{};
+};
+
+/// What a SyncManager of category SyncM is for.
+enum class sii_sync_manager_use : std::uint8_t { none = 0, mailbox_out = 1, mailbox_in = 2, outputs = 3, inputs = 4 };
+
+/// One entry of category SyncM, 8 bytes.
+struct sii_sync_manager {
+    std::uint16_t start{};
+    std::uint16_t length{};
+    std::uint8_t control{};
+    std::uint8_t status{};
+    std::uint8_t enable{};
+    sii_sync_manager_use use{};
+};
+
+} // namespace jauscat::ethercat
+
+namespace jauscat {
+
+template <> struct wire::schema<ethercat::sii_configuration> {
+    using T = ethercat::sii_configuration;
+    using type = layout<field<&T::pdi_control, u16le>, field<&T::pdi_configuration, u16le>,
+                        field<&T::sync_impulse_length, u16le>, field<&T::pdi_configuration_2, u16le>,
+                        field<&T::station_alias, u16le>, field<&T::gap, octets<4>>, field<&T::checksum, u16le>>;
+};
+
+template <> struct wire::schema<ethercat::sii_identity> {
+    using T = ethercat::sii_identity;
+    using type = layout<field<&T::vendor, u32le>, field<&T::product, u32le>, field<&T::revision, u32le>,
+                        field<&T::serial, u32le>>;
+};
+
+template <> struct wire::schema<ethercat::sii_mailbox> {
+    using T = ethercat::sii_mailbox;
+    using type = layout<field<&T::receive_offset, u16le>, field<&T::receive_size, u16le>, field<&T::send_offset, u16le>,
+                        field<&T::send_size, u16le>,
+                        bits<u16le, bit<&T::aoe, 1>, bit<&T::eoe, 1>, bit<&T::coe, 1>, bit<&T::foe, 1>, bit<&T::soe, 1>,
+                             bit<&T::voe, 1>, reserved<10>>>;
+};
+
+template <> struct wire::schema<ethercat::sii_size> {
+    using T = ethercat::sii_size;
+    using type = layout<field<&T::kibit, u16le>, field<&T::version, u16le>>;
+};
+
+template <> struct wire::schema<ethercat::sii_category_header> {
+    using T = ethercat::sii_category_header;
+    using type = layout<field<&T::category, enumeration<ethercat::sii_category, u16le>>, field<&T::words, u16le>>;
+};
+
+template <> struct wire::schema<ethercat::sii_general> {
+    using T = ethercat::sii_general;
+    using type = layout<
+        field<&T::group, u8>, field<&T::image, u8>, field<&T::order, u8>, field<&T::name, u8>, field<&T::gap, u8>,
+        bits<u8, bit<&T::sdo, 1>, bit<&T::sdo_information, 1>, bit<&T::pdo_assign, 1>, bit<&T::pdo_configuration, 1>,
+             bit<&T::upload_at_start, 1>, bit<&T::complete_access, 1>, reserved<2>>,
+        field<&T::foe, u8>, field<&T::eoe, u8>, field<&T::soe, octets<3>>, field<&T::flags, u8>,
+        field<&T::ebus_current, i16le>, field<&T::gap_2, octets<2>>, field<&T::ports, u16le>,
+        field<&T::gap_3, octets<14>>>;
+};
+
+template <> struct wire::schema<ethercat::sii_sync_manager> {
+    using T = ethercat::sii_sync_manager;
+    using type =
+        layout<field<&T::start, u16le>, field<&T::length, u16le>, field<&T::control, u8>, field<&T::status, u8>,
+               field<&T::enable, u8>, field<&T::use, enumeration<ethercat::sii_sync_manager_use, u8>>>;
+};
+
+} // namespace jauscat

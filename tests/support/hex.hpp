@@ -1,0 +1,41 @@
+// Bytes written as hexadecimal text, for expectations that can be read.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jauscat::test {
+
+/// "01 02ff" to bytes; anything that is not a hexadecimal digit separates.
+inline std::vector<std::byte> from_hex(std::string_view text) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::vector<std::byte> bytes;
+    unsigned pending = 0, count = 0;
+    for (const char c : text) {
+        const auto digit = digits.find(c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c);
+        if (digit == std::string_view::npos) continue;
+        pending = pending * 16 + static_cast<unsigned>(digit);
+        if (++count % 2 == 0) {
+            bytes.push_back(static_cast<std::byte>(pending));
+            pending = 0;
+        }
+    }
+    return bytes;
+}
+
+/// Bytes to "01 02 ff".
+inline std::string to_hex(std::span<const std::byte> bytes) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text;
+    for (const std::byte byte : bytes) {
+        if (!text.empty()) text += ' ';
+        text += digits[std::to_integer<unsigned>(byte) >> 4];
+        text += digits[std::to_integer<unsigned>(byte) & 15];
+    }
+    return text;
+}
+
+} // namespace jauscat::test
