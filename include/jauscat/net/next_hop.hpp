@@ -1,0 +1,30 @@
+// Sending a JAUS message where its header says: the configuration knows the way, the transport goes it.
+#pragma once
+
+#include <jauscat/net/jaus_config.hpp>
+#include <jauscat/net/udp_transport.hpp>
+#include <jauscat/schema/jaus/header.hpp>
+#include <jauscat/wire/decode.hpp>
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace jauscat::net {
+
+/// Sends a whole message, header first, to the system whose jausip covers its destination, framed as that system wants
+/// it. Fails when the header is incomplete, when no system covers the destination, and when `udp_transport::send` does.
+inline outcome send_to_next_hop(udp_transport& transport, const jaus_config& config,
+                                std::span<const std::byte> message) {
+    jaus::header header;
+    if (const auto read = wire::decode_prefix(header, message); !read)
+        return outcome{"no JAUS header in " + std::to_string(message.size()) +
+                       " bytes: " + std::string{wire::describe(read.error())}};
+    const auto* hop = config.next_hop(header.destination);
+    if (!hop)
+        return outcome{"no way to " + to_jausip(header.destination) + ": no <system> of " + config.source +
+                       " has a jausip that covers it"};
+    return transport.send(message, hop->endpoint(), hop->framing);
+}
+
+} // namespace jauscat::net

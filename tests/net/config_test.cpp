@@ -1,0 +1,196 @@
+// JausConfig.xml: what is read from a good file, and what is said about each kind of bad one.
+#include "support/catch.hpp"
+#include <jauscat/net/jaus_config.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+
+using namespace jauscat;
+using namespace jauscat::net;
+
+namespace {
+
+const std::string system_a =
+    "<system><name>a</name><jausip>1.0.0.0</jausip><ip>127.0.0.1</ip><port>39777</port></system>\n";
+
+/// A file with the given lines between <jausconfig> in line 1 and the closing tag.
+jaus_config parse(const std::string& lines) {
+    return parse_jaus_config("<jausconfig>\n" + lines + "</jausconfig>\n", "test.xml");
+}
+
+/// What the reader says about `text`.
+std::string complaint(const std::string& text) {
+    try {
+        parse_jaus_config(text, "test.xml");
+        return "accepted";
+    } catch (const config_error& error) {
+        CHECK(std::string{error.what()}.starts_with("test.xml:" + std::to_string(error.line()) + ": "));
+        return error.what();
+    }
+}
+
+/// What it says about a file of system a, in line 2 and `this_line` in line 3.
+std::string complaint_about(const std::string& this_line) {
+    return complaint("<jausconfig thissystem='a'>\n" + system_a + this_line + "\n</jausconfig>\n");
+}
+
+std::string hop(const jaus_config& config, std::string_view destination) {
+    const auto* entry = config.next_hop(parse_jausip(destination).value());
+    return entry ? entry->name : "none";
+}
+
+} // namespace
+
+TEST_CASE("the example file names systems a and b") {
+    const auto config = read_jaus_config(std::filesystem::path{JAUSCAT_TEST_DATA} / "../../examples/JausConfig.xml");
+    REQUIRE(config.systems.size() == 2);
+    CHECK(config.this_system == "a");
+    CHECK(config.me().name == "a");
+    CHECK(config.me().jausip == jaus::address{0, 0, 0, 1});
+    CHECK(config.me().endpoint() == boost::asio::ip::udp::endpoint{boost::asio::ip::make_address("127.0.0.1"), 39777});
+    CHECK(config.me().framing == jaus::framing::bare);
+    REQUIRE(config.find("b") != nullptr);
+    CHECK(config.find("b")->jausip == jaus::address{0, 0, 0, 2});
+    CHECK(config.find("b")->port == 39778);
+    CHECK(config.find("c") == nullptr);
+}
+
+TEST_CASE("attributes, any case of the root, spaces, comments and a framing are taken") {
+    const auto config =
+        parse_jaus_config("<?xml version='1.0'?>\n<!-- c -->\n<JausConfig thissystem='arm'>\n"
+                          "<system name='arm' jausip='3.1.33.1' ip='::1' port='1' framing='JAUS01.0'/>\n"
+                          "<system name='b'><jausip> 2.0.0.0\n</jausip><!-- c --><ip>10.0.0.1</ip>"
+                          "<port> 65535 </port><framing>bare</framing></system></JausConfig>",
+                          "x");
+    CHECK(config.me().jausip == jaus::address{1, 33, 1, 3});
+    CHECK(config.me().ip.is_v6());
+    CHECK(config.me().framing == jaus::framing::jaus01);
+    CHECK(config.me().line == 4);
+    CHECK(config.find("b")->port == 65535);
+    CHECK(config.find("b")->framing == jaus::framing::bare);
+    CHECK(config.find("b")->jausip.subsystem == 2);
+}
+
+TEST_CASE("one file serves every system") {
+    const auto config = parse("<thissystem>a</thissystem>\n" + system_a +
+                              "<system name='b' jausip='2.0.0.0' ip='127.0.0.1' port='39778'/>\n");
+    CHECK(config.with_this("b").me().port == 39778);
+    CHECK(config.me().port == 39777);
+    try {
+        config.with_this("c");
+        FAIL("a system that is not there was accepted");
+    } catch (const config_error& error) {
+        CHECK(std::string{error.what()} == "test.xml: there is no system \"c\"; the file has: a, b");
+    }
+}
+
+TEST_CASE("a message goes to the system whose jausip names it best") {
+    const auto system = [](std::string name, std::string jausip) {
+        return "<system name='" + name + "' jausip='" + jausip + "' ip='127.0.0.1' port='1'/>";
+    };
+    const auto config = parse("<thissystem>one</thissystem>" + system("one", "1.0.0.0") + system("pd", "1.2.33.0") +
+                              system("node", "1.2.0.0") + system("exact", "1.2.33.4") + system("any-pd", "0.0.33.0"));
+    CHECK(hop(config, "1.1.1.1") == "one");
+    CHECK(hop(config, "1.2.1.1") == "node");
+    CHECK(hop(config, "1.2.33.1") == "pd");
+    CHECK(hop(config, "1.2.33.4") == "exact");
+    CHECK(hop(config, "1.3.33.4") == "one");
+    CHECK(hop(config, "9.3.33.4") == "any-pd");
+    CHECK(hop(config, "9.3.34.4") == "none");
+    CHECK(hop(config, "255.255.1.1") == "none");
+}
+
+TEST_CASE("a jausip is four numbers from the subsystem to the instance") {
+    CHECK(parse_jausip("1.2.3.4") == jaus::address{4, 3, 2, 1});
+    CHECK(to_jausip(jaus::address{4, 3, 2, 255}) == "255.2.3.4");
+    for (const auto* bad : {"", "1", "1.2.3", "1.2.3.", "1.2.3.4.", "1.2.3.4.5", "1.2.3.256", "1..3.4", "-1.2.3.4",
+                            "a.b.c.d", " 1.2.3.4", "1,2,3,4", "+1.2.3.4"})
+        CHECK_FALSE(parse_jausip(bad));
+}
+
+TEST_CASE("a file that cannot be read is named, with the reason") {
+    try {
+        read_jaus_config("/nonexistent/JausConfig.xml");
+        FAIL("a missing file was accepted");
+    } catch (const config_error& error) {
+        CHECK(std::string{error.what()}.starts_with("/nonexistent/JausConfig.xml: cannot be read: No such file"));
+        CHECK(std::string{error.what()}.find("; give the path") != std::string::npos);
+        CHECK(error.line() == 0);
+    }
+    try {
+        read_jaus_config("/");
+        FAIL("a directory was accepted");
+    } catch (const config_error& error) {
+        CHECK(std::string{error.what()}.starts_with("/: cannot be read: Is a directory"));
+    }
+}
+
+TEST_CASE("a file's errors carry its own path") {
+    const auto path =
+        std::filesystem::temp_directory_path() / ("jauscat-config-" + std::to_string(::getpid()) + ".xml");
+    std::ofstream{path} << "<jausconfig>\n</jausconfig>";
+    CHECK_THROWS_AS(read_jaus_config(path), config_error);
+    try {
+        read_jaus_config(path);
+    } catch (const config_error& error) {
+        CHECK(std::string{error.what()}.starts_with(path.string() + ":1: no <system>"));
+    }
+    std::filesystem::remove(path);
+}
+
+TEST_CASE("malformed XML is refused at its line") {
+    CHECK(complaint("") == "test.xml:1: not well-formed XML: No document element found");
+    CHECK(complaint("hello") == "test.xml:1: not well-formed XML: No document element found");
+    CHECK(complaint("<jausconfig>\n<system>\n</jausconfig>").starts_with("test.xml:3: not well-formed XML: Start-end"));
+    CHECK(complaint("<jausconfig>\n<system name='a>\n</jausconfig>").starts_with("test.xml:2: not well-formed XML: "));
+    CHECK(complaint("<config/>") == "test.xml:1: the root element is <config>; it must be <jausconfig>");
+    CHECK(complaint("<jausconfig thissystem='a'>" + system_a + "</jausconfig>\n<jausconfig/>") ==
+          "test.xml:3: something follows </jausconfig>; remove it");
+}
+
+TEST_CASE("a file without systems, or without a valid thissystem, is refused") {
+    CHECK(complaint("<jausconfig thissystem='a'/>").starts_with("test.xml:1: no <system>; give at least one"));
+    CHECK(complaint("<jausconfig>\n" + system_a + "</jausconfig>").starts_with("test.xml:1: no <thissystem>; "));
+    CHECK(complaint("<jausconfig>\n" + system_a + "<thissystem>c</thissystem></jausconfig>") ==
+          "test.xml:3: there is no system \"c\"; the file has: a");
+    CHECK(complaint("<jausconfig thissystem='a'>\n" + system_a + "<thissystem>a</thissystem></jausconfig>") ==
+          "test.xml:3: \"thissystem\" is given twice in <jausconfig>; keep one");
+}
+
+TEST_CASE("a system's missing, unknown, repeated or bad value is refused at its line") {
+    const auto with = [](std::string name, std::string jausip, std::string ip, std::string port,
+                         std::string more = {}) {
+        return complaint_about("<system><name>" + name + "</name><jausip>" + jausip + "</jausip><ip>" + ip +
+                               "</ip><port>" + port + "</port>" + more + "</system>");
+    };
+    CHECK(with("b", "2.0.0.0", "10.0.0.2", "39777") == "accepted");
+    CHECK(with("a", "2.0.0.0", "10.0.0.2", "39777") ==
+          "test.xml:3: the name \"a\" is taken by the <system> in line 2; give each its own");
+    CHECK(with("b", "1.0.0.0", "10.0.0.2", "39777") ==
+          "test.xml:3: the jausip 1.0.0.0 is taken by the <system> in line 2; give each its own");
+    CHECK(
+        with("b", "255.0.0.0", "10.0.0.2", "1").starts_with("test.xml:3: jausip \"255.0.0.0\" is not subsystem.node"));
+    CHECK(with("b", "2.0.0", "10.0.0.2", "1").starts_with("test.xml:3: jausip \"2.0.0\" is not subsystem.node"));
+    CHECK(with("b", "2.0.0.0", "10.0.0", "1") == "test.xml:3: ip \"10.0.0\" is not an IP address, such as 127.0.0.1");
+    for (const auto* port : {"0", "65536", "-1", "x", "1x", "1 2"})
+        CHECK(with("b", "2.0.0.0", "10.0.0.2", port) ==
+              "test.xml:3: port \"" + std::string{port} + "\" is not a UDP port, 1 to 65535");
+    CHECK(with("b", "2.0.0.0", "10.0.0.2", "1", "<framing>JAUS02</framing>") ==
+          "test.xml:3: framing \"JAUS02\" is unknown; use bare or JAUS01.0");
+    CHECK(with("b", "2.0.0.0", "10.0.0.2", "") == "test.xml:3: this <system> needs <port>");
+    CHECK(with("", "2.0.0.0", "10.0.0.2", "1") == "test.xml:3: this <system> needs <name>");
+    CHECK(with("b", "2.0.0.0", "10.0.0.2", "1", "\n<colour>red</colour>") ==
+          "test.xml:4: unknown \"colour\" in <system>; remove it or correct its name");
+    CHECK(with("b", "2.0.0.0", "10.0.0.2", "1", "\n<port>2</port>") ==
+          "test.xml:4: \"port\" is given twice in <system>; keep one");
+    CHECK(with("b", "2.0.0.0", "10.0.0.2", "1", "\nhm") == "test.xml:3: stray text in <system>; remove it");
+    CHECK(with("b", "2.0.0.0", "10.0.0.2", "<b>1</b>") == "test.xml:3: <port> takes a plain text and nothing else");
+    CHECK(with("b", "2.0.0.0", "10.0.0.2", "1<b>1</b>") == "test.xml:3: <port> takes a plain text and nothing else");
+    CHECK(complaint_about("<system name='b' jausip='2.0.0.0' ip='10.0.0.2' port='1' baud='9600'/>") ==
+          "test.xml:3: unknown \"baud\" in <system>; remove it or correct its name");
+    CHECK(complaint_about("<system name='b' jausip='2.0.0.0' port='1'/>") == "test.xml:3: this <system> needs <ip>");
+    CHECK(complaint_about("<sytem name='b' jausip='2.0.0.0' ip='10.0.0.2' port='1'/>") ==
+          "test.xml:3: unknown \"sytem\" in <jausconfig>; remove it or correct its name");
+}
