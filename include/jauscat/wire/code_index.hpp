@@ -7,9 +7,10 @@
 
 namespace jauscat::wire {
 
-/// The place of a code in `Codes` (a constexpr array of std::uint16_t, in any order, without repeats), in constant time.
-// Command codes come in runs that share their high byte, so two small tables do: a page for each high byte in use, and in
-// it a run of low bytes. About 600 bytes for the 158 codes of RA 3.3, two loads and one comparison for a lookup.
+/// The place of a code in `Codes` (a constexpr array of std::uint16_t, in any order, without repeats), in constant
+/// time.
+// Command codes come in runs that share their high byte, so two small tables do: a page for each high byte in use, and
+// in it a run of low bytes. About 600 bytes for the 158 codes of RA 3.3, two loads and one comparison for a lookup.
 template <const auto& Codes> class code_index {
   public:
     static constexpr std::size_t npos = static_cast<std::size_t>(-1);

@@ -1,0 +1,59 @@
+// A field of a message, reached through the messages that nest it; and all such fields of a message.
+#pragma once
+#include <jauscat/wire/schema.hpp>
+
+namespace jauscat::translate {
+
+/// `at<&header::destination, &address::node>`: the field that these member pointers lead to, outermost first.
+template <auto First, auto... Rest> struct at {
+    using type = typename at<Rest...>::type;
+    template <auto Outer> using within = at<Outer, First, Rest...>;
+    [[gnu::always_inline]] static constexpr auto& of(auto& object) noexcept { return at<Rest...>::of(object.*First); }
+};
+template <auto Member> struct at<Member> {
+    using type = wire::member_t<Member>;
+    template <auto Outer> using within = at<Outer, Member>;
+    [[gnu::always_inline]] static constexpr auto& of(auto& object) noexcept { return object.*Member; }
+};
+
+template <class... Paths> struct path_list {
+    static constexpr std::size_t size = sizeof...(Paths);
+    /// How often `Path` is listed.
+    template <class Path> static constexpr std::size_t count = (std::size_t{std::is_same_v<Path, Paths>} + ... + 0);
+    template <auto Outer> using within = path_list<typename Paths::template within<Outer>...>;
+    /// How many of these are in `Other` at least once.
+    template <class Other>
+    static constexpr std::size_t found_in = (std::size_t{Other::template count<Paths> != 0} + ... + 0);
+    template <class Other> static constexpr bool each_once_in = ((Other::template count<Paths> == 1) && ... && true);
+    template <class Other> static constexpr bool none_twice_in = ((Other::template count<Paths> <= 1) && ... && true);
+    static constexpr bool distinct = ((count<Paths> == 1) && ... && true);
+};
+
+namespace detail {
+
+template <class... Lists> struct joined { using type = path_list<>; };
+template <class... A> struct joined<path_list<A...>> { using type = path_list<A...>; };
+template <class... A, class... B, class... More>
+struct joined<path_list<A...>, path_list<B...>, More...> : joined<path_list<A..., B...>, More...> {};
+
+template <class Item> struct leaves; // no specialisation: a table works on headers of fixed size only
+template <auto Member, class Codec> struct leaves<wire::field<Member, Codec>> { using type = path_list<at<Member>>; };
+template <auto Member, std::size_t Width> struct leaves<wire::bit<Member, Width>> {
+    using type = path_list<at<Member>>;
+};
+template <std::size_t Width> struct leaves<wire::reserved<Width>> { using type = path_list<>; };
+template <class Carrier, class... Fields>
+struct leaves<wire::bits<Carrier, Fields...>> : joined<typename leaves<Fields>::type...> {};
+template <class... Items> struct leaves<wire::layout<Items...>> : joined<typename leaves<Items>::type...> {};
+template <auto Member> struct leaves<wire::nested<Member>> {
+    using type = typename leaves<typename wire::nested<Member>::inner>::type::template within<Member>;
+};
+
+} // namespace detail
+
+template <class... Lists> using joined_paths = typename detail::joined<Lists...>::type;
+
+/// The paths of every field of the message `T`, in wire order.
+template <wire::fixed_message T> using paths_of = typename detail::leaves<wire::layout_of<T>>::type;
+
+} // namespace jauscat::translate

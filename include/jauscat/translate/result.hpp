@@ -1,0 +1,46 @@
+// Why a translation was refused.
+#pragma once
+#include <jauscat/wire/result.hpp>
+
+namespace jauscat::translate {
+
+enum class errc : std::uint8_t {
+    ok,
+    truncated,                ///< fewer bytes than the header, or than the packet says it has
+    no_space,                 ///< the output span is smaller than the result
+    wrong_size,               ///< the size that a header states is not the size of what follows it
+    too_large,                ///< more bytes than one packet carries
+    unknown_command_code,     ///< the code has no rank in the table's list
+    unknown_index,            ///< the object index stands for no component
+    unknown_subindex,         ///< the subindex stands for no command code
+    reserved_value,           ///< a value (a data flag, a sequence position) that the standard reserves
+    out_of_range,             ///< a packet's value does not fit the JAUS field it belongs to
+    wrong_packet,             ///< a field that this table fixes has another value: not a packet of this table
+    fragment_to_slave,        ///< delivery: part of a large data set; reassemble it first
+    broadcast_names_no_slave, ///< delivery: the destination node is 255 or 0
+};
+
+/// The error in one line, for logs.
+[[nodiscard]] constexpr std::string_view describe(errc error) noexcept {
+    switch (error) {
+    case errc::ok: return "ok";
+    case errc::truncated: return "truncated: shorter than its header says";
+    case errc::no_space: return "no space: the output buffer is too small";
+    case errc::wrong_size: return "wrong size: the size in the header is not the size of what follows";
+    case errc::too_large: return "too large: the data does not fit one SDO packet";
+    case errc::unknown_command_code: return "unknown command code: it has no rank in this table";
+    case errc::unknown_index: return "unknown index: no component has this object";
+    case errc::unknown_subindex: return "unknown subindex: no command code has this rank";
+    case errc::reserved_value: return "reserved value in the data flag or the packet's sequence position";
+    case errc::out_of_range: return "out of range: a packet field exceeds the JAUS field it stands for";
+    case errc::wrong_packet: return "wrong packet: not an SDO download request of this table";
+    case errc::fragment_to_slave: return "cannot be delivered: part of a large data set, reassemble it first";
+    case errc::broadcast_names_no_slave: return "cannot be delivered: the destination node names no slave";
+    }
+    return "unknown error";
+}
+
+/// A size in bytes, or why there is none.
+using result = wire::basic_result<errc>;
+
+} // namespace jauscat::translate

@@ -1,0 +1,187 @@
+// The rows that a translation table is made of. Each says what happens to one field, in both directions.
+//
+// A row offers
+//   uses     the JAUS fields that it takes out of `rest`
+//   writes   the packet fields that it fills
+//   forth    from a JAUS header to a packet
+//   back     from a packet to a JAUS header
+#pragma once
+#include <jauscat/translate/path.hpp>
+#include <jauscat/translate/result.hpp>
+#include <jauscat/wire/code_index.hpp>
+
+#include <limits>
+
+namespace jauscat::translate {
+
+/// What the sizes of a message are, on both sides of the table.
+struct sizes {
+    std::size_t body{}; ///< bytes behind the JAUS header
+    std::size_t data{}; ///< bytes of the packet's data: what `rest` keeps of the header, then the body
+};
+
+namespace detail {
+
+template <class T> [[gnu::always_inline]] constexpr std::uint32_t to_word(T value) noexcept {
+    return static_cast<std::uint32_t>(value);
+}
+/// A packet's word into a narrower field.
+template <class T> [[gnu::always_inline]] constexpr errc from_word(std::uint32_t word, T& value) noexcept {
+    if constexpr (sizeof(T) < sizeof word) {
+        if (word > std::numeric_limits<T>::max()) return errc::out_of_range;
+    }
+    value = static_cast<T>(word);
+    return errc::ok;
+}
+
+} // namespace detail
+
+/// The same value on both sides.
+template <class From, class To> struct move {
+    using uses = path_list<From>;
+    using writes = path_list<To>;
+    [[gnu::always_inline]] static constexpr errc forth(const auto& header, auto& packet, sizes) noexcept {
+        To::of(packet) = detail::to_word(From::of(header));
+        return errc::ok;
+    }
+    [[gnu::always_inline]] static constexpr errc back(const auto& packet, auto& header, sizes) noexcept {
+        return detail::from_word(To::of(packet), From::of(header));
+    }
+};
+
+/// The packet's value is `Base` plus the JAUS value: a component's object index.
+template <class From, class To, std::uint32_t Base> struct offset {
+    using uses = path_list<From>;
+    using writes = path_list<To>;
+    static constexpr std::uint32_t largest = Base + std::numeric_limits<typename From::type>::max();
+    static_assert(largest <= 0xFFFF, "offset: base plus the largest value does not fit an object index of 16 bits");
+
+    [[gnu::always_inline]] static constexpr errc forth(const auto& header, auto& packet, sizes) noexcept {
+        To::of(packet) = Base + detail::to_word(From::of(header));
+        return errc::ok;
+    }
+    [[gnu::always_inline]] static constexpr errc back(const auto& packet, auto& header, sizes) noexcept {
+        const std::uint32_t index = To::of(packet);
+        if (index < Base || index > largest) return errc::unknown_index;
+        return detail::from_word(index - Base, From::of(header));
+    }
+};
+
+/// The packet's value is the code's place in the list `Codes`, counted from 1.
+template <class From, class To, const auto& Codes> struct rank {
+    using uses = path_list<From>;
+    using writes = path_list<To>;
+    static_assert(Codes.size() <= 254, "rank: more than 254 command codes do not fit a subindex (255 is reserved)");
+
+    [[gnu::always_inline]] static constexpr errc forth(const auto& header, auto& packet, sizes) noexcept {
+        const std::size_t place = wire::code_index<Codes>::find(From::of(header));
+        if (place == wire::code_index<Codes>::npos) return errc::unknown_command_code;
+        To::of(packet) = static_cast<std::uint32_t>(place + 1);
+        return errc::ok;
+    }
+    [[gnu::always_inline]] static constexpr errc back(const auto& packet, auto& header, sizes) noexcept {
+        const std::uint32_t subindex = To::of(packet);
+        if (subindex == 0 || subindex > Codes.size()) return errc::unknown_subindex;
+        From::of(header) = Codes[subindex - 1];
+        return errc::ok;
+    }
+};
+
+/// One value on each side that mean the same.
+template <auto JausValue, std::uint32_t PacketValue> struct same {
+    static constexpr auto jaus_value = JausValue;
+    static constexpr std::uint32_t packet_value = PacketValue;
+};
+
+/// Values that are spelt differently on the two sides; all others are reserved and refused.
+template <class From, class To, class... Pairs> struct relabel {
+    using uses = path_list<From>;
+    using writes = path_list<To>;
+    [[gnu::always_inline]] static constexpr errc forth(const auto& header, auto& packet, sizes) noexcept {
+        const bool known =
+            (... || (From::of(header) == Pairs::jaus_value && (To::of(packet) = Pairs::packet_value, true)));
+        return known ? errc::ok : errc::reserved_value;
+    }
+    [[gnu::always_inline]] static constexpr errc back(const auto& packet, auto& header, sizes) noexcept {
+        const bool known =
+            (... || (To::of(packet) == Pairs::packet_value && (From::of(header) = Pairs::jaus_value, true)));
+        return known ? errc::ok : errc::reserved_value;
+    }
+};
+
+/// A packet field that always has this value.
+template <class To, auto Value> struct constant {
+    using uses = path_list<>;
+    using writes = path_list<To>;
+    [[gnu::always_inline]] static constexpr errc forth(const auto&, auto& packet, sizes) noexcept {
+        To::of(packet) = static_cast<typename To::type>(Value);
+        return errc::ok;
+    }
+    [[gnu::always_inline]] static constexpr errc back(const auto& packet, const auto&, sizes) noexcept {
+        return To::of(packet) == static_cast<typename To::type>(Value) ? errc::ok : errc::wrong_packet;
+    }
+};
+
+/// A packet field that is the caller's own, such as a packet number.
+template <class To> struct given {
+    using uses = path_list<>;
+    using writes = path_list<To>;
+    [[gnu::always_inline]] static constexpr errc forth(const auto&, const auto&, sizes) noexcept { return errc::ok; }
+    [[gnu::always_inline]] static constexpr errc back(const auto&, const auto&, sizes) noexcept { return errc::ok; }
+};
+
+/// The JAUS field that states the body's size: not carried, because the packet's data count says the same.
+template <class From> struct body_size {
+    using uses = path_list<From>;
+    using writes = path_list<>;
+    using states_body_size = From;
+    [[gnu::always_inline]] static constexpr errc forth(const auto& header, const auto&, sizes s) noexcept {
+        return From::of(header) == s.body ? errc::ok : errc::wrong_size;
+    }
+    [[gnu::always_inline]] static constexpr errc back(const auto&, auto& header, sizes s) noexcept {
+        return detail::from_word(static_cast<std::uint32_t>(s.body), From::of(header));
+    }
+};
+
+/// The JAUS field that states the body's size, left in `rest` and checked there.
+template <class From> struct body_size_in_rest : body_size<From> {
+    using uses = path_list<>;
+    [[gnu::always_inline]] static constexpr errc back(const auto&, const auto&, sizes) noexcept { return errc::ok; }
+};
+
+/// The packet field that counts the bytes of data.
+template <class To> struct data_count {
+    using uses = path_list<>;
+    using writes = path_list<To>;
+    using counts_data = To;
+    [[gnu::always_inline]] static constexpr errc forth(const auto&, auto& packet, sizes s) noexcept {
+        To::of(packet) = static_cast<typename To::type>(s.data);
+        return errc::ok;
+    }
+    [[gnu::always_inline]] static constexpr errc back(const auto&, const auto&, sizes) noexcept { return errc::ok; }
+};
+
+/// The packet field that states the length: `Fixed` bytes and the data. A packet may be longer than its data count
+/// says, as some senders fill the data field up; the count decides.
+template <class To, std::size_t Fixed> struct packet_length {
+    using uses = path_list<>;
+    using writes = path_list<To>;
+    [[gnu::always_inline]] static constexpr errc forth(const auto&, auto& packet, sizes s) noexcept {
+        To::of(packet) = static_cast<typename To::type>(Fixed + s.data);
+        return errc::ok;
+    }
+    [[gnu::always_inline]] static constexpr errc back(const auto& packet, const auto&, sizes s) noexcept {
+        return To::of(packet) >= Fixed + s.data ? errc::ok : errc::wrong_size;
+    }
+};
+
+/// Every JAUS header field that no row uses, then the whole body, in wire order: the packet's data.
+struct rest {
+    using uses = path_list<>;
+    using writes = path_list<>;
+    static constexpr bool carries_rest = true;
+    [[gnu::always_inline]] static constexpr errc forth(const auto&, const auto&, sizes) noexcept { return errc::ok; }
+    [[gnu::always_inline]] static constexpr errc back(const auto&, const auto&, sizes) noexcept { return errc::ok; }
+};
+
+} // namespace jauscat::translate

@@ -1,0 +1,124 @@
+// A translation table: rows between a message header and a packet, checked at compile time.
+#pragma once
+#include <jauscat/translate/rows.hpp>
+
+#include <array>
+
+namespace jauscat::translate {
+
+namespace detail {
+
+/// Some consecutive bytes of the message header.
+struct byte_range {
+    std::size_t offset{}, size{};
+};
+template <std::size_t Capacity> struct byte_ranges {
+    std::array<byte_range, Capacity> range{};
+    std::size_t count{};
+    std::size_t bytes{};
+    bool splits_carrier{};
+
+    constexpr void add(std::size_t offset, std::size_t size) {
+        bytes += size;
+        if (count != 0 && range[count - 1].offset + range[count - 1].size == offset)
+            range[count - 1].size += size;
+        else
+            range[count++] = {offset, size};
+    }
+};
+
+// Adds what the fields in `Used` leave of an item to `found`, and moves `offset` past the item.
+template <class Used, class Within, class Item> struct collect_rest {
+    static constexpr void into(auto& found, std::size_t& offset) {
+        using paths = typename Within::template prefixed<typename leaves<Item>::type>;
+        constexpr std::size_t used = paths::template found_in<Used>;
+        if (used == 0)
+            found.add(offset, Item::max_size);
+        else if (used != paths::size)
+            found.splits_carrier = true;
+        offset += Item::max_size;
+    }
+};
+template <class Used, class Within, class... Items> struct collect_rest<Used, Within, wire::layout<Items...>> {
+    static constexpr void into(auto& found, std::size_t& offset) {
+        (collect_rest<Used, Within, Items>::into(found, offset), ...);
+    }
+};
+struct outermost {
+    template <class Paths> using prefixed = Paths;
+};
+template <class Within, auto Member> struct inside {
+    template <class Paths> using prefixed = typename Within::template prefixed<typename Paths::template within<Member>>;
+};
+template <class Used, class Within, auto Member> struct collect_rest<Used, Within, wire::nested<Member>> {
+    static constexpr void into(auto& found, std::size_t& offset) {
+        collect_rest<Used, inside<Within, Member>, typename wire::nested<Member>::inner>::into(found, offset);
+    }
+};
+
+template <class Row> inline constexpr bool states_body_size = requires { typename Row::states_body_size; };
+template <class Row> inline constexpr bool counts_data = requires { typename Row::counts_data; };
+template <class Row> inline constexpr bool carries_rest = requires { Row::carries_rest; };
+
+// The one row among `Rows` that says something; void if there is none.
+template <class... Rows> struct body_size_row { using type = void; };
+template <class Row, class... Rows>
+struct body_size_row<Row, Rows...>
+    : std::conditional_t<states_body_size<Row>, std::type_identity<Row>, body_size_row<Rows...>> {};
+template <class... Rows> struct data_count_row { using type = void; };
+template <class Row, class... Rows>
+struct data_count_row<Row, Rows...>
+    : std::conditional_t<counts_data<Row>, std::type_identity<Row>, data_count_row<Rows...>> {};
+
+} // namespace detail
+
+/// A table between the message header `Header` and the packet `Packet`, whose data holds at most `MaxData` bytes.
+template <wire::fixed_message Header, wire::fixed_message Packet, std::size_t MaxData, class... Rows> struct table {
+    using header_type = Header;
+    using packet_type = Packet;
+    /// Most bytes of data in one packet.
+    static constexpr std::size_t max_data = MaxData;
+
+    using used = joined_paths<typename Rows::uses...>;
+    using written = joined_paths<typename Rows::writes...>;
+    static_assert(used::template found_in<paths_of<Header>> == used::size &&
+                      written::template found_in<paths_of<Packet>> == written::size,
+                  "table: a row names a field that the message or the packet does not have");
+    static_assert(used::distinct, "table: a message field is used by two rows");
+    static_assert(written::distinct, "table: a packet field is written by two rows");
+    static_assert(!written::distinct || paths_of<Packet>::template each_once_in<written>,
+                  "table: a packet field is not written by any row");
+    static_assert((std::size_t{detail::carries_rest<Rows>} + ... + 0) == 1 ||
+                      paths_of<Header>::template each_once_in<used>,
+                  "table: a message field is used by no row, and there is no row `rest` to carry it");
+    static_assert((std::size_t{detail::states_body_size<Rows>} + ... + 0) == 1,
+                  "table: exactly one row must say which message field states the body's size");
+    static_assert((std::size_t{detail::counts_data<Rows>} + ... + 0) == 1,
+                  "table: exactly one row must say which packet field counts the data");
+
+    using body_size_row = typename detail::body_size_row<Rows...>::type;
+    using data_count_row = typename detail::data_count_row<Rows...>::type;
+
+    /// The bytes of the header that travel in the packet's data, in wire order.
+    static constexpr auto rest = [] {
+        detail::byte_ranges<paths_of<Header>::size + 1> found{};
+        std::size_t offset = 0;
+        detail::collect_rest<used, detail::outermost, wire::layout_of<Header>>::into(found, offset);
+        return found;
+    }();
+    static_assert(!rest.splits_carrier,
+                  "table: rest would split an integer that bit-fields share; use all of its fields or none");
+
+    [[gnu::always_inline]] static constexpr errc forth(const Header& header, Packet& packet, sizes s) noexcept {
+        errc error = errc::ok;
+        static_cast<void>((((error = Rows::forth(header, packet, s)) == errc::ok) && ...));
+        return error;
+    }
+    [[gnu::always_inline]] static constexpr errc back(const Packet& packet, Header& header, sizes s) noexcept {
+        errc error = errc::ok;
+        static_cast<void>((((error = Rows::back(packet, header, s)) == errc::ok) && ...));
+        return error;
+    }
+};
+
+} // namespace jauscat::translate

@@ -1,0 +1,78 @@
+// The translator that a table makes: whole messages to whole packets, and back by the same rows.
+#pragma once
+#include <jauscat/translate/table.hpp>
+#include <jauscat/wire/decode.hpp>
+#include <jauscat/wire/encode.hpp>
+
+#include <algorithm>
+
+namespace jauscat::translate {
+
+/// Translates by the rows of `Table`. Works on bytes: the body is carried, not understood, so every message translates.
+template <class Table> struct translator {
+    using header_type = typename Table::header_type;
+    using packet_type = typename Table::packet_type;
+    static constexpr std::size_t header_size = wire::max_size<header_type>;
+    static constexpr std::size_t packet_size = wire::max_size<packet_type>; ///< without its data
+    static constexpr std::size_t rest_size = Table::rest.bytes;             ///< header bytes that travel in the data
+    static constexpr std::size_t max_body = Table::max_data - rest_size;    ///< largest body one packet carries
+    static constexpr std::size_t max_packet_size = packet_size + Table::max_data;
+    static constexpr std::size_t max_message_size = header_size + max_body;
+
+    /// Translates one JAUS message (header and body) into a packet; returns the packet's size. `given` holds what is
+    /// the caller's own. Errors: truncated, wrong_size, too_large, no_space, unknown_command_code, reserved_value.
+    static constexpr result forth(std::span<const std::byte> message, std::span<std::byte> packet,
+                                  const packet_type& given = {}) noexcept {
+        header_type header{};
+        if (!wire::decode_prefix(header, message)) return errc::truncated;
+        const sizes s{message.size() - header_size, message.size() - header_size + rest_size};
+        if (s.data > Table::max_data) return errc::too_large;
+        if (packet.size() < packet_size + s.data) return errc::no_space;
+
+        packet_type fields = given;
+        if (const errc error = Table::forth(header, fields, s); error != errc::ok) return error;
+        wire::detail::put_message(fields, packet.data());
+        std::byte* data = packet.data() + packet_size;
+        each_rest(
+            [&](std::size_t offset, std::size_t size) { data = std::copy_n(message.data() + offset, size, data); });
+        std::copy_n(message.data() + header_size, s.body, data);
+        return packet_size + s.data;
+    }
+
+    /// Translates a packet back into the JAUS message it was made of; returns the message's size.
+    /// Errors: truncated, wrong_size, no_space, unknown_index, unknown_subindex, reserved_value, out_of_range,
+    /// wrong_packet.
+    static constexpr result back(std::span<const std::byte> packet, std::span<std::byte> message) noexcept {
+        packet_type fields{};
+        if (!wire::decode_prefix(fields, packet)) return errc::truncated;
+        const std::size_t data_size = Table::data_count_row::counts_data::of(fields);
+        if (data_size > packet.size() - packet_size || data_size < rest_size) return errc::truncated;
+        if (data_size > Table::max_data) return errc::too_large;
+        const sizes s{data_size - rest_size, data_size};
+        if (message.size() < header_size + s.body) return errc::no_space;
+
+        header_type header{};
+        if (const errc error = Table::back(fields, header, s); error != errc::ok) return error;
+        wire::detail::put_message(header, message.data());
+        const std::byte* data = packet.data() + packet_size;
+        each_rest([&](std::size_t offset, std::size_t size) {
+            std::copy_n(data, size, message.data() + offset);
+            data += size;
+        });
+        std::copy_n(data, s.body, message.data() + header_size);
+
+        wire::detail::get_message(header, message.data(), 0);
+        if (const errc error = Table::body_size_row::forth(header, fields, s); error != errc::ok) return error;
+        return header_size + s.body;
+    }
+
+  private:
+    [[gnu::always_inline]] static constexpr void each_rest(auto&& copy) noexcept {
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+            (copy(Table::rest.range[I].offset, Table::rest.range[I].size), ...);
+        }
+        (std::make_index_sequence<Table::rest.count>{});
+    }
+};
+
+} // namespace jauscat::translate

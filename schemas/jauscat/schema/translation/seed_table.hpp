@@ -1,0 +1,49 @@
+// The seed table: JAUS message to ETHERCAT_MASTER_PACKET_SDO_DOWNLOAD_REQ_T, exact at packet level.
+// On the EtherCAT wire only station address, index, subindex and data travel: see the self-contained table.
+#pragma once
+#include <jauscat/schema/ethercat/hilscher.hpp>
+#include <jauscat/schema/jaus/header.hpp>
+#include <jauscat/schema/translation/command_ranks.hpp>
+#include <jauscat/translate/table.hpp>
+
+namespace jauscat::translation {
+
+/// Where the index of component 0 lies. 6900 is decimal: 1AF4h, inside EtherCAT's TxPDO-mapping area 1A00h to 1BFFh,
+/// where many slaves refuse a write.
+inline constexpr std::uint32_t seed_index_base = 6900;
+
+// clang-format off
+template <std::uint32_t IndexBase = seed_index_base, const auto& Codes = ra_command_codes>
+struct seed_table_of {
+    using J = jaus::header;
+    using A = jaus::address;
+    using P = hilscher::sdo_download_request;
+    using H = hilscher::packet_header;
+    using type = translate::table<J, P, hilscher::max_sdo_data,
+        translate::move<translate::at<&J::destination, &A::subsystem>, translate::at<&P::head, &H::ul_dest>>,
+        translate::move<translate::at<&J::destination, &A::node>, translate::at<&P::ul_node_id>>,
+        translate::offset<translate::at<&J::destination, &A::component>, translate::at<&P::ul_index>, IndexBase>,
+        translate::rank<translate::at<&J::command_code>, translate::at<&P::ul_sub_index>, Codes>,
+        translate::move<translate::at<&J::destination, &A::instance>, translate::at<&P::head, &H::ul_dest_id>>,
+        translate::relabel<translate::at<&J::data_flag>, translate::at<&P::head, &H::ul_ext>,
+            translate::same<jaus::data_flag::only, 0x000>,
+            translate::same<jaus::data_flag::first, 0x080>,
+            translate::same<jaus::data_flag::middle, 0x0C0>,
+            translate::same<jaus::data_flag::last, 0x040>,
+            translate::same<jaus::data_flag::repeated, 0x2C0>>, // middle, will be retried
+        translate::body_size<translate::at<&J::data_size>>,     // ulDataCnt says it
+        translate::data_count<translate::at<&P::ul_data_cnt>>,
+        translate::packet_length<translate::at<&P::head, &H::ul_len>, 16>,
+        translate::constant<translate::at<&P::head, &H::ul_cmd>, hilscher::packet_command::sdo_download_req>,
+        translate::constant<translate::at<&P::head, &H::ul_sta>, hilscher::packet_status::ok>,
+        translate::constant<translate::at<&P::head, &H::ul_rout>, 0>,
+        translate::given<translate::at<&P::head, &H::ul_src>>,
+        translate::given<translate::at<&P::head, &H::ul_src_id>>,
+        translate::given<translate::at<&P::head, &H::ul_id>>,
+        translate::rest>;                                       // properties 2, source 4, sequence 2, body
+};
+// clang-format on
+
+using seed_table = seed_table_of<>::type;
+
+} // namespace jauscat::translation

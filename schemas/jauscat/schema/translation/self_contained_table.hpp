@@ -1,0 +1,37 @@
+// The self-contained table: like the seed table, but all that is not node, component or command code travels in the
+// data, so that a slave can restore the whole message from what crosses the EtherCAT wire.
+#pragma once
+#include <jauscat/schema/translation/seed_table.hpp>
+
+namespace jauscat::translation {
+
+// clang-format off
+template <std::uint32_t IndexBase = seed_index_base, const auto& Codes = ra_command_codes>
+struct self_contained_table_of {
+    using J = jaus::header;
+    using A = jaus::address;
+    using P = hilscher::sdo_download_request;
+    using H = hilscher::packet_header;
+    using type = translate::table<J, P, hilscher::max_sdo_data,
+        translate::move<translate::at<&J::destination, &A::node>, translate::at<&P::ul_node_id>>,
+        translate::offset<translate::at<&J::destination, &A::component>, translate::at<&P::ul_index>, IndexBase>,
+        translate::rank<translate::at<&J::command_code>, translate::at<&P::ul_sub_index>, Codes>,
+        translate::body_size_in_rest<translate::at<&J::data_size>>,
+        translate::data_count<translate::at<&P::ul_data_cnt>>,
+        translate::packet_length<translate::at<&P::head, &H::ul_len>, 16>,
+        translate::constant<translate::at<&P::head, &H::ul_dest>, 0x20>, // the channel in use
+        translate::constant<translate::at<&P::head, &H::ul_dest_id>, 0>,
+        translate::constant<translate::at<&P::head, &H::ul_cmd>, hilscher::packet_command::sdo_download_req>,
+        translate::constant<translate::at<&P::head, &H::ul_sta>, hilscher::packet_status::ok>,
+        translate::constant<translate::at<&P::head, &H::ul_ext>, 0>,
+        translate::constant<translate::at<&P::head, &H::ul_rout>, 0>,
+        translate::given<translate::at<&P::head, &H::ul_src>>,
+        translate::given<translate::at<&P::head, &H::ul_src_id>>,
+        translate::given<translate::at<&P::head, &H::ul_id>>,
+        translate::rest>; // properties 2, instance 1, subsystem 1, source 4, data control 2, sequence 2, body
+};
+// clang-format on
+
+using self_contained_table = self_contained_table_of<>::type;
+
+} // namespace jauscat::translation
