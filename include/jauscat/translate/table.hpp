@@ -114,6 +114,10 @@ template <wire::fixed_message Header, wire::fixed_message Packet, std::size_t Ma
         static_cast<void>((((error = Rows::forth(header, packet, s)) == errc::ok) && ...));
         return error;
     }
+    /// Fills in what the rows make of `header`, and leaves alone what they cannot translate.
+    static constexpr void prefill(const Header& header, Packet& packet, sizes s) noexcept {
+        (static_cast<void>(Rows::forth(header, packet, s)), ...);
+    }
     [[gnu::always_inline]] static constexpr errc back(const Packet& packet, Header& header, sizes s) noexcept {
         errc error = errc::ok;
         static_cast<void>((((error = Rows::back(packet, header, s)) == errc::ok) && ...));

@@ -40,29 +40,38 @@ template <class Table> struct translator {
     }
 
     /// Translates a packet back into the JAUS message it was made of; returns the message's size.
-    /// Errors: truncated, wrong_size, no_space, unknown_index, unknown_subindex, reserved_value, out_of_range,
-    /// wrong_packet.
+    /// Errors: truncated, wrong_size, too_large, no_space, unknown_index, unknown_subindex, reserved_value,
+    /// out_of_range, wrong_packet.
     static constexpr result back(std::span<const std::byte> packet, std::span<std::byte> message) noexcept {
         packet_type fields{};
         if (!wire::decode_prefix(fields, packet)) return errc::truncated;
         const std::size_t data_size = Table::data_count_row::counts_data::of(fields);
-        if (data_size > packet.size() - packet_size || data_size < rest_size) return errc::truncated;
-        if (data_size > Table::max_data) return errc::too_large;
-        const sizes s{data_size - rest_size, data_size};
+        if (data_size > packet.size() - packet_size) return errc::truncated;
+        return back(fields, packet.subspan(packet_size, data_size), message);
+    }
+
+    /// The same for a packet whose fields and data are at hand apart.
+    static constexpr result back(const packet_type& fields, std::span<const std::byte> data,
+                                 std::span<std::byte> message) noexcept {
+        if (data.size() < rest_size) return errc::truncated;
+        if (data.size() > Table::max_data) return errc::too_large;
+        const sizes s{data.size() - rest_size, data.size()};
         if (message.size() < header_size + s.body) return errc::no_space;
 
         header_type header{};
         if (const errc error = Table::back(fields, header, s); error != errc::ok) return error;
         wire::detail::put_message(header, message.data());
-        const std::byte* data = packet.data() + packet_size;
+        const std::byte* in = data.data();
         each_rest([&](std::size_t offset, std::size_t size) {
-            std::copy_n(data, size, message.data() + offset);
-            data += size;
+            std::copy_n(in, size, message.data() + offset);
+            in += size;
         });
-        std::copy_n(data, s.body, message.data() + header_size);
+        std::copy_n(in, s.body, message.data() + header_size);
 
-        wire::detail::get_message(header, message.data(), 0);
-        if (const errc error = Table::body_size_row::forth(header, fields, s); error != errc::ok) return error;
+        if constexpr (Table::body_size_row::uses::size == 0) { // the size came with the rest: is it true?
+            wire::detail::get_message(header, message.data(), 0);
+            if (const errc error = Table::body_size_row::forth(header, fields, s); error != errc::ok) return error;
+        }
         return header_size + s.body;
     }
 

@@ -1,0 +1,65 @@
+// A JAUS message as the object of an EtherCAT slave: what the controller writes, and how the slave makes the message of
+// it.
+#pragma once
+#include <jauscat/jaus/message.hpp>
+#include <jauscat/schema/ethercat/hilscher.hpp>
+#include <jauscat/translate/translator.hpp>
+
+namespace jauscat::ethercat {
+
+/// Who a slave is in JAUS terms: what a table leaves out of the data, the slave fills in from here.
+struct slave_identity {
+    std::uint8_t subsystem{};
+    std::uint16_t station{}; ///< configured station address = JAUS node
+    std::uint8_t instance{1};
+};
+
+/// An SDO download or upload: what crosses the wire.
+struct object_access {
+    std::uint16_t station{};
+    std::uint16_t index{};
+    std::uint8_t subindex{};
+    std::span<const std::byte> data{}; ///< points into the packet; empty for an upload
+};
+
+/// Delivery of JAUS messages to slaves by a translation table between jaus::header and the SDO download request.
+template <class Table> struct delivery {
+    using packet = hilscher::sdo_download_request;
+    using translator = translate::translator<Table>;
+
+    /// Whether a message can go to one slave at all: errors fragment_to_slave, broadcast_names_no_slave.
+    [[nodiscard]] static constexpr translate::errc deliverable(const jaus::header& head) noexcept {
+        if (head.data_flag != jaus::data_flag::only) return translate::errc::fragment_to_slave;
+        if (head.destination.node == 0 || head.destination.node == 255)
+            return translate::errc::broadcast_names_no_slave;
+        return translate::errc::ok;
+    }
+
+    /// What of a packet crosses the wire. The packet is one that `translator::forth` made.
+    [[nodiscard]] static constexpr object_access object_of(std::span<const std::byte> bytes) noexcept {
+        packet fields{};
+        if (!wire::decode_prefix(fields, bytes)) return {};
+        return {.station = static_cast<std::uint16_t>(fields.ul_node_id),
+                .index = static_cast<std::uint16_t>(fields.ul_index),
+                .subindex = static_cast<std::uint8_t>(fields.ul_sub_index),
+                .data = bytes.subspan(wire::max_size<packet>)};
+    }
+
+    /// The JAUS message that a written object stands for; returns its size. What does not cross the wire (under the
+    /// seed table: subsystem, instance and data flag) is filled in as if the message were sent to `self`. Errors: as
+    /// translator::back.
+    static constexpr translate::result message_of(const object_access& object, const slave_identity& self,
+                                                  std::span<std::byte> out) noexcept {
+        packet fields{};
+        const jaus::header own{.destination = {.instance = self.instance,
+                                               .node = static_cast<std::uint8_t>(self.station),
+                                               .subsystem = self.subsystem}};
+        Table::prefill(own, fields, {.body = 0, .data = object.data.size()});
+        fields.ul_node_id = object.station;
+        fields.ul_index = object.index;
+        fields.ul_sub_index = object.subindex;
+        return translator::back(fields, object.data, out);
+    }
+};
+
+} // namespace jauscat::ethercat

@@ -1,0 +1,101 @@
+// A whole JAUS message: header and body, put together and taken apart.
+#pragma once
+#include <jauscat/schema/jaus/header.hpp>
+#include <jauscat/wire/decode.hpp>
+#include <jauscat/wire/encode.hpp>
+
+#include <concepts>
+
+namespace jauscat::jaus {
+
+/// Bytes of every message header.
+inline constexpr std::size_t header_size = wire::max_size<header>;
+
+/// A message of the standard or of a user: it has a schema and a command code.
+template <class T> concept coded_message = wire::message<T> && requires {
+    { T::command_code } -> std::convertible_to<std::uint16_t>;
+};
+
+/// Why a message could not be made or taken apart.
+enum class errc : std::uint8_t {
+    ok,
+    truncated,      ///< shorter than a header
+    wrong_size,     ///< the header states another body size than there is
+    wrong_version,  ///< the version field is not that of RA 3.2 and 3.3
+    invalid_source, ///< an octet of the source is 0 or 255: nobody could be answered
+    no_space,       ///< the output span is too small
+    invalid_body,   ///< a value of the body does not encode; wire::diagnose says which
+    body_too_large, ///< more than 4080 bytes: needs a large data set
+};
+
+/// The error in one line, for logs.
+[[nodiscard]] constexpr std::string_view describe(errc error) noexcept {
+    switch (error) {
+    case errc::ok: return "ok";
+    case errc::truncated: return "truncated: shorter than the 16-byte JAUS header";
+    case errc::wrong_size: return "wrong size: the header's data size is not the number of bytes behind it";
+    case errc::wrong_version: return "wrong version: the header is not of RA 3.2 or 3.3 (version 2)";
+    case errc::invalid_source: return "invalid source: an octet of the source ID is 0 or 255";
+    case errc::no_space: return "no space: the output buffer is too small";
+    case errc::invalid_body: return "invalid body: a value is outside the limits of its field";
+    case errc::body_too_large: return "body too large: more than 4080 bytes need a large data set";
+    }
+    return "unknown error";
+}
+
+using result = wire::basic_result<errc>;
+
+/// A message taken apart; `body` points into the received bytes.
+struct split_message {
+    errc error{};
+    jaus::header header{};
+    std::span<const std::byte> body{};
+
+    [[nodiscard]] constexpr explicit operator bool() const noexcept { return error == errc::ok; }
+};
+
+/// Takes a received message apart and checks its header: errors truncated, wrong_version, wrong_size, invalid_source.
+[[nodiscard]] constexpr split_message split(std::span<const std::byte> bytes) noexcept {
+    split_message m{};
+    if (!wire::decode_prefix(m.header, bytes)) return {.error = errc::truncated};
+    m.body = bytes.subspan(header_size);
+    const address& from = m.header.source;
+    const auto valid = [](std::uint8_t id) { return id != 0 && id != 255; };
+    if (m.header.version != 2)
+        m.error = errc::wrong_version;
+    else if (m.header.data_size != m.body.size())
+        m.error = errc::wrong_size;
+    else if (!valid(from.subsystem) || !valid(from.node) || !valid(from.component) || !valid(from.instance))
+        m.error = errc::invalid_source;
+    return m;
+}
+
+/// Writes `header`, with command code and data size taken from `body`, and `body` to the front of `out`; returns the
+/// number of bytes. Errors: no_space, body_too_large, invalid_body.
+template <coded_message T>
+constexpr result make_message(header head, const T& body, std::span<std::byte> out) noexcept {
+    if (out.size() < header_size) return errc::no_space;
+    const wire::result size = wire::encode(body, out.subspan(header_size));
+    if (!size) return size.error() == wire::errc::no_space ? errc::no_space : errc::invalid_body;
+    if (size.size() > max_body_size) return errc::body_too_large;
+    head.command_code = T::command_code;
+    head.data_size = static_cast<std::uint16_t>(size.size());
+    if (!wire::encode(head, out)) return errc::invalid_body;
+    return header_size + size.size();
+}
+
+/// An acknowledgement carries no body, whatever its command code. RA 3.3 part 2, ACK/NAK.
+[[nodiscard]] constexpr bool is_acknowledgement(const header& head) noexcept {
+    return head.ack_nak == ack_nak::ack || head.ack_nak == ack_nak::nak;
+}
+
+/// The header of an answer: source and destination exchanged, priority, version and sequence number kept.
+[[nodiscard]] constexpr header answer_to(const header& request) noexcept {
+    return {.priority = request.priority,
+            .version = request.version,
+            .destination = request.source,
+            .source = request.destination,
+            .sequence_number = request.sequence_number};
+}
+
+} // namespace jauscat::jaus
