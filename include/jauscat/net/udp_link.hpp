@@ -1,0 +1,140 @@
+// EtherCAT in UDP: a link that needs no privileges and works on the loopback interface. A datagram holds what follows
+// the Ethernet header: EtherCAT header and datagrams. ETG.1000.4, clause 5.3; port 34980 = 88A4h.
+#pragma once
+
+#include <jauscat/net/detail/bind_udp.hpp>
+#include <jauscat/net/detail/receive_frame.hpp>
+#include <jauscat/net/open_error.hpp>
+#include <jauscat/schema/ethercat/frame.hpp>
+#include <jauscat/wire/decode.hpp>
+#include <jauscat/wire/encode.hpp>
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/error.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <sys/socket.h>
+
+namespace jauscat::net {
+
+/// One end of an EtherCAT link in UDP. It takes the Ethernet header and the padding off and puts them back on, so that
+/// master and slave see Ethernet frames.
+class udp_link {
+  public:
+    /// UDP port of EtherCAT.
+    static constexpr std::uint16_t ethercat_port = 34980;
+
+    udp_link(udp_link&&) = default; ///< no assignment: a socket goes before its io_context
+
+    /// The slave's end: receives at a port (0: the system chooses) and answers to whoever sent last.
+    /// `address` is the IP address to receive at; the default is all of this machine's. Throws `open_error`.
+    static udp_link serve(std::uint16_t port = ethercat_port, const std::string& address = "0.0.0.0") {
+        boost::system::error_code error;
+        const auto ip = boost::asio::ip::make_address(address, error);
+        if (error) throw open_error{'"' + address + "\" is not an IP address, such as 127.0.0.1"};
+        udp_link link;
+        detail::bind_udp(link.socket_, {ip, port});
+        link.socket_.non_blocking(true);
+        return link;
+    }
+
+    /// The master's end: sends to a slave's host (a name or an address) and port, and receives from there alone.
+    /// Throws `open_error` when there is no way to the host; whether a slave is there shows at the first exchange.
+    static udp_link connect(const std::string& host, std::uint16_t port = ethercat_port) {
+        udp_link link;
+        boost::system::error_code error;
+        boost::asio::ip::udp::resolver resolver{*link.context_};
+        const auto found = resolver.resolve(host, std::to_string(port), error);
+        if (!error) {
+            link.peer_ = found.begin()->endpoint();
+            link.socket_.connect(link.peer_, error);
+        }
+        if (error)
+            throw open_error{"no way to a slave at " + host + ':' + std::to_string(port) + ": " + error.message()};
+        link.socket_.non_blocking(true);
+        return link;
+    }
+
+    /// Sends what the frame's EtherCAT header announces. False when the frame is shorter than that, when a serving end
+    /// has heard from nobody yet, and when the network refuses; `problem()` says which.
+    bool send(std::span<const std::byte> frame) {
+        ethercat::frame_header header;
+        const auto payload = frame.subspan(std::min(frame.size(), header_size));
+        const auto read = wire::decode_prefix(header, payload);
+        if (!read || payload.size() < read.size() + header.length) {
+            problem_ = "a frame of " + std::to_string(frame.size()) + " bytes is shorter than its header announces";
+            return false;
+        }
+        if (peer_.port() == 0) {
+            problem_ = "no master has sent anything yet, so there is nobody to answer";
+            return false;
+        }
+        boost::system::error_code error;
+        socket_.send_to(boost::asio::buffer(payload.data(), read.size() + header.length), peer_, 0, error);
+        return !failed(error);
+    }
+
+    /// The next frame, padded to 60 bytes. `buffer` takes at least 60 bytes, or nothing is received; 1514 take all.
+    std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
+        problem_.clear();
+        return detail::receive_frame(socket_.native_handle(), buffer, timeout, busy_poll_,
+                                     [&] { return take(buffer); });
+    }
+
+    /// Why the last `send` or `receive` failed, in one line; empty if it did not, or if nothing came in time.
+    const std::string& problem() const noexcept { return problem_; }
+
+    /// The UDP port of this end.
+    std::uint16_t port() const { return socket_.local_endpoint().port(); }
+
+    /// How long `receive` polls before it sleeps.
+    void busy_poll(std::chrono::nanoseconds time) noexcept { busy_poll_ = time; }
+
+  private:
+    static constexpr std::size_t header_size = wire::max_size<ethercat::ethernet_header>;
+
+    udp_link() = default;
+
+    std::optional<std::size_t> take(std::span<std::byte> buffer) {
+        const auto payload = buffer.subspan(header_size);
+        boost::asio::ip::udp::endpoint from;
+        boost::system::error_code error;
+        const auto size = socket_.receive_from(boost::asio::buffer(payload.data(), payload.size()), from, MSG_TRUNC,
+                                               error); // MSG_TRUNC: the true size of a larger datagram
+        if (error == boost::asio::error::would_block) return {};
+        if (failed(error)) return 0;
+        if (size < wire::max_size<ethercat::frame_header> || size > payload.size()) return {};
+
+        peer_ = from;
+        ethercat::ethernet_header header{.ether_type = ethercat::ether_type_ethercat};
+        header.destination.fill(std::byte{0xFF});
+        (void)wire::encode(header, buffer.first(header_size));
+        return header_size + size;
+    }
+
+    bool failed(boost::system::error_code error) {
+        problem_.clear();
+        if (error == boost::asio::error::connection_refused)
+            problem_ = "no slave receives at UDP " + detail::text(peer_);
+        else if (error)
+            problem_ = "EtherCAT in UDP with " + detail::text(peer_) + ": " + error.message();
+        return static_cast<bool>(error);
+    }
+
+    std::unique_ptr<boost::asio::io_context> context_{std::make_unique<boost::asio::io_context>()};
+    boost::asio::ip::udp::socket socket_{*context_};
+    boost::asio::ip::udp::endpoint peer_{}; ///< port 0 until a serving end has heard from a master
+    std::chrono::nanoseconds busy_poll_{detail::default_busy_poll};
+    std::string problem_{};
+};
+
+} // namespace jauscat::net

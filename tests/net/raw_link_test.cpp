@@ -1,0 +1,190 @@
+// EtherCAT on a pair of virtual Ethernet interfaces, jc0 and jc1, in a network namespace: see with_veth.sh.
+#include "net/frames.hpp"
+#include "support/catch.hpp"
+#include <jauscat/ethercat/link.hpp>
+#include <jauscat/net/raw_link.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+using namespace jauscat;
+using namespace std::chrono_literals;
+using net::raw_link;
+using test::bytes;
+using test::frame_buffer;
+
+static_assert(ethercat::link<raw_link>);
+
+namespace {
+
+/// Changes the namespace's interfaces with `ip`.
+void ip(const std::string& arguments) { REQUIRE(std::system(("ip " + arguments).c_str()) == 0); }
+
+std::string refusal(const std::string& interface) {
+    try {
+        raw_link opened{interface};
+        return "opened";
+    } catch (const net::open_error& error) {
+        return error.what();
+    }
+}
+
+/// `frame` with the interface's address as its source.
+std::vector<std::byte> from(const raw_link& link, std::vector<std::byte> frame) {
+    std::ranges::copy(link.mac(), frame.begin() + 6);
+    return frame;
+}
+
+/// Puts bytes on the wire as they are, by a packet socket without link's rules.
+void inject(const char* interface, const std::vector<std::byte>& frame) {
+    boost::asio::io_context context;
+    boost::asio::generic::raw_protocol::socket socket{context, {AF_PACKET, 0}};
+    sockaddr_ll address{};
+    address.sll_family = AF_PACKET;
+    address.sll_ifindex = static_cast<int>(::if_nametoindex(interface));
+    socket.send_to(boost::asio::buffer(frame), {&address, sizeof address});
+}
+
+} // namespace
+
+TEST_CASE("a frame passes between two interfaces, both ways", "[veth]") {
+    raw_link master{"jc0"};
+    raw_link slave{"jc1"};
+    frame_buffer buffer;
+    for (const std::size_t data : {0u, 1u, 31u, 32u, 33u, 1486u}) {
+        const auto frame = test::frame(data);
+        REQUIRE(master.send(frame));
+        REQUIRE(buffer.receive_from(slave) == frame.size());
+        CHECK(buffer.frame() == from(master, frame));
+        REQUIRE(slave.send(buffer.frame())); // the source stays the master's
+        REQUIRE(buffer.receive_from(master) == frame.size());
+        CHECK(buffer.frame() == from(master, frame));
+    }
+}
+
+TEST_CASE("short frames are padded with zeros, sent or received", "[veth]") {
+    raw_link master{"jc0"};
+    raw_link slave{"jc1"};
+    frame_buffer buffer;
+    const auto padded = test::frame(1);
+    const auto runt = std::vector(padded.begin(), padded.begin() + 29);
+    REQUIRE(master.send(runt));
+    REQUIRE(buffer.receive_from(slave) == 60);
+    CHECK(buffer.frame() == from(master, padded));
+    inject("jc0", runt);
+    REQUIRE(buffer.receive_from(slave) == 60);
+    CHECK(buffer.frame() == padded);
+}
+
+TEST_CASE("a link does not hear its own frames", "[veth]") {
+    raw_link link{"jc0"};
+    raw_link same_interface{"jc0"};
+    frame_buffer buffer;
+    REQUIRE(link.send(test::frame(1)));
+    CHECK(buffer.receive_from(link, 20ms) == 0);
+    CHECK(buffer.receive_from(same_interface, 0ns) == 0);
+}
+
+TEST_CASE("a link hears every destination address, and no other EtherType", "[veth]") {
+    raw_link slave{"jc1"};
+    frame_buffer buffer;
+    auto other = test::frame(1);
+    other[12] = std::byte{0x08};
+    other[13] = std::byte{0x00};
+    inject("jc0", other);
+    auto unicast = test::frame(1);
+    unicast[0] = std::byte{0x02};
+    inject("jc0", unicast);
+    REQUIRE(buffer.receive_from(slave) == 60);
+    CHECK(buffer.frame() == unicast);
+    CHECK(buffer.receive_from(slave, 0ns) == 0);
+}
+
+TEST_CASE("a VLAN tag is taken off", "[veth]") {
+    raw_link slave{"jc1"};
+    frame_buffer buffer;
+    const auto plain = test::frame(1);
+    auto tagged = plain;
+    const auto tag = bytes(0x81, 0x00, 0x20, 0x05);
+    tagged.insert(tagged.begin() + 12, tag.begin(), tag.end());
+    inject("jc0", tagged);
+    REQUIRE(buffer.receive_from(slave) == 60);
+    CHECK(buffer.frame() == plain);
+}
+
+TEST_CASE("a frame larger than the buffer is passed over", "[veth]") {
+    raw_link master{"jc0"};
+    raw_link slave{"jc1"};
+    REQUIRE(master.send(test::frame(100)));
+    REQUIRE(master.send(test::frame(1)));
+    std::array<std::byte, 60> small{};
+    CHECK(slave.receive(small, 5s) == 60);
+    CHECK(slave.receive(small, 0ns) == 0);
+    REQUIRE(master.send(test::frame(1)));
+    CHECK(slave.receive(std::span{small}.first(59), 5ms) == 0);
+}
+
+TEST_CASE("what is no frame is not sent", "[veth]") {
+    raw_link link{"jc0"};
+    const auto frame = test::frame(1);
+    CHECK_FALSE(link.send(std::span{frame}.first(13)));
+    CHECK(link.problem() == "a frame of 13 bytes has no Ethernet header");
+    CHECK_FALSE(link.send(std::vector<std::byte>(1600, std::byte{1})));
+    CHECK(link.problem() == "interface jc0: Message too long");
+    CHECK(link.send(frame));
+    CHECK(link.problem().empty());
+}
+
+TEST_CASE("waiting on an interface ends at its time", "[veth]") {
+    raw_link link{"jc0"};
+    frame_buffer buffer;
+    for (const std::chrono::nanoseconds timeout : {0ns, 5000ns, 300'000ns, 20'000'000ns}) {
+        const auto start = std::chrono::steady_clock::now();
+        CHECK(buffer.receive_from(link, timeout) == 0);
+        CHECK(link.problem().empty());
+        CHECK(std::chrono::steady_clock::now() - start >= timeout);
+    }
+}
+
+TEST_CASE("an interface that goes down is reported, and works again when it is up", "[veth]") {
+    raw_link master{"jc0"};
+    raw_link slave{"jc1"};
+    frame_buffer buffer;
+    ip("link set jc0 down");
+    CHECK(buffer.receive_from(master) == 0);
+    CHECK(master.problem() == "interface jc0: Network is down");
+    CHECK_FALSE(master.send(test::frame(1)));
+    CHECK(master.problem() == "interface jc0: Network is down");
+    ip("link set jc0 up");
+    CHECK(buffer.receive_from(slave, 0ns) == 0);
+    CHECK(master.send(test::frame(1)));
+    CHECK(buffer.receive_from(slave) == 60);
+}
+
+TEST_CASE("an interface that vanishes is reported", "[veth]") {
+    ip("link add jc2 type veth peer name jc3");
+    ip("link set jc2 up");
+    raw_link link{"jc2"};
+    ip("link delete jc2");
+    frame_buffer buffer;
+    CHECK(buffer.receive_from(link) == 0);
+    CHECK(link.problem() == "interface jc2: Network is down");
+    CHECK_FALSE(link.send(test::frame(1)));
+    CHECK(link.problem() == "interface jc2: No such device or address");
+}
+
+TEST_CASE("an interface that cannot be used is refused with the reason", "[veth]") {
+    CHECK(refusal("jc7") == "there is no interface jc7; this machine has: lo, jc1, jc0");
+    CHECK(refusal("a-name-that-is-much-too-long").starts_with("there is no interface a-name-that-is-much-too-long; "));
+    ip("link set jc0 down");
+    CHECK(refusal("jc0") == "interface jc0 is down; run: sudo ip link set jc0 up");
+    ip("link set jc0 up");
+    CHECK(refusal("jc0") == "opened");
+    CHECK(refusal("lo") == "lo is not an Ethernet interface; this machine has: lo, jc1, jc0");
+}
+
+TEST_CASE("without the capability the program's own setcap line is given", "[unprivileged]") {
+    CHECK(refusal("jc0") == "raw Ethernet needs the capability CAP_NET_RAW; run once: sudo setcap cap_net_raw+ep " +
+                                std::filesystem::read_symlink("/proc/self/exe").string());
+}
