@@ -8,7 +8,7 @@ namespace {
 std::atomic<std::size_t> count{0};
 }
 
-std::size_t test::allocations() noexcept { return count.load(); }
+std::size_t support::allocations() noexcept { return count.load(); }
 
 void* operator new(std::size_t size) {
     ++count;

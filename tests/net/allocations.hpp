@@ -3,9 +3,9 @@
 
 #include <cstddef>
 
-namespace test {
+namespace support {
 
 /// Calls of operator new since the program started.
 std::size_t allocations() noexcept;
 
-} // namespace test
+} // namespace support

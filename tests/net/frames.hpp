@@ -1,37 +1,27 @@
 // Frames for the links' tests.
 #pragma once
 
+#include "support/bytes.hpp"
+
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
 #include <vector>
 
-namespace test {
-
-template <class... B> std::vector<std::byte> bytes(B... values) { return {static_cast<std::byte>(values)...}; }
+namespace support {
 
 /// A padded frame with one BRD datagram of index 5Ah, address 0130h and `data` bytes 01 02 03 ...; no source address.
 inline std::vector<std::byte> frame(std::size_t data) {
-    const auto low = [](std::size_t value) { return static_cast<std::byte>(value & 0xFF); };
-    const auto high = [](std::size_t value) { return static_cast<std::byte>(value >> 8); };
-    auto result = bytes(0x01, 0x01, 0x05, 0x01, 0, 0, 0, 0, 0, 0, 0, 0, 0x88, 0xA4);
+    const auto low = [](std::size_t value) { return value & 0xFF; };
+    const auto high = [](std::size_t value) { return value >> 8; };
     const std::size_t all = 12 + data;
-    result.insert(result.end(), {low(all),
-                                 high(all) | std::byte{0x10},
-                                 std::byte{7},
-                                 std::byte{0x5A},
-                                 {},
-                                 {},
-                                 std::byte{0x30},
-                                 std::byte{1},
-                                 low(data),
-                                 high(data),
-                                 {},
-                                 {}});
-    for (std::size_t i = 1; i <= data; ++i) result.push_back(low(i));
-    result.insert(result.end(), 2, std::byte{});
-    result.resize(std::max<std::size_t>(result.size(), 60));
+    const auto start = bytes(0x01, 0x01, 0x05, 0x01, 0, 0, 0, 0, 0, 0, 0, 0, 0x88, 0xA4, //
+                             low(all), 0x10 | high(all),                                 //
+                             7, 0x5A, 0, 0, 0x30, 0x01, low(data), high(data), 0, 0);
+    std::vector<std::byte> result(start.begin(), start.end());
+    result.resize(std::max<std::size_t>(16 + all, 60));
+    for (std::size_t i = 0; i < data; ++i) result[26 + i] = static_cast<std::byte>(low(i + 1));
     return result;
 }
 
@@ -50,4 +40,4 @@ struct frame_buffer {
     std::size_t size{};
 };
 
-} // namespace test
+} // namespace support

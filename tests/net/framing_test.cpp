@@ -1,8 +1,9 @@
 // The eight characters in front of a JAUS message, and their absence.
+#include "support/bytes.hpp"
 #include "support/catch.hpp"
 #include <jauscat/jaus/framing.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -10,12 +11,8 @@ using namespace jauscat;
 
 namespace {
 
-template <class... B> constexpr std::array<std::byte, sizeof...(B)> bytes(B... values) {
-    return {static_cast<std::byte>(values)...};
-}
-
-constexpr auto prefixed = bytes(0x4A, 0x41, 0x55, 0x53, 0x30, 0x31, 0x2E, 0x30, 0x06, 0x02);
-constexpr auto bare = bytes(0x06, 0x02, 0x05, 0x04);
+constexpr auto prefixed = support::bytes(0x4A, 0x41, 0x55, 0x53, 0x30, 0x31, 0x2E, 0x30, 0x06, 0x02);
+constexpr auto bare = support::bytes(0x06, 0x02, 0x05, 0x04);
 
 } // namespace
 

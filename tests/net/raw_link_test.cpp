@@ -11,8 +11,8 @@
 using namespace jauscat;
 using namespace std::chrono_literals;
 using net::raw_link;
-using test::bytes;
-using test::frame_buffer;
+using support::bytes;
+using support::frame_buffer;
 
 static_assert(ethercat::link<raw_link>);
 
@@ -53,7 +53,7 @@ TEST_CASE("a frame passes between two interfaces, both ways", "[veth]") {
     raw_link slave{"jc1"};
     frame_buffer buffer;
     for (const std::size_t data : {0u, 1u, 31u, 32u, 33u, 1486u}) {
-        const auto frame = test::frame(data);
+        const auto frame = support::frame(data);
         REQUIRE(master.send(frame));
         REQUIRE(buffer.receive_from(slave) == frame.size());
         CHECK(buffer.frame() == from(master, frame));
@@ -67,7 +67,7 @@ TEST_CASE("short frames are padded with zeros, sent or received", "[veth]") {
     raw_link master{"jc0"};
     raw_link slave{"jc1"};
     frame_buffer buffer;
-    const auto padded = test::frame(1);
+    const auto padded = support::frame(1);
     const auto runt = std::vector(padded.begin(), padded.begin() + 29);
     REQUIRE(master.send(runt));
     REQUIRE(buffer.receive_from(slave) == 60);
@@ -81,7 +81,7 @@ TEST_CASE("a link does not hear its own frames", "[veth]") {
     raw_link link{"jc0"};
     raw_link same_interface{"jc0"};
     frame_buffer buffer;
-    REQUIRE(link.send(test::frame(1)));
+    REQUIRE(link.send(support::frame(1)));
     CHECK(buffer.receive_from(link, 20ms) == 0);
     CHECK(buffer.receive_from(same_interface, 0ns) == 0);
 }
@@ -89,11 +89,11 @@ TEST_CASE("a link does not hear its own frames", "[veth]") {
 TEST_CASE("a link hears every destination address, and no other EtherType", "[veth]") {
     raw_link slave{"jc1"};
     frame_buffer buffer;
-    auto other = test::frame(1);
+    auto other = support::frame(1);
     other[12] = std::byte{0x08};
     other[13] = std::byte{0x00};
     inject("jc0", other);
-    auto unicast = test::frame(1);
+    auto unicast = support::frame(1);
     unicast[0] = std::byte{0x02};
     inject("jc0", unicast);
     REQUIRE(buffer.receive_from(slave) == 60);
@@ -104,7 +104,7 @@ TEST_CASE("a link hears every destination address, and no other EtherType", "[ve
 TEST_CASE("a VLAN tag is taken off", "[veth]") {
     raw_link slave{"jc1"};
     frame_buffer buffer;
-    const auto plain = test::frame(1);
+    const auto plain = support::frame(1);
     auto tagged = plain;
     const auto tag = bytes(0x81, 0x00, 0x20, 0x05);
     tagged.insert(tagged.begin() + 12, tag.begin(), tag.end());
@@ -116,18 +116,18 @@ TEST_CASE("a VLAN tag is taken off", "[veth]") {
 TEST_CASE("a frame larger than the buffer is passed over", "[veth]") {
     raw_link master{"jc0"};
     raw_link slave{"jc1"};
-    REQUIRE(master.send(test::frame(100)));
-    REQUIRE(master.send(test::frame(1)));
+    REQUIRE(master.send(support::frame(100)));
+    REQUIRE(master.send(support::frame(1)));
     std::array<std::byte, 60> small{};
     CHECK(slave.receive(small, 5s) == 60);
     CHECK(slave.receive(small, 0ns) == 0);
-    REQUIRE(master.send(test::frame(1)));
+    REQUIRE(master.send(support::frame(1)));
     CHECK(slave.receive(std::span{small}.first(59), 5ms) == 0);
 }
 
 TEST_CASE("what is no frame is not sent", "[veth]") {
     raw_link link{"jc0"};
-    const auto frame = test::frame(1);
+    const auto frame = support::frame(1);
     CHECK_FALSE(link.send(std::span{frame}.first(13)));
     CHECK(link.problem() == "a frame of 13 bytes has no Ethernet header");
     CHECK_FALSE(link.send(std::vector<std::byte>(1600, std::byte{1})));
@@ -154,11 +154,11 @@ TEST_CASE("an interface that goes down is reported, and works again when it is u
     ip("link set jc0 down");
     CHECK(buffer.receive_from(master) == 0);
     CHECK(master.problem() == "interface jc0: Network is down");
-    CHECK_FALSE(master.send(test::frame(1)));
+    CHECK_FALSE(master.send(support::frame(1)));
     CHECK(master.problem() == "interface jc0: Network is down");
     ip("link set jc0 up");
     CHECK(buffer.receive_from(slave, 0ns) == 0);
-    CHECK(master.send(test::frame(1)));
+    CHECK(master.send(support::frame(1)));
     CHECK(buffer.receive_from(slave) == 60);
 }
 
@@ -170,7 +170,7 @@ TEST_CASE("an interface that vanishes is reported", "[veth]") {
     frame_buffer buffer;
     CHECK(buffer.receive_from(link) == 0);
     CHECK(link.problem() == "interface jc2: Network is down");
-    CHECK_FALSE(link.send(test::frame(1)));
+    CHECK_FALSE(link.send(support::frame(1)));
     CHECK(link.problem() == "interface jc2: No such device or address");
 }
 

@@ -9,8 +9,8 @@
 
 using namespace jauscat;
 using namespace std::chrono_literals;
-using test::bytes;
-using test::frame_buffer;
+using support::bytes;
+using support::frame_buffer;
 using udp = boost::asio::ip::udp;
 
 static_assert(ethercat::link<net::udp_link>);
@@ -20,7 +20,7 @@ namespace {
 net::udp_link serve() { return net::udp_link::serve(0, "127.0.0.1"); }
 net::udp_link connect_to(const net::udp_link& slave) { return net::udp_link::connect("127.0.0.1", slave.port()); }
 
-/// What a link gives for the frame `test::frame(...)`: broadcast destination, no source.
+/// What a link gives for the frame `support::frame(...)`: broadcast destination, no source.
 std::vector<std::byte> rebuilt(std::vector<std::byte> frame) {
     std::fill_n(frame.begin(), 6, std::byte{0xFF});
     std::fill_n(frame.begin() + 6, 6, std::byte{});
@@ -34,7 +34,7 @@ TEST_CASE("a frame passes from master to slave and back over UDP") {
     auto master = connect_to(slave);
     frame_buffer buffer;
     for (const std::size_t data : {0u, 1u, 31u, 32u, 33u, 1486u}) {
-        const auto frame = test::frame(data);
+        const auto frame = support::frame(data);
         REQUIRE(master.send(frame));
         REQUIRE(buffer.receive_from(slave) == frame.size());
         CHECK(buffer.frame() == rebuilt(frame));
@@ -48,18 +48,18 @@ TEST_CASE("a datagram holds the EtherCAT header and the datagrams, without paddi
     boost::asio::io_context context;
     udp::socket peer{context, {boost::asio::ip::make_address("127.0.0.1"), 0}};
     auto master = net::udp_link::connect("localhost", peer.local_endpoint().port());
-    REQUIRE(master.send(test::frame(1)));
+    REQUIRE(master.send(support::frame(1)));
     std::array<std::byte, 64> payload{};
     udp::endpoint from;
     const auto size = peer.receive_from(boost::asio::buffer(payload), from);
     const auto expected = bytes(0x0D, 0x10, 0x07, 0x5A, 0, 0, 0x30, 0x01, 0x01, 0, 0, 0, 0x01, 0, 0);
-    CHECK(std::vector(payload.begin(), payload.begin() + static_cast<std::ptrdiff_t>(size)) == expected);
+    CHECK(support::to_hex(std::span{payload}.first(size)) == support::to_hex(expected));
 
     // And the way back, from bytes.
     peer.send_to(boost::asio::buffer(expected), from);
     frame_buffer buffer;
     REQUIRE(buffer.receive_from(master) == 60);
-    CHECK(buffer.frame() == rebuilt(test::frame(1)));
+    CHECK(buffer.frame() == rebuilt(support::frame(1)));
 }
 
 TEST_CASE("the slave's end answers whoever sent last") {
@@ -68,7 +68,7 @@ TEST_CASE("the slave's end answers whoever sent last") {
     auto second = connect_to(slave);
     frame_buffer buffer;
     for (auto* master : {&first, &second, &first}) {
-        REQUIRE(master->send(test::frame(4)));
+        REQUIRE(master->send(support::frame(4)));
         REQUIRE(buffer.receive_from(slave) == 60);
         REQUIRE(slave.send(buffer.frame()));
         CHECK(buffer.receive_from(*master) == 60);
@@ -78,7 +78,7 @@ TEST_CASE("the slave's end answers whoever sent last") {
 
 TEST_CASE("the slave's end says that nobody asked yet") {
     auto slave = serve();
-    CHECK_FALSE(slave.send(test::frame(4)));
+    CHECK_FALSE(slave.send(support::frame(4)));
     CHECK(slave.problem() == "no master has sent anything yet, so there is nobody to answer");
 }
 
@@ -90,12 +90,12 @@ TEST_CASE("the master's end says that no slave is there, and goes on when one co
     }
     auto master = net::udp_link::connect("127.0.0.1", port);
     frame_buffer buffer;
-    REQUIRE(master.send(test::frame(4)));
+    REQUIRE(master.send(support::frame(4)));
     CHECK(master.receive(buffer.storage, 5s) == 0);
     CHECK(master.problem() == "no slave receives at UDP 127.0.0.1:" + std::to_string(port));
 
     auto slave = net::udp_link::serve(port, "127.0.0.1");
-    REQUIRE(master.send(test::frame(4)));
+    REQUIRE(master.send(support::frame(4)));
     CHECK(master.problem().empty());
     CHECK(buffer.receive_from(slave) == 60);
 }
@@ -103,7 +103,7 @@ TEST_CASE("the master's end says that no slave is there, and goes on when one co
 TEST_CASE("a frame that announces more than it has is not sent over UDP") {
     auto slave = serve();
     auto master = connect_to(slave);
-    const auto frame = test::frame(100);
+    const auto frame = support::frame(100);
     for (const std::size_t size : {0u, 13u, 15u, 60u, 127u}) {
         CHECK_FALSE(master.send(std::span{frame}.first(size)));
         CHECK(master.problem() == "a frame of " + std::to_string(size) + " bytes is shorter than its header announces");
@@ -137,7 +137,7 @@ TEST_CASE("waiting for a frame ends at its time") {
         CHECK(std::chrono::steady_clock::now() - start >= timeout);
     }
     auto master = connect_to(slave);
-    REQUIRE(master.send(test::frame(4)));
+    REQUIRE(master.send(support::frame(4)));
     CHECK(slave.receive(buffer.storage, std::chrono::nanoseconds::max()) == 60);
 }
 

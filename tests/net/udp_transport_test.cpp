@@ -256,9 +256,9 @@ TEST_CASE("sending and receiving allocate nothing") {
         }
     };
     exchange(10);
-    const auto before = test::allocations();
+    const auto before = support::allocations();
     exchange(1000);
-    CHECK(test::allocations() - before == 0);
+    CHECK(support::allocations() - before == 0);
     CHECK(seen == 1010 * message.size());
 }
 

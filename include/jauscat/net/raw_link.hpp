@@ -102,7 +102,7 @@ class raw_link {
     /// The interface's Ethernet address.
     const std::array<std::byte, 6>& mac() const noexcept { return mac_; }
 
-    /// How long `receive` polls before it sleeps.
+    /// How long `receive` polls before it sleeps; 20 microseconds unless set.
     void busy_poll(std::chrono::nanoseconds time) noexcept { busy_poll_ = time; }
 
   private:
@@ -163,7 +163,7 @@ class raw_link {
     boost::asio::generic::raw_protocol::socket socket_{*context_};
     std::string name_;
     std::array<std::byte, 6> mac_{};
-    std::chrono::nanoseconds busy_poll_{detail::default_busy_poll};
+    std::chrono::nanoseconds busy_poll_{std::chrono::microseconds{20}};
     std::string problem_{};
 };
 

@@ -96,7 +96,7 @@ class udp_link {
     /// The UDP port of this end.
     std::uint16_t port() const { return socket_.local_endpoint().port(); }
 
-    /// How long `receive` polls before it sleeps.
+    /// How long `receive` polls before it sleeps; not at all unless set, since the other end often shares a processor.
     void busy_poll(std::chrono::nanoseconds time) noexcept { busy_poll_ = time; }
 
   private:
@@ -133,7 +133,7 @@ class udp_link {
     std::unique_ptr<boost::asio::io_context> context_{std::make_unique<boost::asio::io_context>()};
     boost::asio::ip::udp::socket socket_{*context_};
     boost::asio::ip::udp::endpoint peer_{}; ///< port 0 until a serving end has heard from a master
-    std::chrono::nanoseconds busy_poll_{detail::default_busy_poll};
+    std::chrono::nanoseconds busy_poll_{};
     std::string problem_{};
 };
 

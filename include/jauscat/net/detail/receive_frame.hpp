@@ -1,5 +1,6 @@
 // Waiting for a frame with a precision below a millisecond: a short busy poll first, since an answer that is a few
 // microseconds away costs less than being put to sleep and woken; then ppoll, which takes nanoseconds.
+// Where the other end is a program that needs the same processor, the busy poll only holds it up.
 #pragma once
 
 #include <jauscat/schema/ethercat/frame.hpp>
@@ -13,9 +14,6 @@
 #include <span>
 
 namespace jauscat::net::detail {
-
-/// How long a link polls before it sleeps, unless told otherwise.
-inline constexpr std::chrono::nanoseconds default_busy_poll = std::chrono::microseconds{20};
 
 /// Repeats `attempt` until it gives the size of a frame in `buffer`, which is then padded to 60 bytes, or until
 /// `timeout` is over, then 0. `attempt` does not wait; it returns nothing when there is nothing to receive, and 0 when

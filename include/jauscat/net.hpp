@@ -1,0 +1,12 @@
+// Sockets and configuration files, all of it: what stands above the I/O line.
+#pragma once
+
+#include <jauscat/net/jaus_config.hpp>
+#include <jauscat/net/jausip.hpp>
+#include <jauscat/net/next_hop.hpp>
+#include <jauscat/net/open_error.hpp>
+#include <jauscat/net/outcome.hpp>
+#include <jauscat/net/raw_link.hpp>
+#include <jauscat/net/run_until.hpp>
+#include <jauscat/net/udp_link.hpp>
+#include <jauscat/net/udp_transport.hpp>
