@@ -1,0 +1,34 @@
+// Bytes as people read them.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace jauscat::text {
+
+/// `06 02 05 04`: two digits a byte, spaces between.
+[[nodiscard]] inline std::string hex(std::span<const std::byte> bytes) {
+    constexpr const char* digits = "0123456789abcdef";
+    std::string text;
+    text.reserve(bytes.size() * 3);
+    for (const std::byte b : bytes) {
+        if (!text.empty()) text += ' ';
+        text += digits[std::to_integer<unsigned>(b) >> 4];
+        text += digits[std::to_integer<unsigned>(b) & 0xF];
+    }
+    return text;
+}
+
+/// Lines of 16 bytes, each with its offset, behind `indent`.
+[[nodiscard]] inline std::string hex_dump(std::span<const std::byte> bytes, const std::string& indent = "  ") {
+    constexpr const char* digits = "0123456789abcdef";
+    std::string text;
+    for (std::size_t at = 0; at < bytes.size(); at += 16) {
+        text += indent;
+        for (int shift = 12; shift >= 0; shift -= 4) text += digits[(at >> shift) & 0xF];
+        text += "  " + hex(bytes.subspan(at, std::min<std::size_t>(16, bytes.size() - at))) + "\n";
+    }
+    return text;
+}
+
+} // namespace jauscat::text

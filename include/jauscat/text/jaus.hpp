@@ -1,0 +1,48 @@
+// JAUS names and whole messages as text.
+#pragma once
+#include <jauscat/jaus/message.hpp>
+#include <jauscat/schema/jaus/catalog.hpp>
+#include <jauscat/text/annotate.hpp>
+
+#include <algorithm>
+
+namespace jauscat::text {
+
+/// The standard's name of a command code, or `command code 9999h`.
+[[nodiscard]] inline std::string message_name(std::uint16_t command_code) {
+    const auto found = std::ranges::find(jaus::catalog, command_code, &jaus::catalog_entry::command_code);
+    return found != jaus::catalog.end() ? std::string{found->name}
+                                        : detail::formatted("command code %04Xh", unsigned{command_code});
+}
+
+/// `2.1.33.1`: subsystem, node, component, instance.
+[[nodiscard]] inline std::string to_text(const jaus::address& id) {
+    return std::to_string(id.subsystem) + "." + std::to_string(id.node) + "." + std::to_string(id.component) + "." +
+           std::to_string(id.instance);
+}
+
+/// `Set Wrench Effort, 36 bytes, 1.1.32.1 -> 2.1.33.1, sequence 34`.
+[[nodiscard]] inline std::string summary(const jaus::header& head) {
+    std::string text = message_name(head.command_code);
+    if (head.ack_nak == jaus::ack_nak::ack) text += " (ACK)";
+    if (head.ack_nak == jaus::ack_nak::nak) text += " (NAK)";
+    return text + ", " + std::to_string(jaus::header_size + head.data_size) + " bytes, " + to_text(head.source) +
+           " -> " + to_text(head.destination) + ", sequence " + std::to_string(head.sequence_number);
+}
+
+/// A line for each field of the header and of the body, if one of `Messages` has its command code; a hex dump else.
+template <jaus::coded_message... Messages>
+[[nodiscard]] std::string annotate_message(std::span<const std::byte> bytes) {
+    jaus::header head{};
+    std::string text = annotate<jaus::header>(bytes);
+    if (!wire::decode_prefix(head, bytes)) return text;
+    const auto body = bytes.subspan(jaus::header_size);
+    const bool known =
+        (... || (Messages::command_code == head.command_code &&
+                 (text += body.empty() && jaus::is_acknowledgement(head) ? std::string{}
+                                                                         : annotate<Messages>(body, jaus::header_size),
+                  true)));
+    return known ? text : text + hex_dump(body);
+}
+
+} // namespace jauscat::text

@@ -1,0 +1,80 @@
+// One field's value as text: numbers with their unit, enumerations by name, bytes in hex.
+#pragma once
+#include <jauscat/text/hex.hpp>
+#include <jauscat/wire/schema.hpp>
+
+#include <array>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace jauscat::text {
+
+namespace detail {
+
+template <auto Value> consteval std::string_view enumerator_spelling() {
+    constexpr std::string_view spelling = __PRETTY_FUNCTION__; // "... [with auto Value = jaus::ack; ...]" or "(jaus)3"
+    constexpr auto first = spelling.find("Value = ") + 8;
+    constexpr auto end = spelling.find_first_of(";]", first);
+    constexpr auto written = spelling.substr(first, end - first);
+    if (written.find('(') != std::string_view::npos) return {};
+    const auto colon = written.rfind(':');
+    return colon == std::string_view::npos ? std::string_view{} : written.substr(colon + 1);
+}
+
+// Names are looked for among the values 0 to 255.
+template <class Enum> inline constexpr auto enumerator_names = []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array<std::string_view, sizeof...(I)>{enumerator_spelling<static_cast<Enum>(I)>()...};
+}
+(std::make_index_sequence<256>{});
+
+template <class... Args> std::string formatted(const char* format, Args... args) {
+    std::array<char, 64> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), format, args...);
+    return buffer.data();
+}
+
+} // namespace detail
+
+/// The enumerator's name, or empty where the value has none.
+template <class Enum>
+requires std::is_enum_v<Enum>
+[[nodiscard]] constexpr std::string_view enumerator_name(Enum value) {
+    const auto number = static_cast<std::uint64_t>(value);
+    return number < 256 ? detail::enumerator_names<Enum>[number] : std::string_view{};
+}
+
+/// A value without its unit.
+template <class T> [[nodiscard]] std::string to_text(const T& value) {
+    if constexpr (std::is_same_v<T, bool>)
+        return value ? "true" : "false";
+    else if constexpr (std::is_enum_v<T>) {
+        const std::string_view name = enumerator_name(value);
+        const auto number = static_cast<unsigned long long>(value);
+        return name.empty() ? detail::formatted("0x%llX", number) : std::string{name};
+    } else if constexpr (std::floating_point<T>)
+        return detail::formatted("%.8g", static_cast<double>(value));
+    else if constexpr (std::integral<T>)
+        return std::to_string(value);
+    else
+        return hex(value);
+}
+
+/// A member's value with unit and raw integer, as its field descriptor has them: `49.998474 % (raw 16383)`.
+template <class Item, class T> [[nodiscard]] std::string to_text(Item, const T& value) {
+    if constexpr (requires { typename Item::codec_type::range_type; }) {
+        using codec = typename Item::codec_type;
+        std::string text = to_text(value) + " " + std::string{codec::range_type::unit};
+        if (value >= codec::lowest && value <= codec::highest)
+            text += " (raw " + std::to_string(codec::to_raw(value)) + ")";
+        return text;
+    } else if constexpr (Item::name() == "command_code") {
+        return detail::formatted("%04Xh", unsigned{value}); // the field's own spelling, as in the standard
+    } else {
+        return to_text(value);
+    }
+}
+
+} // namespace jauscat::text
