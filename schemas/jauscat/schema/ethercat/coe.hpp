@@ -1,7 +1,7 @@
 // CANopen over EtherCAT: SDO transfers, aborts and emergencies. ETG.1000.6, clause 5.6.
 #pragma once
 
-#include <jauscat/wire/wire.hpp>
+#include <jauscat/wire/schema.hpp>
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // An EtherCAT datagram: header, data, working counter. ETG.1000.4, clause 5.4.
 #pragma once
 
-#include <jauscat/wire/wire.hpp>
+#include <jauscat/wire/schema.hpp>
 
 #include <cstdint>
 

@@ -2,7 +2,7 @@
 // ETG.1000.4, clause 6; ET1100 data sheet, section II.
 #pragma once
 
-#include <jauscat/wire/wire.hpp>
+#include <jauscat/wire/schema.hpp>
 
 #include <array>
 #include <cstddef>

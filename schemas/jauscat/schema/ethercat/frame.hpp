@@ -1,7 +1,7 @@
 // The Ethernet header and the EtherCAT frame header: what stands before the datagrams. ETG.1000.4, clause 5.3.
 #pragma once
 
-#include <jauscat/wire/wire.hpp>
+#include <jauscat/wire/schema.hpp>
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // The mailbox header and its error reply. ETG.1000.4, clause 5.6.
 #pragma once
 
-#include <jauscat/wire/wire.hpp>
+#include <jauscat/wire/schema.hpp>
 
 #include <cstdint>
 

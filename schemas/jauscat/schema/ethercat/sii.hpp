@@ -1,7 +1,7 @@
 // Slave Information Interface (SII): what a slave's EEPROM says about it. ETG.2010. Addresses are in words of 2 bytes.
 #pragma once
 
-#include <jauscat/wire/wire.hpp>
+#include <jauscat/wire/schema.hpp>
 
 #include <array>
 #include <cstddef>
