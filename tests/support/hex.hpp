@@ -1,6 +1,7 @@
 // Bytes written as hexadecimal text, for expectations that can be read.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -23,6 +24,21 @@ inline std::vector<std::byte> from_hex(std::string_view text) {
             pending = 0;
         }
     }
+    return bytes;
+}
+
+/// The same in a constant expression. Text that is not exactly `Size` bytes does not compile.
+template <std::size_t Size> consteval std::array<std::byte, Size> hex_literal(std::string_view text) {
+    std::array<std::byte, Size> bytes{};
+    std::size_t digits = 0;
+    for (const char c : text) {
+        if (c == ' ') continue;
+        const auto digit = std::string_view{"0123456789abcdef"}.find(c);
+        if (digit > 15) throw "not a hexadecimal digit";
+        bytes.at(digits / 2) = bytes.at(digits / 2) << 4 | static_cast<std::byte>(digit);
+        ++digits;
+    }
+    if (digits != 2 * Size) throw "not as many digits as the bytes need";
     return bytes;
 }
 
