@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>
+#include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/annotate.hpp>
 
 #include <algorithm>
@@ -32,7 +33,7 @@ namespace jauscat::text {
 
 /// A line for each field of the header and of the body, if one of `Messages` has its command code; a hex dump else.
 template <jaus::coded_message... Messages>
-[[nodiscard]] std::string annotate_message(std::span<const std::byte> bytes) {
+[[nodiscard]] std::string annotate_message(std::span<const std::byte> bytes, jaus::message_list<Messages...>) {
     jaus::header head{};
     std::string text = annotate<jaus::header>(bytes);
     if (!wire::decode_prefix(head, bytes)) return text;

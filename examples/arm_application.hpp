@@ -1,0 +1,199 @@
+// What the robot arm does: every object written to the slave becomes its JAUS message again and reaches a handler; a
+// query prepares the report that the master uploads next.
+#pragma once
+#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/ethercat/object_dictionary.hpp>
+#include <jauscat/jaus/dispatcher.hpp>
+#include <jauscat/jaus/requested_fields.hpp>
+#include <jauscat/schema/jaus/messages.hpp>
+#include <jauscat/text/jaus.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace example {
+
+/// The arm behind an EtherCAT slave, under one translation table.
+template <class Table> class arm_application {
+  public:
+    using delivery = jauscat::ethercat::delivery<Table>;
+
+    /// `say` gets a line for each thing that happens; `moved` is called when the efforts in force have changed.
+    arm_application(std::uint8_t subsystem, std::function<void(const std::string&)> say, std::function<void()> moved)
+        : self_{.subsystem = subsystem}, say_{std::move(say)}, moved_{std::move(moved)} {}
+
+    /// The station address that the master gave the slave: the arm's JAUS node.
+    void set_station(std::uint16_t station) noexcept { self_.station = station; }
+
+    /// The efforts in force; every field is there, 0 until commanded.
+    [[nodiscard]] const jauscat::jaus::report_wrench_effort& efforts() const noexcept { return efforts_; }
+
+    /// An SDO download: the object as a JAUS message.
+    jauscat::ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex,
+                                        std::span<const std::byte> data) noexcept {
+        using jauscat::ethercat::abort_code;
+        namespace translate = jauscat::translate;
+        const auto size = delivery::message_of({self_.station, index, subindex, data}, self_, message_);
+        if (!size) {
+            say_("refused an object: " + std::string{describe(size.error())});
+            switch (size.error()) {
+            case translate::errc::unknown_index: return abort_code::no_object;
+            case translate::errc::unknown_subindex: return abort_code::no_subindex;
+            case translate::errc::truncated: return abort_code::length_too_low;
+            case translate::errc::too_large:
+            case translate::errc::no_space: return abort_code::length_too_high;
+            default: return abort_code::parameter_incompatible;
+            }
+        }
+        const auto message = jauscat::jaus::split(std::span{message_}.first(size.size()));
+        if (!message) {
+            say_("refused a message: " + std::string{describe(message.error)});
+            return abort_code::parameter_incompatible;
+        }
+        say_("received " + jauscat::text::summary(message.header));
+        switch (dispatch(message.header, message.body)) {
+        case jauscat::jaus::dispatched::handled:
+        case jauscat::jaus::dispatched::acknowledgement: return abort_code::none;
+        case jauscat::jaus::dispatched::unknown: return abort_code::no_subindex;
+        case jauscat::jaus::dispatched::malformed: return abort_code::value_range;
+        }
+        return abort_code::general;
+    }
+
+    /// An SDO upload: the report that the last query prepared.
+    jauscat::ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
+        using jauscat::ethercat::abort_code;
+        if (prepared_.empty()) return {abort_code::no_data, 0};
+        const auto report = delivery::object_of(prepared_);
+        if (report.index != index || report.subindex != subindex) return {abort_code::no_data, 0};
+        if (report.data.size() > out.size()) return {abort_code::exceeds_mailbox, 0};
+        std::ranges::copy(report.data, out.begin());
+        return {abort_code::none, report.data.size()};
+    }
+
+  private:
+    using header = jauscat::jaus::header;
+
+    jauscat::jaus::dispatched dispatch(const header& head, std::span<const std::byte> body) {
+        namespace jaus = jauscat::jaus;
+        jaus::dispatcher handlers{
+            jaus::on<jaus::set_wrench_effort>([&](const header&, const auto& command) { drive(command); }),
+            jaus::on<jaus::set_travel_speed>([&](const header&, const auto& command) {
+                travel_speed_.desired_speed = command.desired_speed;
+                say_("travel speed " + jauscat::text::to_text(command.desired_speed) + " m/s");
+            }),
+            jaus::on<jaus::set_emergency>([&](const header&, const auto& command) {
+                if (command.transition_to_emergency) enter_emergency();
+            }),
+            jaus::on<jaus::clear_emergency>([&](const header&, const auto& command) {
+                if (!command.clear_emergency_condition) return;
+                status_.primary_status_code = jaus::primary_status_code::ready;
+                say_("emergency cleared");
+            }),
+            jaus::on<jaus::set_component_authority>([&](const header&, const auto& command) {
+                authority_ = command.authority_code;
+                say_("authority " + std::to_string(authority_));
+            }),
+            jaus::on<jaus::query_component_status>([&](const header& query, const auto&) { prepare(query, status_); }),
+            jaus::on<jaus::query_travel_speed>(
+                [&](const header& query, const auto&) { prepare(query, travel_speed_); }),
+            jaus::on<jaus::query_wrench_effort>([&](const header& query, const auto& asked) {
+                auto report = efforts_;
+                jaus::keep_requested(report, asked.presence_vector);
+                prepare(query, report);
+            }),
+            jaus::on<jaus::query_global_pose>([&](const header& query, const auto& asked) {
+                auto report = pose_;
+                jaus::keep_requested(report, asked.presence_vector);
+                prepare(query, report);
+            }),
+            // Reports reach an arm from other components of the robot; it keeps where it stands, and shows the others.
+            jaus::on<jaus::report_global_pose>([&](const header&, const auto& report) {
+                pose_ = report;
+                say_("pose of the robot updated");
+            }),
+            jaus::on<jaus::report_wrench_effort>([&](const header&, const auto&) { say_("efforts of another arm"); }),
+            jaus::on<jaus::report_travel_speed>(
+                [&](const header&, const auto&) { say_("speed of another component"); }),
+            jaus::on<jaus::report_component_status>([&](const header& from, const auto& report) {
+                say_(jauscat::text::to_text(from.source) + " is " + jauscat::text::to_text(report.primary_status_code));
+            }),
+            jaus::on<jaus::report_heartbeat_pulse>(
+                [&](const header& from, const auto&) { say_(jauscat::text::to_text(from.source) + " is alive"); }),
+            jaus::on_unknown([&](const header& unknown, auto) {
+                say_("no handler for " + jauscat::text::message_name(unknown.command_code));
+            }),
+            jaus::on_malformed([&](const header& bad, auto, jauscat::wire::errc error) {
+                say_("refused the body of " + jauscat::text::message_name(bad.command_code) + ": " +
+                     std::string{describe(error)});
+            })};
+        return handlers(head, body);
+    }
+
+    void drive(const jauscat::jaus::set_wrench_effort& command) {
+        if (status_.primary_status_code == jauscat::jaus::primary_status_code::emergency) {
+            say_("in emergency: efforts ignored");
+            return;
+        }
+        copy_commanded(command, efforts_);
+        moved_();
+    }
+    void enter_emergency() {
+        status_.primary_status_code = jauscat::jaus::primary_status_code::emergency;
+        efforts_ = no_effort();
+        say_("EMERGENCY: all efforts to zero");
+        moved_();
+    }
+
+    // Fields that a command leaves out keep their effort. Both messages have the same fields in the same order.
+    static void copy_commanded(const jauscat::jaus::set_wrench_effort& from, jauscat::jaus::report_wrench_effort& to) {
+        std::array<std::optional<double>, 12> commanded{};
+        std::size_t at = 0;
+        jauscat::wire::visit(from, [&](auto, const auto& effort) { commanded[at++] = effort; });
+        at = 0;
+        jauscat::wire::visit(to, [&](auto, auto& effort) {
+            if (commanded[at]) effort = commanded[at];
+            ++at;
+        });
+    }
+    static jauscat::jaus::report_wrench_effort no_effort() {
+        jauscat::jaus::report_wrench_effort none{};
+        jauscat::wire::visit(none, [](auto, auto& effort) { effort = 0.0; });
+        return none;
+    }
+
+    // A report lies in the object of the arm's own component, at the subindex of its command code.
+    void prepare(const header& query, const auto& report) {
+        prepared_.clear();
+        auto head = jauscat::jaus::answer_to(query);
+        head.destination = query.destination;
+        head.source = query.destination;
+        std::array<std::byte, 256> message{};
+        const auto size = jauscat::jaus::make_message(head, report, message);
+        if (!size) {
+            say_("cannot report: " + std::string{describe(size.error())});
+            return;
+        }
+        std::array<std::byte, 512> packet{};
+        const auto packed = delivery::translator::forth(std::span{message}.first(size.size()), packet);
+        if (!packed) {
+            say_("cannot report: " + std::string{describe(packed.error())});
+            return;
+        }
+        prepared_.assign(packet.begin(), packet.begin() + static_cast<std::ptrdiff_t>(packed.size()));
+        say_("prepared " + jauscat::text::message_name(report.command_code));
+    }
+
+    jauscat::ethercat::slave_identity self_;
+    std::function<void(const std::string&)> say_;
+    std::function<void()> moved_;
+    std::array<std::byte, delivery::translator::max_message_size> message_{};
+    std::vector<std::byte> prepared_{};
+    jauscat::jaus::report_wrench_effort efforts_{no_effort()};
+    jauscat::jaus::report_travel_speed travel_speed_{};
+    jauscat::jaus::report_global_pose pose_{};
+    jauscat::jaus::report_component_status status_{.primary_status_code = jauscat::jaus::primary_status_code::ready};
+    std::uint8_t authority_{};
+};
+
+} // namespace example

@@ -1,0 +1,211 @@
+// The operator control unit: commands a wrench effort over JAUS, asks for it back, and compares.
+#include "support/program.hpp"
+#include <jauscat/jaus/requested_fields.hpp>
+#include <jauscat/text/jaus.hpp>
+
+#include <random>
+
+namespace {
+
+namespace jaus = jauscat::jaus;
+namespace wire = jauscat::wire;
+namespace text = jauscat::text;
+
+constexpr const char* help = R"(ocu: commands the efforts of a robot arm and asks them back.
+
+  ocu [options] [FIELD=PERCENT ...]
+
+Examples:
+  ocu propulsive_linear_effort_x=50 resistive_linear_effort_x=12.5
+  ocu --to 2.2.33.1 --random 7
+  ocu --query
+
+Exit code: 0 when the report equals the command, 1 when it does not or nobody answers, 2 for a wrong command line.
+)";
+
+/// Sets the fields that the command line names.
+jaus::set_wrench_effort command_from(const std::vector<std::string>& assignments) {
+    jaus::set_wrench_effort command{};
+    for (const auto& assignment : assignments) {
+        const auto equals = assignment.find('=');
+        if (equals == std::string::npos) throw example::usage_error{"'" + assignment + "' is not FIELD=PERCENT"};
+        const auto name = assignment.substr(0, equals);
+        bool known = false;
+        std::string names;
+        wire::visit(command, [&]<class Item>(Item item, auto& effort) {
+            names += "\n  " + std::string{item.name()};
+            if (item.name() != name) return;
+            known = true;
+            std::size_t used = 0;
+            try {
+                effort = std::stod(assignment.substr(equals + 1), &used);
+            } catch (const std::exception&) {
+                used = 0;
+            }
+            if (used == 0 || used != assignment.size() - equals - 1)
+                throw example::usage_error{"'" + assignment + "': no number after the ="};
+            using codec = typename Item::codec_type;
+            if (!(*effort >= codec::lowest && *effort <= codec::highest))
+                throw example::usage_error{name + " must be " + text::to_text(codec::range_type::min) + " to " +
+                                           text::to_text(codec::range_type::max) + " " +
+                                           std::string{codec::range_type::unit}};
+        });
+        if (!known) throw example::usage_error{"there is no field '" + name + "'; Set Wrench Effort has:" + names};
+    }
+    return command;
+}
+
+jaus::set_wrench_effort random_command(std::uint32_t seed) {
+    std::mt19937 random{seed};
+    jaus::set_wrench_effort command{};
+    wire::visit(command, [&]<class Item>(Item, auto& effort) {
+        using range = typename Item::codec_type::range_type;
+        if (random() % 2 != 0) effort = std::uniform_real_distribution<double>{range::min, range::max}(random);
+    });
+    return command;
+}
+
+/// The operator's end of the conversation: one message out, its answer in.
+class operator_console {
+  public:
+    operator_console(jauscat::net::jaus_config config, jaus::address robot, std::chrono::milliseconds timeout)
+        : config_{std::move(config)}, robot_{robot}, timeout_{timeout}, udp_{context_, config_.me().endpoint()} {
+        udp_.start([this](auto bytes, const auto&, auto) { received(bytes); },
+                   [](std::string_view problem) { std::cout << "ocu: " << problem << "\n"; });
+    }
+
+    /// Sends `body` and waits for the message that answers it: an acknowledgement, or the report with `report_code`.
+    template <jaus::coded_message Message> bool ask(const Message& body, std::uint16_t report_code) {
+        std::array<std::byte, jaus::header_size + wire::max_size<Message>> message{};
+        awaited_code_ = report_code != 0 ? report_code : Message::command_code;
+        ++sequence_;
+        const auto size =
+            jaus::make_message({.ack_nak = report_code == 0 ? jaus::ack_nak::request : jaus::ack_nak::none,
+                                .destination = robot_,
+                                .source = me(),
+                                .sequence_number = sequence_},
+                               body, message);
+        if (!size) throw std::runtime_error{std::string{describe(size.error())}};
+        const auto bytes = std::span{message}.first(size.size());
+        show("sends", bytes);
+
+        for (int attempt = 1; attempt <= attempts; ++attempt) {
+            answer_.clear();
+            if (const auto sent = send_to_next_hop(udp_, config_, bytes); !sent)
+                throw std::runtime_error{sent.problem()};
+            if (jauscat::net::run_until(context_, timeout_, [this] { return !answer_.empty(); })) {
+                show("receives", answer_);
+                return true;
+            }
+            if (example::stop_requested) return false;
+            std::cout << "ocu: no answer within " << timeout_.count() << " ms, attempt " << attempt << " of "
+                      << attempts << "\n";
+        }
+        return false;
+    }
+
+    [[nodiscard]] jaus::split_message answer() const { return jaus::split(answer_); }
+
+  private:
+    static constexpr int attempts = 5;
+
+    [[nodiscard]] jaus::address me() const {
+        auto id = config_.me().jausip;
+        if (id.node == 0) id.node = 1;
+        if (id.component == 0) id.component = 32; // Subsystem Commander
+        if (id.instance == 0) id.instance = 1;
+        return id;
+    }
+    static void show(const char* verb, std::span<const std::byte> bytes) {
+        std::cout << "ocu " << verb << " " << text::summary(jaus::split(bytes).header) << "\n"
+                  << text::annotate_message(bytes, jaus::messages{});
+    }
+    void received(std::span<const std::byte> bytes) {
+        const auto message = jaus::split(bytes);
+        if (!message) {
+            std::cout << "ocu: dropped " << bytes.size() << " bytes: " << describe(message.error) << "\n";
+            return;
+        }
+        const bool answers = message.header.sequence_number == sequence_ &&
+                             (message.header.command_code == awaited_code_ || is_acknowledgement(message.header));
+        if (answers)
+            answer_.assign(bytes.begin(), bytes.end());
+        else
+            std::cout << "ocu: not awaited: " << text::summary(message.header) << "\n";
+    }
+
+    jauscat::net::jaus_config config_;
+    jaus::address robot_;
+    std::chrono::milliseconds timeout_;
+    boost::asio::io_context context_{};
+    jauscat::net::udp_transport udp_;
+    std::vector<std::byte> answer_{};
+    std::uint16_t awaited_code_{};
+    std::uint16_t sequence_{};
+};
+
+bool command(operator_console& console, const jaus::set_wrench_effort& efforts) {
+    if (!console.ask(efforts, 0)) {
+        std::cout << "ocu: FAILED: nobody acknowledged the command; is robot_controller running?\n";
+        return false;
+    }
+    if (console.answer().header.ack_nak == jaus::ack_nak::ack) return true;
+    std::cout << "ocu: FAILED: the command was refused (NAK); robot_controller's output says why\n";
+    return false;
+}
+
+/// Asks for the fields in `presence_vector` and compares with what was commanded, if anything was.
+bool query(operator_console& console, std::uint16_t presence_vector, const jaus::set_wrench_effort* commanded) {
+    if (!console.ask(jaus::query_wrench_effort{presence_vector}, jaus::report_wrench_effort::command_code)) {
+        std::cout << "ocu: FAILED: no report\n";
+        return false;
+    }
+    const auto answer = console.answer();
+    jaus::report_wrench_effort report{};
+    if (jaus::is_acknowledgement(answer.header) || !wire::decode(report, answer.body)) {
+        std::cout << "ocu: FAILED: the query was refused or its report does not decode\n";
+        return false;
+    }
+    if (commanded == nullptr) return true;
+    // Both messages have the same layout, so equal efforts are equal bytes.
+    std::array<std::byte, wire::max_size<jaus::set_wrench_effort>> expected{};
+    const auto size = wire::encode(*commanded, expected);
+    const bool equal = size && std::ranges::equal(std::span{expected}.first(size.size()), answer.body);
+    std::cout << (equal ? "ocu: OK: the report equals the command\n"
+                        : "ocu: FAILED: the report differs from the command\n");
+    return equal;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return example::run("ocu", [&] {
+        namespace po = boost::program_options;
+        po::options_description options{"Options"};
+        options.add_options()("help", "show this text")(
+            "config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")(
+            "this", po::value<std::string>(), "the system this unit is, instead of the file's <thissystem>")(
+            "to", po::value<std::string>()->default_value("2.2.33.1"),
+            "JAUS ID of the arm")("random", po::value<std::uint32_t>(), "command random fields, from this seed")(
+            "query", "ask for all efforts, command nothing")("timeout", po::value<unsigned>()->default_value(1000),
+                                                             "milliseconds to wait for an answer")(
+            "effort", po::value<std::vector<std::string>>(), "FIELD=PERCENT; --effort itself may be left out");
+        po::positional_options_description positional;
+        positional.add("effort", -1);
+        const auto values = example::parse(argc, argv, options, help, positional);
+
+        const bool query_only = values.count("query") != 0;
+        const bool has_efforts = values.count("effort") != 0, random = values.count("random") != 0;
+        if (query_only + has_efforts + random != 1)
+            throw example::usage_error{"give either FIELD=PERCENT arguments, or --random SEED, or --query"};
+        jaus::set_wrench_effort efforts{};
+        if (has_efforts) efforts = command_from(values["effort"].as<std::vector<std::string>>());
+        if (random) efforts = random_command(values["random"].as<std::uint32_t>());
+
+        operator_console console{example::load_config(values), example::parse_address(values["to"].as<std::string>()),
+                                 std::chrono::milliseconds{values["timeout"].as<unsigned>()}};
+        if (query_only) return query(console, 0x0FFF, nullptr) ? example::success : example::failure;
+        const auto fields = static_cast<std::uint16_t>(jaus::presence_vector_of(efforts));
+        return command(console, efforts) && query(console, fields, &efforts) ? example::success : example::failure;
+    });
+}

@@ -1,0 +1,96 @@
+// The robot arm: an EtherCAT slave whose objects are JAUS messages, with its efforts shown as bars.
+#include "arm_application.hpp"
+#include "support/link_options.hpp"
+#include <jauscat/ethercat/slave.hpp>
+
+#include <iomanip>
+
+namespace {
+
+namespace ethercat = jauscat::ethercat;
+
+constexpr const char* help = R"(robot_arm: an EtherCAT slave that obeys JAUS messages.
+
+It waits for an EtherCAT master (robot_controller, or any other), takes the station address that the master gives it as
+its JAUS node, and shows what it is told to do.
+
+Examples:
+  robot_arm --this b                          EtherCAT in UDP on port 34980
+  robot_arm --this b --link raw --interface eth0
+)";
+
+/// `-100 |         ####|              | 100` for a value within its limits.
+std::string bar(double value, double min, double max) {
+    constexpr int width = 40;
+    const auto column = [&](double v) { return static_cast<int>((v - min) / (max - min) * width + 0.5); };
+    const int from = std::min(column(0), column(value)), to = std::max(column(0), column(value));
+    std::string text(width + 1, ' ');
+    for (int i = from; i <= to; ++i) text[static_cast<std::size_t>(i)] = '=';
+    text[static_cast<std::size_t>(column(0))] = '|';
+    return text;
+}
+
+void show(const jauscat::jaus::report_wrench_effort& efforts) {
+    std::cout << "arm: efforts in force\n";
+    jauscat::wire::visit(efforts, []<class Item>(Item item, const auto& effort) {
+        using range = typename Item::codec_type::range_type;
+        std::cout << "  " << std::left << std::setw(32) << item.name() << std::right << std::setw(8) << std::fixed
+                  << std::setprecision(2) << *effort << ' ' << range::unit << "  ["
+                  << bar(*effort, range::min, range::max) << "]  raw "
+                  << static_cast<int>(Item::codec_type::to_raw(*effort)) << "\n";
+    });
+}
+
+template <class Table> int serve(auto& link, const std::string& where, const auto& values) {
+    const auto config = example::load_config(values);
+    const auto subsystem = config.me().jausip.subsystem;
+
+    example::arm_application<Table>* arm_of_display = nullptr;
+    example::arm_application<Table> arm{subsystem,
+                                        [](const std::string& line) { std::cout << "arm: " << line << "\n"; },
+                                        [&] { show(arm_of_display->efforts()); }};
+    arm_of_display = &arm;
+    ethercat::slave slave{{.vendor = 0x4A430000,
+                           .product = 0x0021,
+                           .mailbox_out_size = 1486,
+                           .mailbox_in_size = 1486,
+                           .name = "JausCat robot arm"},
+                          arm};
+
+    std::cout << "arm: slave of subsystem " << int{subsystem} << ", " << where
+              << ", waiting for a master (Ctrl-C ends)\n";
+    std::array<std::byte, 1600> frame{};
+    auto state = slave.state();
+    while (!example::stop_requested) {
+        const auto size = link.receive(frame, std::chrono::milliseconds{100});
+        if (size == 0) continue;
+        const auto received = std::span{frame}.first(size);
+        arm.set_station(slave.station_address());
+        slave.process(received);
+        if (!link.send(received)) std::cout << "arm: a frame could not be sent back\n";
+        if (slave.state() != state) {
+            state = slave.state();
+            std::cout << "arm: state " << jauscat::text::to_text(state) << ", station address "
+                      << slave.station_address() << "\n";
+        }
+    }
+    std::cout << "arm: stopped\n";
+    return example::success;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return example::run("robot_arm", [&] {
+        namespace po = boost::program_options;
+        po::options_description options{"Options"};
+        options.add_options()("help", "show this text")(
+            "config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")(
+            "this", po::value<std::string>(), "the system this arm belongs to, instead of the file's <thissystem>");
+        example::add_link_options(options);
+        const auto values = example::parse(argc, argv, options, help);
+        return example::with_link(values, example::link_end::slave, [&](auto& link, const std::string& where) {
+            return example::with_table(values, [&]<class Table>() { return serve<Table>(link, where, values); });
+        });
+    });
+}

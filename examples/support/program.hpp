@@ -1,0 +1,85 @@
+// What the example programs share: options, a `main` that turns exceptions into a message and an exit code, Ctrl-C.
+#pragma once
+#include <jauscat/net.hpp>
+
+#include <boost/program_options.hpp>
+
+#include <atomic>
+#include <csignal>
+#include <iostream>
+#include <string>
+
+namespace example {
+
+/// Exit codes of every program here.
+enum exit_code : int { success = 0, failure = 1, usage = 2 };
+
+/// A wrong command line.
+struct usage_error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Set by Ctrl-C and by SIGTERM; programs look at it in their loops.
+inline std::atomic<bool> stop_requested{false};
+
+inline void stop_on_signals() {
+    const auto stop = [](int) { stop_requested = true; };
+    std::signal(SIGINT, stop);
+    std::signal(SIGTERM, stop);
+}
+
+/// Parses the command line; prints `help` and ends the program for --help.
+inline boost::program_options::variables_map
+parse(int argc, char** argv, const boost::program_options::options_description& options, const std::string& help,
+      const boost::program_options::positional_options_description& positional = {}) {
+    namespace po = boost::program_options;
+    po::variables_map values;
+    try {
+        po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(), values);
+        po::notify(values);
+    } catch (const po::error& error) {
+        throw usage_error{error.what()};
+    }
+    if (values.count("help") != 0) {
+        std::cout << help << "\n" << options;
+        std::exit(success);
+    }
+    return values;
+}
+
+/// Runs `program`, and says on standard error why it ended early.
+int run(const char* name, auto&& program) {
+    std::cout << std::unitbuf; // a line is seen when it is written, in a terminal and in a log
+    try {
+        stop_on_signals();
+        return program();
+    } catch (const usage_error& error) {
+        std::cerr << name << ": " << error.what() << "\nTry '" << name << " --help'.\n";
+        return usage;
+    } catch (const std::exception& error) {
+        std::cerr << name << ": " << error.what() << "\n";
+        return failure;
+    }
+}
+
+/// The configuration that --config and --this choose.
+inline jauscat::net::jaus_config load_config(const boost::program_options::variables_map& values) {
+    const auto config = jauscat::net::read_jaus_config(values["config"].as<std::string>());
+    return values.count("this") != 0 ? config.with_this(values["this"].as<std::string>()) : config;
+}
+
+/// `2.2.33.1` as an address whose octets are all given.
+inline jauscat::jaus::address parse_address(const std::string& text) {
+    unsigned s = 0, n = 0, c = 0, i = 0;
+    int used = 0;
+    if (std::sscanf(text.c_str(), "%u.%u.%u.%u%n", &s, &n, &c, &i, &used) != 4 ||
+        used != static_cast<int>(text.size()) || s < 1 || s > 255 || n < 1 || n > 255 || c < 1 || c > 255 || i < 1 ||
+        i > 255)
+        throw usage_error{"'" + text + "' is no JAUS ID: write subsystem.node.component.instance, each 1 to 255"};
+    return {.instance = static_cast<std::uint8_t>(i),
+            .component = static_cast<std::uint8_t>(c),
+            .node = static_cast<std::uint8_t>(n),
+            .subsystem = static_cast<std::uint8_t>(s)};
+}
+
+} // namespace example

@@ -1,0 +1,33 @@
+// What a query's presence vector asks for, applied to the report.
+#pragma once
+#include <jauscat/wire/visit.hpp>
+
+#include <cstdint>
+
+namespace jauscat::jaus {
+
+/// Removes from `report` every optional field whose bit is not set in `presence_vector`, the one that the query
+/// carries.
+template <wire::message Report> constexpr void keep_requested(Report& report, std::uint64_t presence_vector) noexcept {
+    wire::visit(report, [&]<class Item>(Item, auto& member) {
+        if constexpr (Item::optional) {
+            if ((presence_vector & 1u) == 0) member.reset();
+            presence_vector >>= 1;
+        }
+    });
+}
+
+/// The presence vector that `message` encodes with: what a query must carry to ask for just its fields.
+template <wire::message Message>
+[[nodiscard]] constexpr std::uint64_t presence_vector_of(const Message& message) noexcept {
+    std::uint64_t vector = 0, bit = 1;
+    wire::visit(message, [&]<class Item>(Item, const auto& member) {
+        if constexpr (Item::optional) {
+            if (member) vector |= bit;
+            bit <<= 1;
+        }
+    });
+    return vector;
+}
+
+} // namespace jauscat::jaus

@@ -1,0 +1,34 @@
+# Sourced by the other scripts: makes sure that the Debian packages they name are there.
+
+# need PACKAGE...: installs what is missing, as root or with sudo; says what to install where neither works.
+need() {
+    local missing=()
+    local package
+    for package in "$@"; do
+        dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
+    done
+    [ ${#missing[@]} -eq 0 ] && return 0
+    local sudo=()
+    if [ "$(id -u)" -ne 0 ]; then
+        if command -v sudo >/dev/null && sudo -n true 2>/dev/null; then
+            sudo=(sudo)
+        else
+            echo "These packages are missing. Install them, then run this again:" >&2
+            echo "  sudo apt-get install ${missing[*]}" >&2
+            return 1
+        fi
+    fi
+    echo "installing ${missing[*]}"
+    "${sudo[@]}" apt-get update -qq &&
+        DEBIAN_FRONTEND=noninteractive "${sudo[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# Any Boost from 1.74 on serves; install Debian's default only where there is none.
+boost_packages() {
+    dpkg-query -W -f '${Status} ${Package}\n' 'libboost1.*-dev' 2>/dev/null | grep -q '^install ok installed' || echo libboost-dev
+    dpkg-query -W -f '${Status} ${Package}\n' 'libboost-program-options1.*-dev' 2>/dev/null |
+        grep -q '^install ok installed' || echo libboost-program-options-dev
+}
+
+need_to_build() { need g++ cmake ninja-build libpugixml-dev $(boost_packages); }
+need_to_test() { need_to_build && need catch2 iproute2 tshark; }
