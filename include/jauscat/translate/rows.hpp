@@ -25,13 +25,10 @@ namespace detail {
 template <class T> [[gnu::always_inline]] constexpr std::uint32_t to_word(T value) noexcept {
     return static_cast<std::uint32_t>(value);
 }
-/// A packet's word into a narrower field.
+/// A packet's word into a narrower field; refused where it would come back as another word.
 template <class T> [[gnu::always_inline]] constexpr errc from_word(std::uint32_t word, T& value) noexcept {
-    if constexpr (sizeof(T) < sizeof word) {
-        if (word > std::numeric_limits<T>::max()) return errc::out_of_range;
-    }
     value = static_cast<T>(word);
-    return errc::ok;
+    return to_word(value) == word ? errc::ok : errc::out_of_range;
 }
 
 } // namespace detail

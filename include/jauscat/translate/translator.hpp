@@ -20,7 +20,8 @@ template <class Table> struct translator {
     static constexpr std::size_t max_message_size = header_size + max_body;
 
     /// Translates one JAUS message (header and body) into a packet; returns the packet's size. `given` holds what is
-    /// the caller's own. Errors: truncated, wrong_size, too_large, no_space, unknown_command_code, reserved_value.
+    /// the caller's own. Errors: truncated, wrong_size, too_large, no_space, unknown_command_code, reserved_value,
+    /// out_of_range (a packet of a user's own, with fields narrower than a word).
     static constexpr result forth(std::span<const std::byte> message, std::span<std::byte> packet,
                                   const packet_type& given = {}) noexcept {
         header_type header{};
@@ -31,7 +32,7 @@ template <class Table> struct translator {
 
         packet_type fields = given;
         if (const errc error = Table::forth(header, fields, s); error != errc::ok) return error;
-        wire::detail::put_message(fields, packet.data());
+        if (wire::detail::put_message(fields, packet.data()).error != wire::errc::ok) return errc::out_of_range;
         std::byte* data = packet.data() + packet_size;
         each_rest(
             [&](std::size_t offset, std::size_t size) { data = std::copy_n(message.data() + offset, size, data); });
@@ -60,7 +61,7 @@ template <class Table> struct translator {
 
         header_type header{};
         if (const errc error = Table::back(fields, header, s); error != errc::ok) return error;
-        wire::detail::put_message(header, message.data());
+        if (wire::detail::put_message(header, message.data()).error != wire::errc::ok) return errc::out_of_range;
         const std::byte* in = data.data();
         each_rest([&](std::size_t offset, std::size_t size) {
             std::copy_n(in, size, message.data() + offset);
