@@ -62,7 +62,8 @@ inline outcome outcome_of(translate::result result, std::vector<std::byte> out) 
     return {result.error(), std::move(out)};
 }
 /// Message to packet. `Translator` is seed, self_contained or a user's.
-template <class Translator> outcome forth(std::span<const std::byte> message, const packet& given = {}) {
+template <class Translator>
+outcome forth(std::span<const std::byte> message, const typename Translator::packet_type& given = {}) {
     std::vector<std::byte> out(Translator::max_packet_size);
     const auto result = Translator::forth(message, out, given);
     return outcome_of(result, std::move(out));

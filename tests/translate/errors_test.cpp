@@ -1,0 +1,231 @@
+// Every reason for which a translation is refused, provoked.
+#include "samples.hpp"
+#include "support/catch.hpp"
+#include <jauscat/ethercat/delivery.hpp>
+
+#include <set>
+#include <string>
+
+using namespace jauscat;
+using namespace jauscat::test;
+using translate::errc;
+
+namespace {
+
+template <class Translator> std::vector<std::byte> sample_packet() { return forth<Translator>(wrench_effort).bytes; }
+
+/// What the way back says of the sample's packet with one word changed.
+template <class Translator> errc back_with(word at, std::uint32_t value) {
+    return back<Translator>(with(sample_packet<Translator>(), at, value)).error;
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("a message shorter than its header is truncated", "", seed, self_contained) {
+    for (std::size_t size = 0; size != 16; ++size)
+        CHECK(forth<TestType>(std::span{wrench_effort}.first(size)).error == errc::truncated);
+}
+
+TEMPLATE_TEST_CASE("a packet shorter than its fields and data is truncated", "", seed, self_contained) {
+    const auto packet = sample_packet<TestType>();
+    for (std::size_t size = 0; size != packet.size(); ++size) {
+        CAPTURE(size);
+        CHECK(back<TestType>(std::span{packet}.first(size)).error == errc::truncated);
+    }
+}
+
+TEMPLATE_TEST_CASE("a packet that counts more data than there is is truncated", "", seed, self_contained) {
+    const auto size = static_cast<std::uint32_t>(sample_packet<TestType>().size() - 56);
+    CHECK(back_with<TestType>(word::ul_data_cnt, size + 1) == errc::truncated);
+    CHECK(back_with<TestType>(word::ul_data_cnt, 0xFFFFFFFF) == errc::truncated);
+}
+
+TEMPLATE_TEST_CASE("a packet whose data ends within the header fields it carries is truncated", "", seed,
+                   self_contained) {
+    auto packet = forth<TestType>(message_with_body(0)).bytes;
+    CHECK(back<TestType>(packet).bytes == message_with_body(0));
+    for (std::uint32_t count = 0; count != TestType::rest_size; ++count) {
+        set(packet, word::ul_data_cnt, count);
+        set(packet, word::ul_len, 16 + count);
+        CHECK(back<TestType>(packet).error == errc::truncated);
+    }
+}
+
+TEMPLATE_TEST_CASE("a result that needs one byte more than there is says no space", "", seed, self_contained) {
+    const auto packet = sample_packet<TestType>();
+    std::vector<std::byte> out(packet.size());
+    CHECK(TestType::forth(wrench_effort, std::span{out}).error() == errc::ok);
+    CHECK(TestType::forth(wrench_effort, std::span{out}.first(packet.size() - 1)).error() == errc::no_space);
+    CHECK(TestType::forth(wrench_effort, {}).error() == errc::no_space);
+    CHECK(TestType::back(packet, std::span{out}.first(wrench_effort.size())).error() == errc::ok);
+    CHECK(TestType::back(packet, std::span{out}.first(wrench_effort.size() - 1)).error() == errc::no_space);
+    CHECK(TestType::back(packet, {}).error() == errc::no_space);
+}
+
+TEMPLATE_TEST_CASE("a message whose header states another size than its body's has the wrong size", "", seed,
+                   self_contained) {
+    auto message = vector_of(wrench_effort);
+    message[12] = std::byte{19};
+    CHECK(forth<TestType>(message).error == errc::wrong_size);
+    message[12] = std::byte{21};
+    CHECK(forth<TestType>(message).error == errc::wrong_size);
+    message[12] = std::byte{20};
+    CHECK(forth<TestType>(message).error == errc::ok);
+    message.pop_back();
+    CHECK(forth<TestType>(message).error == errc::wrong_size);
+}
+
+TEMPLATE_TEST_CASE("a packet may state more length than its data needs, but not less", "", seed, self_contained) {
+    const auto length = get(sample_packet<TestType>(), word::ul_len);
+    CHECK(back_with<TestType>(word::ul_len, length - 1) == errc::wrong_size);
+    CHECK(back_with<TestType>(word::ul_len, 0) == errc::wrong_size);
+
+    auto padded = with(sample_packet<TestType>(), word::ul_len, length + 4);
+    padded.resize(padded.size() + 4, std::byte{0xEE});
+    CHECK(to_hex(back<TestType>(padded).bytes) == to_hex(wrench_effort));
+}
+
+TEST_CASE("a self-contained packet whose data states another body size than it has is of the wrong size") {
+    auto packet = sample_packet<self_contained>();
+    packet[64] = std::byte{19};
+    CHECK(back<self_contained>(packet).error == errc::wrong_size);
+    packet[64] = std::byte{21};
+    CHECK(back<self_contained>(packet).error == errc::wrong_size);
+}
+
+TEMPLATE_TEST_CASE("the largest body fills a packet, and one byte more is too large", "", seed, self_contained) {
+    const auto largest = message_with_body(TestType::max_body);
+    const auto packet = forth<TestType>(largest);
+    REQUIRE(packet.error == errc::ok);
+    CHECK(packet.bytes.size() == 56 + 1540);
+    CHECK(get(packet.bytes, word::ul_data_cnt) == 1540);
+    CHECK(get(packet.bytes, word::ul_len) == 1556);
+    CHECK(back<TestType>(packet.bytes).bytes == largest);
+
+    CHECK(forth<TestType>(message_with_body(TestType::max_body + 1)).error == errc::too_large);
+
+    auto swollen = with(with(packet.bytes, word::ul_data_cnt, 1541), word::ul_len, 1557);
+    swollen.push_back({});
+    std::vector<std::byte> out(2000);
+    CHECK(TestType::back(swollen, out).error() == errc::too_large);
+}
+
+TEMPLATE_TEST_CASE("a command code that is not in the table's list is unknown", "", seed, self_contained) {
+    const auto [low, high] = GENERATE(std::pair{0x00, 0x00}, std::pair{0x12, 0x00}, std::pair{0x03, 0x04},
+                                      std::pair{0x01, 0xD0}, std::pair{0xFF, 0xFF});
+    auto message = vector_of(wrench_effort);
+    message[2] = static_cast<std::byte>(low);
+    message[3] = static_cast<std::byte>(high);
+    CHECK(forth<TestType>(message).error == errc::unknown_command_code);
+}
+
+TEMPLATE_TEST_CASE("an index outside 6900 to 7155 stands for no component", "", seed, self_contained) {
+    CHECK(back_with<TestType>(word::ul_index, 0) == errc::unknown_index);
+    CHECK(back_with<TestType>(word::ul_index, 6899) == errc::unknown_index);
+    CHECK(back_with<TestType>(word::ul_index, 6900) == errc::ok);
+    CHECK(back_with<TestType>(word::ul_index, 7155) == errc::ok);
+    CHECK(back_with<TestType>(word::ul_index, 7156) == errc::unknown_index);
+    CHECK(back_with<TestType>(word::ul_index, 0x10000 + 6933) == errc::unknown_index);
+}
+
+TEMPLATE_TEST_CASE("a subindex outside 1 to 158 stands for no command code", "", seed, self_contained) {
+    CHECK(back_with<TestType>(word::ul_sub_index, 0) == errc::unknown_subindex);
+    CHECK(back_with<TestType>(word::ul_sub_index, 1) == errc::ok);
+    CHECK(back_with<TestType>(word::ul_sub_index, 158) == errc::ok);
+    CHECK(back_with<TestType>(word::ul_sub_index, 159) == errc::unknown_subindex);
+    CHECK(back_with<TestType>(word::ul_sub_index, 255) == errc::unknown_subindex);
+    CHECK(back_with<TestType>(word::ul_sub_index, 256) == errc::unknown_subindex);
+    CHECK(back_with<TestType>(word::ul_sub_index, 0x100 + 26) == errc::unknown_subindex);
+}
+
+TEST_CASE("the seed table refuses reserved data flags and sequence positions; the self-contained one carries flags") {
+    for (unsigned flag = 0; flag != 16; ++flag) {
+        CAPTURE(flag);
+        const bool defined = flag == 0 || flag == 1 || flag == 2 || flag == 4 || flag == 8;
+        auto message = vector_of(wrench_effort);
+        message[13] = static_cast<std::byte>(flag << 4);
+        CHECK(forth<seed>(message).error == (defined ? errc::ok : errc::reserved_value));
+        CHECK(back<self_contained>(forth<self_contained>(message).bytes).bytes == message);
+    }
+    for (std::uint32_t ul_ext = 0; ul_ext != 0x1000; ++ul_ext) {
+        CAPTURE(ul_ext);
+        const bool defined = ul_ext == 0 || ul_ext == 0x80 || ul_ext == 0xC0 || ul_ext == 0x40 || ul_ext == 0x2C0;
+        CHECK(back_with<seed>(word::ul_ext, ul_ext) == (defined ? errc::ok : errc::reserved_value));
+    }
+}
+
+TEST_CASE("a value that does not fit its JAUS field is out of range") {
+    CHECK(back_with<seed>(word::ul_dest, 255) == errc::ok);
+    CHECK(back_with<seed>(word::ul_dest, 256) == errc::out_of_range);
+    CHECK(back_with<seed>(word::ul_dest_id, 255) == errc::ok);
+    CHECK(back_with<seed>(word::ul_dest_id, 256) == errc::out_of_range);
+    CHECK(back_with<seed>(word::ul_node_id, 255) == errc::ok);
+    CHECK(back_with<seed>(word::ul_node_id, 256) == errc::out_of_range);
+    CHECK(back_with<self_contained>(word::ul_node_id, 255) == errc::ok);
+    CHECK(back_with<self_contained>(word::ul_node_id, 256) == errc::out_of_range);
+    CHECK(back_with<self_contained>(word::ul_node_id, 0xFFFFFFFF) == errc::out_of_range);
+}
+
+TEMPLATE_TEST_CASE("a packet that is no download request is the wrong packet", "", seed, self_contained) {
+    CHECK(back_with<TestType>(word::ul_cmd, 0x00650006) == errc::wrong_packet);
+    CHECK(back_with<TestType>(word::ul_cmd, 0x00650009) == errc::wrong_packet);
+    CHECK(back_with<TestType>(word::ul_sta, 0xC0000001) == errc::wrong_packet);
+    CHECK(back_with<TestType>(word::ul_rout, 1) == errc::wrong_packet);
+}
+
+TEST_CASE("the self-contained table fixes receiver and sequence position") {
+    CHECK(back_with<self_contained>(word::ul_dest, 0x21) == errc::wrong_packet);
+    CHECK(back_with<self_contained>(word::ul_dest_id, 1) == errc::wrong_packet);
+    CHECK(back_with<self_contained>(word::ul_ext, 0x80) == errc::wrong_packet);
+}
+
+TEMPLATE_TEST_CASE("sender, sender reference and packet number are the caller's", "", seed, self_contained) {
+    packet given{};
+    given.head.ul_src = 0x11121314;
+    given.head.ul_src_id = 0x21222324;
+    given.head.ul_id = 0x31323334;
+    const auto there = forth<TestType>(wrench_effort, given);
+    CHECK(get(there.bytes, word::ul_src) == 0x11121314);
+    CHECK(get(there.bytes, word::ul_src_id) == 0x21222324);
+    CHECK(get(there.bytes, word::ul_id) == 0x31323334);
+    CHECK(back<TestType>(there.bytes).bytes == vector_of(wrench_effort));
+
+    auto without = there.bytes;
+    for (const auto at : {word::ul_src, word::ul_src_id, word::ul_id}) set(without, at, 0);
+    CHECK(without == sample_packet<TestType>());
+}
+
+TEMPLATE_TEST_CASE("what the caller gives for a field of the table is overwritten", "", seed, self_contained) {
+    packet given{};
+    given.head.ul_dest = given.head.ul_dest_id = given.head.ul_len = given.head.ul_ext = given.head.ul_rout = 77;
+    given.head.ul_cmd = hilscher::packet_command::sdo_upload_req;
+    given.head.ul_sta = hilscher::packet_status::fail;
+    given.ul_node_id = given.ul_index = given.ul_sub_index = given.ul_data_cnt = 77;
+    CHECK(forth<TestType>(wrench_effort, given).bytes == sample_packet<TestType>());
+}
+
+TEMPLATE_TEST_CASE("a part of a large data set is not delivered to a slave", "", translation::seed_table,
+                   translation::self_contained_table) {
+    using delivery = ethercat::delivery<TestType>;
+    for (const auto flag : {jaus::data_flag::first, jaus::data_flag::middle, jaus::data_flag::repeated,
+                            jaus::data_flag::last, static_cast<jaus::data_flag>(3)})
+        CHECK(delivery::deliverable({.destination = {.node = 2}, .data_flag = flag}) == errc::fragment_to_slave);
+}
+
+TEMPLATE_TEST_CASE("a message to every node or to none names no slave", "", translation::seed_table,
+                   translation::self_contained_table) {
+    using delivery = ethercat::delivery<TestType>;
+    CHECK(delivery::deliverable({.destination = {.node = 0}}) == errc::broadcast_names_no_slave);
+    CHECK(delivery::deliverable({.destination = {.node = 1}}) == errc::ok);
+    CHECK(delivery::deliverable({.destination = {.component = 255, .node = 254, .subsystem = 255}}) == errc::ok);
+    CHECK(delivery::deliverable({.destination = {.node = 255}}) == errc::broadcast_names_no_slave);
+}
+
+TEST_CASE("every error has a line of its own") {
+    std::set<std::string_view> lines;
+    for (int i = 0; i <= static_cast<int>(errc::broadcast_names_no_slave); ++i)
+        lines.insert(translate::describe(static_cast<errc>(i)));
+    CHECK(lines.size() == static_cast<std::size_t>(errc::broadcast_names_no_slave) + 1);
+    CHECK(!lines.contains("unknown error"));
+    CHECK(translate::describe(static_cast<errc>(200)) == "unknown error");
+}
