@@ -128,43 +128,69 @@ struct coe_emergency {
 
 } // namespace jauscat::ethercat
 
+// One line per field, as in the standard's table.
+// clang-format off
 namespace jauscat {
 
 template <> struct wire::schema<ethercat::coe_header> {
     using T = ethercat::coe_header;
-    using type = layout<bits<u16le, bit<&T::number, 9>, reserved<3>, bit<&T::service, 4>>>;
+    using type = layout<
+        bits<u16le,
+            bit<&T::number, 9>,
+            reserved<3>,
+            bit<&T::service, 4>>>;
 };
 
 template <> struct wire::schema<ethercat::sdo_header> {
     using T = ethercat::sdo_header;
-    using type = layout<bits<u8, bit<&T::size_indicated, 1>, bit<&T::expedited, 1>, bit<&T::unused, 2>,
-                             bit<&T::complete_access, 1>, bit<&T::specifier, 3>>,
-                        field<&T::index, u16le>, field<&T::subindex, u8>>;
+    using type = layout<
+        bits<u8,
+            bit<&T::size_indicated, 1>,
+            bit<&T::expedited, 1>,
+            bit<&T::unused, 2>,
+            bit<&T::complete_access, 1>,
+            bit<&T::specifier, 3>>,
+        field<&T::index, u16le>,
+        field<&T::subindex, u8>>;
 };
 
 template <> struct wire::schema<ethercat::sdo_expedited> {
     using T = ethercat::sdo_expedited;
-    using type = layout<nested<&T::header>, field<&T::data, octets<4>>>;
+    using type = layout<
+        nested<&T::header>,
+        field<&T::data, octets<4>>>;
 };
 
 template <> struct wire::schema<ethercat::sdo_normal> {
     using T = ethercat::sdo_normal;
-    using type = layout<nested<&T::header>, field<&T::size, u32le>>;
+    using type = layout<
+        nested<&T::header>,
+        field<&T::size, u32le>>;
 };
 
 template <> struct wire::schema<ethercat::sdo_segment_header> {
     using T = ethercat::sdo_segment_header;
-    using type = layout<bits<u8, bit<&T::last, 1>, bit<&T::unused, 3>, bit<&T::toggle, 1>, bit<&T::specifier, 3>>>;
+    using type = layout<
+        bits<u8,
+            bit<&T::last, 1>,
+            bit<&T::unused, 3>,
+            bit<&T::toggle, 1>,
+            bit<&T::specifier, 3>>>;
 };
 
 template <> struct wire::schema<ethercat::sdo_abort> {
     using T = ethercat::sdo_abort;
-    using type = layout<nested<&T::header>, field<&T::code, enumeration<ethercat::abort_code, u32le>>>;
+    using type = layout<
+        nested<&T::header>,
+        field<&T::code, enumeration<ethercat::abort_code, u32le>>>;
 };
 
 template <> struct wire::schema<ethercat::coe_emergency> {
     using T = ethercat::coe_emergency;
-    using type = layout<field<&T::error_code, u16le>, field<&T::error_register, u8>, field<&T::data, octets<5>>>;
+    using type = layout<
+        field<&T::error_code, u16le>,
+        field<&T::error_register, u8>,
+        field<&T::data, octets<5>>>;
 };
 
 } // namespace jauscat

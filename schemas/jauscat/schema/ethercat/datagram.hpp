@@ -45,14 +45,23 @@ struct datagram_trailer {
 
 } // namespace jauscat::ethercat
 
+// One line per field, as in the standard's table.
+// clang-format off
 namespace jauscat {
 
 template <> struct wire::schema<ethercat::datagram_header> {
     using T = ethercat::datagram_header;
-    using type = layout<field<&T::cmd, enumeration<ethercat::command, u8>>, field<&T::index, u8>, field<&T::adp, u16le>,
-                        field<&T::ado, u16le>,
-                        bits<u16le, bit<&T::length, 11>, reserved<3>, bit<&T::circulating, 1>, bit<&T::more, 1>>,
-                        field<&T::irq, u16le>>;
+    using type = layout<
+        field<&T::cmd, enumeration<ethercat::command, u8>>,
+        field<&T::index, u8>,
+        field<&T::adp, u16le>,
+        field<&T::ado, u16le>,
+        bits<u16le,
+            bit<&T::length, 11>,
+            reserved<3>,
+            bit<&T::circulating, 1>,
+            bit<&T::more, 1>>,
+        field<&T::irq, u16le>>;
 };
 
 template <> struct wire::schema<ethercat::datagram_trailer> {

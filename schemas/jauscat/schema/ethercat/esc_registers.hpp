@@ -164,6 +164,12 @@ struct sync_manager {
     bool repeat_acknowledge{}; ///< equals `repeat_request` once the slave has done so
 };
 
+/// SyncManagers 0 and 1 (0x0800), 16 bytes: one datagram configures a mailbox.
+struct mailbox_managers {
+    sync_manager out{}; ///< master to slave
+    sync_manager in{};  ///< slave to master
+};
+
 /// The last three bytes of a SyncManager (0x0805 + 8 n): what polling and the repeat request need.
 struct sync_manager_handshake {
     bool full{};
@@ -209,63 +215,129 @@ struct sii_access {
 
 } // namespace jauscat::ethercat
 
+// One line per field, as in the standard's table.
+// clang-format off
 namespace jauscat {
 
 template <> struct wire::schema<ethercat::esc_word> { using type = layout<field<&ethercat::esc_word::value, u16le>>; };
 
 template <> struct wire::schema<ethercat::al_control> {
     using T = ethercat::al_control;
-    using type =
-        layout<bits<u16le, bit<&T::state, 4>, bit<&T::acknowledge, 1>, bit<&T::request_device_id, 1>, reserved<10>>>;
+    using type = layout<
+        bits<u16le,
+            bit<&T::state, 4>,
+            bit<&T::acknowledge, 1>,
+            bit<&T::request_device_id, 1>,
+            reserved<10>>>;
 };
 
 template <> struct wire::schema<ethercat::al_status> {
     using T = ethercat::al_status;
-    using type = layout<bits<u16le, bit<&T::state, 4>, bit<&T::error, 1>, bit<&T::device_id_loaded, 1>, reserved<10>>,
-                        field<&T::gap, u16le>, field<&T::code, enumeration<ethercat::al_status_code, u16le>>>;
+    using type = layout<
+        bits<u16le,
+            bit<&T::state, 4>,
+            bit<&T::error, 1>,
+            bit<&T::device_id_loaded, 1>,
+            reserved<10>>,
+        field<&T::gap, u16le>,
+        field<&T::code, enumeration<ethercat::al_status_code, u16le>>>;
 };
 
 template <> struct wire::schema<ethercat::sync_manager> {
     using T = ethercat::sync_manager;
-    using type = layout<field<&T::start, u16le>, field<&T::length, u16le>,
-                        bits<u8, bit<&T::mode, 2>, bit<&T::direction, 2>, bit<&T::ecat_interrupt, 1>,
-                             bit<&T::pdi_interrupt, 1>, bit<&T::watchdog, 1>, reserved<1>>,
-                        bits<u8, bit<&T::write_event, 1>, bit<&T::read_event, 1>, reserved<1>, bit<&T::full, 1>,
-                             bit<&T::last_buffer, 2>, bit<&T::buffer_in_use, 2>>,
-                        bits<u8, bit<&T::enable, 1>, bit<&T::repeat_request, 1>, reserved<4>, bit<&T::latch_ecat, 1>,
-                             bit<&T::latch_pdi, 1>>,
-                        bits<u8, bit<&T::pdi_disable, 1>, bit<&T::repeat_acknowledge, 1>, reserved<6>>>;
+    using type = layout<
+        field<&T::start, u16le>,
+        field<&T::length, u16le>,
+        bits<u8,
+            bit<&T::mode, 2>,
+            bit<&T::direction, 2>,
+            bit<&T::ecat_interrupt, 1>,
+            bit<&T::pdi_interrupt, 1>,
+            bit<&T::watchdog, 1>,
+            reserved<1>>,
+        bits<u8,
+            bit<&T::write_event, 1>,
+            bit<&T::read_event, 1>,
+            reserved<1>,
+            bit<&T::full, 1>,
+            bit<&T::last_buffer, 2>,
+            bit<&T::buffer_in_use, 2>>,
+        bits<u8,
+            bit<&T::enable, 1>,
+            bit<&T::repeat_request, 1>,
+            reserved<4>,
+            bit<&T::latch_ecat, 1>,
+            bit<&T::latch_pdi, 1>>,
+        bits<u8,
+            bit<&T::pdi_disable, 1>,
+            bit<&T::repeat_acknowledge, 1>,
+            reserved<6>>>;
+};
+
+template <> struct wire::schema<ethercat::mailbox_managers> {
+    using T = ethercat::mailbox_managers;
+    using type = layout<
+        nested<&T::out>,
+        nested<&T::in>>;
 };
 
 template <> struct wire::schema<ethercat::sync_manager_handshake> {
     using T = ethercat::sync_manager_handshake;
-    using type = layout<bits<u8, reserved<3>, bit<&T::full, 1>, reserved<4>>,
-                        bits<u8, bit<&T::enable, 1>, bit<&T::repeat_request, 1>, reserved<6>>,
-                        bits<u8, reserved<1>, bit<&T::repeat_acknowledge, 1>, reserved<6>>>;
+    using type = layout<
+        bits<u8,
+            reserved<3>,
+            bit<&T::full, 1>,
+            reserved<4>>,
+        bits<u8,
+            bit<&T::enable, 1>,
+            bit<&T::repeat_request, 1>,
+            reserved<6>>,
+        bits<u8,
+            reserved<1>,
+            bit<&T::repeat_acknowledge, 1>,
+            reserved<6>>>;
 };
 
 template <> struct wire::schema<ethercat::sync_manager_activate> {
     using T = ethercat::sync_manager_activate;
-    using type = layout<bits<u8, bit<&T::enable, 1>, bit<&T::repeat_request, 1>, reserved<6>>>;
+    using type = layout<
+        bits<u8,
+            bit<&T::enable, 1>,
+            bit<&T::repeat_request, 1>,
+            reserved<6>>>;
 };
 
 template <> struct wire::schema<ethercat::sii_owner> {
     using T = ethercat::sii_owner;
-    using type = layout<bits<u8, bit<&T::pdi, 1>, bit<&T::force, 1>, reserved<6>>>;
+    using type = layout<
+        bits<u8,
+            bit<&T::pdi, 1>,
+            bit<&T::force, 1>,
+            reserved<6>>>;
 };
 
 template <> struct wire::schema<ethercat::sii_request> {
     using T = ethercat::sii_request;
-    using type =
-        layout<bits<u16le, bit<&T::write_enable, 1>, reserved<5>, bit<&T::eight_byte_reads, 1>,
-                    bit<&T::two_address_bytes, 1>, bit<&T::cmd, 3>, bit<&T::checksum_error, 1>, bit<&T::not_loaded, 1>,
-                    bit<&T::command_error, 1>, bit<&T::write_enable_error, 1>, bit<&T::busy, 1>>,
-               field<&T::address, u32le>>;
+    using type = layout<
+        bits<u16le,
+            bit<&T::write_enable, 1>,
+            reserved<5>,
+            bit<&T::eight_byte_reads, 1>,
+            bit<&T::two_address_bytes, 1>,
+            bit<&T::cmd, 3>,
+            bit<&T::checksum_error, 1>,
+            bit<&T::not_loaded, 1>,
+            bit<&T::command_error, 1>,
+            bit<&T::write_enable_error, 1>,
+            bit<&T::busy, 1>>,
+        field<&T::address, u32le>>;
 };
 
 template <> struct wire::schema<ethercat::sii_access> {
     using T = ethercat::sii_access;
-    using type = layout<nested<&T::request>, field<&T::data, octets<8>>>;
+    using type = layout<
+        nested<&T::request>,
+        field<&T::data, octets<8>>>;
 };
 
 } // namespace jauscat

@@ -41,21 +41,32 @@ struct frame_header {
 
 } // namespace jauscat::ethercat
 
+// One line per field, as in the standard's table.
+// clang-format off
 namespace jauscat {
 
 template <> struct wire::schema<ethercat::ethernet_header> {
     using T = ethercat::ethernet_header;
-    using type = layout<field<&T::destination, octets<6>>, field<&T::source, octets<6>>, field<&T::ether_type, u16be>>;
+    using type = layout<
+        field<&T::destination, octets<6>>,
+        field<&T::source, octets<6>>,
+        field<&T::ether_type, u16be>>;
 };
 
 template <> struct wire::schema<ethercat::vlan_tag> {
     using T = ethercat::vlan_tag;
-    using type = layout<field<&T::control, u16be>, field<&T::ether_type, u16be>>;
+    using type = layout<
+        field<&T::control, u16be>,
+        field<&T::ether_type, u16be>>;
 };
 
 template <> struct wire::schema<ethercat::frame_header> {
     using T = ethercat::frame_header;
-    using type = layout<bits<u16le, bit<&T::length, 11>, reserved<1>, bit<&T::type, 4>>>;
+    using type = layout<
+        bits<u16le,
+            bit<&T::length, 11>,
+            reserved<1>,
+            bit<&T::type, 4>>>;
 };
 
 } // namespace jauscat

@@ -3,9 +3,13 @@
 
 #include <jauscat/wire/schema.hpp>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace jauscat::ethercat {
+
+inline constexpr std::size_t min_mailbox_size = 24;   ///< bytes: room for any SDO response
+inline constexpr std::size_t max_mailbox_size = 1486; ///< bytes: what one datagram carries
 
 /// The protocol that a mailbox message carries.
 enum class mailbox_type : std::uint8_t { error = 0, aoe = 1, eoe = 2, coe = 3, foe = 4, soe = 5, voe = 15 };
@@ -42,18 +46,29 @@ struct mailbox_error_reply {
 
 } // namespace jauscat::ethercat
 
+// One line per field, as in the standard's table.
+// clang-format off
 namespace jauscat {
 
 template <> struct wire::schema<ethercat::mailbox_header> {
     using T = ethercat::mailbox_header;
-    using type =
-        layout<field<&T::length, u16le>, field<&T::address, u16le>, bits<u8, bit<&T::channel, 6>, bit<&T::priority, 2>>,
-               bits<u8, bit<&T::type, 4>, bit<&T::counter, 3>, reserved<1>>>;
+    using type = layout<
+        field<&T::length, u16le>,
+        field<&T::address, u16le>,
+        bits<u8,
+            bit<&T::channel, 6>,
+            bit<&T::priority, 2>>,
+        bits<u8,
+            bit<&T::type, 4>,
+            bit<&T::counter, 3>,
+            reserved<1>>>;
 };
 
 template <> struct wire::schema<ethercat::mailbox_error_reply> {
     using T = ethercat::mailbox_error_reply;
-    using type = layout<field<&T::type, u16le>, field<&T::code, enumeration<ethercat::mailbox_error_code, u16le>>>;
+    using type = layout<
+        field<&T::type, u16le>,
+        field<&T::code, enumeration<ethercat::mailbox_error_code, u16le>>>;
 };
 
 } // namespace jauscat

@@ -113,55 +113,97 @@ struct sii_sync_manager {
 
 } // namespace jauscat::ethercat
 
+// One line per field, as in the standard's table.
+// clang-format off
 namespace jauscat {
 
 template <> struct wire::schema<ethercat::sii_configuration> {
     using T = ethercat::sii_configuration;
-    using type = layout<field<&T::pdi_control, u16le>, field<&T::pdi_configuration, u16le>,
-                        field<&T::sync_impulse_length, u16le>, field<&T::pdi_configuration_2, u16le>,
-                        field<&T::station_alias, u16le>, field<&T::gap, octets<4>>, field<&T::checksum, u16le>>;
+    using type = layout<
+        field<&T::pdi_control, u16le>,
+        field<&T::pdi_configuration, u16le>,
+        field<&T::sync_impulse_length, u16le>,
+        field<&T::pdi_configuration_2, u16le>,
+        field<&T::station_alias, u16le>,
+        field<&T::gap, octets<4>>,
+        field<&T::checksum, u16le>>;
 };
 
 template <> struct wire::schema<ethercat::sii_identity> {
     using T = ethercat::sii_identity;
-    using type = layout<field<&T::vendor, u32le>, field<&T::product, u32le>, field<&T::revision, u32le>,
-                        field<&T::serial, u32le>>;
+    using type = layout<
+        field<&T::vendor, u32le>,
+        field<&T::product, u32le>,
+        field<&T::revision, u32le>,
+        field<&T::serial, u32le>>;
 };
 
 template <> struct wire::schema<ethercat::sii_mailbox> {
     using T = ethercat::sii_mailbox;
-    using type = layout<field<&T::receive_offset, u16le>, field<&T::receive_size, u16le>, field<&T::send_offset, u16le>,
-                        field<&T::send_size, u16le>,
-                        bits<u16le, bit<&T::aoe, 1>, bit<&T::eoe, 1>, bit<&T::coe, 1>, bit<&T::foe, 1>, bit<&T::soe, 1>,
-                             bit<&T::voe, 1>, reserved<10>>>;
+    using type = layout<
+        field<&T::receive_offset, u16le>,
+        field<&T::receive_size, u16le>,
+        field<&T::send_offset, u16le>,
+        field<&T::send_size, u16le>,
+        bits<u16le,
+            bit<&T::aoe, 1>,
+            bit<&T::eoe, 1>,
+            bit<&T::coe, 1>,
+            bit<&T::foe, 1>,
+            bit<&T::soe, 1>,
+            bit<&T::voe, 1>,
+            reserved<10>>>;
 };
 
 template <> struct wire::schema<ethercat::sii_size> {
     using T = ethercat::sii_size;
-    using type = layout<field<&T::kibit, u16le>, field<&T::version, u16le>>;
+    using type = layout<
+        field<&T::kibit, u16le>,
+        field<&T::version, u16le>>;
 };
 
 template <> struct wire::schema<ethercat::sii_category_header> {
     using T = ethercat::sii_category_header;
-    using type = layout<field<&T::category, enumeration<ethercat::sii_category, u16le>>, field<&T::words, u16le>>;
+    using type = layout<
+        field<&T::category, enumeration<ethercat::sii_category, u16le>>,
+        field<&T::words, u16le>>;
 };
 
 template <> struct wire::schema<ethercat::sii_general> {
     using T = ethercat::sii_general;
     using type = layout<
-        field<&T::group, u8>, field<&T::image, u8>, field<&T::order, u8>, field<&T::name, u8>, field<&T::gap, u8>,
-        bits<u8, bit<&T::sdo, 1>, bit<&T::sdo_information, 1>, bit<&T::pdo_assign, 1>, bit<&T::pdo_configuration, 1>,
-             bit<&T::upload_at_start, 1>, bit<&T::complete_access, 1>, reserved<2>>,
-        field<&T::foe, u8>, field<&T::eoe, u8>, field<&T::soe, octets<3>>, field<&T::flags, u8>,
-        field<&T::ebus_current, i16le>, field<&T::gap_2, octets<2>>, field<&T::ports, u16le>,
+        field<&T::group, u8>,
+        field<&T::image, u8>,
+        field<&T::order, u8>,
+        field<&T::name, u8>,
+        field<&T::gap, u8>,
+        bits<u8,
+            bit<&T::sdo, 1>,
+            bit<&T::sdo_information, 1>,
+            bit<&T::pdo_assign, 1>,
+            bit<&T::pdo_configuration, 1>,
+            bit<&T::upload_at_start, 1>,
+            bit<&T::complete_access, 1>,
+            reserved<2>>,
+        field<&T::foe, u8>,
+        field<&T::eoe, u8>,
+        field<&T::soe, octets<3>>,
+        field<&T::flags, u8>,
+        field<&T::ebus_current, i16le>,
+        field<&T::gap_2, octets<2>>,
+        field<&T::ports, u16le>,
         field<&T::gap_3, octets<14>>>;
 };
 
 template <> struct wire::schema<ethercat::sii_sync_manager> {
     using T = ethercat::sii_sync_manager;
-    using type =
-        layout<field<&T::start, u16le>, field<&T::length, u16le>, field<&T::control, u8>, field<&T::status, u8>,
-               field<&T::enable, u8>, field<&T::use, enumeration<ethercat::sii_sync_manager_use, u8>>>;
+    using type = layout<
+        field<&T::start, u16le>,
+        field<&T::length, u16le>,
+        field<&T::control, u8>,
+        field<&T::status, u8>,
+        field<&T::enable, u8>,
+        field<&T::use, enumeration<ethercat::sii_sync_manager_use, u8>>>;
 };
 
 } // namespace jauscat
