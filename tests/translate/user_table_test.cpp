@@ -1,4 +1,5 @@
 // Tables of a user's own: private messages, other index bases, and bit-fields as rows.
+#include "compile_fail/small_table.hpp"
 #include "samples.hpp"
 #include "support/catch.hpp"
 
@@ -99,4 +100,12 @@ TEST_CASE("a word that does not fit its bit-field is out of range") {
     CHECK(back<spread>(bytes).error == errc::out_of_range);
     set(bytes, static_cast<word>(offset), 256);
     CHECK(back<spread>(bytes).error == errc::out_of_range);
+}
+
+TEST_CASE("the small table whose mistakes do not compile is right without them") {
+    using table = translate::translator<small::right_table>;
+    constexpr auto bytes = hex_literal<19>("fb1a0000 03000000 00000000 03000000 5a cafe");
+    constexpr auto message = hex_literal<8>("07 0404 5a 0200 cafe");
+    CHECK(to_hex(forth<table>(message).bytes) == to_hex(bytes));
+    CHECK(to_hex(back<table>(bytes).bytes) == to_hex(message));
 }

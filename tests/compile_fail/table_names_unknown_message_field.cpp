@@ -1,0 +1,9 @@
+// expect: table: a row names a field that the message or the packet does not have
+#include "small_table.hpp"
+
+using namespace small;
+
+using foreign = translate::move<at<&stranger::field>, at<&packet::spare>>;
+
+using wrong = table_of<index_row, subindex_row, size_row, foreign, count_row, rest_row>;
+constexpr auto translate_forth = forth<wrong>;

@@ -1,0 +1,9 @@
+// expect: table: rest would split an integer that bit-fields share; use all of its fields or none
+#include "small_table.hpp"
+
+using namespace small;
+
+using half = translate::move<at<&head::priority>, at<&packet::spare>>;
+
+using wrong = table_of<index_row, subindex_row, size_row, half, count_row, rest_row>;
+constexpr auto translate_forth = forth<wrong>;

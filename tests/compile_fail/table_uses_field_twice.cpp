@@ -1,0 +1,9 @@
+// expect: table: a message field is used by two rows
+#include "small_table.hpp"
+
+using namespace small;
+
+using again = translate::move<at<&head::component>, at<&packet::spare>>;
+
+using wrong = table_of<index_row, subindex_row, size_row, again, count_row, rest_row>;
+constexpr auto translate_forth = forth<wrong>;
