@@ -18,6 +18,8 @@ template <auto Member, std::size_t Width> struct bit {
     static constexpr bool optional = false;
     static_assert(std::is_enum_v<value_type> || std::unsigned_integral<value_type>,
                   "bit: the member must be bool, an unsigned integer or an enumeration");
+    static_assert(Width >= 1 && Width <= (std::is_same_v<value_type, bool> ? 1 : sizeof(value_type) * 8),
+                  "bit: the member is narrower than its bits");
 
     static consteval std::string_view name() { return name_of<Member>(); }
 

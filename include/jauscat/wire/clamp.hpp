@@ -6,7 +6,8 @@
 namespace jauscat::wire {
 
 /// Moves every scaled value of `object` into its field's range. NaN stays NaN, and so still does not encode.
-template <message T> constexpr void clamp(T& object) noexcept {
+template <message T>
+requires(!raw_object<T>) constexpr void clamp(T& object) noexcept {
     visit(object, []<class Item>(Item, auto& member) {
         const auto each = [](auto& value) {
             if constexpr (requires { typename Item::codec_type::range_type; }) {

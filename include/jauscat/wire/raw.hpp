@@ -11,30 +11,30 @@ template <auto Member, class Value> struct slot {
     friend constexpr bool operator==(const slot&, const slot&) = default;
 };
 
+// A list, so that items without members, of which a layout may hold equal ones, leave nothing behind.
+template <class... Slots> struct slot_list : Slots... {
+    friend constexpr bool operator==(const slot_list&, const slot_list&) = default;
+};
+template <class... Lists> struct joined_slots { using type = slot_list<>; };
+template <class... A> struct joined_slots<slot_list<A...>> { using type = slot_list<A...>; };
+template <class... A, class... B, class... More>
+struct joined_slots<slot_list<A...>, slot_list<B...>, More...> : joined_slots<slot_list<A..., B...>, More...> {};
+
 // The slots of an item: one for each leaf that carries a member.
-template <class Item> struct slots_of : slot<Item::key, typename Item::raw_type> {
-    friend constexpr bool operator==(const slots_of&, const slots_of&) = default;
-};
-template <std::size_t Width> struct slots_of<reserved<Width>> {
-    friend constexpr bool operator==(const slots_of&, const slots_of&) = default;
-};
-template <class Carrier, class... Fields> struct slots_of<bits<Carrier, Fields...>> : slots_of<Fields>... {
-    friend constexpr bool operator==(const slots_of&, const slots_of&) = default;
-};
+template <class Item> struct slots_of { using type = slot_list<slot<Item::key, typename Item::raw_type>>; };
+template <std::size_t Width> struct slots_of<reserved<Width>> : joined_slots<> {};
+template <class Carrier, class... Fields>
+struct slots_of<bits<Carrier, Fields...>> : joined_slots<typename slots_of<Fields>::type...> {};
 template <unknown_bits Unknown, class Carrier, class... Items>
-struct slots_of<presence_group<Unknown, Carrier, Items...>> : slots_of<Items>... {
-    friend constexpr bool operator==(const slots_of&, const slots_of&) = default;
-};
-template <class... Items> struct slots_of<layout<Items...>> : slots_of<Items>... {
-    friend constexpr bool operator==(const slots_of&, const slots_of&) = default;
-};
+struct slots_of<presence_group<Unknown, Carrier, Items...>> : joined_slots<typename slots_of<Items>::type...> {};
+template <class... Items> struct slots_of<layout<Items...>> : joined_slots<typename slots_of<Items>::type...> {};
 
 } // namespace detail
 
 /// The raw form of the message `T`, generated from its layout, under the same member pointers:
 /// `r.get<&T::speed>()`, `r.set<&T::speed>(raw)`. Optional members are std::optional, nested messages are raw
 /// themselves. Encodes and decodes like `T`, but any raw value is legal.
-template <class T> class raw : detail::slots_of<layout_of<T>> {
+template <class T> class raw : detail::slots_of<layout_of<T>>::type {
   public:
     using raw_of = T;
 

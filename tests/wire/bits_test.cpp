@@ -1,0 +1,81 @@
+// Bit-fields of one integer.
+#include "both_ways.hpp"
+#include "samples.hpp"
+
+using samples::colour;
+using samples::flags;
+using wire::errc;
+
+namespace {
+
+/// A carrier of 64 bits, big endian, with widths on both sides of 32.
+struct wide {
+    std::uint64_t high{};
+    std::uint8_t low{};
+    friend constexpr bool operator==(const wide&, const wide&) = default;
+};
+/// One member that fills its carrier.
+struct whole {
+    std::uint64_t all{};
+    friend constexpr bool operator==(const whole&, const whole&) = default;
+};
+
+} // namespace
+
+template <> struct jauscat::wire::schema<wide> {
+    using type = layout<bits<u64be, bit<&wide::low, 3>, reserved<9>, bit<&wide::high, 52>>>;
+};
+template <> struct jauscat::wire::schema<whole> { using type = layout<bits<u64le, bit<&whole::all, 64>>>; };
+
+TEST_CASE("bit-fields fill their carrier from the least significant bit up") {
+    both_ways([] { return encodes_to(flags{.length = 0x7FF}, bytes(0xFF, 0x07)); });
+    both_ways([] { return encodes_to(flags{.length = 1}, bytes(0x01, 0x00)); });
+    both_ways([] { return encodes_to(flags{.shade = colour::green}, bytes(0x00, 0x20)); });
+    both_ways([] { return encodes_to(flags{.circulating = true}, bytes(0x00, 0x40)); });
+    both_ways([] {
+        const flags value{.length = 0x123, .circulating = true, .shade = static_cast<colour>(3)};
+        return encodes_to(value, bytes(0x23, 0x71)) && decodes_to(bytes(0x23, 0x71), value);
+    });
+}
+
+TEST_CASE("bit-fields cross the middle of a 64-bit carrier") {
+    both_ways([] {
+        const wide value{.high = 0xFEDCBA9876543, .low = 5};
+        const auto expected = bytes(0xFE, 0xDC, 0xBA, 0x98, 0x76, 0x54, 0x30, 0x05);
+        return encodes_to(value, expected) && decodes_to(expected, value);
+    });
+    both_ways([] {
+        const whole value{.all = 0x8123456789ABCDEF};
+        const auto expected = bytes(0xEF, 0xCD, 0xAB, 0x89, 0x67, 0x45, 0x23, 0x81);
+        return encodes_to(value, expected) && decodes_to(expected, value);
+    });
+}
+
+TEST_CASE("a value wider than its bits does not encode") {
+    both_ways([] { return encode_error(flags{.length = 0x7FF}) == errc::ok; });
+    both_ways([] { return encode_error(flags{.length = 0x800}) == errc::out_of_range; });
+    both_ways([] { return encode_error(flags{.shade = static_cast<colour>(4)}) == errc::out_of_range; });
+    both_ways([] { return encode_error(wide{.low = 7}) == errc::ok; });
+    both_ways([] { return encode_error(wide{.low = 8}) == errc::out_of_range; });
+    both_ways([] { return encode_error(wide{.high = std::uint64_t{1} << 52}) == errc::out_of_range; });
+}
+
+TEST_CASE("reserved bits are sent as zero and ignored on receipt") {
+    both_ways([] { return decodes_to(bytes(0x01, 0x88), flags{.length = 1}); });
+    both_ways([] {
+        flags value{};
+        std::array<std::byte, 2> out{};
+        return wire::decode(value, bytes(0x01, 0x88)) && wire::encode(value, out) && equal(out, bytes(0x01, 0x00));
+    });
+}
+
+TEST_CASE("every pattern of a bit-field's carrier decodes, and encodes without its reserved bits") {
+    for (unsigned pattern = 0; pattern <= 0xFFFF; ++pattern) {
+        std::array<std::byte, 2> in{}, expected{}, out{};
+        wire::u16le::store(in.data(), static_cast<std::uint16_t>(pattern));
+        wire::u16le::store(expected.data(), static_cast<std::uint16_t>(pattern & 0x77FF));
+        flags value{};
+        const bool ok = wire::decode(value, in) && wire::encode(value, out) && out == expected;
+        if (!ok) FAIL("pattern " << pattern);
+    }
+}

@@ -1,0 +1,40 @@
+// The codec takes other branches in the compiler than at run time; a check goes both ways.
+#pragma once
+#include "support/bytes.hpp"
+#include "support/catch.hpp"
+#include <jauscat/wire/wire.hpp>
+
+using support::bytes;
+using support::equal;
+namespace wire = jauscat::wire;
+
+/// `check` is a lambda without captures; it must hold as a constant expression and as a call.
+template <class Check> void both_ways(Check check) {
+    STATIC_REQUIRE(Check{}());
+    REQUIRE(check());
+}
+
+/// `value` encodes to exactly `expected`.
+template <wire::message T> constexpr bool encodes_to(const T& value, std::span<const std::byte> expected) {
+    std::array<std::byte, wire::max_size<T> + 1> out{};
+    const auto written = wire::encode(value, out);
+    return written && written.size() == expected.size() && wire::encoded_size(value) == expected.size() &&
+           equal(std::span{out}.first(written.size()), expected);
+}
+
+/// `in` decodes to exactly `expected`.
+template <wire::message T> constexpr bool decodes_to(std::span<const std::byte> in, const T& expected) {
+    T value{};
+    const auto used = wire::decode(value, in);
+    return used && used.size() == in.size() && value == expected;
+}
+
+template <wire::message T> constexpr wire::errc encode_error(const T& value) {
+    std::array<std::byte, wire::max_size<T>> out{};
+    return wire::encode(value, out).error();
+}
+
+template <wire::message T> constexpr wire::errc decode_error(std::span<const std::byte> in) {
+    T value{};
+    return wire::decode(value, in).error();
+}
