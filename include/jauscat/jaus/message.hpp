@@ -24,6 +24,7 @@ enum class errc : std::uint8_t {
     wrong_version,  ///< the version field is not that of RA 3.2 and 3.3
     invalid_source, ///< an octet of the source is 0 or 255: nobody could be answered
     no_space,       ///< the output span is too small
+    invalid_header, ///< a value of the header is wider than its bits
     invalid_body,   ///< a value of the body does not encode; wire::diagnose says which
     body_too_large, ///< more than 4080 bytes: needs a large data set
 };
@@ -37,6 +38,7 @@ enum class errc : std::uint8_t {
     case errc::wrong_version: return "wrong version: the header is not of RA 3.2 or 3.3 (version 2)";
     case errc::invalid_source: return "invalid source: an octet of the source ID is 0 or 255";
     case errc::no_space: return "no space: the output buffer is too small";
+    case errc::invalid_header: return "invalid header: a value is wider than its field";
     case errc::invalid_body: return "invalid body: a value is outside the limits of its field";
     case errc::body_too_large: return "body too large: more than 4080 bytes need a large data set";
     }
@@ -71,7 +73,7 @@ struct split_message {
 }
 
 /// Writes `header`, with command code and data size taken from `body`, and `body` to the front of `out`; returns the
-/// number of bytes. Errors: no_space, body_too_large, invalid_body.
+/// number of bytes. Errors: no_space, body_too_large, invalid_body, invalid_header.
 template <coded_message T>
 constexpr result make_message(header head, const T& body, std::span<std::byte> out) noexcept {
     if (out.size() < header_size) return errc::no_space;
@@ -80,7 +82,7 @@ constexpr result make_message(header head, const T& body, std::span<std::byte> o
     if (size.size() > max_body_size) return errc::body_too_large;
     head.command_code = T::command_code;
     head.data_size = static_cast<std::uint16_t>(size.size());
-    if (!wire::encode(head, out)) return errc::invalid_body;
+    if (!wire::encode(head, out)) return errc::invalid_header;
     return header_size + size.size();
 }
 
