@@ -15,6 +15,7 @@ template <class T> struct schema;
 /// Items in wire order.
 template <class... Items> struct layout {
     using keys = joined_keys<typename Items::keys...>;
+    static_assert((!Items::optional && ... && true), "layout: a std::optional member needs a presence vector");
     static constexpr std::size_t min_size = (Items::min_size + ... + 0);
     static constexpr std::size_t max_size = (Items::max_size + ... + 0);
 

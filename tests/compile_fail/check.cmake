@@ -1,0 +1,25 @@
+# Compiles SOURCE with COMPILER and INCLUDES, and checks that the outcome is EXPECT, by default what its first line says.
+if(NOT DEFINED EXPECT)
+    file(STRINGS ${SOURCE} first_line LIMIT_COUNT 1)
+    if(NOT first_line MATCHES "^// expect: (.+)$")
+        message(FATAL_ERROR "${SOURCE} does not begin with '// expect: '")
+    endif()
+    string(REPLACE "\\;" ";" EXPECT "${CMAKE_MATCH_1}") # file(STRINGS) protects semicolons
+endif()
+
+list(REMOVE_DUPLICATES INCLUDES)
+list(REMOVE_ITEM INCLUDES "" "/usr/include")
+list(TRANSFORM INCLUDES PREPEND "-I")
+execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only ${INCLUDES} ${SOURCE}
+                RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+
+string(FIND "${output}" "${EXPECT}" at)
+if(EXPECT STREQUAL "no error")
+    if(NOT code EQUAL 0)
+        message(FATAL_ERROR "Must compile, but does not.\n ${SOURCE}\n${output}")
+    endif()
+elseif(code EQUAL 0)
+    message(FATAL_ERROR "Must not compile, but does.\n ${SOURCE}")
+elseif(at EQUAL -1)
+    message(FATAL_ERROR "Refused, but for another reason.\n ${SOURCE}\n expected: ${EXPECT}\n${output}")
+endif()

@@ -1,0 +1,10 @@
+// expect: scaled: the carrier must be an integer codec
+#include "small_message.hpp"
+
+template <> struct jauscat::wire::schema<small_message> {
+    using T = small_message;
+    using type =
+        layout<field<&T::number, u16le>, field<&T::level, scaled<f32le, percent>>, presence<u8, field<&T::extra, u8>>>;
+};
+
+static_assert(size_of_wrong<small_message> != 0);
