@@ -59,7 +59,6 @@ class slave {
 
   private:
     static constexpr std::size_t mailbox_out = 0, mailbox_in = 1; // their SyncManagers
-    static constexpr std::size_t min_mailbox_size = 24;           // below it an SDO response would not fit
 
     void change_state() noexcept {
         const auto control = esc_.load<al_control>(esc_registers::al_control);

@@ -1,0 +1,164 @@
+// Carries one request to a slave's mailbox and waits for its answer: counter, full mailbox, polling, lost frames.
+// The read of the reply mailbox is its own poll: a working counter of 0 says that nothing is there yet, so that an
+// exchange with a slave that is quick takes two frames.
+#pragma once
+
+#include <jauscat/ethercat/activity.hpp>
+#include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/sdo_transfer.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+#include <jauscat/schema/ethercat/mailbox.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// State machine: `request` adds the datagram of the present step, `reply` takes its return, `lost` its absence.
+class mailbox_exchange {
+  public:
+    mailbox_exchange() noexcept = default;
+    /// Starts a message with the slave's next counter.
+    explicit mailbox_exchange(slave_record& slave) noexcept : step_{slave.drained ? step::write : step::drain} {
+        slave.last_counter = static_cast<std::uint8_t>(slave.last_counter % 7 + 1);
+    }
+
+    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+
+    void request(frame_builder& frame, const slave_record& slave, const sdo_transfer& transfer) const noexcept {
+        const auto read = [&](std::uint16_t address, std::size_t size) {
+            frame.add(command::fprd, slave.station, address, size);
+        };
+        switch (step_) {
+        case step::drain:
+        case step::read: read(slave.mailbox.send_offset, slave.mailbox.send_size); break;
+        case step::write: {
+            const auto out =
+                frame.add(command::fpwr, slave.station, slave.mailbox.receive_offset, slave.mailbox.receive_size);
+            if (out.empty()) return;
+            const mailbox_header header{.length = static_cast<std::uint16_t>(transfer.size()),
+                                        .type = mailbox_type::coe,
+                                        .counter = slave.last_counter};
+            transfer.encode(out.subspan(wire::encode(header, out).size()));
+            break;
+        }
+        case step::wait_room: read(handshake_of(0), wire::max_size<sync_manager_handshake>); break;
+        case step::look:
+        case step::wait_repeat: read(handshake_of(1), wire::max_size<sync_manager_handshake>); break;
+        case step::ask_repeat:
+            frame.add(command::fpwr, slave.station, static_cast<std::uint16_t>(handshake_of(1) + 1),
+                      sync_manager_activate{.enable = true, .repeat_request = repeat_});
+            break;
+        }
+    }
+
+    progress reply(const datagram_view& datagram, time_point now, const master_config& config, slave_record& slave,
+                   sdo_transfer& transfer) noexcept {
+        const auto next = advance(datagram, slave, transfer);
+        if (next == progress::done || !patience_.exhausted(now, config.mailbox_timeout)) return next;
+        if (step_ <= step::wait_room) return fail(master_errc::mailbox_full, slave);
+        if (const auto& specifier = transfer.unexpected())
+            return fail(master_errc::unexpected_reply, slave, static_cast<std::uint32_t>(*specifier));
+        return fail(master_errc::mailbox_timeout, slave);
+    }
+
+    /// The reply to the last request did not come. What was asked is asked again, except a read: the slave may have
+    /// given its message away and has to be asked for it again.
+    void lost(slave_record& slave) noexcept {
+        slave.drained = false;
+        if (step_ == step::read) step_ = step::look;
+    }
+
+    /// The request is given up; its answer may still come and is not to be taken for another's.
+    static void abandon(slave_record& slave) noexcept {
+        slave.drained = false;
+        slave.abandoned_counter = slave.last_counter;
+    }
+
+  private:
+    // Up to wait_room the slave has not taken the request.
+    enum class step : std::uint8_t { drain, write, wait_room, read, look, ask_repeat, wait_repeat };
+
+    // Status, activate and PDI control of a SyncManager.
+    static constexpr std::uint16_t handshake_of(unsigned n) noexcept {
+        return static_cast<std::uint16_t>(esc_registers::sync_manager.address + n * esc_registers::sync_manager.size +
+                                          5);
+    }
+
+    progress advance(const datagram_view& datagram, slave_record& slave, sdo_transfer& transfer) noexcept {
+        const bool executed = datagram.working_counter != 0;
+        sync_manager_handshake mailbox{};
+        switch (step_) {
+        case step::drain:
+            if (!executed)
+                slave.drained = true;
+            else
+                note_counter(datagram.data, slave);
+            return go(executed ? step::drain : step::write);
+        case step::write: return go(executed ? step::read : step::wait_room);
+        case step::read: return executed ? take(datagram.data, slave, transfer) : progress::wait;
+        case step::ask_repeat: return executed ? go(step::wait_repeat) : fail(master_errc::working_counter, slave);
+        case step::wait_room:
+        case step::look:
+        case step::wait_repeat: break;
+        }
+        if (!executed) return fail(master_errc::working_counter, slave);
+        static_cast<void>(wire::decode(mailbox, datagram.data));
+        if (step_ == step::wait_room) return mailbox.full ? progress::wait : go(step::write);
+        if (step_ == step::wait_repeat) return mailbox.repeat_acknowledge == repeat_ ? go(step::read) : progress::wait;
+        if (mailbox.full) return go(step::read); // the lost read never reached the slave
+        repeat_ = !mailbox.repeat_request;
+        repeated_ = true;
+        return go(step::ask_repeat);
+    }
+
+    progress go(step next) noexcept {
+        step_ = next;
+        return progress::send;
+    }
+
+    progress fail(master_errc error, slave_record& slave, std::uint32_t detail = 0) noexcept {
+        abandon(slave);
+        result_ = {.error = error, .detail = detail};
+        return progress::done;
+    }
+
+    static mailbox_header note_counter(std::span<const std::byte> data, slave_record& slave) noexcept {
+        mailbox_header header{};
+        static_cast<void>(wire::decode_prefix(header, data));
+        slave.last_reply_counter = header.counter;
+        return header;
+    }
+
+    // A message in the reply mailbox: the answer, or something to pass over.
+    progress take(std::span<const std::byte> data, slave_record& slave, sdo_transfer& transfer) noexcept {
+        const auto before = slave.last_reply_counter;
+        const auto header = note_counter(data, slave);
+        // Slaves may count on their own, so only two counters say for sure that a message is an old one.
+        const bool again = repeated_ && header.counter == before;
+        const bool abandoned = header.counter == slave.abandoned_counter && header.counter != slave.last_counter;
+        if (header.counter != 0 && (again || abandoned)) return progress::send;
+
+        const auto body = data.subspan(wire::max_size<mailbox_header>);
+        if (header.length > body.size()) return progress::send;
+        if (header.type == mailbox_type::error) {
+            mailbox_error_reply error{};
+            static_cast<void>(wire::decode_prefix(error, body));
+            return fail(master_errc::mailbox_error, slave, static_cast<std::uint32_t>(error.code));
+        }
+        if (header.type != mailbox_type::coe || transfer.take(body.first(header.length)) == mail::other)
+            return progress::send;
+        slave.abandoned_counter = 0; // a slave answers in order: what was given up cannot come any more
+        result_ = transfer.result();
+        return progress::done;
+    }
+
+    step step_{};
+    bool repeat_{};   // the repeat request bit that was sent
+    bool repeated_{}; // a repeat was asked for: the message before may come again
+    patience patience_{};
+    outcome result_{};
+};
+
+} // namespace jauscat::ethercat

@@ -1,0 +1,89 @@
+// How a master's work ends: done, or one error with the code that the slave gave.
+#pragma once
+
+#include <jauscat/ethercat/describe.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace jauscat::ethercat {
+
+/// Why a bring-up or a transfer failed. The comment says what `outcome::detail` holds, if anything.
+enum class master_errc : std::uint8_t {
+    ok,
+    not_sent,          ///< the link did not take a frame
+    no_reply,          ///< frames do not come back
+    timeout,           ///< the caller's deadline passed
+    no_slave,          ///< nobody at that position; detail: number of slaves found
+    wrong_station,     ///< no slave has that station address; detail: the address
+    duplicate_station, ///< several slaves answer to one address; detail: how many
+    working_counter,   ///< the slave did not execute a command; detail: the working counter
+    sii_busy,          ///< the SII memory did not get ready
+    sii_error,         ///< the SII memory did not execute a read; detail: word address
+    no_mailbox,        ///< the slave has no mailbox a master could use
+    no_coe,            ///< the slave's mailbox carries no CoE
+    al_error,          ///< the slave refused a state; detail: al_status_code
+    state_timeout,     ///< the slave did not reach a state; detail: the state it is in
+    too_many_slaves,   ///< the master has no room for another slave
+    mailbox_full,      ///< the slave does not take its mail
+    mailbox_timeout,   ///< the slave took the request and did not answer
+    mailbox_error,     ///< the slave refused the message; detail: mailbox_error_code
+    unexpected_reply,  ///< the answer was to something else; detail: its SDO command byte's specifier
+    sdo_abort,         ///< the slave aborted the transfer; detail: abort_code
+    size_mismatch,     ///< the answer's size and its data differ; detail: the size it announced
+    data_too_long,     ///< the data do not fit the mailbox or the buffer; detail: bytes that fit
+    no_space,          ///< the frame buffer is smaller than 1514 bytes
+};
+
+/// The error in one line: what happened and what to do.
+[[nodiscard]] constexpr std::string_view describe(master_errc error) noexcept {
+    switch (error) {
+    case master_errc::ok: return "ok";
+    case master_errc::not_sent: return "the link did not take a frame: check that the interface is up";
+    case master_errc::no_reply: return "frames do not come back: check cable, interface and that a slave is running";
+    case master_errc::timeout: return "the deadline passed before the work was done: allow more time";
+    case master_errc::no_slave: return "no slave at this position: check position, cabling and power";
+    case master_errc::wrong_station: return "no slave has this station address: bring it up first";
+    case master_errc::duplicate_station: return "several slaves answer to this station address: choose another one";
+    case master_errc::working_counter: return "the slave did not execute a command: it was reset, bring it up again";
+    case master_errc::sii_busy: return "the slave's SII memory stays busy: power-cycle the slave";
+    case master_errc::sii_error: return "the slave's SII memory cannot be read: check its EEPROM";
+    case master_errc::no_mailbox: return "the SII describes no usable mailbox: this slave cannot take SDOs";
+    case master_errc::no_coe: return "the slave's mailbox does not carry CoE: this slave cannot take SDOs";
+    case master_errc::al_error: return "the slave refused the state: see its AL status code";
+    case master_errc::state_timeout: return "the slave did not reach the state in time: allow more time or reset it";
+    case master_errc::too_many_slaves: return "the master has no room for another slave: use a second master";
+    case master_errc::mailbox_full: return "the slave does not take its mail: it hangs or is not in PRE-OP";
+    case master_errc::mailbox_timeout: return "the slave took the request and did not answer: allow more time";
+    case master_errc::mailbox_error: return "the slave refused the mailbox message: see the mailbox error code";
+    case master_errc::unexpected_reply: return "the slave answered something else: it does not follow the protocol";
+    case master_errc::sdo_abort: return "the slave aborted the transfer: see the abort code";
+    case master_errc::size_mismatch: return "the answer's size and its data differ: the data were discarded";
+    case master_errc::data_too_long: return "the data do not fit the slave's mailbox or the buffer: send less";
+    case master_errc::no_space: return "the frame buffer is too small: give 1514 bytes";
+    }
+    return "unknown error";
+}
+
+/// How a bring-up, a download or an upload ended.
+struct [[nodiscard]] outcome {
+    master_errc error{};
+    std::uint32_t detail{}; ///< see master_errc
+    std::size_t size{};     ///< upload: bytes received
+
+    [[nodiscard]] constexpr explicit operator bool() const noexcept { return error == master_errc::ok; }
+    friend constexpr bool operator==(const outcome&, const outcome&) = default;
+};
+
+/// What the slave gave as its reason, in one line; empty where the error itself says all.
+[[nodiscard]] constexpr std::string_view describe_detail(const outcome& result) noexcept {
+    switch (result.error) {
+    case master_errc::al_error: return describe(static_cast<al_status_code>(result.detail));
+    case master_errc::mailbox_error: return describe(static_cast<mailbox_error_code>(result.detail));
+    case master_errc::sdo_abort: return describe(static_cast<abort_code>(result.detail));
+    default: return {};
+    }
+}
+
+} // namespace jauscat::ethercat

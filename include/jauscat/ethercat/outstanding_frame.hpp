@@ -1,0 +1,57 @@
+// Remembers what was sent until it comes back, and knows its reply from any other frame.
+#pragma once
+
+#include <jauscat/ethercat/activity.hpp>
+#include <jauscat/ethercat/frame_view.hpp>
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// At most one frame of up to 15 datagrams that is under way.
+class outstanding_frame {
+  public:
+    static constexpr std::size_t capacity = 15;
+
+    [[nodiscard]] bool waits() const noexcept { return count_ != 0; }
+    [[nodiscard]] time_point sent_at() const noexcept { return sent_at_; }
+    void forget() noexcept { count_ = 0; }
+
+    /// `frame` is on its way. It is one this project built.
+    void sent(std::span<const std::byte> frame, time_point now) noexcept {
+        frame_view view;
+        static_cast<void>(view.parse(frame));
+        count_ = 0;
+        for (const auto datagram : view)
+            if (count_ != capacity) sent_[count_++] = datagram.header;
+        sent_at_ = now;
+    }
+
+    /// The datagrams of `frame` if it is the reply that is waited for, else none. A slave changes data, counters, event
+    /// bits and, except with station addresses, ADP; all else has to be as it was sent. The datagrams are views of
+    /// `frame` and are kept here until the next call.
+    replies match(const frame_view& frame) noexcept {
+        std::size_t matched = 0;
+        for (const auto datagram : frame) {
+            if (matched == count_ || !answers(sent_[matched], datagram.header)) return {};
+            replies_[matched++] = datagram;
+        }
+        return matched == count_ ? replies{replies_}.first(matched) : replies{};
+    }
+
+  private:
+    static bool answers(const datagram_header& sent, const datagram_header& back) noexcept {
+        const bool station = sent.cmd == command::fprd || sent.cmd == command::fpwr || sent.cmd == command::fprw;
+        return back.cmd == sent.cmd && back.index == sent.index && back.ado == sent.ado && back.length == sent.length &&
+               (!station || back.adp == sent.adp);
+    }
+
+    std::array<datagram_header, capacity> sent_{};
+    std::array<datagram_view, capacity> replies_{};
+    std::size_t count_{};
+    time_point sent_at_{};
+};
+
+} // namespace jauscat::ethercat

@@ -1,0 +1,41 @@
+// Runs a master's job over a link, on this thread, until it is done.
+#pragma once
+
+#include <jauscat/ethercat/link.hpp>
+#include <jauscat/ethercat/master.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <span>
+
+namespace jauscat::net {
+
+/// Drives the job that was started with `bring_up`, `download` or `upload` and returns how it ended; at once if none
+/// runs. After `limit` it is given up. Errors besides the master's: timeout, not_sent.
+template <ethercat::link Link>
+ethercat::outcome run(Link& link, ethercat::master& master,
+                      std::chrono::nanoseconds limit = std::chrono::seconds{10}) noexcept {
+    const auto clock = [] {
+        return std::chrono::duration_cast<std::chrono::nanoseconds>(
+            std::chrono::steady_clock::now().time_since_epoch());
+    };
+    std::array<std::byte, ethercat::max_frame_size> frame;
+    const auto deadline = clock() + limit;
+    while (!master.idle()) {
+        const auto now = clock();
+        if (now >= deadline) master.cancel(ethercat::master_errc::timeout);
+        master.on_time(now);
+        if (const auto size = master.next_frame(frame, now); size != 0 && !link.send(std::span{frame}.first(size)))
+            master.cancel(ethercat::master_errc::not_sent);
+        const auto wake = master.next_event();
+        if (!wake) continue; // the job has ended
+        const auto wait = std::max(std::min(*wake, deadline) - clock(), std::chrono::nanoseconds{});
+        if (const auto size = link.receive(frame, wait); size != 0)
+            master.on_frame(std::span{frame}.first(size), clock());
+    }
+    return master.result();
+}
+
+} // namespace jauscat::net

@@ -1,0 +1,118 @@
+// A link in simulated time between a master and emulated slaves, with faults on the way out and on the way back.
+#pragma once
+
+#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/slave.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <random>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace jauscat::test {
+
+/// Chances in percent, for each direction.
+struct link_faults {
+    unsigned lose{};
+    unsigned duplicate{};
+    unsigned delay{};
+    unsigned corrupt{};                                             ///< one byte, delivered all the same
+    std::chrono::nanoseconds longest{std::chrono::milliseconds{1}}; ///< of a delay
+};
+
+class simulated_link {
+  public:
+    using bytes = std::vector<std::byte>;
+    using nanoseconds = std::chrono::nanoseconds;
+
+    link_faults faults{};
+    nanoseconds now{};
+    nanoseconds trip{std::chrono::microseconds{5}}; ///< one way
+    std::function<void(bytes&)> on_way_back{};      ///< looks at a frame, may change or (by emptying it) lose it
+    std::vector<bytes> seen{};                      ///< frames as the master sent them, if `record`
+    bool record{};
+
+    explicit simulated_link(std::span<ethercat::slave> slaves, unsigned seed = 1)
+        : process_{[slaves](std::span<std::byte> frame) {
+              for (auto& device : slaves) device.process(frame);
+          }},
+          random_{seed} {}
+    explicit simulated_link(std::function<void(std::span<std::byte>)> process, unsigned seed = 1)
+        : process_{std::move(process)}, random_{seed} {}
+
+    /// Lets the master work until its job is done or `limit` of simulated time has passed.
+    ethercat::outcome run(ethercat::master& master, nanoseconds limit = std::chrono::seconds{60}) {
+        const auto deadline = now + limit;
+        bytes out(ethercat::max_frame_size);
+        while (!master.idle() && now < deadline) {
+            if (const auto size = master.next_frame(out, now); size != 0) {
+                const bytes frame(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size));
+                if (record) seen.push_back(frame);
+                travel(frame, true);
+            }
+            const auto event = master.next_event();
+            if (!event) break;
+            if (!travelling_.empty() && travelling_.begin()->first <= *event)
+                arrive(master);
+            else
+                now = std::max(now, *event), master.on_time(now);
+        }
+        if (!master.idle()) master.cancel(ethercat::master_errc::timeout);
+        return master.result();
+    }
+
+    /// Everything that is still under way arrives; replies are lost.
+    void settle() {
+        while (!travelling_.empty()) {
+            auto [outwards, frame] = take_first();
+            if (outwards) process_(frame);
+        }
+    }
+
+  private:
+    struct passage {
+        bool outwards{};
+        bytes frame{};
+    };
+
+    bool happens(unsigned percent) { return random_() % 100 < percent; }
+
+    void travel(bytes frame, bool outwards) {
+        if (happens(faults.lose)) return;
+        const unsigned copies = happens(faults.duplicate) ? 2 : 1;
+        for (unsigned copy = 0; copy != copies; ++copy) {
+            auto at = now + trip;
+            if (happens(faults.delay))
+                at += nanoseconds{random_() % static_cast<std::uint64_t>(faults.longest.count())};
+            if (happens(faults.corrupt)) frame[random_() % frame.size()] = static_cast<std::byte>(random_());
+            travelling_.emplace(at, passage{outwards, frame});
+        }
+    }
+
+    passage take_first() {
+        auto first = travelling_.extract(travelling_.begin());
+        now = std::max(now, first.key());
+        return std::move(first.mapped());
+    }
+
+    void arrive(ethercat::master& master) {
+        auto [outwards, frame] = take_first();
+        if (outwards) {
+            process_(frame);
+            if (on_way_back) on_way_back(frame);
+            if (!frame.empty()) travel(std::move(frame), false);
+        } else {
+            master.on_frame(frame, now);
+        }
+    }
+
+    std::function<void(std::span<std::byte>)> process_;
+    std::mt19937 random_;
+    std::multimap<nanoseconds, passage> travelling_{};
+};
+
+} // namespace jauscat::test
