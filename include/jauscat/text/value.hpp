@@ -70,8 +70,9 @@ template <class Item, class T> [[nodiscard]] std::string to_text(Item, const T& 
         if (value >= codec::lowest && value <= codec::highest)
             text += " (raw " + std::to_string(codec::to_raw(value)) + ")";
         return text;
-    } else if constexpr (Item::name() == "command_code") {
-        return detail::formatted("%04Xh", unsigned{value}); // the field's own spelling, as in the standard
+    } else if constexpr (Item::name() == "command_code" || Item::name() == "presence_vector") {
+        // Nobody reads these in decimal.
+        return detail::formatted("0x%0*llX", int{Item::max_size} * 2, static_cast<unsigned long long>(value));
     } else {
         return to_text(value);
     }

@@ -1,0 +1,94 @@
+// Shows what passes: SDO packets in decimal, and SDOs on the EtherCAT wire.
+#pragma once
+#include <jauscat/ethercat/describe.hpp>
+#include <jauscat/ethercat/frame_view.hpp>
+#include <jauscat/schema/ethercat/coe.hpp>
+#include <jauscat/schema/ethercat/hilscher.hpp>
+#include <jauscat/schema/ethercat/mailbox.hpp>
+#include <jauscat/text/hex.hpp>
+#include <jauscat/wire/view.hpp>
+
+#include <chrono>
+#include <iostream>
+#include <span>
+#include <string>
+
+namespace example {
+
+/// The fields of an SDO download packet that the translation fills, in decimal, and its data.
+inline std::string packet_text(std::span<const std::byte> bytes) {
+    using packet = jauscat::hilscher::sdo_download_request;
+    packet fields{};
+    const auto used = jauscat::wire::decode_prefix(fields, bytes);
+    if (!used) return "  not a packet\n";
+    const auto number = [](const char* name, std::uint32_t value) {
+        return std::string{"  "} + name + " = " + std::to_string(value) + "\n";
+    };
+    const auto data = bytes.subspan(used.size());
+    return number("ulDest", fields.head.ul_dest) + number("ulDestId", fields.head.ul_dest_id) +
+           number("ulNodeId", fields.ul_node_id) + number("ulIndex", fields.ul_index) +
+           number("ulSubIndex", fields.ul_sub_index) + number("ulDataCnt", fields.ul_data_cnt) +
+           number("ulLen", fields.head.ul_len) + "  abSdoData, n = " + std::to_string(data.size()) + ": " +
+           jauscat::text::hex(data) + "\n";
+}
+
+/// One line for the SDO that a mailbox holds, or empty if there is none.
+inline std::string sdo_text(std::span<const std::byte> mailbox) {
+    namespace ethercat = jauscat::ethercat;
+    ethercat::mailbox_header mail{};
+    ethercat::coe_header coe{};
+    ethercat::sdo_normal sdo{}; // the longest of the SDO headers; the others share its start
+    const auto mail_used = jauscat::wire::decode_prefix(mail, mailbox);
+    if (!mail_used || mail.type != ethercat::mailbox_type::coe || mail.length > mailbox.size() - mail_used.size())
+        return {};
+    const auto body = mailbox.subspan(mail_used.size(), mail.length);
+    const auto coe_used = jauscat::wire::decode_prefix(coe, body);
+    if (!coe_used ||
+        (coe.service != ethercat::coe_service::sdo_request && coe.service != ethercat::coe_service::sdo_response))
+        return {};
+    const auto sdo_used = jauscat::wire::decode_prefix(sdo, body.subspan(coe_used.size()));
+    if (!sdo_used) return {};
+    const auto& head = sdo.header;
+    const bool request = coe.service == ethercat::coe_service::sdo_request;
+    const auto object = std::to_string(head.index) + ":" + std::to_string(head.subindex);
+    if (head.specifier == ethercat::sdo_specifier::abort)
+        return "SDO abort of " + object + ": " + std::string{describe(static_cast<ethercat::abort_code>(sdo.size))};
+    const bool has_data = head.size_indicated && !head.expedited;
+    return std::string{"SDO "} + (request ? "request" : "response") + " for object " + object + ", mailbox length " +
+           std::to_string(mail.length) + ", counter " + std::to_string(mail.counter) +
+           (has_data ? ", " + std::to_string(sdo.size) + " bytes" : "") + "\n    " + jauscat::text::hex(body);
+}
+
+/// A link that says each SDO that passes. Models the link concept over any other link.
+template <class Link> class traced_link {
+  public:
+    explicit traced_link(Link& link) : link_{link} {}
+
+    bool send(std::span<const std::byte> frame) {
+        show("  -> ", frame, jauscat::ethercat::command::fpwr);
+        return link_.send(frame);
+    }
+    std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
+        const std::size_t size = link_.receive(buffer, timeout);
+        if (size != 0) show("  <- ", buffer.first(size), jauscat::ethercat::command::fprd);
+        return size;
+    }
+
+  private:
+    static void show(const char* arrow, std::span<const std::byte> frame, jauscat::ethercat::command mailbox_command) {
+        jauscat::ethercat::frame_view datagrams;
+        if (!datagrams.parse(frame)) return;
+        for (const auto& datagram : datagrams) {
+            if (datagram.header.cmd != mailbox_command || datagram.header.ado < first_ram_address) continue;
+            if (mailbox_command == jauscat::ethercat::command::fprd && datagram.working_counter == 0)
+                continue; // a poll
+            const auto text = sdo_text(datagram.data);
+            if (!text.empty()) std::cout << arrow << "station " << datagram.header.adp << ": " << text << "\n";
+        }
+    }
+    static constexpr std::uint16_t first_ram_address = 0x1000; // registers lie below
+
+    Link& link_;
+};
+
+} // namespace example

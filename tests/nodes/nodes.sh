@@ -1,0 +1,314 @@
+#!/usr/bin/env bash
+# Runs one case on the example nodes: nodes.sh BIN_FOLDER CASE. Exit code 77: skipped, with the reason printed.
+set -uo pipefail
+bin=$1
+work=$(mktemp -d)
+namespaces=()
+pids=()
+
+cleanup() {
+    for pid in "${pids[@]}"; do kill "$pid" 2>/dev/null; done
+    wait 2>/dev/null
+    for ns in "${namespaces[@]}"; do ip netns del "$ns" 2>/dev/null; done
+    rm -rf "$work"
+}
+trap cleanup EXIT
+
+fail() {
+    echo "FAILED: $*"
+    for file in "$work"/*.log; do [ -f "$file" ] && { echo "--- ${file##*/}"; cat "$file"; }; done
+    exit 1
+}
+# Root can do all of it on a machine that permits namespaces; then a skip would hide a fault.
+skip() {
+    [ "$(id -u)" -eq 0 ] && [ "${CI:-}" = true ] && fail "skipped as root: $*"
+    echo "SKIPPED: $*"
+    exit 77
+}
+says() { grep -qF -- "$2" "$work/$1.log" || fail "$1 does not say: $2"; }
+says_not() { ! grep -qF -- "$2" "$work/$1.log" || fail "$1 says: $2"; }
+wait_for() { # NAME TEXT: until the node has said it
+    for _ in $(seq 200); do
+        grep -qF -- "$2" "$work/$1.log" 2>/dev/null && return
+        sleep 0.05
+    done
+    fail "$1 does not say within 10 seconds: $2"
+}
+expect() { # CODE COMMAND...: its output goes to out.log
+    local code=$1
+    shift
+    timeout 60 "$@" >"$work/out.log" 2>&1
+    local got=$?
+    [ "$got" -eq "$code" ] || fail "exit code $got, expected $code: $*"
+}
+free_port() { # a UDP port that nobody listens on
+    while :; do
+        local port=$((20000 + RANDOM % 12000))
+        grep -qi "$(printf ':%04X ' "$port")" /proc/net/udp || { echo "$port"; return; }
+    done
+}
+
+ocu_port=$(free_port)
+controller_port=$(free_port)
+slave_port=$(free_port)
+config=$work/JausConfig.xml
+cat >"$config" <<EOF
+<jausconfig>
+  <thissystem>a</thissystem>
+  <system><name>a</name><jausip>1.0.0.0</jausip><ip>127.0.0.1</ip><port>$ocu_port</port></system>
+  <system><name>b</name><jausip>2.0.0.0</jausip><ip>127.0.0.1</ip><port>$controller_port</port></system>
+</jausconfig>
+EOF
+
+prefix=() # put in front of every node: a network namespace
+link=(--ethercat-port "$slave_port")
+master_link=()
+table=seed
+node() { # NAME LOG ARGUMENTS...
+    local log=$2
+    "${prefix[@]}" "$bin/$1" --config "$config" --this b --table "$table" "${@:3}" >"$work/$log.log" 2>&1 &
+    pids+=($!)
+    last_pid=$!
+}
+start_arm() { node robot_arm arm "${link[@]}" && wait_for arm "waiting for a master" && arm_pid=$last_pid; }
+start_controller() {
+    node robot_controller controller "${master_link[@]:-${link[@]}}" && wait_for controller "controller: ready" &&
+        controller_pid=$last_pid
+}
+start_robot() { start_arm && start_controller; }
+ocu() { "${prefix[@]}" "$bin/ocu" --config "$config" --this a --timeout 1000 "$@"; }
+send_bytes() { # PORT HEX
+    printf '%b' "$(sed 's/../\\x&/g' <<<"$2")" >"/dev/udp/127.0.0.1/$1" 2>/dev/null
+}
+
+full_command=(propulsive_linear_effort_{x,y,z}=50 propulsive_rotational_effort_{x,y,z}=-50
+    resistive_linear_effort_{x,y,z}=50 resistive_rotational_effort_{x,y,z}=100)
+the_command_arrives() {
+    expect 0 ocu "${full_command[@]}"
+    says out "the report equals the command"
+    # 50 % is 16383.5 of 32767 and 127.5 of 255: ties go up.
+    says out "propulsive_linear_effort_z = 50.001526 % (raw 16384)"
+    says out "resistive_linear_effort_x = 50.196078 % (raw 128)"
+    for axis in x y z; do
+        grep -Eq "propulsive_linear_effort_$axis .* raw 16384$" "$work/arm.log" || fail "the arm has not moved in $axis"
+        grep -Eq "propulsive_rotational_effort_$axis .* raw -16383$" "$work/arm.log" || fail "the arm has not turned in $axis"
+        grep -Eq "resistive_rotational_effort_$axis .* raw 255$" "$work/arm.log" || fail "the arm has not braked in $axis"
+    done
+}
+
+command_and_report_seed() {
+    start_robot
+    the_command_arrives
+    for line in "ulDest = 2" "ulNodeId = 2" "ulIndex = 6933" "ulSubIndex = 26" "ulDataCnt = 28" "ulLen = 44" "n = 28:" \
+        "ulSubIndex = 72"; do
+        says controller "$line"
+    done
+    says out "Report Wrench Effort, 36 bytes, 2.2.33.1 -> 1.1.32.1"
+}
+command_and_report_self_contained() {
+    table=self-contained
+    start_robot
+    the_command_arrives
+    for line in "ulDest = 32" "ulIndex = 6933" "ulSubIndex = 26" "ulDataCnt = 32" "ulLen = 48" "n = 32:"; do
+        says controller "$line"
+    done
+}
+query_alone() {
+    start_robot
+    expect 0 ocu propulsive_linear_effort_y=-100
+    expect 0 ocu --query
+    says out "presence_vector = 0x0FFF"
+    says out "propulsive_linear_effort_y = -100 % (raw -32767)"
+    says out "resistive_rotational_effort_z = 0 % (raw 0)"
+}
+random_fields() {
+    start_robot
+    for seed in 1 2 3 4 5; do expect 0 ocu --random "$seed"; done
+}
+wrong_arguments() {
+    expect 2 "$bin/ocu"
+    expect 2 "$bin/ocu" speed=5
+    says out "there is no field 'speed'"
+    expect 2 "$bin/ocu" propulsive_linear_effort_x=101
+    says out "must be -100 to 100 %"
+    expect 2 "$bin/ocu" propulsive_linear_effort_x=
+    expect 2 "$bin/ocu" --to 1.2.3 --query
+    says out "is no JAUS ID"
+    expect 2 "$bin/robot_arm" --link token-ring --config "$config"
+    expect 2 "$bin/robot_arm" --link raw --config "$config"
+    says out "needs --interface"
+    expect 2 "$bin/robot_controller" --table paper --config "$config"
+    expect 2 "$bin/robot_controller" --station 0 --config "$config"
+    for program in ocu robot_controller robot_arm; do
+        expect 2 "$bin/$program" --nonsense
+        expect 0 "$bin/$program" --help
+        says out "Examples:"
+    done
+}
+missing_config() {
+    for program in robot_controller robot_arm "ocu --query"; do
+        # shellcheck disable=SC2086
+        expect 1 "$bin/"$program --config "$work/none.xml"
+        says out "none.xml"
+    done
+    expect 1 "$bin/ocu" --config "$config" --this c --query
+    says out '"c"'
+}
+malformed_config() {
+    printf '<jausconfig>\n<thissystem>a</thissystem>\n<system><name>a</jausconfig>\n' >"$work/bad.xml"
+    expect 1 "$bin/ocu" --config "$work/bad.xml" --query
+    says out "bad.xml:3"
+}
+busy_port() {
+    start_robot
+    expect 1 "$bin/robot_arm" --config "$config" --this b "${link[@]}"
+    says out "$slave_port"
+    expect 1 "$bin/robot_controller" --config "$config" --this b "${link[@]}"
+    says out "$controller_port"
+    the_command_arrives
+}
+no_slave() {
+    expect 1 "$bin/robot_controller" --config "$config" --this b "${link[@]}" --wait 300
+    says out "no slave to work with"
+}
+closed_port() {
+    expect 1 ocu --timeout 100 --query
+    says out "closed port"
+    says out "FAILED"
+}
+garbage_on_the_sockets() {
+    start_robot
+    for port in "$controller_port" "$slave_port"; do
+        send_bytes "$port" 00
+        send_bytes "$port" 4a41555330312e30
+        send_bytes "$port" ffffffffffffffffffffffffffffffffffffffffffffffff
+        send_bytes "$port" "$(head -c 1400 /dev/urandom | od -An -tx1 | tr -d ' \n')"
+        for _ in $(seq 50); do send_bytes "$port" "$(head -c $((1 + RANDOM % 200)) /dev/urandom | od -An -tx1 | tr -d ' \n')"; done
+    done
+    # A Set Wrench Effort whose presence vector announces more than there is, asking for an acknowledgement.
+    send_bytes "$controller_port" 1602050401210202012001010200630000ff0f
+    send_bytes "$controller_port" 16020504012102020120010102006300ff0f
+    wait_for controller "dropped 24 bytes"
+    wait_for controller "wrong size"
+    wait_for arm "refused the body of Set Wrench Effort"
+    wait_for controller "sent Set Wrench Effort (NAK)"
+    # A command code nobody knows.
+    send_bytes "$controller_port" 16029999012102020120010100006300
+    wait_for controller "unknown command code"
+    the_command_arrives
+}
+unknown_node() {
+    start_robot
+    expect 1 ocu --to 2.9.33.1 propulsive_linear_effort_x=1
+    says out "was refused (NAK)"
+    says controller "no slave has node 9"
+    expect 1 ocu --to 2.255.33.1 propulsive_linear_effort_x=1
+    says controller "the destination node names no slave"
+}
+other_subsystem() {
+    start_robot
+    expect 1 ocu --to 3.2.33.1 propulsive_linear_effort_x=1
+    says out "3.2.33.1"
+}
+fragment_is_refused() {
+    start_robot
+    send_bytes "$controller_port" 16020504012102020120010104106300010000 # wrong size: dropped
+    send_bytes "$controller_port" 160205040121020201200101041063000100ff3f
+    wait_for controller "part of a large data set"
+    wait_for controller "sent Set Wrench Effort (NAK)"
+}
+arm_restarts() {
+    start_robot
+    the_command_arrives
+    kill "$arm_pid" && wait "$arm_pid" 2>/dev/null
+    expect 1 ocu --timeout 5000 propulsive_linear_effort_x=1
+    says out "was refused (NAK)"
+    start_arm
+    the_command_arrives
+}
+ctrl_c() {
+    start_robot
+    kill -INT "$controller_pid" && wait "$controller_pid"
+    [ $? -eq 0 ] || fail "the controller does not end well on Ctrl-C"
+    says controller "controller: stopped"
+    kill -TERM "$arm_pid" && wait "$arm_pid"
+    [ $? -eq 0 ] || fail "the arm does not end well on SIGTERM"
+    says arm "arm: stopped"
+}
+
+# Two network namespaces joined by a cable: master_ns has if_m, slave_ns has if_s.
+two_namespaces() {
+    [ "$(id -u)" -eq 0 ] || skip "network namespaces need root"
+    command -v ip >/dev/null || skip "ip (package iproute2) is missing"
+    master_ns=jc-m-$$ slave_ns=jc-s-$$
+    ip netns add "$master_ns" 2>"$work/netns" || skip "no network namespace: $(cat "$work/netns")"
+    namespaces+=("$master_ns")
+    ip netns add "$slave_ns" && namespaces+=("$slave_ns")
+    ip -n "$master_ns" link add if_m type veth peer name if_s netns "$slave_ns" 2>"$work/netns" ||
+        skip "no veth pair: $(cat "$work/netns")"
+    ip -n "$master_ns" link set lo up
+    ip -n "$master_ns" link set if_m up
+    ip -n "$slave_ns" link set if_s up
+}
+start_raw_robot() {
+    prefix=(ip netns exec "$slave_ns") link=(--link raw --interface if_s)
+    start_arm
+    prefix=(ip netns exec "$master_ns") master_link=(--link raw --interface if_m)
+    start_controller
+}
+raw_link_in_a_namespace() {
+    two_namespaces
+    start_raw_robot
+    the_command_arrives
+    says controller "raw Ethernet on if_m"
+}
+
+# What tshark makes of the SDO download of a full Set Wrench Effort; the capture is in $work/wire.pcap.
+start_capture() { # INTERFACE FILTER
+    command -v tshark >/dev/null || skip "tshark is missing"
+    "${prefix[@]}" tshark -q -i "$1" -f "$2" -w "$work/wire.pcap" >"$work/tshark.log" 2>&1 &
+    pids+=($!)
+    capture_pid=$!
+    wait_for tshark "Capturing on"
+    sleep 1 # tshark says so shortly before it does
+}
+check_capture() {
+    sleep 0.5
+    kill -INT "$capture_pid" && wait "$capture_pid" 2>/dev/null
+    local downloads
+    downloads=$(tshark -r "$work/wire.pcap" -Y 'ecat_mailbox.coe.sdoreq == 1 && ecat.cnt == 1' -T fields -E separator=' ' \
+        -e ecat_mailbox.coe.sdoidx -e ecat_mailbox.coe.sdosub -e ecat_mailbox.coe.sdolength -e ecat_mailbox.coe.dsoldata 2>/dev/null)
+    # Message properties 16 02 (acknowledgement wanted), source 1.1.32.1, sequence 1, then the body.
+    data=1602012001010100ff0f00400040004001c001c001c0808080ffffff
+    grep -qi "^0x1b15 0x1a 28 $data\$" <<<"${downloads//0x0000/0x}" || fail "tshark reads: $downloads (expected 0x1b15 0x1a 28 $data)"
+    local bad
+    bad=$(tshark -r "$work/wire.pcap" -Y '_ws.malformed || ecat_mailbox.invalid || ecat_mailbox.coe.invalid || _ws.expert.severity == error' 2>/dev/null)
+    [ -z "$bad" ] || fail "tshark finds malformed frames: $bad"
+    local other
+    other=$(tshark -r "$work/wire.pcap" -Y '!ecat' 2>/dev/null)
+    [ -z "$other" ] || fail "tshark finds frames that are not EtherCAT: $other"
+}
+tshark_reads_ethercat_in_udp() {
+    two_namespaces
+    prefix=(ip netns exec "$master_ns")
+    link=() # the registered port, which tshark knows
+    start_capture lo "udp port 34980"
+    start_robot
+    the_command_arrives
+    check_capture
+}
+tshark_reads_raw_frames() {
+    two_namespaces
+    prefix=(ip netns exec "$master_ns")
+    start_capture if_m "ether proto 0x88a4"
+    start_raw_robot
+    the_command_arrives
+    check_capture
+    local short
+    short=$(tshark -r "$work/wire.pcap" -Y 'frame.len < 60' 2>/dev/null)
+    [ -z "$short" ] || fail "frames shorter than 60 bytes: $short"
+}
+
+declare -F "$2" >/dev/null || fail "there is no case '$2'"
+"$2"
+echo "ok: $2"
