@@ -61,7 +61,7 @@ template <class... Handlers> struct dispatch_table {
     template <std::size_t I> using handler = std::tuple_element_t<places[I], std::tuple<Handlers...>>;
 
     static constexpr auto codes = []<std::size_t... I>(std::index_sequence<I...>) {
-        return std::array<std::uint16_t, count>{handler<I>::message_type::command_code...};
+        return std::array<std::uint16_t, count>{command_code_of<typename handler<I>::message_type>...};
     }
     (std::make_index_sequence<count>{});
     static constexpr auto steps = []<std::size_t... I>(std::index_sequence<I...>) {

@@ -11,10 +11,22 @@ namespace jauscat::jaus {
 /// Bytes of every message header.
 inline constexpr std::size_t header_size = wire::max_size<header>;
 
-/// A message of the standard or of a user: it has a schema and a command code.
+namespace detail {
+template <class T> struct real_form { using type = T; };
+template <wire::raw_object T> struct real_form<T> { using type = typename T::raw_of; };
+} // namespace detail
+
+/// A message of the standard or of a user, or the raw of one: it has a schema and a command code.
 template <class T> concept coded_message = wire::message<T> && requires {
-    { T::command_code } -> std::convertible_to<std::uint16_t>;
+    { detail::real_form<T>::type::command_code } -> std::convertible_to<std::uint16_t>;
 };
+template <coded_message T> inline constexpr std::uint16_t command_code_of = detail::real_form<T>::type::command_code;
+
+/// Whether an address names one component: no octet is 0 (invalid) or 255 (all).
+[[nodiscard]] constexpr bool names_one_component(const address& a) noexcept {
+    const auto one = [](std::uint8_t octet) { return octet != 0 && octet != 255; };
+    return one(a.subsystem) && one(a.node) && one(a.component) && one(a.instance);
+}
 
 /// Why a message could not be made or taken apart.
 enum class errc : std::uint8_t {
@@ -61,13 +73,11 @@ struct split_message {
     split_message m{};
     if (!wire::decode_prefix(m.header, bytes)) return {.error = errc::truncated};
     m.body = bytes.subspan(header_size);
-    const address& from = m.header.source;
-    const auto valid = [](std::uint8_t id) { return id != 0 && id != 255; };
     if (m.header.version != 2)
         m.error = errc::wrong_version;
     else if (m.header.data_size != m.body.size())
         m.error = errc::wrong_size;
-    else if (!valid(from.subsystem) || !valid(from.node) || !valid(from.component) || !valid(from.instance))
+    else if (!names_one_component(m.header.source))
         m.error = errc::invalid_source;
     return m;
 }
@@ -80,7 +90,7 @@ constexpr result make_message(header head, const T& body, std::span<std::byte> o
     const wire::result size = wire::encode(body, out.subspan(header_size));
     if (!size) return size.error() == wire::errc::no_space ? errc::no_space : errc::invalid_body;
     if (size.size() > max_body_size) return errc::body_too_large;
-    head.command_code = T::command_code;
+    head.command_code = command_code_of<T>;
     head.data_size = static_cast<std::uint16_t>(size.size());
     if (!wire::encode(head, out)) return errc::invalid_header;
     return header_size + size.size();
