@@ -1,6 +1,6 @@
 // JausConfig.xml: what is read from a good file, and what is said about each kind of bad one.
 #include "support/catch.hpp"
-#include <jauscat/net/jaus_config.hpp>
+#include <jauscat/net/read_jaus_config.hpp>
 
 #include <filesystem>
 #include <fstream>
@@ -57,9 +57,9 @@ TEST_CASE("the example file names systems a and b") {
     CHECK(config.find("c") == nullptr);
 }
 
-TEST_CASE("attributes, any case of the root, spaces, comments and a framing are taken") {
+TEST_CASE("attributes, any case of the root, spaces, comments, a byte order mark and a framing are taken") {
     const auto config =
-        parse_jaus_config("<?xml version='1.0'?>\n<!-- c -->\n<JausConfig thissystem='arm'>\n"
+        parse_jaus_config("\xEF\xBB\xBF<?xml version='1.0'?>\r\n<!-- c -->\n<JausConfig thissystem='arm'>\n"
                           "<system name='arm' jausip='3.1.33.1' ip='::1' port='1' framing='JAUS01.0'/>\n"
                           "<system name='b'><jausip> 2.0.0.0\n</jausip><!-- c --><ip>10.0.0.1</ip>"
                           "<port> 65535 </port><framing>bare</framing></system></JausConfig>",

@@ -18,7 +18,7 @@ static_assert(ethercat::link<raw_link>);
 
 namespace {
 
-/// Changes the namespace's interfaces with `ip`.
+/// Changes or checks the namespace's interfaces with `ip`.
 void ip(const std::string& arguments) { REQUIRE(std::system(("ip " + arguments).c_str()) == 0); }
 
 std::string refusal(const std::string& interface) {
@@ -36,7 +36,7 @@ std::vector<std::byte> from(const raw_link& link, std::vector<std::byte> frame) 
     return frame;
 }
 
-/// Puts bytes on the wire as they are, by a packet socket without link's rules.
+/// Puts bytes on the wire as they are, by a packet socket without the link's rules.
 void inject(const char* interface, const std::vector<std::byte>& frame) {
     boost::asio::io_context context;
     boost::asio::generic::raw_protocol::socket socket{context, {AF_PACKET, 0}};
@@ -88,6 +88,7 @@ TEST_CASE("a link does not hear its own frames", "[veth]") {
 
 TEST_CASE("a link hears every destination address, and no other EtherType", "[veth]") {
     raw_link slave{"jc1"};
+    ip("-details link show jc1 | grep -q 'promiscuity 1'");
     frame_buffer buffer;
     auto other = support::frame(1);
     other[12] = std::byte{0x08};

@@ -1,6 +1,7 @@
 // EtherCAT in UDP on the loopback interface: the frames on both ends and the datagrams between them.
 #include "net/frames.hpp"
 #include "support/catch.hpp"
+#include "support/hex.hpp"
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/net/udp_link.hpp>
 
@@ -53,7 +54,7 @@ TEST_CASE("a datagram holds the EtherCAT header and the datagrams, without paddi
     udp::endpoint from;
     const auto size = peer.receive_from(boost::asio::buffer(payload), from);
     const auto expected = bytes(0x0D, 0x10, 0x07, 0x5A, 0, 0, 0x30, 0x01, 0x01, 0, 0, 0, 0x01, 0, 0);
-    CHECK(support::to_hex(std::span{payload}.first(size)) == support::to_hex(expected));
+    CHECK(test::to_hex(std::span{payload}.first(size)) == test::to_hex(expected));
 
     // And the way back, from bytes.
     peer.send_to(boost::asio::buffer(expected), from);

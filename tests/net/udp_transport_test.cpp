@@ -2,6 +2,7 @@
 #include "net/allocations.hpp"
 #include "support/catch.hpp"
 #include <jauscat/net/next_hop.hpp>
+#include <jauscat/net/read_jaus_config.hpp>
 #include <jauscat/net/run_until.hpp>
 #include <jauscat/net/udp_transport.hpp>
 #include <jauscat/wire/encode.hpp>

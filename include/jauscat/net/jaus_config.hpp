@@ -1,12 +1,4 @@
-// JausConfig.xml: which JAUS systems there are, where each listens, and which of them this program is.
-//
-//   <jausconfig>
-//     <thissystem>a</thissystem>
-//     <system><name>a</name><jausip>1.0.0.0</jausip><ip>127.0.0.1</ip><port>39777</port></system>
-//     ...
-//   </jausconfig>
-//
-// Each value may be an attribute instead: <system name="a" jausip="1.0.0.0" ip="127.0.0.1" port="39777"/>.
+// Which JAUS systems there are, where each listens, and which of them this program is.
 #pragma once
 
 #include <jauscat/jaus/framing.hpp>
@@ -14,9 +6,9 @@
 
 #include <boost/asio/ip/udp.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -70,12 +62,48 @@ struct jaus_config {
     const system_entry* next_hop(const jaus::address& destination) const noexcept;
 };
 
-/// Reads a configuration file. Throws `config_error`.
-jaus_config read_jaus_config(const std::filesystem::path& path);
+namespace detail {
 
-/// Reads a configuration from text; `source` is the file's name in messages. Throws `config_error`.
-jaus_config parse_jaus_config(std::string_view text, std::string source);
+inline std::string quoted(std::string_view text) { return '"' + std::string{text} + '"'; }
+
+inline std::string no_such_system(const jaus_config& config, std::string_view name) {
+    std::string known;
+    for (const auto& entry : config.systems) known += (known.empty() ? "" : ", ") + entry.name;
+    return "there is no system " + quoted(name) + "; the file has: " + known;
+}
+
+} // namespace detail
+
+inline const system_entry* jaus_config::find(std::string_view name) const noexcept {
+    const auto entry = std::ranges::find(systems, name, &system_entry::name);
+    return entry == systems.end() ? nullptr : &*entry;
+}
+
+inline jaus_config jaus_config::with_this(std::string_view name) const {
+    if (!find(name)) throw config_error{source + ": " + detail::no_such_system(*this, name), 0};
+    jaus_config changed = *this;
+    changed.this_system = name;
+    return changed;
+}
+
+inline const system_entry* jaus_config::next_hop(const jaus::address& destination) const noexcept {
+    const system_entry* best = nullptr;
+    int best_rank = -1;
+    for (const auto& entry : systems) {
+        int rank = 0; // one bit a level, the subsystem's the highest, set where the entry names an ID
+        bool matches = true;
+        for (const auto level :
+             {&jaus::address::subsystem, &jaus::address::node, &jaus::address::component, &jaus::address::instance}) {
+            const auto id = entry.jausip.*level;
+            rank = 2 * rank + (id != 0);
+            matches = matches && (id == 0 || id == destination.*level);
+        }
+        if (matches && rank > best_rank) {
+            best = &entry;
+            best_rank = rank;
+        }
+    }
+    return best;
+}
 
 } // namespace jauscat::net
-
-#include <jauscat/net/detail/jaus_config_functions.hpp>

@@ -1,4 +1,12 @@
-// How net/jaus_config.hpp reads its file with pugixml.
+// The reader of JausConfig.xml.
+//
+//   <jausconfig>
+//     <thissystem>a</thissystem>
+//     <system><name>a</name><jausip>1.0.0.0</jausip><ip>127.0.0.1</ip><port>39777</port></system>
+//     ...
+//   </jausconfig>
+//
+// Each value may be an attribute instead: <system name="a" jausip="1.0.0.0" ip="127.0.0.1" port="39777"/>.
 #pragma once
 
 #include <jauscat/net/jaus_config.hpp>
@@ -7,14 +15,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <span>
+#include <sstream>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
-namespace jauscat::net::detail {
+namespace jauscat::net {
 
-inline std::string quoted(std::string_view text) { return '"' + std::string{text} + '"'; }
+namespace detail {
 
 inline std::string_view trimmed(std::string_view text) {
     constexpr std::string_view blank = " \t\r\n";
@@ -55,12 +70,6 @@ class config_reader {
         if (!config.find(this_system.text)) fail(this_system.line, no_such_system(config, this_system.text));
         config.this_system = this_system.text;
         return config;
-    }
-
-    static std::string no_such_system(const jaus_config& config, std::string_view name) {
-        std::string known;
-        for (const auto& entry : config.systems) known += (known.empty() ? "" : ", ") + entry.name;
-        return "there is no system " + quoted(name) + "; the file has: " + known;
     }
 
   private:
@@ -165,4 +174,24 @@ class config_reader {
     pugi::xml_document document_{};
 };
 
-} // namespace jauscat::net::detail
+} // namespace detail
+
+/// Reads a configuration from text; `source` is the file's name in messages. Throws `config_error`.
+inline jaus_config parse_jaus_config(std::string_view text, std::string source) {
+    return detail::config_reader{text, std::move(source)}.read();
+}
+
+/// Reads a configuration file. Throws `config_error`.
+inline jaus_config read_jaus_config(const std::filesystem::path& path) {
+    std::ifstream file{path, std::ios::binary};
+    file.peek(); // a directory opens, and fails here
+    if (!file && !file.eof())
+        throw config_error{path.string() + ": cannot be read: " + std::generic_category().message(errno) +
+                               "; give the path of a JausConfig.xml, such as examples/JausConfig.xml",
+                           0};
+    std::ostringstream text;
+    text << file.rdbuf();
+    return parse_jaus_config(text.str(), path.string());
+}
+
+} // namespace jauscat::net
