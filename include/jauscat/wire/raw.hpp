@@ -1,6 +1,8 @@
 // A message with every scaled field as the integer on the wire: exact for every byte pattern, without floating point.
 #pragma once
+#include <jauscat/wire/bits.hpp>
 #include <jauscat/wire/layout.hpp>
+#include <jauscat/wire/presence.hpp>
 
 namespace jauscat::wire {
 
