@@ -202,7 +202,8 @@ int main(int argc, char** argv) {
         if (has_efforts) efforts = command_from(values["effort"].as<std::vector<std::string>>());
         if (random) efforts = random_command(values["random"].as<std::uint32_t>());
 
-        operator_console console{example::load_config(values), example::parse_address(values["to"].as<std::string>()),
+        const auto robot = example::parse_address(values["to"].as<std::string>());
+        operator_console console{example::load_config(values), robot,
                                  std::chrono::milliseconds{values["timeout"].as<unsigned>()}};
         if (query_only) return query(console, 0x0FFF, nullptr) ? example::success : example::failure;
         const auto fields = static_cast<std::uint16_t>(jaus::presence_vector_of(efforts));

@@ -67,7 +67,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
         const auto received = std::span{frame}.first(size);
         arm.set_station(slave.station_address());
         slave.process(received);
-        if (!link.send(received)) std::cout << "arm: a frame could not be sent back\n";
+        if (!link.send(received)) std::cout << "arm: a frame did not go back: " << link.problem() << "\n";
         if (slave.state() != state) {
             state = slave.state();
             std::cout << "arm: state " << jauscat::text::to_text(state) << ", station address "

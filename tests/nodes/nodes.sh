@@ -72,11 +72,12 @@ node() { # NAME LOG ARGUMENTS...
 }
 start_arm() { node robot_arm arm "${link[@]}" && wait_for arm "waiting for a master" && arm_pid=$last_pid; }
 start_controller() {
-    node robot_controller controller "${master_link[@]:-${link[@]}}" && wait_for controller "controller: ready" &&
+    [ ${#master_link[@]} -gt 0 ] || master_link=("${link[@]}")
+    node robot_controller controller "${master_link[@]}" && wait_for controller "controller: ready" &&
         controller_pid=$last_pid
 }
 start_robot() { start_arm && start_controller; }
-ocu() { "${prefix[@]}" "$bin/ocu" --config "$config" --this a --timeout 1000 "$@"; }
+expect_ocu() { expect "$1" "${prefix[@]}" "$bin/ocu" --config "$config" --this a "${@:2}"; }
 send_bytes() { # PORT HEX
     printf '%b' "$(sed 's/../\\x&/g' <<<"$2")" >"/dev/udp/127.0.0.1/$1" 2>/dev/null
 }
@@ -84,7 +85,7 @@ send_bytes() { # PORT HEX
 full_command=(propulsive_linear_effort_{x,y,z}=50 propulsive_rotational_effort_{x,y,z}=-50
     resistive_linear_effort_{x,y,z}=50 resistive_rotational_effort_{x,y,z}=100)
 the_command_arrives() {
-    expect 0 ocu "${full_command[@]}"
+    expect_ocu 0 "${full_command[@]}"
     says out "the report equals the command"
     # 50 % is 16383.5 of 32767 and 127.5 of 255: ties go up.
     says out "propulsive_linear_effort_z = 50.001526 % (raw 16384)"
@@ -115,15 +116,15 @@ command_and_report_self_contained() {
 }
 query_alone() {
     start_robot
-    expect 0 ocu propulsive_linear_effort_y=-100
-    expect 0 ocu --query
+    expect_ocu 0 propulsive_linear_effort_y=-100
+    expect_ocu 0 --query
     says out "presence_vector = 0x0FFF"
     says out "propulsive_linear_effort_y = -100 % (raw -32767)"
     says out "resistive_rotational_effort_z = 0 % (raw 0)"
 }
 random_fields() {
     start_robot
-    for seed in 1 2 3 4 5; do expect 0 ocu --random "$seed"; done
+    for seed in 1 2 3 4 5; do expect_ocu 0 --random "$seed"; done
 }
 wrong_arguments() {
     expect 2 "$bin/ocu"
@@ -172,7 +173,7 @@ no_slave() {
     says out "no slave to work with"
 }
 closed_port() {
-    expect 1 ocu --timeout 100 --query
+    expect_ocu 1 --timeout 100 --query
     says out "closed port"
     says out "FAILED"
 }
@@ -199,15 +200,15 @@ garbage_on_the_sockets() {
 }
 unknown_node() {
     start_robot
-    expect 1 ocu --to 2.9.33.1 propulsive_linear_effort_x=1
+    expect_ocu 1 --to 2.9.33.1 propulsive_linear_effort_x=1
     says out "was refused (NAK)"
     says controller "no slave has node 9"
-    expect 1 ocu --to 2.255.33.1 propulsive_linear_effort_x=1
+    expect_ocu 1 --to 2.255.33.1 propulsive_linear_effort_x=1
     says controller "the destination node names no slave"
 }
 other_subsystem() {
     start_robot
-    expect 1 ocu --to 3.2.33.1 propulsive_linear_effort_x=1
+    expect_ocu 1 --to 3.2.33.1 propulsive_linear_effort_x=1
     says out "3.2.33.1"
 }
 fragment_is_refused() {
@@ -221,7 +222,7 @@ arm_restarts() {
     start_robot
     the_command_arrives
     kill "$arm_pid" && wait "$arm_pid" 2>/dev/null
-    expect 1 ocu --timeout 5000 propulsive_linear_effort_x=1
+    expect_ocu 1 --timeout 5000 propulsive_linear_effort_x=1
     says out "was refused (NAK)"
     start_arm
     the_command_arrives
@@ -280,7 +281,7 @@ check_capture() {
         -e ecat_mailbox.coe.sdoidx -e ecat_mailbox.coe.sdosub -e ecat_mailbox.coe.sdolength -e ecat_mailbox.coe.dsoldata 2>/dev/null)
     # Message properties 16 02 (acknowledgement wanted), source 1.1.32.1, sequence 1, then the body.
     data=1602012001010100ff0f00400040004001c001c001c0808080ffffff
-    grep -qi "^0x1b15 0x1a 28 $data\$" <<<"${downloads//0x0000/0x}" || fail "tshark reads: $downloads (expected 0x1b15 0x1a 28 $data)"
+    grep -qi "^0x1b15 0x1a 0x0000001c $data\$" <<<"$downloads" || fail "tshark reads: $downloads (expected $data)"
     local bad
     bad=$(tshark -r "$work/wire.pcap" -Y '_ws.malformed || ecat_mailbox.invalid || ecat_mailbox.coe.invalid || _ws.expert.severity == error' 2>/dev/null)
     [ -z "$bad" ] || fail "tshark finds malformed frames: $bad"
