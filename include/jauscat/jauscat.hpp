@@ -3,6 +3,8 @@
 #include <jauscat/ethercat/delivery.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
+#include <jauscat/ethercat/loopback_link.hpp>
+#include <jauscat/ethercat/master.hpp>
 #include <jauscat/ethercat/slave.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/jaus/framing.hpp>
