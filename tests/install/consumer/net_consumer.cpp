@@ -1,0 +1,8 @@
+// The I/O floor links and opens a socket.
+#include <jauscat/net.hpp>
+
+int main() {
+    boost::asio::io_context context;
+    jauscat::net::udp_transport udp{context, {boost::asio::ip::address_v4::loopback(), 0}};
+    return udp.local().port() != 0 ? 0 : 1;
+}
