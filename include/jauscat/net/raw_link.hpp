@@ -27,6 +27,7 @@
 #include <span>
 #include <string>
 #include <sys/socket.h>
+#include <system_error>
 #include <utility>
 
 namespace jauscat::net {

@@ -1,5 +1,6 @@
 // Bytes as people read them.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string>

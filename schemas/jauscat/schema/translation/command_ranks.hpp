@@ -2,6 +2,10 @@
 #pragma once
 #include <jauscat/schema/jaus/catalog.hpp>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
 namespace jauscat::translation {
 
 /// RA 3.3 in the order of `jaus::catalog`: ranks 1 to 157 by ascending code, then the experimental 0404h with 158.
