@@ -24,7 +24,8 @@ bytes operator+(bytes first, const bytes& second) {
 
 /// A framer and the messages that it has handed on, as text.
 template <std::size_t MaxBody = 64> struct listener {
-    stream_framer<MaxBody> framer{20ms};
+    std::array<std::byte, jauscat::jaus::header_size + MaxBody> buffer{};
+    stream_framer framer{buffer, 20ms};
     std::vector<std::string> messages{};
 
     void hear(const bytes& received, std::chrono::nanoseconds now = 0ms) {
@@ -112,7 +113,7 @@ TEST_CASE("every defined data flag is possible, and so is a body of the limit") 
     CHECK(heard.messages == texts({largest, wrench}));
 }
 
-TEST_CASE("a message of 4080 bytes of body passes a framer without a limit of its own") {
+TEST_CASE("a message of 4080 bytes of body passes a framer with a buffer for it") {
     const auto largest = changed(changed(status, 12, 0xF0), 13, 0x0F) + bytes(4080, std::byte{0x02});
     listener<jauscat::jaus::max_body_size> heard;
     heard.hear(largest + status);
@@ -201,7 +202,8 @@ TEST_CASE("after any noise and an idle line, messages come out whole") {
 TEST_CASE("the framer works at compile time") {
     STATIC_REQUIRE([] {
         constexpr auto message = jauscat::test::hex_literal<16>("0602 0220 01210202 01010101 0000 2300");
-        stream_framer<0> framer{1ms};
+        std::array<std::byte, 16> buffer{};
+        stream_framer framer{buffer, 1ms};
         std::size_t found = 0;
         for (const std::byte byte : message)
             framer.on_bytes({&byte, 1}, 0ms, [&](std::span<const std::byte> taken) { found += taken.size(); });

@@ -18,26 +18,30 @@ namespace jauscat::jaus {
            names_one_component(head.source);
 }
 
-/// Takes bytes as they arrive and hands on whole messages. Holds one message of at most `MaxBody` bytes of body; a
-/// header that announces more counts as noise.
+/// Takes bytes as they arrive and hands on whole messages. A header that announces more than the buffer holds counts as
+/// noise.
 ///
-///     jaus::stream_framer<256> framer{20ms};
+///     std::array<std::byte, jaus::header_size + 256> buffer{};
+///     jaus::stream_framer framer{buffer, 20ms};
 ///     framer.on_bytes(received, now, [&](std::span<const std::byte> message) { ... });
 ///     framer.on_time(now, the same); // every few milliseconds, also when nothing is received
-template <std::size_t MaxBody = max_body_size> class stream_framer {
+class stream_framer {
   public:
-    /// `idle` is the silence after which an unfinished message is given up. Senders must not pause that long inside a
-    /// message.
-    constexpr explicit stream_framer(std::chrono::nanoseconds idle) noexcept : idle_{idle} {}
+    /// `buffer` holds one message and must outlive the framer. `idle` is the silence after which an unfinished message
+    /// is given up: senders must not pause that long inside a message.
+    template <std::size_t Size>
+    requires(Size >= header_size) constexpr stream_framer(std::array<std::byte, Size>& buffer,
+                                                          std::chrono::nanoseconds idle) noexcept
+        : buffer_{buffer}, idle_{idle} {}
 
     /// Bytes that arrived at `now`. Calls `take(std::span<const std::byte>)` for each whole message, header first; the
     /// bytes are valid during the call.
     constexpr void on_bytes(std::span<const std::byte> bytes, std::chrono::nanoseconds now, auto&& take) {
         on_time(now, take);
-        heard_ = now;
+        if (!bytes.empty()) heard_ = now;
         while (!bytes.empty()) {
             const std::size_t count = std::min(bytes.size(), buffer_.size() - size_);
-            std::ranges::copy(bytes.first(count), buffer_.begin() + static_cast<std::ptrdiff_t>(size_));
+            std::copy_n(bytes.data(), count, buffer_.data() + size_);
             size_ += count;
             bytes = bytes.subspan(count);
             if (size_ >= wanted_) search(false, take);
@@ -61,7 +65,7 @@ template <std::size_t MaxBody = max_body_size> class stream_framer {
             header head{};
             static_cast<void>(wire::decode_prefix(head, bytes));
             const std::size_t total = header_size + head.data_size;
-            const bool possible = possible_header(head, MaxBody);
+            const bool possible = possible_header(head, buffer_.size() - header_size);
             if (possible && bytes.size() >= total) {
                 take(bytes.first(total));
                 at += total;
@@ -77,11 +81,11 @@ template <std::size_t MaxBody = max_body_size> class stream_framer {
         size_ -= at;
     }
 
+    std::span<std::byte> buffer_;
     std::chrono::nanoseconds idle_;
     std::chrono::nanoseconds heard_{};
     std::size_t size_{};              // bytes that wait
     std::size_t wanted_{header_size}; // bytes that must wait before there is something to decide
-    std::array<std::byte, header_size + MaxBody> buffer_{};
 };
 
 } // namespace jauscat::jaus
