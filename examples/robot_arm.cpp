@@ -61,9 +61,16 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
               << ", waiting for a master (Ctrl-C ends)\n";
     std::array<std::byte, 1600> frame{};
     auto state = slave.state();
+    std::string problem;
     while (!example::stop_requested) {
         const auto size = link.receive(frame, std::chrono::milliseconds{100});
-        if (size == 0) continue;
+        if (size == 0) {
+            if (link.problem() != problem) {
+                problem = link.problem();
+                if (!problem.empty()) std::cout << "arm: " << problem << "\n";
+            }
+            continue;
+        }
         const auto received = std::span{frame}.first(size);
         arm.set_station(slave.station_address());
         slave.process(received);
