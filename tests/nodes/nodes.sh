@@ -114,6 +114,14 @@ command_and_report_self_contained() {
         says controller "$line"
     done
 }
+jaus01_prefix_in_front() {
+    sed -i 's|</port>|</port><framing>JAUS01.0</framing>|' "$config"
+    start_robot
+    the_command_arrives
+    # A bare message is taken all the same.
+    send_bytes "$controller_port" 0602010001210202012001010100090007
+    wait_for arm "authority 7"
+}
 query_alone() {
     start_robot
     expect_ocu 0 propulsive_linear_effort_y=-100
