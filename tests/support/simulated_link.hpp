@@ -18,7 +18,7 @@ namespace jauscat::test {
 /// Chances in percent, for each direction.
 struct link_faults {
     unsigned lose{};
-    unsigned duplicate{};
+    unsigned duplicate{}; ///< on the way back only: no wire doubles what a master sends
     unsigned delay{};
     unsigned corrupt{};                                             ///< one byte, delivered all the same
     std::chrono::nanoseconds longest{std::chrono::milliseconds{1}}; ///< of a delay
@@ -65,14 +65,6 @@ class simulated_link {
         return master.result();
     }
 
-    /// Everything that is still under way arrives; replies are lost.
-    void settle() {
-        while (!travelling_.empty()) {
-            auto [outwards, frame] = take_first();
-            if (outwards) process_(frame);
-        }
-    }
-
   private:
     struct passage {
         bool outwards{};
@@ -83,7 +75,7 @@ class simulated_link {
 
     void travel(bytes frame, bool outwards) {
         if (happens(faults.lose)) return;
-        const unsigned copies = happens(faults.duplicate) ? 2 : 1;
+        const unsigned copies = !outwards && happens(faults.duplicate) ? 2 : 1;
         for (unsigned copy = 0; copy != copies; ++copy) {
             auto at = now + trip;
             if (happens(faults.delay))

@@ -43,7 +43,7 @@ class mailbox_exchange {
             transfer.encode(out.subspan(wire::encode(header, out).size()));
             break;
         }
-        case step::wait_room: read(handshake_of(0), wire::max_size<sync_manager_handshake>); break;
+        case step::look_room: read(handshake_of(0), wire::max_size<sync_manager_handshake>); break;
         case step::look:
         case step::wait_repeat: read(handshake_of(1), wire::max_size<sync_manager_handshake>); break;
         case step::ask_repeat:
@@ -57,7 +57,7 @@ class mailbox_exchange {
                    sdo_transfer& transfer) noexcept {
         const auto next = advance(datagram, slave, transfer);
         if (next == progress::done || !patience_.exhausted(now, config.mailbox_timeout)) return next;
-        if (step_ <= step::wait_room) return fail(master_errc::mailbox_full, slave);
+        if (!accepted_) return fail(master_errc::mailbox_full, slave);
         if (const auto& specifier = transfer.unexpected())
             return fail(master_errc::unexpected_reply, slave, static_cast<std::uint32_t>(*specifier));
         return fail(master_errc::mailbox_timeout, slave);
@@ -67,6 +67,7 @@ class mailbox_exchange {
     /// given its message away and has to be asked for it again.
     void lost(slave_record& slave) noexcept {
         slave.drained = false;
+        if (step_ == step::write) unsure_ = true;
         if (step_ == step::read) step_ = step::look;
     }
 
@@ -77,8 +78,15 @@ class mailbox_exchange {
     }
 
   private:
-    // Up to wait_room the slave has not taken the request.
-    enum class step : std::uint8_t { drain, write, wait_room, read, look, ask_repeat, wait_repeat };
+    enum class step : std::uint8_t {
+        drain,       // empties the reply mailbox
+        write,       // posts the request
+        look_room,   // it was refused: is the mailbox full?
+        read,        // fetches the reply, or what keeps a slave from taking the request
+        look,        // a read was lost: is the message still there?
+        ask_repeat,  // it is not: toggles the repeat request
+        wait_repeat, // until the slave has toggled its acknowledgement
+    };
 
     // Status, activate and PDI control of a SyncManager.
     static constexpr std::uint16_t handshake_of(unsigned n) noexcept {
@@ -96,16 +104,20 @@ class mailbox_exchange {
             else
                 note_counter(datagram.data, slave);
             return go(executed ? step::drain : step::write);
-        case step::write: return go(executed ? step::read : step::wait_room);
-        case step::read: return executed ? take(datagram.data, slave, transfer) : progress::wait;
+        case step::write: accepted_ = executed; return go(executed ? step::read : step::look_room);
+        case step::read:
+            if (executed) return take(datagram.data, slave, transfer);
+            if (!accepted_) step_ = step::write;
+            return progress::wait;
         case step::ask_repeat: return executed ? go(step::wait_repeat) : fail(master_errc::working_counter, slave);
-        case step::wait_room:
+        case step::look_room:
         case step::look:
         case step::wait_repeat: break;
         }
         if (!executed) return fail(master_errc::working_counter, slave);
         static_cast<void>(wire::decode(mailbox, datagram.data));
-        if (step_ == step::wait_room) return mailbox.full ? progress::wait : go(step::write);
+        // A slave may hold a request back because its reply mailbox is full.
+        if (step_ == step::look_room) return go(mailbox.full ? step::read : step::write);
         if (step_ == step::wait_repeat) return mailbox.repeat_acknowledge == repeat_ ? go(step::read) : progress::wait;
         if (mailbox.full) return go(step::read); // the lost read never reached the slave
         repeat_ = !mailbox.repeat_request;
@@ -139,6 +151,7 @@ class mailbox_exchange {
         const bool again = repeated_ && header.counter == before;
         const bool abandoned = header.counter == slave.abandoned_counter && header.counter != slave.last_counter;
         if (header.counter != 0 && (again || abandoned)) return progress::send;
+        if (!accepted_ && !unsure_) return progress::send; // nothing was asked yet
 
         const auto body = data.subspan(wire::max_size<mailbox_header>);
         if (header.length > body.size()) return progress::send;
@@ -155,6 +168,8 @@ class mailbox_exchange {
     }
 
     step step_{};
+    bool accepted_{}; // the slave has taken the request
+    bool unsure_{};   // the slave may have taken it: the reply to a write was lost
     bool repeat_{};   // the repeat request bit that was sent
     bool repeated_{}; // a repeat was asked for: the message before may come again
     patience patience_{};

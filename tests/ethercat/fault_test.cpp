@@ -1,0 +1,510 @@
+// What goes wrong on a wire and in a slave: each fault ends in the right result or in its own error, never in a hang.
+#include "ethercat/objects.hpp"
+#include "support/catch.hpp"
+#include "support/hex.hpp"
+#include "support/simulated_link.hpp"
+#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/slave.hpp>
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace jauscat::ethercat;
+using namespace std::chrono_literals;
+using jauscat::test::from_hex;
+using jauscat::test::simulated_link;
+using jauscat::test::to_hex;
+namespace test = jauscat::test;
+namespace wire = jauscat::wire;
+
+namespace {
+
+using bytes = std::vector<std::byte>;
+
+// One slave whose application can be stopped, a link and a master.
+struct bench {
+    test::objects objects{};
+    slave device;
+    bool works{true};
+    simulated_link link{[this](std::span<std::byte> frame) {
+        device.pass(frame);
+        if (works) device.work();
+    }};
+    class master master;
+    bytes data = from_hex("0102030405060708090a0b0c0d0e0f101112131415161718191a1b1c");
+
+    explicit bench(const slave_description& description = {}, const master_config& config = {})
+        : device{description, objects}, master{config} {
+        objects.add(0x2002, 0, 1);
+        objects.add(0x6926, 1, 28);
+    }
+
+    outcome bring_up() {
+        REQUIRE(master.bring_up(0, 0x1001));
+        return link.run(master);
+    }
+    outcome download() {
+        REQUIRE(master.download(0x1001, 0x6926, 1, data));
+        return link.run(master);
+    }
+    outcome upload(bytes& into) {
+        REQUIRE(master.upload(0x1001, 0x6926, 1, into));
+        return link.run(master);
+    }
+    [[nodiscard]] const bytes& stored() const { return objects.entries.at({0x6926, 1}).value; }
+
+    // Calls f(datagram) for each datagram that comes back from `ado`; if it returns false the frame is lost.
+    void on_way_back(std::uint16_t ado, std::function<bool(const basic_datagram<std::byte>&)> f) {
+        link.on_way_back = [ado, f](bytes& frame) {
+            mutable_frame_view view;
+            REQUIRE(view.parse(frame));
+            for (const auto datagram : view)
+                if (datagram.header.ado == ado && !f(datagram)) {
+                    frame.clear();
+                    return;
+                }
+        };
+    }
+};
+
+constexpr std::uint16_t mailbox_out = 0x1000, mailbox_in = 0x1600;
+
+void set_counter(const basic_datagram<std::byte>& datagram, std::uint16_t counter) {
+    REQUIRE(wire::encode(datagram_trailer{counter}, datagram.bytes.last(2)));
+}
+void put(const basic_datagram<std::byte>& datagram, std::string_view hex, std::size_t at = 0) {
+    std::ranges::copy(from_hex(hex), datagram.data.subspan(at).begin());
+}
+
+} // namespace
+
+TEST_CASE("an empty ring has no slave, and a cut one no replies") {
+    master m;
+    simulated_link ring{std::span<slave>{}};
+    REQUIRE(m.bring_up(0, 1));
+    CHECK(ring.run(m) == outcome{.error = master_errc::no_slave});
+    simulated_link cut{std::span<slave>{}};
+    cut.faults.lose = 100;
+    REQUIRE(m.bring_up(0, 1));
+    CHECK(cut.run(m) == outcome{.error = master_errc::no_reply});
+    CHECK(m.statistics().sent == 1 + 4);
+    CHECK(cut.now == 4 * 20ms);
+}
+
+TEST_CASE("a slave that loses its address during bring-up is noticed wherever it happens") {
+    for (int when = 1; when != 24; ++when) {
+        bench b;
+        int frames = 0;
+        b.link.on_way_back = [&](bytes&) {
+            if (++frames == when) b.device.power_on();
+        };
+        const auto result = b.bring_up();
+        INFO("after frame " << when);
+        if (when == 1)
+            CHECK(result); // it had no address yet
+        else if (when == 2)
+            CHECK(result == outcome{.error = master_errc::wrong_station, .detail = 0x1001});
+        else
+            CHECK(result == outcome{.error = master_errc::working_counter});
+        CHECK(b.master.slaves().size() == (when == 1 ? 1 : 0));
+    }
+}
+
+TEST_CASE("another slave's alias that equals the address is noticed") {
+    bench b{{.station_alias = 0x1001}};
+    int frames = 0;
+    b.link.on_way_back = [&](bytes&) {
+        if (++frames != 2) return;
+        // The slave that was addressed goes, one with that alias stays.
+        b.device.power_on();
+        bytes frame(max_frame_size);
+        frame_builder builder{frame};
+        builder.add(command::apwr, 0, 0x0100, std::span<const std::byte>{from_hex("00000001")});
+        b.device.process(std::span{frame}.first(builder.finish().size()));
+    };
+    CHECK(b.bring_up() == outcome{.error = master_errc::wrong_station, .detail = 0x1001});
+}
+
+TEST_CASE("an SII that stays busy or fails is reported, and one that is slow is waited for") {
+    bench busy;
+    busy.on_way_back(0x0500, [&](const auto&) {
+        busy.works = false;
+        return true;
+    });
+    CHECK(busy.bring_up() == outcome{.error = master_errc::sii_busy});
+
+    bench slow;
+    int polls = 0;
+    slow.link.on_way_back = [&](bytes& frame) {
+        frame_view view;
+        REQUIRE(view.parse(frame));
+        const auto d = *view.begin();
+        if (d.header.ado == 0x0500) slow.works = d.header.more == false; // stops when the SII is taken
+        if (d.header.ado == 0x0502 && d.header.cmd == command::fprd && ++polls % 4 == 3) slow.device.work();
+    };
+    CHECK(slow.bring_up());
+    CHECK(slow.master.statistics().sent == 24 + 7 * 3);
+
+    bench failing;
+    failing.on_way_back(0x0502, [](const auto& d) {
+        if (d.header.cmd == command::fprd) put(d, "0020");
+        return true;
+    });
+    CHECK(failing.bring_up() == outcome{.error = master_errc::sii_error, .detail = 8});
+}
+
+TEST_CASE("a slave without a mailbox or without CoE cannot be used") {
+    CHECK(bench{{.mailbox_out_size = 0}}.bring_up() == outcome{.error = master_errc::no_mailbox});
+    CHECK(bench{{.mailbox_in_size = 1487}}.bring_up() == outcome{.error = master_errc::no_mailbox});
+    bench b;
+    b.on_way_back(0x0502, [](const auto& d) {
+        if (d.header.cmd == command::fprd && d.data[2] == std::byte{0x1C}) put(d, "0800", 6);
+        return true;
+    });
+    CHECK(b.bring_up() == outcome{.error = master_errc::no_coe});
+}
+
+TEST_CASE("a refused state is reported with the slave's reason") {
+    bench b{{.mailbox_in_offset = 0x2F80}}; // beyond the slave's memory
+    const auto result = b.bring_up();
+    CHECK(result == outcome{.error = master_errc::al_error, .detail = 0x16});
+    CHECK(describe_detail(result) == "invalid mailbox configuration for PRE-OP");
+}
+
+TEST_CASE("a slave that never leaves a state is given up after the time for it") {
+    bench b{{}, {.state_timeout = 300ms}};
+    int frames = 0;
+    b.link.on_way_back = [&](bytes&) { b.works = ++frames < 22; };
+    CHECK(b.bring_up() ==
+          outcome{.error = master_errc::state_timeout, .detail = static_cast<std::uint32_t>(al_state::init)});
+    CHECK(b.link.now > 300ms);
+    CHECK(b.link.now < 310ms);
+
+    bench stubborn{{}, {.state_timeout = 300ms}}; // an error that no acknowledgement clears
+    stubborn.on_way_back(0x0130, [](const auto& d) {
+        put(d, "1100 0000 5100");
+        return true;
+    });
+    CHECK(stubborn.bring_up() == outcome{.error = master_errc::al_error, .detail = 0x51});
+}
+
+TEST_CASE("a slave that does not serve its mailbox is given up, and says which way it hangs") {
+    bench b;
+    REQUIRE(b.bring_up());
+    b.works = false;
+    CHECK(b.download() == outcome{.error = master_errc::mailbox_timeout});
+    CHECK(b.link.now > 1s);
+    CHECK(b.download() == outcome{.error = master_errc::mailbox_full});
+    // The abandoned download is answered at last; the next one does not take that answer for its own.
+    b.works = true;
+    b.data[0] = std::byte{0x77};
+    REQUIRE(b.download());
+    CHECK(b.stored() == b.data);
+    CHECK(b.objects.writes == 2);
+}
+
+TEST_CASE("a late answer to an abandoned request is not taken for the next one's") {
+    bench b;
+    REQUIRE(b.bring_up());
+    b.works = false;
+    CHECK(b.download() == outcome{.error = master_errc::mailbox_timeout});
+    // The slave wakes up between the drain of its reply mailbox and the next request.
+    b.on_way_back(mailbox_in, [&](const auto&) {
+        b.works = true;
+        b.device.work();
+        return true;
+    });
+    b.objects.entries[{0x6926, 1}].write_abort = abort_code::read_only;
+    CHECK(b.download().error == master_errc::sdo_abort);
+}
+
+TEST_CASE("a full mailbox is polled and the request sent when there is room") {
+    bench b;
+    REQUIRE(b.bring_up());
+    REQUIRE(b.download());
+    // Another request, put there by somebody else, keeps the mailbox full for a while.
+    bytes frame(max_frame_size);
+    frame_builder builder{frame};
+    const auto mail = builder.add(command::fpwr, 0x1001, mailbox_out, std::size_t{256});
+    std::ranges::copy(from_hex("0a00 0000 00 73 0020 40 0220 00 00000000"), mail.begin());
+    b.works = false;
+    b.device.pass(std::span{frame}.first(builder.finish().size()));
+    int polls = 0;
+    b.on_way_back(0x0805, [&](const auto&) {
+        b.works = ++polls > 10;
+        return true;
+    });
+    REQUIRE(b.download());
+    CHECK(polls > 10);
+    CHECK(b.objects.writes == 2);
+}
+
+TEST_CASE("a slave that needs time is polled with the read itself") {
+    bench b;
+    REQUIRE(b.bring_up());
+    REQUIRE(b.download());
+    int polls = 0;
+    b.on_way_back(mailbox_in, [&](const auto&) {
+        b.works = ++polls > 6;
+        return true;
+    });
+    b.works = false;
+    const auto before = b.master.statistics().sent;
+    REQUIRE(b.download());
+    CHECK(b.master.statistics().sent - before == 1 + 9);
+}
+
+TEST_CASE("a mailbox error ends the request with its code") {
+    bench b;
+    REQUIRE(b.bring_up());
+    b.on_way_back(mailbox_in, [](const auto& d) {
+        if (d.working_counter != 0) put(d, "0400 0000 00 00 0100 0900");
+        return true;
+    });
+    const auto result = b.download();
+    CHECK(result == outcome{.error = master_errc::mailbox_error, .detail = 9});
+    CHECK(describe_detail(result) == "the mailbox service is still at work: retry, or restart the slave");
+    b.link.on_way_back = {};
+    CHECK(b.download());
+}
+
+TEST_CASE("an abort is known by its specifier alone, whatever else the slave leaves in the command") {
+    for (const char* command : {"80", "83", "81", "9f"}) {
+        bench b;
+        REQUIRE(b.bring_up());
+        b.on_way_back(mailbox_in, [&](const auto& d) {
+            if (d.working_counter != 0) put(d, std::string{"0030 "} + command + " 2669 01 22000008", 6);
+            return true;
+        });
+        CHECK(b.download() == outcome{.error = master_errc::sdo_abort, .detail = 0x08000022});
+    }
+}
+
+TEST_CASE("answers that are no answers are passed over") {
+    // Each comes before the real answer: another object's, another subindex's, an old upload's, too short, too long for
+    // the mailbox, another protocol, SDO information.
+    for (const char* hex : {"0a00 0000 00 53 0030 60 2769 01 00000000", "0a00 0000 00 53 0030 60 2669 02 00000000",
+                            "0a00 0000 00 53 0030 4f 2669 01 00000000", "0300 0000 00 53 0030 60",
+                            "fb00 0000 00 53 0030 60 2669 01 00000000", "0a00 0000 00 52 0030 60 2669 01 00000000",
+                            "0a00 0000 00 53 0080 60 2669 01 00000000", "0000 0000 00 53"}) {
+        bench b;
+        REQUIRE(b.bring_up());
+        bytes held;
+        b.on_way_back(mailbox_in, [&](const auto& d) {
+            if (d.working_counter != 0) {
+                held.assign(d.data.begin(), d.data.end());
+                std::ranges::fill(d.data, std::byte{});
+                put(d, hex);
+            } else if (!held.empty()) {
+                std::ranges::copy(held, d.data.begin());
+                set_counter(d, 1);
+                held.clear();
+            }
+            return true;
+        });
+        INFO(hex);
+        CHECK(b.download());
+        CHECK(b.master.statistics().sent == 24 + 1 + 3);
+    }
+}
+
+TEST_CASE("an emergency in between is kept and does not disturb the transfer") {
+    bench b;
+    REQUIRE(b.bring_up());
+    bytes held;
+    b.on_way_back(mailbox_in, [&](const auto& d) {
+        if (d.working_counter != 0) {
+            held.assign(d.data.begin(), d.data.end());
+            put(d, "0a00 0000 00 33 0010 3042 08 0102030405");
+        } else if (!held.empty()) {
+            std::ranges::copy(held, d.data.begin());
+            set_counter(d, 1);
+            held.clear();
+        }
+        return true;
+    });
+    CHECK(b.download());
+    REQUIRE(b.master.emergency());
+    CHECK(b.master.emergency()->error_code == 0x4230);
+    CHECK(b.master.emergency()->error_register == 8);
+    CHECK(to_hex(b.master.emergency()->data) == "01 02 03 04 05");
+    b.link.on_way_back = {};
+    CHECK(b.download());
+    CHECK_FALSE(b.master.emergency());
+}
+
+TEST_CASE("a slave that answers something else for good is told apart from one that is silent") {
+    bench b;
+    REQUIRE(b.bring_up());
+    b.on_way_back(mailbox_in, [&](const auto& d) {
+        if (d.working_counter != 0) put(d, "4f", 8);
+        return true;
+    });
+    CHECK(b.download() == outcome{.error = master_errc::unexpected_reply,
+                                  .detail = static_cast<std::uint32_t>(sdo_specifier::upload_response)});
+}
+
+TEST_CASE("an upload whose size and data differ is refused") {
+    bench b;
+    REQUIRE(b.bring_up());
+    for (const char* size : {"1b000000", "1d000000", "ffffffff"}) {
+        b.on_way_back(mailbox_in, [&](const auto& d) {
+            if (d.working_counter != 0) put(d, size, 12);
+            return true;
+        });
+        bytes into(64);
+        CHECK(b.upload(into).error == master_errc::size_mismatch);
+        CHECK(into == bytes(64));
+    }
+}
+
+TEST_CASE("a lost frame is repeated, whichever it is, and the object is written once") {
+    // Frames 1 to 24 are the bring-up, then drain, write and read.
+    for (int lost = 1; lost != 28; ++lost) {
+        for (const bool on_way_out : {true, false}) {
+            bench b;
+            int frames = 0;
+            simulated_link link{[&](std::span<std::byte> frame) {
+                if (++frames == lost && on_way_out) return;
+                b.device.process(frame);
+            }};
+            link.on_way_back = [&](bytes& frame) {
+                if (frames == lost) frame.clear();
+            };
+            INFO("frame " << lost << (on_way_out ? " out" : " back"));
+            REQUIRE(b.master.bring_up(0, 0x1001));
+            REQUIRE(link.run(b.master));
+            REQUIRE(b.master.download(0x1001, 0x6926, 1, b.data));
+            REQUIRE(link.run(b.master));
+            CHECK(b.stored() == b.data);
+            CHECK(b.objects.writes == 1);
+            CHECK(b.master.statistics().lost == 1);
+            REQUIRE(b.master.download(0x1001, 0x6926, 1, b.data));
+            REQUIRE(link.run(b.master));
+            CHECK(b.objects.writes == 2);
+        }
+    }
+}
+
+TEST_CASE("replies that are late, doubled or somebody else's change nothing") {
+    bench b;
+    REQUIRE(b.bring_up());
+    bytes out(max_frame_size);
+    REQUIRE(b.master.download(0x1001, 0x6926, 1, b.data));
+    const auto drain = b.master.next_frame(out, b.link.now);
+    bytes reply(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(drain));
+    b.device.process(reply);
+    const auto refused = [&](std::size_t at, std::byte value) {
+        auto foreign = reply;
+        REQUIRE(foreign[at] != value);
+        foreign[at] = value;
+        return !b.master.on_frame(foreign, b.link.now);
+    };
+    CHECK(refused(12, std::byte{0x08})); // EtherType
+    CHECK(refused(16, std::byte{1}));    // command
+    CHECK(refused(17, std::byte{0}));    // index
+    CHECK(refused(18, std::byte{2}));    // station
+    CHECK(refused(20, std::byte{1}));    // offset
+    CHECK(refused(23, std::byte{2}));    // length
+    CHECK_FALSE(b.master.on_frame(bytes(3), b.link.now));
+    CHECK(b.master.on_frame(reply, b.link.now));
+    CHECK_FALSE(b.master.on_frame(reply, b.link.now)); // doubled
+    CHECK(b.master.statistics().ignored == 8);
+
+    const auto write = b.master.next_frame(out, b.link.now);
+    bytes late(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(write));
+    b.device.process(late);
+    b.link.now += 20ms;
+    b.master.on_time(b.link.now); // given up, and asked again under another index
+    REQUIRE(b.master.next_frame(out, b.link.now) == write);
+    CHECK_FALSE(b.master.on_frame(late, b.link.now));
+}
+
+TEST_CASE("a VLAN tag that a switch put on a reply does no harm") {
+    bench b;
+    b.link.on_way_back = [](bytes& frame) {
+        const auto tag = from_hex("8100 2005");
+        frame.insert(frame.begin() + 12, tag.begin(), tag.end());
+    };
+    REQUIRE(b.bring_up());
+    CHECK(b.download());
+}
+
+TEST_CASE("a slave that was reset is noticed and can be brought up again") {
+    bench b;
+    REQUIRE(b.bring_up());
+    REQUIRE(b.download());
+    b.device.power_on();
+    CHECK(b.download() == outcome{.error = master_errc::working_counter});
+    REQUIRE(b.bring_up());
+    CHECK(b.download());
+    CHECK(b.objects.writes == 2);
+}
+
+TEST_CASE("a slave that counts its own messages is understood") {
+    bench b;
+    REQUIRE(b.bring_up());
+    unsigned own = 3;
+    b.on_way_back(mailbox_in, [&](const auto& d) {
+        if (d.working_counter == 0) return true;
+        own = own % 7 + 1;
+        d.data[5] = static_cast<std::byte>(own << 4 | 3);
+        return true;
+    });
+    for (int i = 0; i != 20; ++i) REQUIRE(b.download());
+    CHECK(b.objects.writes == 20);
+}
+
+TEST_CASE("a cancelled job leaves the master ready for the next") {
+    bench b;
+    REQUIRE(b.bring_up());
+    REQUIRE(b.master.download(0x1001, 0x6926, 1, b.data));
+    b.master.cancel(master_errc::timeout);
+    CHECK(b.master.idle());
+    CHECK(b.master.result().error == master_errc::timeout);
+    CHECK(b.download());
+}
+
+TEST_CASE("ten thousand downloads over a bad wire are each done right or end in an error") {
+    bench b;
+    b.link.faults = {.lose = 10, .duplicate = 10, .delay = 20};
+    std::size_t done = 0;
+    outcome up{.error = master_errc::no_reply};
+    for (unsigned i = 0; i != 10'000; ++i) {
+        if (!up) up = b.bring_up();
+        if (!up) continue;
+        b.data[0] = static_cast<std::byte>(i);
+        b.data[1] = static_cast<std::byte>(i >> 8);
+        const auto writes = b.objects.writes;
+        const auto result = b.download();
+        INFO("download " << i << ": " << describe(result.error));
+        REQUIRE((result || result.error == master_errc::no_reply));
+        REQUIRE(b.objects.writes <= writes + 1);
+        if (!result) continue;
+        REQUIRE(b.objects.writes == writes + 1);
+        REQUIRE(b.stored() == b.data);
+        bytes into(28);
+        const auto read = b.upload(into);
+        if (read) REQUIRE(into == b.data);
+        done += read ? 1 : 0;
+    }
+    CHECK(done > 9'900);
+    CHECK(b.master.statistics().ignored > 1'000);
+}
+
+TEST_CASE("a hundred thousand corrupted frames never break the master") {
+    bench b{{}, {.mailbox_timeout = 20ms}};
+    b.link.faults = {.lose = 1, .duplicate = 5, .corrupt = 100};
+    std::size_t jobs = 0, good = 0;
+    while (b.master.statistics().sent < 100'000) {
+        b.link.faults.corrupt = jobs % 4 == 0 ? 0 : 50;
+        const auto result = jobs % 2 == 0 ? b.bring_up() : b.download();
+        good += result ? 1 : 0;
+        ++jobs;
+        REQUIRE(b.master.idle());
+    }
+    CHECK(good > jobs / 8);
+    CHECK(good < jobs);
+}
