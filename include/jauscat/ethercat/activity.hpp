@@ -20,7 +20,8 @@ struct master_config {
     /// A frame that is not back by now is lost. Choose it at least as long as a frame can be under way: a mailbox
     /// message that reaches a slave after its successor would be executed again.
     std::chrono::nanoseconds frame_timeout{std::chrono::milliseconds{20}};
-    unsigned retries{3};                                                   ///< how often a lost frame is repeated
+    /// How often a lost frame is repeated. With the default, a slave that is a process may be kept waiting for 0.2 s.
+    unsigned retries{9};
     std::chrono::nanoseconds poll_interval{std::chrono::microseconds{50}}; ///< between two looks at what is not ready
     std::chrono::nanoseconds sii_timeout{std::chrono::milliseconds{100}};  ///< for one read of the SII
     std::chrono::nanoseconds state_timeout{std::chrono::seconds{5}};       ///< for one change of state

@@ -4,6 +4,7 @@
 
 #include <jauscat/ethercat/activity.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>

@@ -1,8 +1,8 @@
 // One line of text for each code that a slave may report.
 #pragma once
 
+#include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/coe.hpp>
-#include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include <jauscat/ethercat/object_dictionary.hpp>
 #include <jauscat/ethercat/sii_image.hpp>
 #include <jauscat/ethercat/slave_coe.hpp>
+#include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>

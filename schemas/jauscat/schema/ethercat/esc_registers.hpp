@@ -2,6 +2,7 @@
 // ETG.1000.4, clause 6; ET1100 data sheet, section II.
 #pragma once
 
+#include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/wire/schema.hpp>
 
 #include <array>
@@ -45,95 +46,9 @@ inline constexpr esc_register sync_manager{0x0800, 8}; ///< SyncManager 0; the n
 inline constexpr esc_register process_ram{0x1000, 0};  ///< mailboxes and process data; size by `ram_size`
 } // namespace esc_registers
 
-/// State of the application layer, in AL control and AL status.
-enum class al_state : std::uint8_t { init = 1, pre_op = 2, boot = 3, safe_op = 4, op = 8 };
-
-/// Why a slave did not take a state or left it. Other values occur: they pass through. ETG.1020, table 11.
-enum class al_status_code : std::uint16_t {
-    none = 0x0000,
-    unspecified = 0x0001,
-    no_memory = 0x0002,
-    invalid_device_setup = 0x0003,
-    invalid_revision = 0x0004,
-    sii_mismatch = 0x0006,
-    firmware_update = 0x0007,
-    licence = 0x000E,
-    invalid_state_change = 0x0011,
-    unknown_state = 0x0012,
-    boot_not_supported = 0x0013,
-    no_firmware = 0x0014,
-    mailbox_boot = 0x0015,
-    mailbox_pre_op = 0x0016,
-    sync_manager = 0x0017,
-    no_inputs = 0x0018,
-    no_outputs = 0x0019,
-    synchronization = 0x001A,
-    sync_manager_watchdog = 0x001B,
-    sync_manager_types = 0x001C,
-    output_configuration = 0x001D,
-    input_configuration = 0x001E,
-    watchdog_configuration = 0x001F,
-    needs_cold_start = 0x0020,
-    needs_init = 0x0021,
-    needs_pre_op = 0x0022,
-    needs_safe_op = 0x0023,
-    input_mapping = 0x0024,
-    output_mapping = 0x0025,
-    inconsistent_settings = 0x0026,
-    no_free_run = 0x0027,
-    no_synchronization = 0x0028,
-    needs_three_buffers = 0x0029,
-    background_watchdog = 0x002A,
-    no_valid_io = 0x002B,
-    fatal_sync = 0x002C,
-    no_sync = 0x002D,
-    cycle_too_small = 0x002E,
-    dc_sync_configuration = 0x0030,
-    dc_latch_configuration = 0x0031,
-    pll = 0x0032,
-    dc_io = 0x0033,
-    dc_timeout = 0x0034,
-    dc_cycle_time = 0x0035,
-    dc_sync0_cycle_time = 0x0036,
-    dc_sync1_cycle_time = 0x0037,
-    mailbox_aoe = 0x0041,
-    mailbox_eoe = 0x0042,
-    mailbox_coe = 0x0043,
-    mailbox_foe = 0x0044,
-    mailbox_soe = 0x0045,
-    mailbox_voe = 0x004F,
-    sii_no_access = 0x0050,
-    sii_error = 0x0051,
-    external_hardware = 0x0052,
-    restarted_locally = 0x0060,
-    device_id_updated = 0x0061,
-    module_list = 0x0070,
-    supply_voltage_low = 0x0080,
-    supply_voltage_high = 0x0081,
-    temperature_low = 0x0082,
-    temperature_high = 0x0083,
-    controller_available = 0x00F0,
-};
-
 /// A register of 2 bytes that is a plain number, such as the station address.
 struct esc_word {
     std::uint16_t value{};
-};
-
-/// AL control (0x0120): the state a master asks for.
-struct al_control {
-    al_state state{};
-    bool acknowledge{}; ///< clears an error indication
-    bool request_device_id{};
-};
-
-/// AL status (0x0130) up to AL status code (0x0134), 6 bytes: one datagram reads both.
-struct al_status {
-    al_state state{};
-    bool error{}; ///< the last request failed or the state was lost: see `code`
-    bool device_id_loaded{};
-    std::uint16_t gap{};
-    al_status_code code{};
 };
 
 /// How a SyncManager hands memory over.
@@ -220,28 +135,6 @@ struct sii_access {
 namespace jauscat {
 
 template <> struct wire::schema<ethercat::esc_word> { using type = layout<field<&ethercat::esc_word::value, u16le>>; };
-
-template <> struct wire::schema<ethercat::al_control> {
-    using T = ethercat::al_control;
-    using type = layout<
-        bits<u16le,
-            bit<&T::state, 4>,
-            bit<&T::acknowledge, 1>,
-            bit<&T::request_device_id, 1>,
-            reserved<10>>>;
-};
-
-template <> struct wire::schema<ethercat::al_status> {
-    using T = ethercat::al_status;
-    using type = layout<
-        bits<u16le,
-            bit<&T::state, 4>,
-            bit<&T::error, 1>,
-            bit<&T::device_id_loaded, 1>,
-            reserved<10>>,
-        field<&T::gap, u16le>,
-        field<&T::code, enumeration<ethercat::al_status_code, u16le>>>;
-};
 
 template <> struct wire::schema<ethercat::sync_manager> {
     using T = ethercat::sync_manager;
