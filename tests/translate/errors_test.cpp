@@ -138,7 +138,7 @@ TEMPLATE_TEST_CASE("a subindex outside 1 to 158 stands for no command code", "",
     CHECK(back_with<TestType>(word::ul_sub_index, 0x100 + 26) == errc::unknown_subindex);
 }
 
-TEST_CASE("the seed table refuses reserved data flags and sequence positions; the self-contained one carries flags") {
+TEST_CASE("the seed table refuses reserved data flags and sequence positions, the self-contained one carries flags") {
     for (unsigned flag = 0; flag != 16; ++flag) {
         CAPTURE(flag);
         const bool defined = flag == 0 || flag == 1 || flag == 2 || flag == 4 || flag == 8;
