@@ -7,7 +7,7 @@
 namespace jauscat::wire {
 
 namespace detail {
-/// See put_message.
+/// See put_message. The slack that is left counts the bytes behind the message.
 template <message T>
 constexpr in_cursor get_message(T& __restrict value, const std::byte* __restrict in, std::size_t slack) noexcept {
     return layout_of<T>::get(value, {in, slack});
@@ -21,17 +21,16 @@ template <message T> constexpr result decode_prefix(T& value, std::span<const st
     if (in.size() < min_size<T>) return errc::truncated;
     const in_cursor end = detail::get_message(value, in.data(), in.size() - min_size<T>);
     if (end.at == nullptr) return end.error();
-    if constexpr (fixed_message<T>)
-        return max_size<T>;
-    else
-        return static_cast<std::size_t>(end.at - in.data());
+    return in.size() - end.slack;
 }
 
 /// Reads a `T` that fills `in` exactly. Errors: those of decode_prefix, and trailing_bytes.
 template <message T> constexpr result decode(T& value, std::span<const std::byte> in) noexcept {
-    const result used = decode_prefix(value, in);
-    if (used && used.size() != in.size()) return errc::trailing_bytes;
-    return used;
+    if (in.size() < min_size<T>) return errc::truncated;
+    const in_cursor end = detail::get_message(value, in.data(), in.size() - min_size<T>);
+    if (end.at == nullptr) return end.error();
+    if (end.slack != 0) return errc::trailing_bytes;
+    return in.size();
 }
 
 } // namespace jauscat::wire

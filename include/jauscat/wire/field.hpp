@@ -43,9 +43,9 @@ template <auto Member, class Codec> struct field {
         auto& member = member_of<Member>(object);
         using target = typename detail::optional_value<std::remove_cvref_t<decltype(member)>>::type;
         typename used::value_type value{};
-        const errc error = used::load(in, value);
+        if (const errc error = used::load(in, value); error != errc::ok) return error;
         member = static_cast<target>(value);
-        return error;
+        return errc::ok;
     }
 
     template <auto, reading Mode> [[gnu::always_inline]] static constexpr auto read(const std::byte* in) noexcept {

@@ -73,7 +73,7 @@ template <class... Items> struct layout {
     [[gnu::always_inline]] static constexpr bool put_item(const auto& object, out_cursor& c) noexcept {
         if constexpr (fixed_item<Item>) {
             c.error = Item::put(object, c.at);
-            c.at += Item::max_size;
+            if (c.error == errc::ok) c.at += Item::max_size;
         } else {
             c = Item::put(object, c);
         }
@@ -82,8 +82,7 @@ template <class... Items> struct layout {
     template <class Item> [[gnu::always_inline]] static constexpr bool get_item(auto& object, in_cursor& c) noexcept {
         if constexpr (fixed_item<Item>) {
             const errc error = Item::get(object, c.at);
-            c.at += Item::max_size;
-            if (error != errc::ok) c = in_cursor::failed(error);
+            c = error == errc::ok ? in_cursor{c.at + Item::max_size, c.slack} : in_cursor::failed(error);
         } else {
             c = Item::get(object, c);
         }
