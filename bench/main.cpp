@@ -2,7 +2,7 @@
 #include "ratio_reporter.hpp"
 
 int main(int argc, char** argv) {
-    if (!bench::add_codec_benchmarks()) {
+    if (!bench::add_codec_benchmarks() || !bench::add_translate_benchmarks()) {
         std::fputs("jauscat and the hand-written code do not agree\n", stderr);
         return 1;
     }
