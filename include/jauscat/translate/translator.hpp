@@ -19,25 +19,16 @@ template <class Table> struct translator {
     static constexpr std::size_t max_packet_size = packet_size + Table::max_data;
     static constexpr std::size_t max_message_size = header_size + max_body;
 
-    /// Translates one JAUS message (header and body) into a packet; returns the packet's size. `given` holds what is
-    /// the caller's own. Errors: truncated, wrong_size, too_large, no_space, unknown_command_code, reserved_value,
-    /// out_of_range (a packet of a user's own, with fields narrower than a word).
-    static constexpr result forth(std::span<const std::byte> message, std::span<std::byte> packet,
-                                  const packet_type& given = {}) noexcept {
-        header_type header{};
-        if (!wire::decode_prefix(header, message)) return errc::truncated;
-        const sizes s{message.size() - header_size, message.size() - header_size + rest_size};
-        if (s.data > Table::max_data) return errc::too_large;
-        if (packet.size() < packet_size + s.data) return errc::no_space;
+    /// Translates one JAUS message (header and body) into a packet; returns the packet's size.
+    /// Errors: truncated, wrong_size, too_large, no_space, unknown_command_code, reserved_value.
+    static constexpr result forth(std::span<const std::byte> message, std::span<std::byte> packet) noexcept {
+        return fill(message, packet, {});
+    }
 
-        packet_type fields = given;
-        if (const errc error = Table::forth(header, fields, s); error != errc::ok) return error;
-        if (wire::detail::put_message(fields, packet.data()).error != wire::errc::ok) return errc::out_of_range;
-        std::byte* data = packet.data() + packet_size;
-        each_rest(
-            [&](std::size_t offset, std::size_t size) { data = std::copy_n(message.data() + offset, size, data); });
-        std::copy_n(message.data() + header_size, s.body, data);
-        return packet_size + s.data;
+    /// The same with what is the caller's own, such as a packet number, taken from `given`.
+    static constexpr result forth(std::span<const std::byte> message, std::span<std::byte> packet,
+                                  const packet_type& given) noexcept {
+        return fill(message, packet, given);
     }
 
     /// Translates a packet back into the JAUS message it was made of; returns the message's size.
@@ -48,12 +39,36 @@ template <class Table> struct translator {
         if (!wire::decode_prefix(fields, packet)) return errc::truncated;
         const std::size_t data_size = Table::data_count_row::counts_data::of(fields);
         if (data_size > packet.size() - packet_size) return errc::truncated;
-        return back(fields, packet.subspan(packet_size, data_size), message);
+        return restore(fields, packet.subspan(packet_size, data_size), message);
     }
 
     /// The same for a packet whose fields and data are at hand apart.
     static constexpr result back(const packet_type& fields, std::span<const std::byte> data,
                                  std::span<std::byte> message) noexcept {
+        return restore(fields, data, message);
+    }
+
+  private:
+    // Both directions are inlined into their callers, so that a packet's fields stay in registers.
+    [[gnu::always_inline]] static constexpr result fill(std::span<const std::byte> message, std::span<std::byte> packet,
+                                                        packet_type fields) noexcept {
+        header_type header{};
+        if (!wire::decode_prefix(header, message)) return errc::truncated;
+        const sizes s{message.size() - header_size, message.size() - header_size + rest_size};
+        if (s.data > Table::max_data) return errc::too_large;
+        if (packet.size() < packet_size + s.data) return errc::no_space;
+
+        if (const errc error = Table::forth(header, fields, s); error != errc::ok) return error;
+        if (wire::detail::put_message(fields, packet.data()).error != wire::errc::ok) return errc::out_of_range;
+        std::byte* data = packet.data() + packet_size;
+        each_rest(
+            [&](std::size_t offset, std::size_t size) { data = std::copy_n(message.data() + offset, size, data); });
+        copy_body(message.data() + header_size, s.body, data);
+        return packet_size + s.data;
+    }
+
+    [[gnu::always_inline]] static constexpr result restore(const packet_type& fields, std::span<const std::byte> data,
+                                                           std::span<std::byte> message) noexcept {
         if (data.size() < rest_size) return errc::truncated;
         if (data.size() > Table::max_data) return errc::too_large;
         const sizes s{data.size() - rest_size, data.size()};
@@ -67,7 +82,7 @@ template <class Table> struct translator {
             std::copy_n(in, size, message.data() + offset);
             in += size;
         });
-        std::copy_n(in, s.body, message.data() + header_size);
+        copy_body(in, s.body, message.data() + header_size);
 
         if constexpr (Table::body_size_row::uses::size == 0) { // the size came with the rest: is it true?
             wire::detail::get_message(header, message.data(), 0);
@@ -76,7 +91,12 @@ template <class Table> struct translator {
         return header_size + s.body;
     }
 
-  private:
+    // Many messages have no body: they are spared the call.
+    [[gnu::always_inline]] static constexpr void copy_body(const std::byte* from, std::size_t size,
+                                                           std::byte* to) noexcept {
+        if (size != 0) std::copy_n(from, size, to);
+    }
+
     [[gnu::always_inline]] static constexpr void each_rest(auto&& copy) noexcept {
         [&]<std::size_t... I>(std::index_sequence<I...>) {
             (copy(Table::rest.range[I].offset, Table::rest.range[I].size), ...);
