@@ -3,8 +3,7 @@
 #include <jauscat/wire/item.hpp>
 #include <jauscat/wire/scalar.hpp>
 
-#include <algorithm>
-#include <bit>
+#include <array>
 #include <optional>
 #include <tuple>
 
@@ -15,6 +14,31 @@ enum class unknown_bits {
     refused,  ///< errc::unknown_presence_bit
     tolerated ///< dropped, with all bytes to the end of the body, where later editions append their fields
 };
+
+namespace detail {
+inline constexpr std::size_t always_there = ~std::size_t{};
+
+// What each four bits of a presence vector add to a message's size; `Sizes` are those of its items, or always_there.
+// Tables, because a population count is a call where the target has no instruction for it, as on x86-64 by default.
+// Keyed by sizes, so that messages of the same shape share them.
+template <std::size_t... Sizes>
+inline constexpr auto sizes_by_nibble = [] {
+    using entry =
+        std::conditional_t<((Sizes == always_there ? 0 : Sizes) + ... + 0) < 256, std::uint8_t, std::uint16_t>;
+    constexpr std::size_t bits = ((Sizes != always_there) + ... + 0);
+    std::array<std::array<entry, 16>, (bits + 3) / 4> table{};
+    std::size_t bit = 0;
+    const auto add = [&](std::size_t size) {
+        if (size == always_there) return;
+        for (std::size_t nibble = 0; nibble != 16; ++nibble)
+            if ((nibble >> bit % 4 & 1u) != 0)
+                table[bit / 4][nibble] = static_cast<entry>(table[bit / 4][nibble] + size);
+        ++bit;
+    };
+    (add(Sizes), ...);
+    return table;
+}();
+} // namespace detail
 
 /// A presence vector in `Carrier`, then its items. Each item with a std::optional member takes the next bit, from the
 /// least significant up, and is there when its bit is set; an item without one is always there.
@@ -30,6 +54,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     static constexpr std::size_t required_size = ((Items::optional ? 0 : Items::max_size) + ... + 0);
     static constexpr std::size_t min_size = Carrier::size + required_size;
     static constexpr std::size_t max_size = Carrier::size + (Items::max_size + ... + 0);
+    static_assert(max_size > min_size, "presence: no item is optional, so the vector has nothing to announce");
     static constexpr std::uint64_t known_bits =
         optional_count == 64 ? ~std::uint64_t{} : (std::uint64_t{1} << (optional_count & 63)) - 1;
 
@@ -102,29 +127,14 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             return 0;
     }
 
-    // Bytes that the set bits stand for, four bits at a time from a table: a population count is a call on machines
-    // without an instruction for it, and was measured to cost as much as six fields.
+    // Bytes that the set bits stand for.
     [[gnu::always_inline]] static constexpr std::size_t announced(mask_type m) noexcept {
+        constexpr auto& sizes = detail::sizes_by_nibble<(Items::optional ? Items::max_size : detail::always_there)...>;
         return [&]<std::size_t... Nibble>(std::index_sequence<Nibble...>) {
-            return (std::size_t{} + ... + nibble_sizes[Nibble][m >> (Nibble * 4) & 15u]);
+            return (std::size_t{} + ... + sizes[Nibble][m >> (Nibble * 4) & 15u]);
         }
-        (std::make_index_sequence<nibble_count>{});
+        (std::make_index_sequence<sizes.size()>{});
     }
-
-    static constexpr std::size_t nibble_count = (optional_count + 3) / 4;
-    static constexpr auto nibble_sizes = [] {
-        std::array<std::array<std::uint16_t, 16>, nibble_count> sizes{};
-        std::size_t at = 0;
-        const auto add = [&](bool optional, std::size_t size) {
-            if (!optional) return;
-            for (std::size_t bits = 0; bits != 16; ++bits)
-                if ((bits >> at % 4 & 1) != 0)
-                    sizes[at / 4][bits] = static_cast<std::uint16_t>(sizes[at / 4][bits] + size);
-            ++at;
-        };
-        (add(Items::optional, Items::max_size), ...);
-        return sizes;
-    }();
 
     [[gnu::always_inline]] static constexpr in_cursor end_of(in_cursor c, mask_type m) noexcept {
         constexpr auto undefined = static_cast<mask_type>(~known_bits);
