@@ -53,7 +53,9 @@ using rest_row = translate::rest;
 template <class... Rows> using table_of = translate::table<head, packet, 100, Rows...>;
 using right_table = table_of<index_row, subindex_row, size_row, spare_row, count_row, rest_row>;
 
-/// Makes a table's translator, as a program would.
-template <class Table> constexpr auto forth = &translate::translator<Table>::forth;
+/// Translates with a table, as a program would.
+template <class Table> constexpr translate::errc error_of_nothing() {
+    return translate::translator<Table>::forth({}, {}).error();
+}
 
 } // namespace small

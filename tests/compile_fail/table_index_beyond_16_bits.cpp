@@ -6,4 +6,4 @@ using namespace small;
 using high = translate::offset<at<&head::component>, at<&packet::index>, 0xFF01>;
 
 using wrong = table_of<high, subindex_row, size_row, spare_row, count_row, rest_row>;
-constexpr auto translate_forth = forth<wrong>;
+static_assert(error_of_nothing<wrong>() == translate::errc::truncated);

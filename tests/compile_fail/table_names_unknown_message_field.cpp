@@ -6,4 +6,4 @@ using namespace small;
 using foreign = translate::move<at<&stranger::field>, at<&packet::spare>>;
 
 using wrong = table_of<index_row, subindex_row, size_row, foreign, count_row, rest_row>;
-constexpr auto translate_forth = forth<wrong>;
+static_assert(error_of_nothing<wrong>() == translate::errc::truncated);

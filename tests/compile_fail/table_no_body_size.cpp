@@ -4,4 +4,4 @@
 using namespace small;
 
 using wrong = table_of<index_row, subindex_row, spare_row, count_row, rest_row>;
-constexpr auto translate_forth = forth<wrong>;
+static_assert(error_of_nothing<wrong>() == translate::errc::truncated);

@@ -6,4 +6,4 @@ using namespace small;
 using uncounted = translate::constant<at<&packet::count>, 0>;
 
 using wrong = table_of<index_row, subindex_row, size_row, spare_row, uncounted, rest_row>;
-constexpr auto translate_forth = forth<wrong>;
+static_assert(error_of_nothing<wrong>() == translate::errc::truncated);

@@ -6,4 +6,4 @@ using namespace small;
 using half = translate::move<at<&head::priority>, at<&packet::spare>>;
 
 using wrong = table_of<index_row, subindex_row, size_row, half, count_row, rest_row>;
-constexpr auto translate_forth = forth<wrong>;
+static_assert(error_of_nothing<wrong>() == translate::errc::truncated);

@@ -11,4 +11,4 @@ constexpr auto many_codes = [] {
 using many = translate::rank<at<&head::code>, at<&packet::subindex>, many_codes>;
 
 using wrong = table_of<index_row, many, size_row, spare_row, count_row, rest_row>;
-constexpr auto translate_forth = forth<wrong>;
+static_assert(error_of_nothing<wrong>() == translate::errc::truncated);
