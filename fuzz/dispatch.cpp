@@ -1,0 +1,96 @@
+// Whole datagrams: header, framing, dispatch and text. What does not decode reaches no handler.
+#include "support/canonical.hpp"
+#include "support/messages.hpp"
+#include <jauscat/jaus/dispatcher.hpp>
+#include <jauscat/jaus/framing.hpp>
+#include <jauscat/text/jaus.hpp>
+
+using namespace fuzz;
+using namespace jauscat;
+
+namespace {
+
+/// What the handlers saw.
+struct record {
+    int handled{}, unknown{}, malformed{}, acknowledged{};
+    std::uint16_t code{};
+    wire::errc error{};
+    bytes again{}; ///< header and body, made again from what the handler got
+};
+
+template <class T> struct take_message {
+    record* seen;
+    void operator()(const jaus::header& head, const T& message) const {
+        ++seen->handled;
+        seen->code = T::command_code;
+        bytes out(jaus::header_size + wire::encoded_size(message));
+        const auto size = jaus::make_message(head, message, out);
+        check(size && size.size() == out.size(), "a message that was received can be made");
+        seen->again = std::move(out);
+    }
+};
+
+template <class... Messages>
+jaus::dispatched dispatch(record& seen, const jaus::split_message& m, jaus::message_list<Messages...>) {
+    jaus::dispatcher handlers{
+        jaus::on<Messages>(take_message<Messages>{&seen})...,
+        jaus::on_unknown([&](const jaus::header&, std::span<const std::byte>) { ++seen.unknown; }),
+        jaus::on_malformed([&](const jaus::header&, std::span<const std::byte>, wire::errc error) {
+            ++seen.malformed;
+            seen.error = error;
+        }),
+        jaus::on_acknowledgement([&](const jaus::header&) { ++seen.acknowledged; })};
+    return handlers(m.header, m.body);
+}
+
+void check_dispatch(const jaus::split_message& m) {
+    record seen;
+    const auto what = dispatch(seen, m, jaus::messages{});
+    check(seen.handled + seen.unknown + seen.malformed + seen.acknowledged == 1, "one handler is called");
+    check((what == jaus::dispatched::handled) == (seen.handled == 1) &&
+              (what == jaus::dispatched::unknown) == (seen.unknown == 1) &&
+              (what == jaus::dispatched::malformed) == (seen.malformed == 1) &&
+              (what == jaus::dispatched::acknowledgement) == (seen.acknowledged == 1),
+          "the dispatcher says what it did");
+    if (what == jaus::dispatched::acknowledgement) {
+        check(jaus::is_acknowledgement(m.header) && m.body.empty(), "an acknowledgement has no body");
+        return;
+    }
+    bool known = false;
+    with_message(m.header.command_code, jaus::messages{}, [&]<class T>() {
+        known = true;
+        T message{};
+        const wire::result decoded = wire::decode(message, m.body);
+        check(static_cast<bool>(decoded) == (seen.handled == 1), "a handler gets exactly what decodes");
+        check(decoded || decoded.error() == seen.error, "the malformed handler gets the error of decode");
+        if (!decoded) return;
+        check(seen.code == m.header.command_code, "a handler gets its own message");
+        auto head = m.header;
+        const bytes body = canonical<T>(m.body); // may be shorter: an open presence vector drops bytes
+        head.data_size = static_cast<std::uint16_t>(body.size());
+        bytes expected = encoded(head);
+        expected.insert(expected.end(), body.begin(), body.end());
+        check(seen.again == expected, "a message made again has the same bytes");
+    });
+    check(known == (seen.unknown == 0), "only an unknown command code is called unknown");
+}
+
+} // namespace
+
+void fuzz::run(std::span<const std::byte> input) {
+    const auto framed = jaus::remove_framing(input);
+    check(framed.message.size() + jaus::prefix(framed.how).size() == input.size(), "only the prefix is taken off");
+    const bytes message = copy_of(framed.message);
+    const auto m = jaus::split(message);
+    check(!text::annotate_message(message, jaus::messages{}).empty(), "there is a text for any bytes");
+    if (message.size() < jaus::header_size) {
+        check(m.error == jaus::errc::truncated, "what is shorter than a header is truncated");
+        return;
+    }
+    jaus::header head{};
+    check(static_cast<bool>(wire::decode_prefix(head, std::span{message})), "any 16 bytes are a header");
+    check(encoded(head) == copy_of(std::span{message}.first(jaus::header_size)), "a header keeps all its bits");
+    if (!m) return;
+    check(m.header == head && m.body.size() == head.data_size, "split gives the header and its body");
+    check_dispatch(m);
+}

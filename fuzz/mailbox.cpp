@@ -1,0 +1,99 @@
+// CoE messages from a mailbox: as a slave answers them, and as a master takes them for an answer.
+#include "support/objects.hpp"
+#include <jauscat/ethercat/sdo_transfer.hpp>
+#include <jauscat/ethercat/slave_coe.hpp>
+
+using namespace fuzz;
+using namespace jauscat;
+using namespace jauscat::ethercat;
+
+namespace {
+
+// Whether a request asks for a write that a slave without segments and complete access carries out, and of what.
+struct wanted_write {
+    bool valid{};
+    bytes data{};
+};
+wanted_write wanted(std::span<const std::byte> message) {
+    coe_header coe{};
+    const auto used = wire::decode_prefix(coe, message);
+    sdo_normal normal{};
+    if (!used || !wire::decode_prefix(normal, message.subspan(used.size()))) return {};
+    const auto& head = normal.header;
+    if (coe.service != coe_service::sdo_request || head.specifier != sdo_specifier::download_request ||
+        head.complete_access)
+        return {};
+    const auto data = message.subspan(used.size() + wire::max_size<sdo_normal>);
+    if (head.expedited) {
+        const auto four = message.subspan(used.size() + wire::max_size<sdo_header>, 4);
+        return {true, copy_of(four.first(head.size_indicated ? 4u - head.unused : 4u))};
+    }
+    return {!head.size_indicated || normal.size == data.size(), copy_of(data)};
+}
+
+void check_slave(std::span<const std::byte> message, std::size_t room) {
+    objects source;
+    object_dictionary dictionary{source};
+    bytes out(room);
+    const auto answer = answer_coe(dictionary, message, out);
+    check(answer.size <= out.size(), "an answer fits the mailbox");
+    check(answer.size == 0 || answer.error == mailbox_error_code::none, "either an answer or an error");
+    if (source.writes != 0) {
+        const auto write = wanted(message);
+        check(source.writes == 1 && write.valid, "only a complete download request writes");
+        check(source.last_written == write.data, "a slave writes what was sent");
+    }
+    if (answer.size == 0) return;
+
+    const auto reply = std::span<const std::byte>{out}.first(answer.size);
+    coe_header coe{};
+    sdo_normal sdo{}, request{};
+    check(wire::decode_prefix(coe, reply) && wire::decode_prefix(sdo, reply.subspan(2)), "an answer is an SDO message");
+    check(coe.service == coe_service::sdo_response ||
+              (coe.service == coe_service::sdo_request && sdo.header.specifier == sdo_specifier::abort),
+          "an answer is a response or an abort");
+    static_cast<void>(wire::decode_prefix(request, message.subspan(2)));
+    check(sdo.header.index == request.header.index && sdo.header.subindex == request.header.subindex,
+          "an answer names the object that was asked for");
+
+    // A master that asked for this object takes the answer for one.
+    bytes into(out.size());
+    auto transfer = request.header.specifier == sdo_specifier::upload_request
+                        ? sdo_transfer::upload(request.header.index, request.header.subindex, into)
+                        : sdo_transfer::download(request.header.index, request.header.subindex, {});
+    check(transfer.take(reply) == mail::final, "a master takes a slave's answer");
+    const bool aborted = sdo.header.specifier == sdo_specifier::abort;
+    check(transfer.result().error == (aborted ? master_errc::sdo_abort : master_errc::ok),
+          "master and slave agree on how it ended");
+    if (!aborted && source.reads != 0)
+        check(transfer.result().size == std::size_t{request.header.subindex} * 4, "an object is read whole");
+}
+
+void check_master(std::span<const std::byte> message, sdo_transfer transfer, std::size_t room) {
+    const auto before = transfer.result();
+    const auto what = transfer.take(message);
+    if (what == mail::other) {
+        check(transfer.result().error == before.error && transfer.result().size == before.size,
+              "what is not the answer changes no result");
+        return;
+    }
+    coe_header coe{};
+    sdo_header sdo{};
+    check(wire::decode_prefix(coe, message) && wire::decode_prefix(sdo, message.subspan(2)), "an answer is complete");
+    check(transfer.result().size <= room, "an upload fits its buffer");
+}
+
+} // namespace
+
+void fuzz::run(std::span<const std::byte> input) {
+    input_reader in{input};
+    const auto room = min_mailbox_size - wire::max_size<mailbox_header> + in.take();
+    const bytes message = copy_of(in.rest());
+    check_slave(message, room);
+
+    sdo_header asked{}; // for the object that the message is about, so that it may be an answer
+    if (message.size() >= 6) static_cast<void>(wire::decode_prefix(asked, std::span{message}.subspan(2)));
+    bytes into(room);
+    check_master(message, sdo_transfer::upload(asked.index, asked.subindex, into), room);
+    check_master(message, sdo_transfer::download(asked.index, asked.subindex, into), room);
+}

@@ -1,0 +1,122 @@
+// A master on a link that loses, forges and changes frames: what is not the reply changes nothing, and each job ends.
+#include "support/objects.hpp"
+#include "support/steps.hpp"
+#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/slave.hpp>
+
+#include <chrono>
+
+using namespace fuzz;
+using namespace jauscat;
+using namespace jauscat::ethercat;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// What happens to a frame.
+enum class fate : std::uint8_t { processed, lost, changed, answered, preceded, count };
+
+class session {
+  public:
+    explicit session(std::span<const std::byte> input) : in_{input} {}
+
+    void run() {
+        job([&] { return master_.bring_up(0, station); });
+        const auto size = std::size_t{in_.take()};
+        const bytes data(size);
+        bytes into(size);
+        const auto index = in_.take<wire::u16le>();
+        const auto subindex = in_.take();
+        for (int i = 0; i != 3 && !in_.empty(); ++i) {
+            job([&] { return master_.download(station, index, subindex, data); });
+            job([&] { return master_.upload(station, index, subindex, into); });
+            check(master_.result().size <= into.size(), "an upload fits its buffer");
+        }
+    }
+
+  private:
+    static constexpr std::uint16_t station = 2;
+    // Short times: each job ends after a bounded number of frames.
+    static constexpr master_config config{
+        .frame_timeout = 1ms, .sii_timeout = 1ms, .state_timeout = 2ms, .mailbox_timeout = 2ms};
+
+    void job(auto&& start) {
+        const bool clean = in_.empty();
+        check(start(), "an idle master takes a job");
+        check(master_.idle() || !start(), "a busy master takes no job");
+        for (int frames = 0; !master_.idle(); ++frames) {
+            check(frames != 20'000, "a job ends");
+            step();
+        }
+        check(!master_.next_event(), "an idle master waits for nothing");
+        if (clean) check(master_.result().error != master_errc::no_reply, "on a good link replies come");
+    }
+
+    void step() {
+        bytes frame(max_frame_size);
+        const auto size = master_.next_frame(frame, now_);
+        if (size == 0) {
+            if (const auto event = master_.next_event()) now_ = std::max(now_, *event);
+            master_.on_time(now_);
+            return;
+        }
+        frame.resize(size);
+        frame_view view;
+        check(static_cast<bool>(view.parse(frame)), "a master sends frames that parse");
+        now_ += 5us;
+        travel(std::move(frame));
+    }
+
+    void travel(bytes frame) {
+        switch (static_cast<fate>(in_.take() % static_cast<unsigned>(fate::count))) {
+        case fate::lost: return;
+        case fate::changed:
+            device_.process(frame);
+            for (auto left = in_.take() % 8; left != 0; --left)
+                frame[in_.take<wire::u16le>() % frame.size()] = std::byte{in_.take()};
+            arrive(frame);
+            return;
+        case fate::answered: // by a slave that says anything
+            answer(frame);
+            check(arrive(frame), "a reply is taken");
+            return;
+        case fate::preceded:
+            if (const auto other = next_frame(in_); !other.empty()) arrive(other);
+            [[fallthrough]];
+        default: device_.process(frame); arrive(frame);
+        }
+    }
+
+    void answer(bytes& frame) {
+        mutable_frame_view view;
+        static_cast<void>(view.parse(frame));
+        for (const auto datagram : view) {
+            std::ranges::copy(in_.take_bytes(datagram.data.size()), datagram.data.begin());
+            static_cast<void>(
+                wire::encode(datagram_trailer{in_.take()}, datagram.bytes.last(wire::max_size<datagram_trailer>)));
+        }
+    }
+
+    bool arrive(std::span<const std::byte> frame) {
+        const auto before = master_;
+        const bool taken = master_.on_frame(frame, now_);
+        const auto &was = before.statistics(), &is = master_.statistics();
+        check(is.received == was.received + taken && is.ignored == was.ignored + !taken, "a frame is taken or ignored");
+        if (!taken)
+            check(master_.idle() == before.idle() && master_.next_event() == before.next_event() &&
+                      master_.result().error == before.result().error && is.lost == was.lost &&
+                      master_.slaves().size() == before.slaves().size(),
+                  "what is not the reply changes nothing");
+        return taken;
+    }
+
+    input_reader in_;
+    objects source_{};
+    slave device_{{.vendor = 1, .product = 2}, object_dictionary{source_}};
+    master master_{config};
+    time_point now_{};
+};
+
+} // namespace
+
+void fuzz::run(std::span<const std::byte> input) { session{input}.run(); }

@@ -1,0 +1,135 @@
+// Writes the inputs that fuzzing starts from, a folder per target: the golden messages, the captures and the example
+// configuration, each in the form that its target reads.
+#include "jaus/vectors.hpp"
+#include "support/pcap.hpp"
+#include <jauscat/ethercat/frame_view.hpp>
+#include <jauscat/schema/ethercat/mailbox.hpp>
+#include <jauscat/schema/translation/self_contained_table.hpp>
+#include <jauscat/translate/translator.hpp>
+
+#include <filesystem>
+#include <iostream>
+
+using namespace jauscat;
+using bytes = std::vector<std::byte>;
+
+namespace {
+
+class seed_folder {
+  public:
+    seed_folder(const std::filesystem::path& root, const std::string& target) : folder_{root / target} {
+        std::filesystem::create_directories(folder_);
+    }
+    void add(std::span<const std::byte> seed) {
+        std::ofstream file{folder_ / std::to_string(count_++), std::ios::binary};
+        for (const std::byte byte : seed) file.put(static_cast<char>(byte));
+        if (!file) throw std::runtime_error{"cannot write to " + folder_.string()};
+    }
+
+  private:
+    std::filesystem::path folder_;
+    std::size_t count_{};
+};
+
+void append(bytes& to, std::span<const std::byte> more) { to.insert(to.end(), more.begin(), more.end()); }
+
+template <class Table> void add_packet(seed_folder& folder, std::span<const std::byte> message) {
+    using translator = translate::translator<Table>;
+    bytes packet(translator::max_packet_size);
+    if (const auto size = translator::forth(message, packet)) folder.add(std::span{packet}.first(size.size()));
+}
+
+void write_messages(const std::filesystem::path& root) {
+    seed_folder message{root, "message"}, view{root, "view"}, dispatch{root, "dispatch"};
+    seed_folder translation{root, "translate"}, stream{root, "stream"};
+    bytes line(2);
+    for (const auto& golden : golden::vectors()) {
+        const std::span<const std::byte> whole{golden.bytes};
+        bytes coded_body{whole[2], whole[3]};
+        append(coded_body, whole.subspan(16));
+        message.add(coded_body);
+        view.add(coded_body);
+        dispatch.add(whole);
+        translation.add(whole);
+        add_packet<translation::seed_table>(translation, whole);
+        add_packet<translation::self_contained_table>(translation, whole);
+        append(line, whole);
+        if (line.size() > 200) {
+            stream.add(line);
+            line.assign(2, std::byte{5});
+        }
+    }
+}
+
+// A frame in the form of fuzz/support/steps.hpp.
+bytes step_of(const ethercat::frame_view& frame) {
+    bytes step(1);
+    for (const auto datagram : frame) {
+        step[0] = static_cast<std::byte>(std::to_integer<unsigned>(step[0]) + 1);
+        append(step, datagram.bytes.first(datagram.bytes.size() - 2));
+    }
+    return step;
+}
+
+void write_traffic(const std::filesystem::path& root) {
+    seed_folder frames{root, "frame"}, mailbox{root, "mailbox"}, slave{root, "slave"}, master{root, "master"};
+    for (const auto* capture : {"ethercat_soem_soes.pcap", "ethercat_kickcat.pcap"}) {
+        bytes session(1);
+        std::size_t steps = 0;
+        const auto recorded = test::read_pcap(capture);
+        for (std::size_t i = 0; i != recorded.size(); ++i) {
+            frames.add(recorded[i]);
+            ethercat::frame_view view;
+            if (!view.parse(recorded[i])) continue;
+            for (const auto datagram : view) { // mail, in either direction
+                ethercat::mailbox_header header{};
+                const auto used = wire::decode_prefix(header, datagram.data);
+                if (!used || header.type != ethercat::mailbox_type::coe || header.length > datagram.data.size() - 6)
+                    continue;
+                bytes mail(1);
+                append(mail, datagram.data.subspan(used.size(), header.length));
+                mailbox.add(mail);
+            }
+            if (i % 2 != 0) continue; // the way back
+            append(session, step_of(view));
+            if (++steps % 60 == 0) slave.add(session);
+        }
+        slave.add(session);
+        bytes forged{std::byte{4}};
+        append(forged, step_of([&] {
+                   ethercat::frame_view view;
+                   static_cast<void>(view.parse(recorded[1]));
+                   return view;
+               }()));
+        master.add(forged);
+    }
+    master.add(bytes(80));                 // all goes well
+    master.add(bytes(80, std::byte{2}));   // changed
+    master.add(bytes(2000, std::byte{3})); // answered with anything
+    bytes lossy;
+    for (int i = 0; i != 80; ++i) append(lossy, std::array{std::byte{0}, std::byte{0}, std::byte{1}});
+    master.add(lossy);
+}
+
+void write_configurations(const std::filesystem::path& root, const std::filesystem::path& example) {
+    seed_folder config{root, "config"};
+    std::ifstream file{example};
+    std::ostringstream text;
+    text << file.rdbuf();
+    for (const auto& seed : {text.str(), std::string{"<jausconfig thissystem='a'><system name='a' jausip='1.2.3.4' "
+                                                     "ip='::1' port='1' framing='JAUS01.0'/></jausconfig>"}})
+        config.add(std::as_bytes(std::span{seed}));
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    if (count != 3) {
+        std::cerr << "usage: fuzz_seeds FOLDER JausConfig.xml\n";
+        return 2;
+    }
+    const std::filesystem::path root{arguments[1]};
+    write_messages(root);
+    write_traffic(root);
+    write_configurations(root, arguments[2]);
+}

@@ -1,0 +1,77 @@
+// Any frames through an emulated slave: what does not parse changes nothing, and the rest only what it may.
+#include "support/objects.hpp"
+#include "support/steps.hpp"
+#include <jauscat/ethercat/slave.hpp>
+
+#include <type_traits>
+
+using namespace fuzz;
+using namespace jauscat;
+using namespace jauscat::ethercat;
+
+namespace {
+
+static_assert(std::is_trivially_copyable_v<slave>); // its bytes are its state
+
+bool same_state(const slave& a, const slave& b) {
+    return std::ranges::equal(std::as_bytes(std::span{&a, 1}), std::as_bytes(std::span{&b, 1}));
+}
+
+bool only_writes(command cmd) { return cmd == command::apwr || cmd == command::fpwr || cmd == command::bwr; }
+bool is_logical_or_none(command cmd) {
+    return cmd == command::nop || cmd == command::lrd || cmd == command::lwr || cmd == command::lrw ||
+           cmd > command::frmw;
+}
+
+void check_datagram(const datagram_view& sent, const datagram_view& back) {
+    check(back.header.cmd == sent.header.cmd && back.header.index == sent.header.index &&
+              back.header.ado == sent.header.ado && back.header.length == sent.header.length &&
+              back.header.more == sent.header.more,
+          "a slave leaves the header alone");
+    const auto moved = static_cast<std::uint16_t>(back.header.adp - sent.header.adp);
+    const auto counted = static_cast<std::uint16_t>(back.working_counter - sent.working_counter);
+    check(moved <= 1 && counted <= 3, "a slave counts itself once");
+    const bool same_data = std::ranges::equal(back.data, sent.data);
+    if (counted == 0) check(same_data, "a datagram that is not executed keeps its data");
+    if (only_writes(sent.header.cmd)) check(same_data, "a write keeps its data");
+    if (is_logical_or_none(sent.header.cmd)) check(counted == 0 && moved == 0, "no FMMU: logical commands pass");
+}
+
+void check_frame(slave& device, bytes frame) {
+    const bytes sent = frame;
+    frame_view before, after;
+    const bool parses = static_cast<bool>(before.parse(sent));
+    const slave unchanged = device;
+    device.process(frame);
+    if (!parses) {
+        check(frame == sent, "a frame that does not parse passes untouched");
+        check(same_state(device, unchanged), "a frame that does not parse changes no state");
+        return;
+    }
+    check(static_cast<bool>(after.parse(frame)), "a frame that parses comes back as one");
+    auto back = after.begin();
+    for (const auto datagram : before) check_datagram(datagram, *back++);
+    check(back == after.end(), "a frame keeps its datagrams");
+    const auto state = device.state();
+    check(state == al_state::init || state == al_state::pre_op || state == al_state::safe_op || state == al_state::op,
+          "a slave is in one of its states");
+}
+
+} // namespace
+
+void fuzz::run(std::span<const std::byte> input) {
+    input_reader in{input};
+    objects source;
+    const auto options = in.take();
+    slave device{{.vendor = 1,
+                  .product = 2,
+                  .station_alias = static_cast<std::uint16_t>((options & 1) * 7),
+                  .mailbox_out_size = 128,
+                  .mailbox_in_offset = 0x1400,
+                  .mailbox_in_size = static_cast<std::uint16_t>(options & 2 ? min_mailbox_size : 128),
+                  .eight_byte_sii_reads = (options & 4) != 0},
+                 object_dictionary{source}};
+    source.on_access = [&] { check(device.state() != al_state::init, "a slave in INIT has no mailbox"); };
+    for (int step = 0; step != max_steps && !in.empty(); ++step)
+        if (auto frame = next_frame(in); !frame.empty()) check_frame(device, std::move(frame));
+}

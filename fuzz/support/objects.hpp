@@ -1,0 +1,38 @@
+// An object dictionary for fuzzing: reads of many sizes, refusals of several kinds, and a record of what was written.
+#pragma once
+#include "target.hpp"
+#include <jauscat/ethercat/object_dictionary.hpp>
+
+#include <functional>
+
+namespace fuzz {
+
+/// Object `index`:`subindex` has 4 * subindex bytes. Odd indices cannot be written, and none above 8000h exists.
+class objects {
+  public:
+    std::size_t reads{}, writes{};
+    bytes last_written{};
+    std::function<void()> on_access{[] {}};
+
+    jauscat::ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
+        using jauscat::ethercat::abort_code;
+        ++reads;
+        on_access();
+        const std::size_t size = std::size_t{subindex} * 4;
+        if (index > 0x8000) return {.error = abort_code::no_object};
+        if (size > out.size()) return {.error = abort_code::exceeds_mailbox};
+        std::ranges::fill(out.first(size), static_cast<std::byte>(index));
+        return {.size = size};
+    }
+    jauscat::ethercat::abort_code write(std::uint16_t index, std::uint8_t, std::span<const std::byte> data) noexcept {
+        using jauscat::ethercat::abort_code;
+        on_access();
+        if (index > 0x8000) return abort_code::no_object;
+        if (index % 2 != 0) return abort_code::read_only;
+        ++writes;
+        last_written = copy_of(data);
+        return abort_code::none;
+    }
+};
+
+} // namespace fuzz

@@ -1,0 +1,55 @@
+// What a fuzz target is made of: `run` is the target, `check` states a property, `input_reader` takes an input apart.
+#pragma once
+#include <jauscat/wire/scalar.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+namespace fuzz {
+
+using bytes = std::vector<std::byte>;
+
+/// One execution. Each target defines it.
+void run(std::span<const std::byte> input);
+
+/// States what must hold. libFuzzer keeps the input for which it does not.
+inline void check(bool holds, const char* sentence) {
+    if (holds) return;
+    std::fprintf(stderr, "this does not hold: %s\n", sentence);
+    std::abort();
+}
+
+/// A copy in memory of exactly its size, so that the address sanitizer sees the first byte behind it.
+inline bytes copy_of(std::span<const std::byte> from) { return {from.begin(), from.end()}; }
+
+/// Takes values off the front of an input. Where it has ended, they are zero.
+class input_reader {
+  public:
+    explicit input_reader(std::span<const std::byte> input) : rest_{input} {}
+
+    [[nodiscard]] bool empty() const { return rest_.empty(); }
+    [[nodiscard]] std::span<const std::byte> rest() const { return rest_; }
+
+    template <jauscat::wire::codec Codec = jauscat::wire::u8> typename Codec::value_type take() {
+        const bytes image = take_bytes(Codec::size);
+        typename Codec::value_type value{};
+        static_cast<void>(Codec::load(image.data(), value));
+        return value;
+    }
+    bytes take_bytes(std::size_t size) {
+        const auto here = rest_.first(std::min(size, rest_.size()));
+        rest_ = rest_.subspan(here.size());
+        bytes taken = copy_of(here);
+        taken.resize(size);
+        return taken;
+    }
+
+  private:
+    std::span<const std::byte> rest_;
+};
+
+} // namespace fuzz

@@ -1,0 +1,111 @@
+// Both translation tables in both directions, and delivery to a slave.
+#include "support/canonical.hpp"
+#include "support/target.hpp"
+#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/schema/translation/self_contained_table.hpp>
+
+using namespace fuzz;
+using namespace jauscat;
+using hilscher::sdo_download_request;
+
+namespace {
+
+template <class Table> struct checked {
+    using translator = translate::translator<Table>;
+    using delivery = ethercat::delivery<Table>;
+    using errc = translate::errc;
+
+    static void message(std::span<const std::byte> input) {
+        bytes packet(translator::max_packet_size);
+        const auto there = translator::forth(input, packet);
+        if (!there) {
+            check(there.error() == errc::truncated || there.error() == errc::wrong_size ||
+                      there.error() == errc::too_large || there.error() == errc::unknown_command_code ||
+                      there.error() == errc::reserved_value,
+                  "a message is refused for a reason that forth documents");
+            return;
+        }
+        packet.resize(there.size());
+        check(there.size() - translator::packet_size + translator::header_size == input.size() + translator::rest_size,
+              "a packet carries the rest of the header and the body");
+        bytes short_by_one(there.size() - 1);
+        check(translator::forth(input, short_by_one).error() == errc::no_space, "one byte too few is no space");
+
+        bytes message(input.size());
+        const auto back = translator::back(packet, message);
+        check(back && back.size() == input.size(), "a packet that was made translates back");
+        check(message == copy_of(input), "a message comes back byte for byte");
+        deliver(input, packet);
+    }
+
+    static void deliver(std::span<const std::byte> message, std::span<const std::byte> packet) {
+        jaus::header head{};
+        static_cast<void>(wire::decode_prefix(head, message));
+        if (delivery::deliverable(head) != errc::ok) return;
+        const auto object = delivery::object_of(packet);
+        check(object.station == head.destination.node && object.subindex != 0, "an object belongs to its slave");
+        bytes received(message.size());
+        const auto size = delivery::message_of(
+            object,
+            {.subsystem = head.destination.subsystem, .station = object.station, .instance = head.destination.instance},
+            received);
+        check(size && size.size() == message.size(), "a delivered object is a message again");
+        check(received == copy_of(message), "a message arrives at its slave byte for byte");
+    }
+
+    static void packet(std::span<const std::byte> input) {
+        bytes message(translator::max_message_size);
+        const auto back = translator::back(input, message);
+        if (!back) {
+            check(back.error() != errc::no_space, "the largest message has room");
+            return;
+        }
+        message.resize(back.size());
+        sdo_download_request fields{};
+        static_cast<void>(wire::decode_prefix(fields, input));
+        bytes packet(translator::max_packet_size);
+        const auto there = translator::forth(message, packet, fields);
+        check(static_cast<bool>(there), "a message that was made translates");
+        packet.resize(there.size());
+        // Allowed: a packet may be longer than its data count says, and state that length; it comes back without.
+        fields.head.ul_len = 16 + fields.ul_data_cnt;
+        bytes expected = encoded(fields);
+        const auto data = input.subspan(expected.size(), fields.ul_data_cnt);
+        expected.insert(expected.end(), data.begin(), data.end());
+        check(packet == expected, "a packet comes back byte for byte");
+    }
+
+    /// An object that any master may have written.
+    static void object(std::span<const std::byte> input) {
+        input_reader in{input};
+        const auto index = in.take<wire::u16le>();
+        const auto subindex = in.take();
+        const ethercat::slave_identity self{.subsystem = in.take(), .station = in.take(), .instance = in.take()};
+        const bytes data = copy_of(in.rest());
+        bytes message(translator::max_message_size);
+        const auto size = delivery::message_of({self.station, index, subindex, data}, self, message);
+        if (!size) {
+            check(size.error() != errc::no_space, "the largest message has room");
+            return;
+        }
+        message.resize(size.size());
+        jaus::header head{};
+        static_cast<void>(wire::decode_prefix(head, std::span<const std::byte>{message}));
+        check(head.data_size == size.size() - jaus::header_size, "a delivered message states its size");
+        check(head.destination.node == self.station, "a delivered message names its slave");
+        bytes packet(translator::max_packet_size);
+        const auto there = translator::forth(message, packet);
+        check(static_cast<bool>(there), "a delivered message translates");
+        const auto again = delivery::object_of(std::span{packet}.first(there.size()));
+        check(again.index == index && again.subindex == subindex && copy_of(again.data) == data,
+              "an object comes back as it was written");
+    }
+};
+
+} // namespace
+
+void fuzz::run(std::span<const std::byte> input) {
+    [&]<class... Tables>(Tables...) {
+        ((checked<Tables>::message(input), checked<Tables>::packet(input), checked<Tables>::object(input)), ...);
+    }(translation::seed_table{}, translation::self_contained_table{});
+}
