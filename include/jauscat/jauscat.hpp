@@ -6,10 +6,12 @@
 #include <jauscat/ethercat/loopback_link.hpp>
 #include <jauscat/ethercat/master.hpp>
 #include <jauscat/ethercat/slave.hpp>
+#include <jauscat/jaus/copy_present.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/jaus/framing.hpp>
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/jaus/requested_fields.hpp>
+#include <jauscat/jaus/stream.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>

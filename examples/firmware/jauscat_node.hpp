@@ -1,0 +1,95 @@
+// The node, made with JausCat: schemas decode and encode, a table translates, a dispatcher calls.
+#pragma once
+#include "node.hpp"
+#include <jauscat/jaus/copy_present.hpp>
+#include <jauscat/jaus/dispatcher.hpp>
+#include <jauscat/jaus/requested_fields.hpp>
+#include <jauscat/jaus/stream.hpp>
+#include <jauscat/schema/jaus/core.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
+#include <jauscat/schema/translation/seed_table.hpp>
+#include <jauscat/translate/translator.hpp>
+
+namespace firmware {
+
+namespace jaus = jauscat::jaus;
+
+/// `Command` and `Report` are Set and Report Wrench Effort: as they are, in real percent, or raw, in the integers of
+/// the wire, for a core without floating point.
+template <class Command, class Report> class jauscat_node {
+  public:
+    void on_bytes(std::span<const std::byte> bytes, std::chrono::nanoseconds now) noexcept {
+        framer_.on_bytes(bytes, now, [this](auto message) { on_message(message); });
+    }
+    void on_time(std::chrono::nanoseconds now) noexcept {
+        framer_.on_time(now, [this](auto message) { on_message(message); });
+    }
+
+  private:
+    using header = jaus::header;
+    using translator = jauscat::translate::translator<jauscat::translation::seed_table>;
+    static constexpr jaus::address self{
+        .instance = own_instance, .component = own_component, .node = own_node, .subsystem = own_subsystem};
+
+    void on_message(std::span<const std::byte> bytes) noexcept {
+        const auto message = jaus::split(bytes);
+        if (!message || message.header.destination != self) return;
+        const bool done = obey(bytes, message.header, message.body);
+        if (!done) ++refused_;
+        if (message.header.ack_nak == jaus::ack_nak::request)
+            acknowledge(message.header, done ? jaus::ack_nak::ack : jaus::ack_nak::nak);
+    }
+
+    bool obey(std::span<const std::byte> bytes, const header& head, std::span<const std::byte> body) noexcept {
+        bool done = head.data_flag == jaus::data_flag::only; // a part of a message cannot be decoded
+        if (!done) return false;
+        jaus::dispatcher handlers{
+            jaus::on<Command>([&](const header&, const Command& command) {
+                jaus::copy_present(command, efforts_);
+                done = hand_to_card(bytes);
+            }),
+            jaus::on<jaus::query_wrench_effort>([&](const header& query, const auto& asked) {
+                Report report = efforts_;
+                jaus::keep_requested(report, asked.presence_vector);
+                answer(query, report);
+            }),
+            jaus::on<jaus::query_component_status>([&](const header& query, const auto&) {
+                answer(query, jaus::report_component_status{.primary_status_code = jaus::primary_status_code::ready,
+                                                            .secondary_status_code = refused_});
+            }),
+            jaus::on_unknown([&](const header&, auto) { done = hand_to_card(bytes); }),
+            jaus::on_malformed([&](const header&, auto, auto) { done = false; })};
+        handlers(head, body);
+        return done;
+    }
+
+    bool hand_to_card(std::span<const std::byte> message) noexcept {
+        std::array<std::byte, translator::packet_size + translator::rest_size + largest_body> packet;
+        const auto size = translator::forth(message, packet);
+        if (size) send(line::card, std::span{packet}.first(size.size()));
+        return static_cast<bool>(size);
+    }
+
+    void answer(const header& query, const auto& report) noexcept {
+        std::array<std::byte, jaus::header_size + 32> message;
+        const auto size = jaus::make_message(jaus::answer_to(query), report, message);
+        if (size) send(line::jaus, std::span{message}.first(size.size()));
+    }
+
+    void acknowledge(const header& request, jaus::ack_nak how) noexcept {
+        header head = jaus::answer_to(request);
+        head.ack_nak = how;
+        head.command_code = request.command_code;
+        std::array<std::byte, jaus::header_size> message;
+        if (jauscat::wire::encode(head, message)) send(line::jaus, message);
+    }
+
+    // Not in the object, which is all zeros at start and so needs no image in the code memory.
+    static inline std::array<std::byte, jaus::header_size + largest_body> buffer_{};
+    static inline constinit jaus::stream_framer framer_{buffer_, idle};
+
+    Report efforts_{}; // a field that was never commanded is absent
+    std::uint32_t refused_{};
+};
+
+} // namespace firmware

@@ -1,0 +1,200 @@
+// The firmware on its emulated board: bytes into the serial line, bytes out of both lines. Every image does the same,
+// the ones made with JausCat and the ones written by hand.
+#include "emulated_board.hpp"
+#include "support/catch.hpp"
+#include "support/hex.hpp"
+
+#include <thread>
+
+namespace {
+
+using namespace std::chrono_literals;
+using jauscat::test::emulated_board;
+using jauscat::test::from_hex;
+using jauscat::test::to_hex;
+using bytes = std::vector<std::byte>;
+
+bytes operator+(bytes first, const bytes& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+bytes first_of(const bytes& all, std::ptrdiff_t count) { return {all.begin(), all.begin() + count}; }
+bytes rest_of(const bytes& all, std::ptrdiff_t from) { return {all.begin() + from, all.end()}; }
+
+// From 1.1.1.1 to 2.2.33.1, in wire order: properties, code, destination, source, size, sequence number; body.
+// 7FFFh is 100 %, 8001h is -100 %, 4000h is 50.0015 %; FFh is 100 %, 80h is 50.2 %.
+const bytes all_efforts = from_hex("0602 0504 01210202 01010101 1400 2200"
+                                   "ff0f ff7f 0180 0000 0040 00c0 0100 ff 00 80 01 fe 7f");
+const bytes all_efforts_packet = from_hex("02000000 00000000 01000000 00000000 2c000000 00000000 00000000 08006500"
+                                          "00000000 00000000 02000000 151b0000 1a000000 1c000000"
+                                          "0602 01010101 2200"
+                                          "ff0f ff7f 0180 0000 0040 00c0 0100 ff 00 80 01 fe 7f");
+const bytes one_effort = from_hex("0602 0504 01210202 01010101 0400 2300 0100 3412");
+const bytes one_effort_packet = from_hex("02000000 00000000 01000000 00000000 1c000000 00000000 00000000 08006500"
+                                         "00000000 00000000 02000000 151b0000 1a000000 0c000000"
+                                         "0602 01010101 2300 0100 3412");
+const bytes query_all_efforts = from_hex("0602 0524 01210202 01010101 0200 2400 ff0f");
+
+// What Query Component Status with sequence number 7F7Fh gives after `refused` messages that were not obeyed.
+bytes status_report(unsigned refused) {
+    return from_hex("0602 0240 01010101 01210202 0500 7f7f 01") + bytes{std::byte(refused), {}, {}, {}};
+}
+
+/// Sends bytes and then a Query Component Status, whose report shows that all of them have been worked on; what the
+/// board said before that report.
+emulated_board::output converse(emulated_board& board, const bytes& sent, unsigned refused = 0) {
+    board.send(sent + from_hex("0602 0220 01210202 01010101 0000 7f7f"));
+    const bytes end = status_report(refused);
+    auto said = board.receive_until(end);
+    INFO("the board said " << to_hex(said.jaus) << " and to the card " << to_hex(said.card));
+    REQUIRE(said.jaus.size() >= end.size());
+    REQUIRE(rest_of(said.jaus, std::ssize(said.jaus) - std::ssize(end)) == end);
+    said.jaus.resize(said.jaus.size() - end.size());
+    return said;
+}
+
+/// Runs a test once for each image.
+std::string each_image() {
+    return GENERATE(as<std::string>{}, "real_m3", "raw_m3", "hand_written_m3", "raw_m0", "hand_written_m0");
+}
+
+} // namespace
+
+TEST_CASE("Set Wrench Effort comes out as its SDO download packet, byte for byte") {
+    emulated_board board{each_image()};
+    const auto said = converse(board, all_efforts + one_effort);
+    CHECK(to_hex(said.card) == to_hex(all_efforts_packet + one_effort_packet));
+    CHECK(to_hex(said.jaus) == "");
+}
+
+TEST_CASE("Query Wrench Effort is answered with just the fields that are asked for") {
+    emulated_board board{each_image()};
+    const auto said = converse(board, all_efforts + from_hex("0802 0524 01210202 05040302 0200 2400 4508"));
+    CHECK(to_hex(said.jaus) == to_hex(from_hex("0802 0544 05040302 01210202 0800 2400 4508 ff7f 0000 ff 7f")));
+    CHECK(to_hex(said.card) == to_hex(all_efforts_packet));
+}
+
+TEST_CASE("a command changes the efforts that it carries and leaves the others, and only known ones are reported") {
+    emulated_board board{each_image()};
+    CHECK(to_hex(converse(board, query_all_efforts).jaus) ==
+          to_hex(from_hex("0602 0544 01010101 01210202 0200 2400 0000")));
+    const auto two_efforts = from_hex("0602 0504 01210202 01010101 0500 2200 0108 0040 80");
+    CHECK(to_hex(converse(board, two_efforts + one_effort + query_all_efforts).jaus) ==
+          to_hex(from_hex("0602 0544 01010101 01210202 0500 2400 0108 3412 80")));
+}
+
+TEST_CASE("every message of RA 3.3 without a handler becomes its packet, and so does the experimental 0404h") {
+    emulated_board board{each_image()};
+    const auto travel_speed = from_hex("0602 0a04 01210202 01010101 0200 0100 3412");
+    const auto velocity_state = from_hex("8602 0404 01210202 01010101 0000 0100");
+    CHECK(to_hex(converse(board, travel_speed + velocity_state).card) ==
+          to_hex(from_hex("02000000 00000000 01000000 00000000 1a000000 00000000 00000000 08006500 00000000 00000000"
+                          "02000000 151b0000 1e000000 0a000000 0602 01010101 0100 3412"
+                          "02000000 00000000 01000000 00000000 18000000 00000000 00000000 08006500 00000000 00000000"
+                          "02000000 151b0000 9e000000 08000000 8602 01010101 0100")));
+}
+
+TEST_CASE("what is obeyed is acknowledged where that is asked for") {
+    emulated_board board{each_image()};
+    auto asking = one_effort;
+    asking[0] = std::byte{0x16};
+    const auto said = converse(board, asking + from_hex("1602 0220 01210202 01010101 0000 2500"));
+    CHECK(to_hex(said.jaus) == to_hex(from_hex("3602 0504 01010101 01210202 0000 2300"
+                                               "0602 0240 01010101 01210202 0500 2500 01 00000000"
+                                               "3602 0220 01010101 01210202 0000 2500")));
+    auto packet = one_effort_packet;
+    packet[56] = std::byte{0x16};
+    CHECK(to_hex(said.card) == to_hex(packet));
+}
+
+TEST_CASE("what cannot be obeyed changes nothing, is counted, and refused where an answer is asked for") {
+    emulated_board board{each_image()};
+    const auto truncated = from_hex("1602 0504 01210202 01010101 0300 0100 0100 34");
+    const auto trailing = from_hex("1602 0504 01210202 01010101 0500 0200 0100 3412 00");
+    const auto unknown_bit = from_hex("1602 0504 01210202 01010101 0200 0300 0010");
+    const auto no_vector = from_hex("1602 0524 01210202 01010101 0000 0400");
+    const auto unknown_code = from_hex("1602 0f0f 01210202 01010101 0000 0500");
+    const auto fragment = from_hex("1602 0504 01210202 01010101 0410 0600 0100 3412");
+    const auto said = converse(board, truncated + trailing + unknown_bit + no_vector + unknown_code + fragment, 6);
+    CHECK(to_hex(said.jaus) == to_hex(from_hex("2602 0504 01010101 01210202 0000 0100"
+                                               "2602 0504 01010101 01210202 0000 0200"
+                                               "2602 0504 01010101 01210202 0000 0300"
+                                               "2602 0524 01010101 01210202 0000 0400"
+                                               "2602 0f0f 01010101 01210202 0000 0500"
+                                               "2602 0504 01010101 01210202 0000 0600")));
+    CHECK(to_hex(said.card) == "");
+
+    auto silent = truncated;
+    silent[0] = std::byte{0x06};
+    CHECK(to_hex(converse(board, silent, 7).jaus) == "");
+    CHECK(to_hex(converse(board, query_all_efforts, 7).jaus) ==
+          to_hex(from_hex("0602 0544 01010101 01210202 0200 2400 0000")));
+}
+
+TEST_CASE("a raw value that stands for no percentage is refused where percentages are used") {
+    emulated_board board{"real_m3"};
+    const auto said = converse(board, from_hex("1602 0504 01210202 01010101 0400 2200 0100 0080"), 1);
+    CHECK(to_hex(said.jaus) == to_hex(from_hex("2602 0504 01010101 01210202 0000 2200")));
+    CHECK(to_hex(said.card) == "");
+}
+
+TEST_CASE("messages to others and acknowledgements have no effect") {
+    emulated_board board{each_image()};
+    bytes others;
+    for (const std::size_t octet : {4u, 5u, 6u, 7u}) {
+        auto message = one_effort;
+        message[0] = std::byte{0x16};
+        message[octet] = std::byte{9};
+        others = others + message;
+    }
+    const auto ack = from_hex("3602 0504 01210202 01010101 0000 2200");
+    const auto said = converse(board, others + ack);
+    CHECK(to_hex(said.jaus) == "");
+    CHECK(to_hex(said.card) == "");
+}
+
+TEST_CASE("noise before, inside and after a message costs no other message") {
+    emulated_board board{each_image()};
+    const auto noise = from_hex("ff00 5a5a 0100 0000 ffff ffff ffff ffff ffff ffff ff");
+    const auto said = converse(board, noise + all_efforts + noise + first_of(one_effort, 6) + noise +
+                                          rest_of(one_effort, 6) + one_effort + noise);
+    CHECK(to_hex(said.card) == to_hex(all_efforts_packet + one_effort_packet));
+    CHECK(to_hex(said.jaus) == "");
+}
+
+TEST_CASE("a message that breaks off is given up when the line falls idle, and what it swallowed comes out") {
+    emulated_board board{each_image()};
+    board.send(first_of(all_efforts, 30));
+    std::this_thread::sleep_for(1500ms); // the firmware's idle time is 500 ms
+    CHECK(to_hex(converse(board, one_effort).card) == to_hex(one_effort_packet));
+
+    auto promise = first_of(one_effort, 16); // announces 256 bytes of body
+    promise[12] = std::byte{0x00};
+    promise[13] = std::byte{0x01};
+    board.send(promise + one_effort);
+    std::this_thread::sleep_for(1500ms);
+    CHECK(to_hex(converse(board, {}).card) == to_hex(one_effort_packet));
+}
+
+TEST_CASE("a burst of messages is worked on without loss") {
+    emulated_board board{each_image()};
+    bytes sent, expected;
+    for (int i = 0; i != 100; ++i) {
+        sent = sent + all_efforts;
+        expected = expected + all_efforts_packet;
+    }
+    CHECK(to_hex(converse(board, sent).card) == to_hex(expected));
+}
+
+TEST_CASE("a message of 256 bytes of body is taken, one byte more is noise") {
+    emulated_board board{each_image()};
+    // Set Payload Data Element (0D01h), rank 51, whose body is passed on as it is.
+    const auto largest = from_hex("0602 010d 01210202 01010101 0001 2200") + bytes(256, std::byte{0xEE});
+    const auto too_large = from_hex("0602 010d 01210202 01010101 0101 2200") + bytes(257, std::byte{0xEE});
+    const auto said = converse(board, too_large + largest);
+    CHECK(to_hex(said.card) ==
+          to_hex(from_hex("02000000 00000000 01000000 00000000 18010000 00000000 00000000 08006500 00000000 00000000"
+                          "02000000 151b0000 33000000 08010000 0602 01010101 2200") +
+                 bytes(256, std::byte{0xEE})));
+    CHECK(to_hex(said.jaus) == "");
+}
