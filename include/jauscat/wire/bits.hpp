@@ -51,6 +51,7 @@ template <std::size_t Width> struct reserved {
 /// Bit-fields of one integer, least significant first; their widths fill it exactly.
 template <codec Carrier, class... Fields> struct bits {
     using carrier_type = typename Carrier::value_type;
+    using word_type = word_for<Carrier>;
     using fields = std::tuple<Fields...>;
     using keys = joined_keys<typename Fields::keys...>;
     static constexpr bool optional = false;
@@ -61,23 +62,21 @@ template <codec Carrier, class... Fields> struct bits {
     [[gnu::always_inline]] static constexpr errc put(const auto& object, std::byte* out) noexcept {
         if (!(Fields::fits(object) && ...)) return errc::out_of_range;
         std::size_t at = 0;
-        carrier_type word{};
-        ((word = static_cast<carrier_type>(word | (Fields::value(object) << at)), at += Fields::width), ...);
-        return Carrier::store(out, word);
+        word_type word{};
+        ((word |= static_cast<word_type>(Fields::value(object)) << at, at += Fields::width), ...);
+        return Carrier::store(out, static_cast<carrier_type>(word));
     }
     [[gnu::always_inline]] static constexpr errc get(auto& object, const std::byte* in) noexcept {
-        carrier_type word{};
-        Carrier::load(in, word);
+        const word_type word = loaded(in);
         std::size_t at = 0;
         ((Fields::assign(object, (word >> at) & mask<Fields::width>), at += Fields::width), ...);
         return errc::ok;
     }
 
     template <auto Member, reading> [[gnu::always_inline]] static constexpr auto read(const std::byte* in) noexcept {
-        carrier_type word{};
-        Carrier::load(in, word);
+        const word_type word = loaded(in);
         std::size_t at = 0;
-        std::uint64_t raw = 0;
+        word_type raw = 0;
         ((raw = Fields::keys::template holds<Member> ? (word >> at) & mask<Fields::width> : raw, at += Fields::width),
          ...);
         return static_cast<member_t<Member>>(raw);
@@ -95,8 +94,13 @@ template <codec Carrier, class... Fields> struct bits {
     }();
 
   private:
+    [[gnu::always_inline]] static constexpr word_type loaded(const std::byte* in) noexcept {
+        carrier_type carrier{};
+        Carrier::load(in, carrier);
+        return carrier;
+    }
     template <std::size_t Width>
-    static constexpr std::uint64_t mask = Width >= 64 ? ~std::uint64_t{} : (std::uint64_t{1} << (Width & 63)) - 1;
+    static constexpr word_type mask = static_cast<word_type>(~std::uint64_t{} >> (64 - Width));
 };
 
 } // namespace jauscat::wire

@@ -58,9 +58,8 @@ template <class Object> class fault_finder {
 
     template <class Item> constexpr bool decode_presence(auto& object) noexcept {
         using carrier = typename Item::carrier_codec;
-        typename Item::mask_type mask{};
         if (!enough("presence_vector", carrier::size)) return false;
-        carrier::load(bytes_.data() + found_.offset, mask);
+        const auto mask = Item::loaded(bytes_.data() + found_.offset);
         if (!step("presence_vector", (mask & ~Item::known_bits) != 0 ? errc::unknown_presence_bit : errc::ok,
                   carrier::size))
             return false;

@@ -16,6 +16,9 @@ enum class unknown_bits {
 };
 
 namespace detail {
+template <std::size_t Count>
+inline constexpr std::uint64_t low_bits = Count == 0 ? 0 : ~std::uint64_t{} >> ((64 - Count) & 63);
+
 inline constexpr std::size_t always_there = ~std::size_t{};
 
 // What each four bits of a presence vector add to a message's size; `Sizes` are those of its items, or always_there.
@@ -44,7 +47,7 @@ inline constexpr auto sizes_by_nibble = [] {
 /// least significant up, and is there when its bit is set; an item without one is always there.
 template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_group {
     using carrier_codec = Carrier;
-    using mask_type = typename Carrier::value_type;
+    using mask_type = word_for<Carrier>;
     using keys = joined_keys<typename Items::keys...>;
     static constexpr bool optional = false;
     static constexpr std::size_t optional_count = (static_cast<std::size_t>(Items::optional) + ... + 0);
@@ -55,14 +58,13 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     static constexpr std::size_t min_size = Carrier::size + required_size;
     static constexpr std::size_t max_size = Carrier::size + (Items::max_size + ... + 0);
     static_assert(max_size > min_size, "presence: no item is optional, so the vector has nothing to announce");
-    static constexpr std::uint64_t known_bits =
-        optional_count == 64 ? ~std::uint64_t{} : (std::uint64_t{1} << (optional_count & 63)) - 1;
+    static constexpr mask_type known_bits = static_cast<mask_type>(detail::low_bits<optional_count>);
 
     /// The presence vector that `object` encodes with.
     [[gnu::always_inline]] static constexpr mask_type mask(const auto& object) noexcept {
         mask_type m{};
         std::size_t at = 0;
-        ((m = static_cast<mask_type>(m | present<Items>(object) << at), at += Items::optional), ...);
+        ((m |= present<Items>(object, at)), ...);
         return m;
     }
 
@@ -75,12 +77,11 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         mask_type m{};
         std::size_t at = 0;
         static_cast<void>((put_item<Items>(object, m, at, c) && ...));
-        Carrier::store(vector, m);
+        Carrier::store(vector, static_cast<typename Carrier::value_type>(m));
         return c;
     }
     [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c) noexcept {
-        mask_type m{};
-        Carrier::load(c.at, m);
+        const mask_type m = loaded(c.at);
         const in_cursor end = end_of(c, m);
         if (end.at == nullptr) return end;
         const std::byte* in = c.at + Carrier::size;
@@ -90,13 +91,11 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         return error == errc::ok ? end : in_cursor::failed(error);
     }
     [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c) noexcept {
-        mask_type m{};
-        Carrier::load(c.at, m);
+        const mask_type m = loaded(c.at);
         return end_of(c, m);
     }
     [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in) noexcept {
-        mask_type m{};
-        Carrier::load(in, m);
+        const mask_type m = loaded(in);
         return min_size + announced(m);
     }
     /// A member of a presence vector is read as a std::optional.
@@ -104,10 +103,8 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     [[gnu::always_inline]] static constexpr auto read(const std::byte* in) noexcept {
         using item = std::tuple_element_t<index_of<Member>, std::tuple<Items...>>;
         using value = decltype(item::template read<Member, Mode>(in));
-        mask_type m{};
-        Carrier::load(in, m);
-        const std::byte* const at =
-            in + Carrier::size + required_before<Member> + announced(static_cast<mask_type>(m & bits_before<Member>));
+        const mask_type m = loaded(in);
+        const std::byte* const at = in + Carrier::size + required_before<Member> + announced(m & bits_before<Member>);
         if constexpr (!item::optional)
             return item::template read<Member, Mode>(at);
         else if constexpr (detail::optional_value<value>::is_optional)
@@ -119,10 +116,17 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     static constexpr void visit(auto& object, auto&& visitor) { (Items::visit(object, visitor), ...); }
     static constexpr bool all_items(auto&& f) { return (f.template operator()<Items>() && ...); }
 
+    [[gnu::always_inline]] static constexpr mask_type loaded(const std::byte* in) noexcept {
+        typename Carrier::value_type carrier{};
+        Carrier::load(in, carrier);
+        return carrier;
+    }
+
   private:
-    template <class Item> [[gnu::always_inline]] static constexpr std::uint64_t present(const auto& object) noexcept {
+    template <class Item>
+    [[gnu::always_inline]] static constexpr mask_type present(const auto& object, std::size_t& at) noexcept {
         if constexpr (Item::optional)
-            return member_of<Item::key>(object).has_value();
+            return mask_type{member_of<Item::key>(object).has_value()} << at++;
         else
             return 0;
     }
@@ -137,10 +141,9 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
 
     [[gnu::always_inline]] static constexpr in_cursor end_of(in_cursor c, mask_type m) noexcept {
-        constexpr auto undefined = static_cast<mask_type>(~known_bits);
         const std::size_t extra = announced(m);
         if (extra > c.slack) return in_cursor::failed(errc::truncated);
-        if (undefined != 0 && (m & undefined) != 0) {
+        if ((m & ~known_bits) != 0) {
             if constexpr (Unknown == unknown_bits::refused)
                 return in_cursor::failed(errc::unknown_presence_bit);
             else
@@ -153,9 +156,9 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     [[gnu::always_inline]] static constexpr bool put_item(const auto& object, mask_type& m, std::size_t& at,
                                                           out_cursor& c) noexcept {
         if constexpr (Item::optional) {
-            const auto bit = std::uint64_t{1} << at++;
+            const auto bit = mask_type{1} << at++;
             if (!member_of<Item::key>(object)) return true;
-            m = static_cast<mask_type>(m | bit);
+            m |= bit;
         }
         c.error = Item::put(object, c.at);
         if (c.error != errc::ok) return false;
@@ -195,8 +198,10 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         ((bytes += !Items::optional && index < index_of<Member> ? Items::max_size : 0, ++index), ...);
         return bytes;
     }();
-    template <auto Member> static constexpr std::uint64_t bit_of = std::uint64_t{1} << (optionals_before<Member> & 63);
-    template <auto Member> static constexpr std::uint64_t bits_before = bit_of<Member> - 1;
+    template <auto Member>
+    static constexpr auto bit_of = static_cast<mask_type>(std::uint64_t{1} << (optionals_before<Member> & 63));
+    template <auto Member>
+    static constexpr mask_type bits_before = static_cast<mask_type>(detail::low_bits<optionals_before<Member>>);
 };
 
 /// A presence vector that refuses bits it does not define.

@@ -53,6 +53,11 @@ template <std::integral T, boost::endian::order Order> struct integer {
     }
 };
 
+/// What the bits of a carrier are shifted and masked in. Unsigned and not narrower than int: promotions to int and cuts
+/// back to 8 or 16 bits were measured to cost an instruction or two for each bit-field.
+template <codec Carrier>
+using word_for = std::conditional_t<(sizeof(typename Carrier::value_type) > 4), std::uint64_t, std::uint32_t>;
+
 /// IEEE 754 single or double precision, carried by the integer codec of its size. Every bit pattern passes, NaN
 /// included.
 template <std::floating_point T, class Bits> struct floating {
