@@ -5,6 +5,8 @@
 #include <jauscat/schema/ethercat/hilscher.hpp>
 #include <jauscat/translate/translator.hpp>
 
+#include <algorithm>
+
 namespace jauscat::ethercat {
 
 /// Who a slave is in JAUS terms: what a table leaves out of the data, the slave fills in from here.
@@ -35,14 +37,16 @@ template <class Table> struct delivery {
         return translate::errc::ok;
     }
 
-    /// What of a packet crosses the wire. The packet is one that `translator::forth` made.
+    /// What of a packet crosses the wire: its data are `ulDataCnt` bytes, whatever a sender has put behind them.
     [[nodiscard]] static constexpr object_access object_of(std::span<const std::byte> bytes) noexcept {
         packet fields{};
         if (!wire::decode_prefix(fields, bytes)) return {};
         return {.station = static_cast<std::uint16_t>(fields.ul_node_id),
                 .index = static_cast<std::uint16_t>(fields.ul_index),
                 .subindex = static_cast<std::uint8_t>(fields.ul_sub_index),
-                .data = bytes.subspan(wire::max_size<packet>)};
+                .data =
+                    bytes.subspan(wire::max_size<packet>,
+                                  std::min<std::size_t>(fields.ul_data_cnt, bytes.size() - wire::max_size<packet>))};
     }
 
     /// The JAUS message that a written object stands for; returns its size. What does not cross the wire (under the
