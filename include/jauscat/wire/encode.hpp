@@ -15,7 +15,8 @@ template <message T> constexpr out_cursor put_message(const T& __restrict value,
 } // namespace detail
 
 /// Bytes that `value` takes on the wire.
-template <message T> [[nodiscard]] constexpr std::size_t encoded_size(const T& value) noexcept {
+// Out of line, so that encode, which asks only when the buffer is short, stays small enough to be inlined itself.
+template <message T> [[nodiscard, gnu::noinline]] constexpr std::size_t encoded_size(const T& value) noexcept {
     if constexpr (fixed_message<T>)
         return max_size<T>;
     else
