@@ -16,6 +16,9 @@ using generator = std::mt19937_64;
 
 inline bool chance(generator& g, double probability) { return std::bernoulli_distribution{probability}(g); }
 
+/// 0 to `limit` - 1.
+inline std::size_t below(generator& g, std::size_t limit) { return static_cast<std::size_t>(g() % limit); }
+
 inline void fill(generator& g, std::span<std::byte> out) {
     for (auto& byte : out) byte = static_cast<std::byte>(g());
 }
@@ -33,7 +36,7 @@ template <class Range> double real(generator& g, double illegal) {
     if (chance(g, illegal)) {
         const std::array wrong{limits::quiet_NaN(), limits::infinity(), -limits::infinity(), Range::min - 1.0,
                                Range::max + 1.0};
-        return wrong[g() % wrong.size()];
+        return wrong[below(g, wrong.size())];
     }
     const auto which = g() % 16;
     if (which == 0) return Range::min;

@@ -16,7 +16,9 @@ constexpr plain_table plain_of(seed) { return plain_table::seed; }
 constexpr plain_table plain_of(self_contained) { return plain_table::self_contained; }
 
 std::uint32_t below(generator& g, std::uint32_t limit) { return static_cast<std::uint32_t>(g() % limit); }
-template <class T, std::size_t Size> T pick(generator& g, const std::array<T, Size>& from) { return from[g() % Size]; }
+template <class T, std::size_t Size> T pick(generator& g, const std::array<T, Size>& from) {
+    return from[below(g, Size)];
+}
 
 std::vector<std::byte> random_message(generator& g, std::uint16_t code, unsigned flag, std::size_t body) {
     std::vector<std::byte> message(16 + body);
@@ -59,7 +61,7 @@ template <class Translator> std::vector<std::byte> random_packet(generator& g) {
         case 1: set(packet, at, pick(g, edges)); break;
         case 2: set(packet, at, get(packet, at) + below(g, 9) - 4); break;
         case 3: set(packet, word::ul_ext, pick(g, positions)); break;
-        case 4: packet[g() % packet.size()] = static_cast<std::byte>(g()); break;
+        case 4: packet[below(g, static_cast<std::uint32_t>(packet.size()))] = static_cast<std::byte>(g()); break;
         case 5: packet.resize(56 + below(g, 90), std::byte{0xA5}); break;
         }
         if (packet.size() < 56) packet.resize(56);

@@ -138,7 +138,7 @@ TEMPLATE_TEST_CASE("a diagnosis of random bytes names the error that decode gave
         if (support::chance(random, 0.5)) buffer[0] &= std::byte{0x07};
         for (std::size_t i = 0; i + 1 < buffer.size(); ++i)
             if (support::chance(random, 0.05)) buffer[i] = std::byte{}, buffer[i + 1] = std::byte{0x80};
-        const auto in = std::span<const std::byte>{buffer}.first(random() % (buffer.size() + 1));
+        const auto in = std::span<const std::byte>{buffer}.first(support::below(random, buffer.size() + 1));
         T value{};
         const auto used = wire::decode(value, in);
         const auto found = wire::diagnose<T>(in);
@@ -165,7 +165,8 @@ TEMPLATE_TEST_CASE("a diagnosis of a random value names the error that encode ga
     for (int round = 0; round != 4000; ++round) {
         const T value = support::random_message<T>(random, {.illegal = 0.1});
         std::array<std::byte, wire::max_size<T>> out{};
-        const auto space = wire::max_size<T> - (support::chance(random, 0.3) ? random() % (wire::max_size<T> + 1) : 0);
+        const auto space =
+            wire::max_size<T> - (support::chance(random, 0.3) ? support::below(random, wire::max_size<T> + 1) : 0);
         const auto written = wire::encode(value, std::span{out}.first(space));
         const auto found = wire::diagnose(value, space);
         REQUIRE(found.error == written.error());
