@@ -19,17 +19,20 @@ namespace jaus = jauscat::jaus;
 template <class Command, class Report> class jauscat_node {
   public:
     void on_bytes(std::span<const std::byte> bytes, std::chrono::nanoseconds now) noexcept {
-        framer_.on_bytes(bytes, now, [this](auto message) { on_message(message); });
+        framer_.on_bytes(bytes, now, taker());
     }
-    void on_time(std::chrono::nanoseconds now) noexcept {
-        framer_.on_time(now, [this](auto message) { on_message(message); });
-    }
+    void on_time(std::chrono::nanoseconds now) noexcept { framer_.on_time(now, taker()); }
 
   private:
     using header = jaus::header;
     using translator = jauscat::translate::translator<jauscat::translation::seed_table>;
     static constexpr jaus::address self{
         .instance = own_instance, .component = own_component, .node = own_node, .subsystem = own_subsystem};
+
+    // One type of callable for both calls, so that the framer's search is in the image once.
+    auto taker() noexcept {
+        return [this](std::span<const std::byte> message) { on_message(message); };
+    }
 
     void on_message(std::span<const std::byte> bytes) noexcept {
         const auto message = jaus::split(bytes);

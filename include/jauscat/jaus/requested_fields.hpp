@@ -2,17 +2,19 @@
 #pragma once
 #include <jauscat/wire/visit.hpp>
 
+#include <concepts>
 #include <cstdint>
 
 namespace jauscat::jaus {
 
 /// Removes from `report` every optional field whose bit is not set in `presence_vector`, the one that the query
 /// carries.
-template <wire::message Report> constexpr void keep_requested(Report& report, std::uint64_t presence_vector) noexcept {
+template <wire::message Report>
+constexpr void keep_requested(Report& report, std::unsigned_integral auto presence_vector) noexcept {
+    std::size_t bit = 0;
     wire::visit(report, [&]<class Item>(Item, auto& member) {
         if constexpr (Item::optional) {
-            if ((presence_vector & 1u) == 0) member.reset();
-            presence_vector >>= 1;
+            if ((presence_vector >> bit++ & 1u) == 0) member.reset();
         }
     });
 }
