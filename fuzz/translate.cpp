@@ -63,6 +63,7 @@ template <class Table> struct checked {
         message.resize(back.size());
         sdo_download_request fields{};
         static_cast<void>(wire::decode_prefix(fields, input));
+        check(fields.head.ul_len >= 16 + fields.ul_data_cnt, "a packet is as long as its data count says");
         bytes packet(translator::max_packet_size);
         const auto there = translator::forth(message, packet, fields);
         check(static_cast<bool>(there), "a message that was made translates");
