@@ -3,13 +3,23 @@
 #include <benchmark/benchmark.h>
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace bench {
 
 inline constexpr std::string_view jauscat_suffix = "/jauscat", hand_written_suffix = "/hand-written";
+
+/// One side of a pair, once over all of its items: what an instruction counter runs.
+struct counted_work {
+    std::string name{};
+    std::size_t items{};
+    std::function<void()> run{};
+};
+inline std::vector<counted_work> all_work;
 
 /// Registers a pair: `jauscat(item)` over one set of items and `hand_written(item)` over another. The items must
 /// outlive the run; their number is a power of two.
@@ -25,6 +35,13 @@ void pair(const std::string& name, std::span<Ours> our_items, auto jauscat, std:
                 benchmark::ClobberMemory();
             }
         });
+        all_work.push_back({name + std::string{suffix}, items.size(), [items, work] {
+                                for (auto& item : items) {
+                                    auto outcome = work(item);
+                                    benchmark::DoNotOptimize(outcome);
+                                    benchmark::ClobberMemory();
+                                }
+                            }});
     };
     add(jauscat_suffix, our_items, jauscat);
     add(hand_written_suffix, their_items, hand_written);
