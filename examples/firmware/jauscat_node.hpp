@@ -35,15 +35,15 @@ template <class Command, class Report> class jauscat_node {
     }
 
     void on_message(std::span<const std::byte> bytes) noexcept {
-        const auto message = jaus::split(bytes);
-        if (!message || message.header.destination != self) return;
-        const bool done = obey(bytes, message.header, message.body);
+        header head{};
+        static_cast<void>(jauscat::wire::decode_prefix(head, bytes)); // the framer has checked it
+        if (head.destination != self) return;
+        const bool done = obey(bytes, head);
         if (!done) ++refused_;
-        if (message.header.ack_nak == jaus::ack_nak::request)
-            acknowledge(message.header, done ? jaus::ack_nak::ack : jaus::ack_nak::nak);
+        if (head.ack_nak == jaus::ack_nak::request) acknowledge(head, done ? jaus::ack_nak::ack : jaus::ack_nak::nak);
     }
 
-    bool obey(std::span<const std::byte> bytes, const header& head, std::span<const std::byte> body) noexcept {
+    bool obey(std::span<const std::byte> bytes, const header& head) noexcept {
         bool done = head.data_flag == jaus::data_flag::only; // a part of a message cannot be decoded
         if (!done) return false;
         jaus::dispatcher handlers{
@@ -62,7 +62,7 @@ template <class Command, class Report> class jauscat_node {
             }),
             jaus::on_unknown([&](const header&, auto) { done = hand_to_card(bytes); }),
             jaus::on_malformed([&](const header&, auto, auto) { done = false; })};
-        handlers(head, body);
+        handlers(head, bytes.subspan(jaus::header_size));
         return done;
     }
 

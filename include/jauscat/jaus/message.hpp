@@ -71,7 +71,10 @@ struct split_message {
 /// Takes a received message apart and checks its header: errors truncated, wrong_version, wrong_size, invalid_source.
 [[nodiscard]] constexpr split_message split(std::span<const std::byte> bytes) noexcept {
     split_message m{};
-    if (!wire::decode_prefix(m.header, bytes)) return {.error = errc::truncated};
+    if (!wire::decode_prefix(m.header, bytes)) {
+        m.error = errc::truncated;
+        return m;
+    }
     m.body = bytes.subspan(header_size);
     if (m.header.version != 2)
         m.error = errc::wrong_version;

@@ -35,7 +35,9 @@ template <auto Member, std::size_t Width> struct bit {
     [[gnu::always_inline]] static constexpr void assign(auto& object, std::uint64_t raw) noexcept {
         member_of<Member>(object) = static_cast<value_type>(raw);
     }
-    static constexpr void visit(auto& object, auto&& visitor) { visitor(bit{}, member_of<Member>(object)); }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(bit{}, member_of<Member>(object));
+    }
 };
 
 /// `Width` bits that the standard reserves: sent as zero, ignored on receipt.
@@ -45,7 +47,7 @@ template <std::size_t Width> struct reserved {
     [[gnu::always_inline]] static constexpr std::uint64_t value(const auto&) noexcept { return 0; }
     [[gnu::always_inline]] static constexpr bool fits(const auto&) noexcept { return true; }
     [[gnu::always_inline]] static constexpr void assign(auto&, std::uint64_t) noexcept {}
-    static constexpr void visit(auto&, auto&&) {}
+    [[gnu::always_inline]] static constexpr void visit(auto&, auto&&) {}
 };
 
 /// Bit-fields of one integer, least significant first; their widths fill it exactly.
@@ -82,7 +84,9 @@ template <codec Carrier, class... Fields> struct bits {
         return static_cast<member_t<Member>>(raw);
     }
 
-    static constexpr void visit(auto& object, auto&& visitor) { (Fields::visit(object, visitor), ...); }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        (Fields::visit(object, visitor), ...);
+    }
 
     /// Where a member lies: its first bit, counted from the least significant.
     template <auto Member>

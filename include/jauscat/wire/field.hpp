@@ -60,7 +60,9 @@ template <auto Member, class Codec> struct field {
             return loaded;
     }
 
-    static constexpr void visit(auto& object, auto&& visitor) { visitor(field{}, member_of<Member>(object)); }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(field{}, member_of<Member>(object));
+    }
 };
 
 } // namespace jauscat::wire

@@ -49,7 +49,7 @@ template <class... Items> struct layout {
         (std::make_index_sequence<index>{});
         return std::tuple_element_t<index, std::tuple<Items...>>::template read<Member, Mode>(in);
     }
-    static constexpr void visit([[maybe_unused]] auto& object, [[maybe_unused]] auto&& visitor) {
+    [[gnu::always_inline]] static constexpr void visit([[maybe_unused]] auto& object, [[maybe_unused]] auto&& visitor) {
         (Items::visit(object, visitor), ...);
     }
     /// Calls f.template operator()<Item>() for each item in wire order; stops when it returns false.

@@ -113,7 +113,9 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             return (m & bit_of<Member>) ? std::optional<value>{item::template read<Member, Mode>(at)}
                                         : std::optional<value>{};
     }
-    static constexpr void visit(auto& object, auto&& visitor) { (Items::visit(object, visitor), ...); }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        (Items::visit(object, visitor), ...);
+    }
     static constexpr bool all_items(auto&& f) { return (f.template operator()<Items>() && ...); }
 
     [[gnu::always_inline]] static constexpr mask_type loaded(const std::byte* in) noexcept {

@@ -9,6 +9,8 @@ namespace jauscat::wire {
 /// each has `name()` and `key`.
 template <class Object>
 requires message<std::remove_const_t<Object>>
-constexpr void visit(Object& object, auto&& visitor) { layout_of<std::remove_const_t<Object>>::visit(object, visitor); }
+[[gnu::always_inline]] constexpr void visit(Object& object, auto&& visitor) {
+    layout_of<std::remove_const_t<Object>>::visit(object, visitor);
+}
 
 } // namespace jauscat::wire
