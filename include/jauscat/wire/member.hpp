@@ -27,7 +27,8 @@ template <class T> struct optional_value<std::optional<T>> {
 };
 
 struct any_member {
-    template <class T> operator T() const noexcept; // never defined: only asked whether it would do
+    // Only asked whether it would do, never called; clang wants a body where T has no linkage.
+    template <class T> operator T() const noexcept { __builtin_unreachable(); }
 };
 template <class T, std::size_t... I> consteval bool takes(std::index_sequence<I...>) {
     return requires { T{(static_cast<void>(I), any_member{})...}; };

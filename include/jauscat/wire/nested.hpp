@@ -2,12 +2,38 @@
 #pragma once
 #include <jauscat/wire/layout.hpp>
 
+#include <array>
+#include <bit>
+#include <cstring>
 #include <optional>
+#include <type_traits>
 
 namespace jauscat::wire {
 
 template <class T> class raw;
 template <message T> class view;
+
+namespace detail {
+template <class Item> concept copied_item = requires { requires Item::codec_type::as_in_memory; };
+
+// A structure whose bytes on the wire are those in memory. It is copied whole, because clang 14 would move it byte by
+// byte: a JAUS header, with its two addresses, took a third longer.
+template <class T>
+inline constexpr bool copied_whole = [] {
+    using layout = layout_of<T>;
+    constexpr bool only_copies = layout::all_items([]<class Item>() { return copied_item<Item>; });
+    if constexpr (only_copies && sizeof(T) == layout::max_size && sizeof(T) <= 256 &&
+                  std::has_unique_object_representations_v<T>) {
+        // One pattern of distinct bytes tells whether the members lie in the order of the layout.
+        std::array<std::byte, sizeof(T)> memory{}, wire{};
+        for (std::size_t i = 0; i != sizeof(T); ++i) memory[i] = static_cast<std::byte>(i);
+        layout::put(std::bit_cast<T>(memory), {wire.data(), errc::ok});
+        return wire == memory;
+    } else {
+        return false;
+    }
+}();
+} // namespace detail
 
 /// The member `Member`, laid out by its own schema.
 template <auto Member> struct nested {
@@ -27,19 +53,26 @@ template <auto Member> struct nested {
     }
     [[gnu::always_inline]] static constexpr errc put(const auto& object,
                                                      std::byte* out) noexcept requires fixed_item<inner> {
-        const auto& member = member_of<Member>(object);
-        if constexpr (optional)
-            return inner::put(*member, out_cursor{out, errc::ok}).error;
-        else
-            return inner::put(member, out_cursor{out, errc::ok}).error;
+        const auto& value = present(member_of<Member>(object));
+        if constexpr (detail::copied_whole<value_type> && !raw_object<decltype(object)>) {
+            if (!std::is_constant_evaluated()) {
+                std::memcpy(out, &value, max_size);
+                return errc::ok;
+            }
+        }
+        return inner::put(value, out_cursor{out, errc::ok}).error;
     }
     [[gnu::always_inline]] static constexpr errc get(auto& object,
                                                      const std::byte* in) noexcept requires fixed_item<inner> {
-        auto& member = member_of<Member>(object);
-        if constexpr (optional)
-            return inner::get(member.emplace(), in_cursor{in, 0}).error();
-        else
-            return inner::get(member, in_cursor{in, 0}).error();
+        if constexpr (optional) member_of<Member>(object).emplace();
+        auto& value = present(member_of<Member>(object));
+        if constexpr (detail::copied_whole<value_type> && !raw_object<decltype(object)>) {
+            if (!std::is_constant_evaluated()) {
+                std::memcpy(&value, in, max_size);
+                return errc::ok;
+            }
+        }
+        return inner::get(value, in_cursor{in, 0}).error();
     }
     [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c) noexcept {
         return inner::put(member_of<Member>(object), c);
@@ -54,7 +87,17 @@ template <auto Member> struct nested {
     template <auto, reading> [[gnu::always_inline]] static constexpr auto read(const std::byte* in) noexcept {
         return view<value_type>::of_measured({in, inner::extent(in)});
     }
-    static constexpr void visit(auto& object, auto&& visitor) { visitor(nested{}, member_of<Member>(object)); }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(nested{}, member_of<Member>(object));
+    }
+
+  private:
+    [[gnu::always_inline]] static constexpr auto& present(auto& member) noexcept {
+        if constexpr (optional)
+            return *member;
+        else
+            return member;
+    }
 };
 
 } // namespace jauscat::wire

@@ -1,6 +1,6 @@
 // Codecs of single values of a fixed size: integers and floating point in either byte order, enumerations, octets.
 // A codec has `value_type`, `size` in bytes, `store(bytes, value)` and `load(bytes, value)`; both say errc::ok or why
-// not.
+// not. One that says `as_in_memory` stores the value's own bytes, and takes any bytes.
 #pragma once
 #include <jauscat/wire/result.hpp>
 
@@ -26,6 +26,7 @@ template <class C> concept codec = requires(std::byte* out, const std::byte* in,
 template <std::integral T, boost::endian::order Order> struct integer {
     using value_type = T;
     static constexpr std::size_t size = sizeof(T);
+    static constexpr bool as_in_memory = size == 1 || Order == boost::endian::order::native;
 
     // The loop serves constant evaluation; memcpy lets the optimiser merge neighbouring fields into one access.
     [[gnu::always_inline]] static constexpr errc store(std::byte* out, T value) noexcept {
@@ -102,6 +103,7 @@ requires std::is_enum_v<Enum>
 struct enumeration {
     using value_type = Enum;
     static constexpr std::size_t size = Carrier::size;
+    static constexpr bool as_in_memory = Carrier::as_in_memory;
     static_assert(std::is_same_v<std::underlying_type_t<Enum>, typename Carrier::value_type>,
                   "enumeration: the enumeration's underlying type must be the carrier's integer type");
 
@@ -120,6 +122,7 @@ struct enumeration {
 template <std::size_t N> struct octets {
     using value_type = std::array<std::byte, N>;
     static constexpr std::size_t size = N;
+    static constexpr bool as_in_memory = true;
 
     [[gnu::always_inline]] static constexpr errc store(std::byte* out, const value_type& value) noexcept {
         for (std::size_t i = 0; i != N; ++i) out[i] = value[i];
