@@ -14,12 +14,40 @@ struct full {
     std::optional<std::uint8_t> a{}, b{}, c{}, d{}, e{}, f{}, g{}, h{};
 };
 
+/// All bits of the widest vector, and a required member behind them.
+struct widest {
+    std::optional<std::uint8_t> m0{}, m1{}, m2{}, m3{}, m4{}, m5{}, m6{}, m7{}, m8{}, m9{}, m10{}, m11{}, m12{}, m13{},
+        m14{}, m15{}, m16{}, m17{}, m18{}, m19{}, m20{}, m21{}, m22{}, m23{}, m24{}, m25{}, m26{}, m27{}, m28{}, m29{},
+        m30{}, m31{}, m32{}, m33{}, m34{}, m35{}, m36{}, m37{}, m38{}, m39{}, m40{}, m41{}, m42{}, m43{}, m44{}, m45{},
+        m46{}, m47{}, m48{}, m49{}, m50{}, m51{}, m52{}, m53{}, m54{}, m55{}, m56{}, m57{}, m58{}, m59{}, m60{}, m61{},
+        m62{}, m63{};
+    std::uint8_t last{};
+    friend constexpr bool operator==(const widest&, const widest&) = default;
+};
+
 } // namespace
 
 template <> struct jauscat::wire::schema<full> {
     using T = full;
     using type = layout<presence<u8, field<&T::a, u8>, field<&T::b, u8>, field<&T::c, u8>, field<&T::d, u8>,
                                  field<&T::e, u8>, field<&T::f, u8>, field<&T::g, u8>, field<&T::h, u8>>>;
+};
+
+template <> struct jauscat::wire::schema<widest> {
+    using T = widest;
+    template <auto Member> using octet = field<Member, u8>;
+    using type =
+        layout<presence<u64le, octet<&T::m0>, octet<&T::m1>, octet<&T::m2>, octet<&T::m3>, octet<&T::m4>, octet<&T::m5>,
+                        octet<&T::m6>, octet<&T::m7>, octet<&T::m8>, octet<&T::m9>, octet<&T::m10>, octet<&T::m11>,
+                        octet<&T::m12>, octet<&T::m13>, octet<&T::m14>, octet<&T::m15>, octet<&T::m16>, octet<&T::m17>,
+                        octet<&T::m18>, octet<&T::m19>, octet<&T::m20>, octet<&T::m21>, octet<&T::m22>, octet<&T::m23>,
+                        octet<&T::m24>, octet<&T::m25>, octet<&T::m26>, octet<&T::m27>, octet<&T::m28>, octet<&T::m29>,
+                        octet<&T::m30>, octet<&T::m31>, octet<&T::m32>, octet<&T::m33>, octet<&T::m34>, octet<&T::m35>,
+                        octet<&T::m36>, octet<&T::m37>, octet<&T::m38>, octet<&T::m39>, octet<&T::m40>, octet<&T::m41>,
+                        octet<&T::m42>, octet<&T::m43>, octet<&T::m44>, octet<&T::m45>, octet<&T::m46>, octet<&T::m47>,
+                        octet<&T::m48>, octet<&T::m49>, octet<&T::m50>, octet<&T::m51>, octet<&T::m52>, octet<&T::m53>,
+                        octet<&T::m54>, octet<&T::m55>, octet<&T::m56>, octet<&T::m57>, octet<&T::m58>, octet<&T::m59>,
+                        octet<&T::m60>, octet<&T::m61>, octet<&T::m62>, octet<&T::m63>, octet<&T::last>>>;
 };
 
 TEST_CASE("an item without a std::optional is always there and takes no bit") {
@@ -92,6 +120,17 @@ TEST_CASE("every presence vector of eight fields decodes to those fields and enc
         REQUIRE(wire::encode(value, out).size() == size);
         REQUIRE(equal(std::span{out}.first(size), std::span{in}.first(size)));
     }
+}
+
+TEST_CASE("a vector of 64 bits is used to its last bit") {
+    both_ways([] {
+        const widest value{
+            .m0 = std::uint8_t{1}, .m31 = std::uint8_t{2}, .m32 = std::uint8_t{3}, .m63 = std::uint8_t{4}, .last = 5};
+        const auto expected = bytes(0x01, 0, 0, 0x80, 0x01, 0, 0, 0x80, 1, 2, 3, 4, 5);
+        const wire::view<widest> view{expected};
+        return encodes_to(value, expected) && decodes_to(expected, value) && view.get<&widest::m32>() == 3 &&
+               view.get<&widest::m63>() == 4 && !view.get<&widest::m33>() && view.get<&widest::last>() == 5;
+    });
 }
 
 TEST_CASE("a bit that the layout does not define is refused") {
