@@ -40,7 +40,10 @@ template <class Command, class Report> class jauscat_node {
         if (head.destination != self) return;
         const bool done = obey(bytes, head);
         if (!done) ++refused_;
-        if (head.ack_nak == jaus::ack_nak::request) acknowledge(head, done ? jaus::ack_nak::ack : jaus::ack_nak::nak);
+        if (head.ack_nak == jaus::ack_nak::request) {
+            std::array<std::byte, jaus::header_size> message;
+            send_answer(head, done ? jaus::ack_nak::ack : jaus::ack_nak::nak, head.command_code, message, 0);
+        }
     }
 
     bool obey(std::span<const std::byte> bytes, const header& head) noexcept {
@@ -75,16 +78,19 @@ template <class Command, class Report> class jauscat_node {
 
     void answer(const header& query, const auto& report) noexcept {
         std::array<std::byte, jaus::header_size + 32> message;
-        const auto size = jaus::make_message(jaus::answer_to(query), report, message);
-        if (size) send(line::jaus, std::span{message}.first(size.size()));
+        const auto size = jauscat::wire::encode(report, std::span{message}.subspan(jaus::header_size));
+        using report_type = std::remove_cvref_t<decltype(report)>;
+        if (size) send_answer(query, jaus::ack_nak::none, jaus::command_code_of<report_type>, message, size.size());
     }
 
-    void acknowledge(const header& request, jaus::ack_nak how) noexcept {
+    // Puts the header of an answer in front of its body, and sends both.
+    void send_answer(const header& request, jaus::ack_nak how, std::uint16_t command_code, std::span<std::byte> message,
+                     std::size_t body_size) noexcept {
         header head = jaus::answer_to(request);
         head.ack_nak = how;
-        head.command_code = request.command_code;
-        std::array<std::byte, jaus::header_size> message;
-        if (jauscat::wire::encode(head, message)) send(line::jaus, message);
+        head.command_code = command_code;
+        head.data_size = static_cast<std::uint16_t>(body_size);
+        if (jauscat::wire::encode(head, message)) send(line::jaus, message.first(jaus::header_size + body_size));
     }
 
     // Not in the object, which is all zeros at start and so needs no image in the code memory.

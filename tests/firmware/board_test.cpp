@@ -55,7 +55,8 @@ emulated_board::output converse(emulated_board& board, const bytes& sent, unsign
 
 /// Runs a test once for each image.
 std::string each_image() {
-    return GENERATE(as<std::string>{}, "real_m3", "raw_m3", "hand_written_m3", "raw_m0", "hand_written_m0");
+    return GENERATE(as<std::string>{}, "real_m3", "real_by_hand_m3", "raw_m3", "raw_by_hand_m3", "smallest_m3",
+                    "raw_m0", "raw_by_hand_m0", "smallest_m0");
 }
 
 } // namespace

@@ -54,10 +54,25 @@ template <codec Raw, real_range Range> struct scaled {
     }
 
     [[gnu::always_inline]] static constexpr errc store(std::byte* out, double real) noexcept {
+        return smaller_when_called ? called_store(out, real) : inlined_store(out, real);
+    }
+    [[gnu::always_inline]] static constexpr errc load(const std::byte* in, double& real) noexcept {
+        return smaller_when_called ? called_load(in, real) : inlined_load(in, real);
+    }
+
+  private:
+    // Optimised for speed, each field has the conversion in place. Optimised for size (-Os, firmware), all fields of a
+    // type share one function: where floating point is software, the conversion is a dozen calls.
+#ifdef __OPTIMIZE_SIZE__
+    static constexpr bool smaller_when_called = true;
+#else
+    static constexpr bool smaller_when_called = false;
+#endif
+    [[gnu::always_inline]] static constexpr errc inlined_store(std::byte* out, double real) noexcept {
         if (!(real >= lowest && real <= highest)) return errc::out_of_range; // NaN fails both
         return Raw::store(out, to_raw(real));
     }
-    [[gnu::always_inline]] static constexpr errc load(const std::byte* in, double& real) noexcept {
+    [[gnu::always_inline]] static constexpr errc inlined_load(const std::byte* in, double& real) noexcept {
         raw_type raw{};
         Raw::load(in, raw);
         if constexpr (std::is_signed_v<raw_type>) {
@@ -66,8 +81,13 @@ template <codec Raw, real_range Range> struct scaled {
         real = to_real(raw);
         return errc::ok;
     }
+    [[gnu::noinline]] static constexpr errc called_store(std::byte* out, double real) noexcept {
+        return inlined_store(out, real);
+    }
+    [[gnu::noinline]] static constexpr errc called_load(const std::byte* in, double& real) noexcept {
+        return inlined_load(in, real);
+    }
 
-  private:
     static constexpr double steps = static_cast<double>(top) - static_cast<double>(bottom);
     static constexpr double scale = (Range::max - Range::min) / steps;
     static constexpr double bias = std::is_signed_v<raw_type> ? (Range::min + Range::max) / 2 : Range::min;

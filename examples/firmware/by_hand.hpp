@@ -1,0 +1,72 @@
+// What the nodes written by hand have in common: bytes to integers, and the rank of a command code.
+#pragma once
+#include "node.hpp"
+
+#include <cstdint>
+#include <cstring>
+
+namespace by_hand {
+
+using std::int16_t;
+using std::uint16_t;
+using std::uint32_t;
+using std::uint8_t;
+
+// RA 3.3's command codes in ascending order: the place is the subindex. 0404h is experimental and stands behind them.
+inline constexpr uint16_t command_codes[] = {
+    0x0001, 0x0002, 0x0003, 0x0004, 0x0005, 0x0006, 0x0007, 0x0008, 0x0009, 0x000A, 0x000B, 0x000C, 0x000D, 0x000E,
+    0x000F, 0x0010, 0x0011, 0x01F0, 0x01F1, 0x01F2, 0x01F3, 0x01F4, 0x0200, 0x0201, 0x0202, 0x0405, 0x0406, 0x0407,
+    0x0408, 0x040A, 0x040C, 0x040D, 0x040F, 0x0410, 0x0601, 0x0602, 0x0603, 0x0604, 0x0605, 0x0606, 0x0607, 0x0608,
+    0x0801, 0x0802, 0x0805, 0x0806, 0x0A20, 0x0A21, 0x0A24, 0x0A25, 0x0D01, 0x0E00, 0x0E01, 0x0E02, 0x0E03, 0x0E04,
+    0x0E05, 0x0E06, 0x2001, 0x2002, 0x200D, 0x2011, 0x21F0, 0x2200, 0x2201, 0x2202, 0x2400, 0x2401, 0x2402, 0x2403,
+    0x2404, 0x2405, 0x2406, 0x2407, 0x2408, 0x240A, 0x240B, 0x240C, 0x240D, 0x240E, 0x240F, 0x2410, 0x2600, 0x2601,
+    0x2602, 0x2603, 0x2604, 0x2605, 0x2800, 0x2801, 0x2802, 0x2804, 0x2805, 0x2806, 0x2807, 0x2A21, 0x2A22, 0x2A23,
+    0x2B00, 0x2B01, 0x2B02, 0x2B03, 0x2D00, 0x2D01, 0x2E00, 0x2E01, 0x4001, 0x4002, 0x400D, 0x4011, 0x41F0, 0x41F1,
+    0x4200, 0x4201, 0x4202, 0x4400, 0x4401, 0x4402, 0x4403, 0x4404, 0x4405, 0x4406, 0x4407, 0x4408, 0x440A, 0x440B,
+    0x440C, 0x440D, 0x440E, 0x440F, 0x4410, 0x4600, 0x4601, 0x4602, 0x4603, 0x4604, 0x4605, 0x4800, 0x4801, 0x4802,
+    0x4804, 0x4805, 0x4806, 0x4807, 0x4A20, 0x4A21, 0x4A22, 0x4A23, 0x4A24, 0x4B00, 0x4B01, 0x4B02, 0x4B03, 0x4D00,
+    0x4D01, 0x4E00, 0x4E01,
+};
+inline constexpr uint32_t code_count = sizeof command_codes / sizeof command_codes[0];
+inline constexpr uint16_t experimental_code = 0x0404;
+
+enum : uint16_t {
+    set_wrench_effort = 0x0405,
+    query_component_status = 0x2002,
+    query_wrench_effort = 0x2405,
+    report_component_status = 0x4002,
+    report_wrench_effort = 0x4405,
+};
+enum : uint8_t { ack_request = 1, nak = 2, ack = 3 };
+inline constexpr uint32_t header_size = 16, packet_size = 56, rest_size = 8, ready = 1;
+
+inline uint16_t load16(const uint8_t* from) {
+    uint16_t value;
+    std::memcpy(&value, from, 2);
+    return value;
+}
+inline void store16(uint8_t* to, uint32_t value) {
+    const auto narrow = static_cast<uint16_t>(value);
+    std::memcpy(to, &narrow, 2);
+}
+inline void store32(uint8_t* to, uint32_t value) { std::memcpy(to, &value, 4); }
+
+inline void send(firmware::line to, const uint8_t* bytes, uint32_t size) {
+    firmware::send(to, {reinterpret_cast<const std::byte*>(bytes), size});
+}
+
+// The rank of a command code from 1, or 0.
+inline uint32_t rank_of(uint16_t code) {
+    if (code == experimental_code) return code_count + 1;
+    uint32_t low = 0, high = code_count;
+    while (low != high) {
+        const uint32_t middle = (low + high) / 2;
+        if (command_codes[middle] < code)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low != code_count && command_codes[low] == code ? low + 1 : 0;
+}
+
+} // namespace by_hand
