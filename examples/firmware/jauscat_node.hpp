@@ -47,26 +47,26 @@ template <class Command, class Report> class jauscat_node {
     }
 
     bool obey(std::span<const std::byte> bytes, const header& head) noexcept {
-        bool done = head.data_flag == jaus::data_flag::only; // a part of a message cannot be decoded
-        if (!done) return false;
+        if (head.data_flag != jaus::data_flag::only) return false; // a part of a message cannot be decoded
         jaus::dispatcher handlers{
-            jaus::on<Command>([&](const header&, const Command& command) {
-                jaus::copy_present(command, efforts_);
-                done = hand_to_card(bytes);
-            }),
-            jaus::on<jaus::query_wrench_effort>([&](const header& query, const auto& asked) {
+            jaus::on<Command>([this](const header&, const Command& command) { jaus::copy_present(command, efforts_); }),
+            jaus::on<jaus::query_wrench_effort>([this](const header& query, const auto& asked) {
                 Report report = efforts_;
                 jaus::keep_requested(report, asked.presence_vector);
                 answer(query, report);
             }),
-            jaus::on<jaus::query_component_status>([&](const header& query, const auto&) {
+            jaus::on<jaus::query_component_status>([this](const header& query, const auto&) {
                 answer(query, jaus::report_component_status{.primary_status_code = jaus::primary_status_code::ready,
                                                             .secondary_status_code = refused_});
-            }),
-            jaus::on_unknown([&](const header&, auto) { done = hand_to_card(bytes); }),
-            jaus::on_malformed([&](const header&, auto, auto) { done = false; })};
-        handlers(head, bytes.subspan(jaus::header_size));
-        return done;
+            })};
+        switch (handlers(head, bytes.subspan(jaus::header_size))) {
+        case jaus::dispatched::handled:
+            return head.command_code != jaus::command_code_of<Command> || hand_to_card(bytes);
+        case jaus::dispatched::unknown: return hand_to_card(bytes);
+        case jaus::dispatched::acknowledgement: return true;
+        case jaus::dispatched::malformed: return false;
+        }
+        return false;
     }
 
     bool hand_to_card(std::span<const std::byte> message) noexcept {

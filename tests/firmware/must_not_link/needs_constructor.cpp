@@ -3,7 +3,10 @@
 
 namespace {
 struct started {
-    started() noexcept { firmware::send(firmware::line::jaus, {}); }
+    started() noexcept {
+        constexpr std::byte hello{0x05};
+        firmware::send(firmware::line::jaus, {&hello, 1});
+    }
 };
 started object;
 } // namespace
