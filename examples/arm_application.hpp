@@ -3,6 +3,7 @@
 #pragma once
 #include <jauscat/ethercat/delivery.hpp>
 #include <jauscat/ethercat/object_dictionary.hpp>
+#include <jauscat/jaus/copy_present.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/jaus/requested_fields.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
@@ -135,7 +136,7 @@ template <class Table> class arm_application {
             say_("in emergency: efforts ignored");
             return;
         }
-        copy_commanded(command, efforts_);
+        jauscat::jaus::copy_present(command, efforts_); // fields that a command leaves out keep their effort
         moved_();
     }
     void enter_emergency() {
@@ -145,17 +146,6 @@ template <class Table> class arm_application {
         moved_();
     }
 
-    // Fields that a command leaves out keep their effort. Both messages have the same fields in the same order.
-    static void copy_commanded(const jauscat::jaus::set_wrench_effort& from, jauscat::jaus::report_wrench_effort& to) {
-        std::array<std::optional<double>, 12> commanded{};
-        std::size_t at = 0;
-        jauscat::wire::visit(from, [&](auto, const auto& effort) { commanded[at++] = effort; });
-        at = 0;
-        jauscat::wire::visit(to, [&](auto, auto& effort) {
-            if (commanded[at]) effort = commanded[at];
-            ++at;
-        });
-    }
     static jauscat::jaus::report_wrench_effort no_effort() {
         jauscat::jaus::report_wrench_effort none{};
         jauscat::wire::visit(none, [](auto, auto& effort) { effort = 0.0; });

@@ -12,7 +12,6 @@
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/jaus/requested_fields.hpp>
 #include <jauscat/jaus/stream.hpp>
-#include <jauscat/jaus/stream.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
