@@ -128,8 +128,13 @@ int main(int count, char** arguments) {
         std::cerr << "usage: fuzz_seeds FOLDER JausConfig.xml\n";
         return 2;
     }
-    const std::filesystem::path root{arguments[1]};
-    write_messages(root);
-    write_traffic(root);
-    write_configurations(root, arguments[2]);
+    try {
+        const std::filesystem::path root{arguments[1]};
+        write_messages(root);
+        write_traffic(root);
+        write_configurations(root, arguments[2]);
+    } catch (const std::exception& error) {
+        std::cerr << "fuzz_seeds: " << error.what() << '\n';
+        return 1;
+    }
 }

@@ -114,7 +114,7 @@ class esc {
         case command::nop:
         case command::lrd:
         case command::lwr:
-        case command::lrw: return;
+        case command::lrw:
         default: return;
         }
         const bool broadcast = header.cmd == command::brd || header.cmd == command::bwr || header.cmd == command::brw;

@@ -148,7 +148,7 @@ class config_reader {
 
     boost::asio::ip::address ip_address(const config_value& value) const {
         boost::system::error_code wrong;
-        const auto address = boost::asio::ip::make_address(std::string{value.text}, wrong);
+        auto address = boost::asio::ip::make_address(std::string{value.text}, wrong);
         if (wrong) fail(value.line, "ip " + quoted(value.text) + " is not an IP address, such as 127.0.0.1");
         return address;
     }

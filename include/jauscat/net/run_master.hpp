@@ -16,7 +16,7 @@ namespace jauscat::net {
 /// runs. After `limit` it is given up. Errors besides the master's: timeout, not_sent.
 template <ethercat::link Link>
 ethercat::outcome run(Link& link, ethercat::master& master,
-                      std::chrono::nanoseconds limit = std::chrono::seconds{10}) noexcept {
+                      std::chrono::nanoseconds limit = std::chrono::seconds{10}) {
     const auto clock = [] {
         return std::chrono::duration_cast<std::chrono::nanoseconds>(
             std::chrono::steady_clock::now().time_since_epoch());
