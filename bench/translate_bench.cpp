@@ -17,16 +17,20 @@ using bytes = std::vector<std::byte>;
 constexpr std::size_t item_count = 1024;
 
 // Out of line, and nothing below them is: both sides cost one call.
-[[gnu::noinline, gnu::flatten]] std::size_t jauscat_forth(std::span<const std::byte> message, std::span<std::byte> packet) {
+[[gnu::noinline, gnu::flatten]] std::size_t jauscat_forth(std::span<const std::byte> message,
+                                                          std::span<std::byte> packet) {
     return translator::forth(message, packet).size();
 }
-[[gnu::noinline, gnu::flatten]] std::size_t jauscat_back(std::span<const std::byte> packet, std::span<std::byte> message) {
+[[gnu::noinline, gnu::flatten]] std::size_t jauscat_back(std::span<const std::byte> packet,
+                                                         std::span<std::byte> message) {
     return translator::back(packet, message).size();
 }
-[[gnu::noinline, gnu::flatten]] std::size_t hand_written_forth(std::span<const std::byte> message, std::span<std::byte> packet) {
+[[gnu::noinline, gnu::flatten]] std::size_t hand_written_forth(std::span<const std::byte> message,
+                                                               std::span<std::byte> packet) {
     return hand_written::translate_forth(message, packet);
 }
-[[gnu::noinline, gnu::flatten]] std::size_t hand_written_back(std::span<const std::byte> packet, std::span<std::byte> message) {
+[[gnu::noinline, gnu::flatten]] std::size_t hand_written_back(std::span<const std::byte> packet,
+                                                              std::span<std::byte> message) {
     return hand_written::translate_back(packet, message);
 }
 

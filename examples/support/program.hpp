@@ -50,7 +50,8 @@ parse(int argc, char** argv, const boost::program_options::options_description& 
 
 /// Runs `program`, and says on standard error why it ended early.
 int run(const char* name, auto&& program) {
-    std::setvbuf(stdout, nullptr, _IOLBF, 4096); // a line is seen, whole, when it is written: in a terminal and in a log
+    std::setvbuf(stdout, nullptr, _IOLBF,
+                 4096); // a line is seen, whole, when it is written: in a terminal and in a log
     try {
         stop_on_signals();
         return program();

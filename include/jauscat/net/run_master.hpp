@@ -15,8 +15,7 @@ namespace jauscat::net {
 /// Drives the job that was started with `bring_up`, `download` or `upload` and returns how it ended; at once if none
 /// runs. After `limit` it is given up. Errors besides the master's: timeout, not_sent.
 template <ethercat::link Link>
-ethercat::outcome run(Link& link, ethercat::master& master,
-                      std::chrono::nanoseconds limit = std::chrono::seconds{10}) {
+ethercat::outcome run(Link& link, ethercat::master& master, std::chrono::nanoseconds limit = std::chrono::seconds{10}) {
     const auto clock = [] {
         return std::chrono::duration_cast<std::chrono::nanoseconds>(
             std::chrono::steady_clock::now().time_since_epoch());
