@@ -28,7 +28,7 @@ Examples:
 std::string explain(const ethercat::outcome& result) {
     std::string why{describe(result.error)};
     if (const auto detail = describe_detail(result); !detail.empty())
-        why += ": " + std::string{detail} + " (" + text::detail::formatted("0x%08X", result.detail) + ")";
+        why += ": " + std::string{detail} + " (" + text::hex_number(result.detail, 8) + ")";
     return why;
 }
 
@@ -72,8 +72,8 @@ template <class Table, class Link> class robot_controller {
         if (up_) {
             const auto& slave = master_.slaves().front();
             std::cout << "controller: slave " << station_ << " is in PRE-OP: vendor "
-                      << text::detail::formatted("0x%08X", slave.identity.vendor) << ", product "
-                      << text::detail::formatted("0x%08X", slave.identity.product) << "\n";
+                      << text::hex_number(slave.identity.vendor, 8) << ", product "
+                      << text::hex_number(slave.identity.product, 8) << "\n";
         }
         return up_;
     }

@@ -37,9 +37,7 @@ class annotator {
     template <class Item> void item(const auto& object, const std::string& prefix) {
         if constexpr (requires { Item::known_bits; }) {
             const auto mask = Item::mask(object);
-            line(Item::carrier_codec::size,
-                 "presence_vector = " +
-                     formatted("0x%0*llX", int{Item::carrier_codec::size} * 2, static_cast<unsigned long long>(mask)));
+            line(Item::carrier_codec::size, "presence_vector = " + hex_number(mask, Item::carrier_codec::size * 2));
             Item::all_items([&]<class Sub>() {
                 if constexpr (Sub::optional) {
                     if (!wire::member_of<Sub::key>(object)) return true;

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -18,6 +19,13 @@ namespace jauscat::text {
         text += digits[std::to_integer<unsigned>(b) & 0xF];
     }
     return text;
+}
+
+/// `0x1AF4`: at least `digits` digits.
+[[nodiscard]] inline std::string hex_number(std::uint64_t value, std::size_t digits) {
+    std::string text;
+    for (; value != 0 || text.size() < digits; value >>= 4) text.insert(text.begin(), "0123456789ABCDEF"[value & 0xF]);
+    return "0x" + text;
 }
 
 /// Lines of 16 bytes, each with its offset, behind `indent`.

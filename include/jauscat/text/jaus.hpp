@@ -9,11 +9,10 @@
 
 namespace jauscat::text {
 
-/// The standard's name of a command code, or `command code 9999h`.
+/// The standard's name of a command code, or `command code 0x9999`.
 [[nodiscard]] inline std::string message_name(std::uint16_t command_code) {
     const auto found = std::ranges::find(jaus::catalog, command_code, &jaus::catalog_entry::command_code);
-    return found != jaus::catalog.end() ? std::string{found->name}
-                                        : detail::formatted("command code %04Xh", unsigned{command_code});
+    return found != jaus::catalog.end() ? std::string{found->name} : "command code " + hex_number(command_code, 4);
 }
 
 /// `2.1.33.1`: subsystem, node, component, instance.

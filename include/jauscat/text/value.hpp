@@ -53,7 +53,7 @@ template <class T> [[nodiscard]] std::string to_text(const T& value) {
     else if constexpr (std::is_enum_v<T>) {
         const std::string_view name = enumerator_name(value);
         const auto number = static_cast<unsigned long long>(value);
-        return name.empty() ? detail::formatted("0x%llX", number) : std::string{name};
+        return name.empty() ? hex_number(number, 1) : std::string{name};
     } else if constexpr (std::floating_point<T>)
         return detail::formatted("%.8g", static_cast<double>(value));
     else if constexpr (std::integral<T>)
@@ -72,7 +72,7 @@ template <class Item, class T> [[nodiscard]] std::string to_text(Item, const T& 
         return text;
     } else if constexpr (Item::name() == "command_code" || Item::name() == "presence_vector") {
         // Nobody reads these in decimal.
-        return detail::formatted("0x%0*llX", int{Item::max_size} * 2, static_cast<unsigned long long>(value));
+        return hex_number(value, Item::max_size * 2);
     } else {
         return to_text(value);
     }
