@@ -137,7 +137,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     [[gnu::always_inline]] static constexpr std::size_t announced(mask_type m) noexcept {
         constexpr auto& sizes = detail::sizes_by_nibble<(Items::optional ? Items::max_size : detail::always_there)...>;
         return [&]<std::size_t... Nibble>(std::index_sequence<Nibble...>) {
-            return (std::size_t{} + ... + sizes[Nibble][m >> (Nibble * 4) & 15u]);
+            return (std::size_t{} + ... + sizes[Nibble][static_cast<std::size_t>(m >> (Nibble * 4) & 15u)]);
         }
         (std::make_index_sequence<sizes.size()>{});
     }
