@@ -43,7 +43,7 @@ template <class Enum>
 requires std::is_enum_v<Enum>
 [[nodiscard]] constexpr std::string_view enumerator_name(Enum value) {
     const auto number = static_cast<std::uint64_t>(value);
-    return number < 256 ? detail::enumerator_names<Enum>[number] : std::string_view{};
+    return number < 256 ? detail::enumerator_names<Enum>[static_cast<std::size_t>(number)] : std::string_view{};
 }
 
 /// A value without its unit.
