@@ -35,8 +35,13 @@ std::string explain(const ethercat::outcome& result) {
 /// Carries messages between a UDP socket and one slave. `Table` is the translation table, `Link` the EtherCAT medium.
 template <class Table, class Link> class robot_controller {
   public:
-    robot_controller(jauscat::net::jaus_config config, Link& link, std::uint16_t station)
-        : config_{std::move(config)}, link_{link}, station_{station}, udp_{context_, config_.me().endpoint()} {}
+    robot_controller(jauscat::net::jaus_config config, Link& link, std::uint16_t station,
+                     std::chrono::milliseconds frame_timeout)
+        : config_{std::move(config)},
+          link_{link},
+          station_{station},
+          udp_{context_, config_.me().endpoint()},
+          master_{{.frame_timeout = frame_timeout}} {}
 
     /// Brings the slave to PRE-OP; tries again until `patience` is over.
     void bring_up(std::chrono::milliseconds patience) {
@@ -50,7 +55,7 @@ template <class Table, class Link> class robot_controller {
 
     /// Works until Ctrl-C.
     int serve() {
-        udp_.start([this](auto bytes, const auto& from, auto) { received(bytes, from); },
+        udp_.start([this](auto bytes, const auto& from, auto) { this->received(bytes, from); },
                    [](std::string_view problem) { std::cout << "controller: " << problem << "\n"; });
         std::cout << "controller: ready: JAUS on " << udp_.local() << ", slave " << station_
                   << " in PRE-OP (Ctrl-C ends)\n";
@@ -192,7 +197,7 @@ template <class Table, class Link> class robot_controller {
     std::uint16_t station_;
     boost::asio::io_context context_{};
     jauscat::net::udp_transport udp_;
-    ethercat::master master_{};
+    ethercat::master master_;
     bool up_{};
 };
 
@@ -207,7 +212,8 @@ int main(int argc, char** argv) {
             "this", po::value<std::string>(), "the system this controller is, instead of the file's <thissystem>")(
             "station", po::value<std::uint16_t>()->default_value(2),
             "station address and JAUS node of the slave, 1 to 254")("wait", po::value<unsigned>()->default_value(5000),
-                                                                    "milliseconds to wait for the slave at the start");
+                                                                    "milliseconds to wait for the slave at the start")(
+            "frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
         example::add_link_options(options);
         const auto values = example::parse(argc, argv, options, help);
         const auto station = values["station"].as<std::uint16_t>();
@@ -215,8 +221,9 @@ int main(int argc, char** argv) {
         return example::with_link(values, example::link_end::master, [&](auto& link, const std::string& where) {
             return example::with_table(values, [&]<class Table>() {
                 std::cout << "controller: " << where << "\n";
+                const std::chrono::milliseconds frame_timeout{values["frame-timeout"].as<unsigned>()};
                 robot_controller<Table, std::remove_cvref_t<decltype(link)>> controller{example::load_config(values),
-                                                                                        link, station};
+                                                                                        link, station, frame_timeout};
                 controller.bring_up(std::chrono::milliseconds{values["wait"].as<unsigned>()});
                 return controller.serve();
             });
