@@ -182,14 +182,17 @@ int main(int argc, char** argv) {
     return example::run("ocu", [&] {
         namespace po = boost::program_options;
         po::options_description options{"Options"};
-        options.add_options()("help", "show this text")(
-            "config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")(
-            "this", po::value<std::string>(), "the system this unit is, instead of the file's <thissystem>")(
-            "to", po::value<std::string>()->default_value("2.2.33.1"),
-            "JAUS ID of the arm")("random", po::value<std::uint32_t>(), "command random fields, from this seed")(
-            "query", "ask for all efforts, command nothing")("timeout", po::value<unsigned>()->default_value(1000),
-                                                             "milliseconds to wait for an answer")(
-            "effort", po::value<std::vector<std::string>>(), "FIELD=PERCENT; --effort itself may be left out");
+        // clang-format off
+        options.add_options()
+            ("help", "show this text")
+            ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
+            ("this", po::value<std::string>(), "the system this unit is, instead of the file's <thissystem>")
+            ("to", po::value<std::string>()->default_value("2.2.33.1"), "JAUS ID of the arm")
+            ("random", po::value<std::uint32_t>(), "command random fields, from this seed")
+            ("query", "ask for all efforts, command nothing")
+            ("timeout", po::value<unsigned>()->default_value(1000), "milliseconds to wait for an answer")
+            ("effort", po::value<std::vector<std::string>>(), "FIELD=PERCENT; --effort itself may be left out");
+        // clang-format on
         po::positional_options_description positional;
         positional.add("effort", -1);
         const auto values = example::parse(argc, argv, options, help, positional);

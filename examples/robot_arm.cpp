@@ -91,9 +91,12 @@ int main(int argc, char** argv) {
     return example::run("robot_arm", [&] {
         namespace po = boost::program_options;
         po::options_description options{"Options"};
-        options.add_options()("help", "show this text")(
-            "config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")(
-            "this", po::value<std::string>(), "the system this arm belongs to, instead of the file's <thissystem>");
+        // clang-format off
+        options.add_options()
+            ("help", "show this text")
+            ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
+            ("this", po::value<std::string>(), "the system this arm belongs to, instead of the file's <thissystem>");
+        // clang-format on
         example::add_link_options(options);
         const auto values = example::parse(argc, argv, options, help);
         return example::with_link(values, example::link_end::slave, [&](auto& link, const std::string& where) {

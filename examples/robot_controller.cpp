@@ -207,13 +207,15 @@ int main(int argc, char** argv) {
     return example::run("robot_controller", [&] {
         namespace po = boost::program_options;
         po::options_description options{"Options"};
-        options.add_options()("help", "show this text")(
-            "config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")(
-            "this", po::value<std::string>(), "the system this controller is, instead of the file's <thissystem>")(
-            "station", po::value<std::uint16_t>()->default_value(2),
-            "station address and JAUS node of the slave, 1 to 254")("wait", po::value<unsigned>()->default_value(5000),
-                                                                    "milliseconds to wait for the slave at the start")(
-            "frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
+        // clang-format off
+        options.add_options()
+            ("help", "show this text")
+            ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
+            ("this", po::value<std::string>(), "the system this controller is, instead of the file's <thissystem>")
+            ("station", po::value<std::uint16_t>()->default_value(2), "station address and JAUS node of the slave, 1 to 254")
+            ("wait", po::value<unsigned>()->default_value(5000), "milliseconds to wait for the slave at the start")
+            ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
+        // clang-format on
         example::add_link_options(options);
         const auto values = example::parse(argc, argv, options, help);
         const auto station = values["station"].as<std::uint16_t>();

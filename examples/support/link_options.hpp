@@ -7,12 +7,15 @@ namespace example {
 
 inline void add_link_options(boost::program_options::options_description& options) {
     namespace po = boost::program_options;
-    options.add_options()("link", po::value<std::string>()->default_value("udp"), "EtherCAT medium: udp or raw")(
-        "interface", po::value<std::string>(), "network interface of --link raw, for example eth0")(
-        "ethercat-host", po::value<std::string>()->default_value("127.0.0.1"), "where the slave is, for --link udp")(
-        "ethercat-port", po::value<std::uint16_t>()->default_value(jauscat::net::udp_link::ethercat_port),
-        "UDP port of the slave, for --link udp")("table", po::value<std::string>()->default_value("seed"),
-                                                 "translation table: seed or self-contained");
+    // clang-format off
+    options.add_options()
+        ("link", po::value<std::string>()->default_value("udp"), "EtherCAT medium: udp or raw")
+        ("interface", po::value<std::string>(), "network interface of --link raw, for example eth0")
+        ("ethercat-host", po::value<std::string>()->default_value("127.0.0.1"), "where the slave is, for --link udp")
+        ("ethercat-port", po::value<std::uint16_t>()->default_value(jauscat::net::udp_link::ethercat_port),
+         "UDP port of the slave, for --link udp")
+        ("table", po::value<std::string>()->default_value("seed"), "translation table: seed or self-contained");
+    // clang-format on
 }
 
 enum class link_end { master, slave };
