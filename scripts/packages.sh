@@ -32,3 +32,5 @@ boost_packages() {
 
 need_to_build() { need g++ cmake ninja-build libpugixml-dev $(boost_packages); }
 need_to_test() { need_to_build && need catch2 iproute2 tshark; }
+# clang with its sanitizers and libFuzzer, which Debian has in a package of its own.
+need_clang() { need clang && need "libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev"; }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Runs one case on the example nodes: nodes.sh BIN_FOLDER CASE. Exit code 77: skipped, with the reason printed.
+# NODE_WRAPPER is a command that every node is run by, such as valgrind: then each must also end well.
 set -uo pipefail
 bin=$1
 work=$(mktemp -d)
@@ -28,11 +29,11 @@ skip() {
 says() { grep -qF -- "$2" "$work/$1.log" || fail "$1 does not say: $2"; }
 says_not() { ! grep -qF -- "$2" "$work/$1.log" || fail "$1 says: $2"; }
 wait_for() { # NAME TEXT: until the node has said it
-    for _ in $(seq 200); do
+    for _ in $(seq 600); do
         grep -qF -- "$2" "$work/$1.log" 2>/dev/null && return
         sleep 0.05
     done
-    fail "$1 does not say within 10 seconds: $2"
+    fail "$1 does not say within 30 seconds: $2"
 }
 expect() { # CODE COMMAND...: its output goes to out.log
     local code=$1
@@ -61,23 +62,26 @@ cat >"$config" <<EOF
 EOF
 
 prefix=() # put in front of every node: a network namespace
+read -ra wrapper <<<"${NODE_WRAPPER:-}"
 link=(--ethercat-port "$slave_port")
 master_link=()
+master_options=()
+[ ${#wrapper[@]} -eq 0 ] || master_options=(--frame-timeout 1000) # what wraps the nodes may slow them down
 table=seed
 node() { # NAME LOG ARGUMENTS...
     local log=$2
-    "${prefix[@]}" "$bin/$1" --config "$config" --this b --table "$table" "${@:3}" >"$work/$log.log" 2>&1 &
+    "${prefix[@]}" "${wrapper[@]}" "$bin/$1" --config "$config" --this b --table "$table" "${@:3}" >"$work/$log.log" 2>&1 &
     pids+=($!)
     last_pid=$!
 }
 start_arm() { node robot_arm arm "${link[@]}" && wait_for arm "waiting for a master" && arm_pid=$last_pid; }
 start_controller() {
     [ ${#master_link[@]} -gt 0 ] || master_link=("${link[@]}")
-    node robot_controller controller "${master_link[@]}" && wait_for controller "controller: ready" &&
+    node robot_controller controller "${master_link[@]}" "${master_options[@]}" && wait_for controller "controller: ready" &&
         controller_pid=$last_pid
 }
 start_robot() { start_arm && start_controller; }
-expect_ocu() { expect "$1" "${prefix[@]}" "$bin/ocu" --config "$config" --this a "${@:2}"; }
+expect_ocu() { expect "$1" "${prefix[@]}" "${wrapper[@]}" "$bin/ocu" --config "$config" --this a "${@:2}"; }
 send_bytes() { # PORT HEX
     printf '%b' "$(sed 's/../\\x&/g' <<<"$2")" >"/dev/udp/127.0.0.1/$1" 2>/dev/null
 }
@@ -320,4 +324,9 @@ tshark_reads_raw_frames() {
 
 declare -F "$2" >/dev/null || fail "there is no case '$2'"
 "$2"
+if [ ${#wrapper[@]} -gt 0 ]; then
+    for pid in "${pids[@]}"; do
+        kill -TERM "$pid" && wait "$pid" || fail "a node did not end well under ${wrapper[0]}"
+    done
+fi
 echo "ok: $2"
