@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
                                   "--benchmark_min_time=0.05"};
     text.insert(text.end(), argv + 1, argv + argc);
     std::vector<char*> arguments;
+    arguments.reserve(text.size());
     for (auto& argument : text) arguments.push_back(argument.data());
     int count = static_cast<int>(arguments.size());
     benchmark::Initialize(&count, arguments.data());

@@ -3,6 +3,7 @@
 #include "support/link_options.hpp"
 #include <jauscat/ethercat/slave.hpp>
 
+#include <cmath>
 #include <iomanip>
 
 namespace {
@@ -22,7 +23,7 @@ Examples:
 /// `-100 |         ####|              | 100` for a value within its limits.
 std::string bar(double value, double min, double max) {
     constexpr int width = 40;
-    const auto column = [&](double v) { return static_cast<int>((v - min) / (max - min) * width + 0.5); };
+    const auto column = [&](double v) { return static_cast<int>(std::lround((v - min) / (max - min) * width)); };
     const int from = std::min(column(0), column(value)), to = std::max(column(0), column(value));
     std::string text(width + 1, ' ');
     for (int i = from; i <= to; ++i) text[static_cast<std::size_t>(i)] = '=';
