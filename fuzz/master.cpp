@@ -112,7 +112,7 @@ class session {
 
     input_reader in_;
     objects source_{};
-    slave device_{{.vendor = 1, .product = 2}, object_dictionary{source_}};
+    slave device_{description(0), object_dictionary{source_}};
     master master_{config};
     time_point now_{};
 };

@@ -1,7 +1,9 @@
 // Writes the inputs that fuzzing starts from, a folder per target: the golden messages, the captures and the example
 // configuration, each in the form that its target reads.
 #include "jaus/vectors.hpp"
+#include "support/objects.hpp"
 #include "support/pcap.hpp"
+#include "support/simulated_link.hpp"
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
@@ -71,6 +73,34 @@ bytes step_of(const ethercat::frame_view& frame) {
     return step;
 }
 
+// Our own master on a link that loses every third frame on its way back, so that it asks the slave to repeat its mail.
+bytes repeated_session(std::uint8_t options) {
+    fuzz::objects objects;
+    std::array devices{ethercat::slave{fuzz::description(options), ethercat::object_dictionary{objects}}};
+    test::simulated_link link{devices};
+    link.record = true;
+    ethercat::master master;
+    const auto done = [&](bool started) {
+        if (!started || !link.run(master)) throw std::runtime_error{"the simulated session fails"};
+    };
+    done(master.bring_up(0, 2));
+    int passed = 0;
+    link.on_way_back = [&](bytes& frame) {
+        if (++passed % 3 == 0) frame.clear();
+    };
+    const bytes data(8);
+    bytes into(8);
+    done(master.download(2, 0x1000, 4, data));
+    done(master.upload(2, 0x1000, 2, into));
+
+    bytes session{std::byte{options}};
+    for (const auto& frame : link.seen) {
+        ethercat::frame_view view;
+        if (view.parse(frame)) append(session, step_of(view));
+    }
+    return session;
+}
+
 void write_traffic(const std::filesystem::path& root) {
     seed_folder frames{root, "frame"}, mailbox{root, "mailbox"}, slave{root, "slave"}, master{root, "master"};
     for (const auto* capture : {"ethercat_soem_soes.pcap", "ethercat_kickcat.pcap"}) {
@@ -103,6 +133,7 @@ void write_traffic(const std::filesystem::path& root) {
                }()));
         master.add(forged);
     }
+    for (const std::uint8_t options : std::array<std::uint8_t, 3>{0, 2, 4}) slave.add(repeated_session(options));
     master.add(bytes(80));                 // all goes well
     master.add(bytes(80, std::byte{2}));   // changed
     master.add(bytes(2000, std::byte{3})); // answered with anything

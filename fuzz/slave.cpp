@@ -62,15 +62,7 @@ void check_frame(slave& device, bytes frame) {
 void fuzz::run(std::span<const std::byte> input) {
     input_reader in{input};
     objects source;
-    const auto options = in.take();
-    slave device{{.vendor = 1,
-                  .product = 2,
-                  .station_alias = static_cast<std::uint16_t>((options & 1) * 7),
-                  .mailbox_out_size = 128,
-                  .mailbox_in_offset = 0x1400,
-                  .mailbox_in_size = static_cast<std::uint16_t>(options & 2 ? min_mailbox_size : 128),
-                  .eight_byte_sii_reads = (options & 4) != 0},
-                 object_dictionary{source}};
+    slave device{description(in.take()), object_dictionary{source}};
     source.on_access = [&] { check(device.state() != al_state::init, "a slave in INIT has no mailbox"); };
     for (int step = 0; step != max_steps && !in.empty(); ++step)
         if (auto frame = next_frame(in); !frame.empty()) check_frame(device, std::move(frame));

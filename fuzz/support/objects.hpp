@@ -2,10 +2,24 @@
 #pragma once
 #include "target.hpp"
 #include <jauscat/ethercat/object_dictionary.hpp>
+#include <jauscat/ethercat/sii_image.hpp>
+#include <jauscat/schema/ethercat/mailbox.hpp>
 
 #include <functional>
 
 namespace fuzz {
+
+/// A slave like the one of the captures, with some things changed.
+inline jauscat::ethercat::slave_description description(std::uint8_t options) {
+    using namespace jauscat::ethercat;
+    return {.vendor = 1,
+            .product = 2,
+            .station_alias = static_cast<std::uint16_t>((options & 1) * 7),
+            .mailbox_out_size = 128,
+            .mailbox_in_offset = 0x1400,
+            .mailbox_in_size = static_cast<std::uint16_t>((options & 2) != 0 ? min_mailbox_size : 128),
+            .eight_byte_sii_reads = (options & 4) != 0};
+}
 
 /// Object `index`:`subindex` has 4 * subindex bytes. Odd indices cannot be written, and none above 8000h exists.
 class objects {

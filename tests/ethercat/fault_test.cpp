@@ -56,7 +56,7 @@ struct bench {
     [[nodiscard]] const bytes& stored() const { return objects.entries.at({0x6926, 1}).value; }
 
     // Calls f(datagram) for each datagram that comes back from `ado`; if it returns false the frame is lost.
-    void on_way_back(std::uint16_t ado, std::function<bool(const basic_datagram<std::byte>&)> f) {
+    void on_way_back(std::uint16_t ado, const std::function<bool(const basic_datagram<std::byte>&)>& f) {
         link.on_way_back = [ado, f](bytes& frame) {
             mutable_frame_view view;
             REQUIRE(view.parse(frame));

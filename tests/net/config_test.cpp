@@ -87,7 +87,7 @@ TEST_CASE("one file serves every system") {
 }
 
 TEST_CASE("a message goes to the system whose jausip names it best") {
-    const auto system = [](std::string name, std::string jausip) {
+    const auto system = [](const std::string& name, const std::string& jausip) {
         return "<system name='" + name + "' jausip='" + jausip + "' ip='127.0.0.1' port='1'/>";
     };
     const auto config = parse("<thissystem>one</thissystem>" + system("one", "1.0.0.0") + system("pd", "1.2.33.0") +
@@ -160,8 +160,8 @@ TEST_CASE("a file without systems, or without a valid thissystem, is refused") {
 }
 
 TEST_CASE("a system's missing, unknown, repeated or bad value is refused at its line") {
-    const auto with = [](std::string name, std::string jausip, std::string ip, std::string port,
-                         std::string more = {}) {
+    const auto with = [](const std::string& name, const std::string& jausip, const std::string& ip,
+                         const std::string& port, const std::string& more = {}) {
         return complaint_about("<system><name>" + name + "</name><jausip>" + jausip + "</jausip><ip>" + ip +
                                "</ip><port>" + port + "</port>" + more + "</system>");
     };

@@ -308,7 +308,8 @@ TEST_CASE("a message goes to the system its header names, framed as that system 
     boost::asio::io_context context;
     station here{context};
     station there{context};
-    const auto system = [](std::string name, std::string jausip, const station& at, std::string framing) {
+    const auto system = [](const std::string& name, const std::string& jausip, const station& at,
+                           const std::string& framing) {
         return "<system name='" + name + "' jausip='" + jausip + "' ip='127.0.0.1' port='" +
                std::to_string(at.transport.local().port()) + "' framing='" + framing + "'/>";
     };
