@@ -1,10 +1,27 @@
-// Platform subgroup of RA 3.3 part 3: wrench effort, travel speed, global pose.
+// Platform subgroup of RA 3.3 part 3: wrench effort, velocity, discrete devices, vectors, poses, waypoints, path
+// segments.
 #pragma once
 #include <jauscat/schema/jaus/time_stamp.hpp>
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
 
 namespace jauscat::jaus {
+
+/// Set Velocity State: moves the platform at the given velocities.
+/// Code 0404h, command class, 2 to 30 bytes. Not in RA 3.3 but an experimental message of known peers.
+struct set_velocity_state {
+    static constexpr std::uint16_t command_code = 0x0404;
+    std::optional<double> velocity_x{};           ///< metres per second, -65.534 to 65.534
+    std::optional<double> velocity_y{};           ///< metres per second, -65.534 to 65.534
+    std::optional<double> velocity_z{};           ///< metres per second, -65.534 to 65.534
+    std::optional<double> velocity_rms{};         ///< metres per second, 0 to 100
+    std::optional<double> roll_rate{};            ///< radians per second, -32.767 to 32.767
+    std::optional<double> pitch_rate{};           ///< radians per second, -32.767 to 32.767
+    std::optional<double> yaw_rate{};             ///< radians per second, -32.767 to 32.767
+    std::optional<double> rate_rms{};             ///< radians per second, 0 to pi
+    std::optional<jaus::time_stamp> time_stamp{}; ///< time of the command
+    friend constexpr bool operator==(const set_velocity_state&, const set_velocity_state&) = default;
+};
 
 /// Set Wrench Effort: drives the platform's actuators open-loop, in percent of their capability.
 /// Code 0405h, command class, 2 to 20 bytes.
@@ -25,35 +42,224 @@ struct set_wrench_effort {
     friend constexpr bool operator==(const set_wrench_effort&, const set_wrench_effort&) = default;
 };
 
-/// Set Travel Speed. Code 040Ah, command class, 2 bytes.
+/// Set Global Vector: sets speed, elevation, heading and attitude to hold.
+/// Code 0407h, command class, 1 to 13 bytes.
+struct set_global_vector {
+    static constexpr std::uint16_t command_code = 0x0407;
+    std::optional<double> desired_speed{};     ///< metres per second, 0 to 10000
+    std::optional<double> desired_elevation{}; ///< metres, -10000 to 35000
+    std::optional<double> desired_heading{};   ///< radians, -pi to pi
+    std::optional<double> desired_roll{};      ///< radians, -pi to pi
+    std::optional<double> desired_pitch{};     ///< radians, -pi to pi
+    friend constexpr bool operator==(const set_global_vector&, const set_global_vector&) = default;
+};
+
+/// Set Local Vector: sets speed and heading to hold.
+/// Code 0408h, command class, 6 bytes. The speed is a signed 32-bit scaled integer here, although it is never negative.
+struct set_local_vector {
+    static constexpr std::uint16_t command_code = 0x0408;
+    double desired_speed{};   ///< metres per second, 0 to 10000
+    double desired_heading{}; ///< radians, -pi to pi
+    friend constexpr bool operator==(const set_local_vector&, const set_local_vector&) = default;
+};
+
+/// Set Travel Speed: sets the speed to travel at.
+/// Code 040Ah, command class, 2 bytes.
 struct set_travel_speed {
     static constexpr std::uint16_t command_code = 0x040A;
     double desired_speed{}; ///< metres per second, 0 to 10000
     friend constexpr bool operator==(const set_travel_speed&, const set_travel_speed&) = default;
 };
 
-/// Query Global Pose. Code 2402h, query class, 2 bytes.
+/// Set Global Waypoint: gives a waypoint by latitude and longitude.
+/// Code 040Ch, command class, 11 to 21 bytes.
+struct set_global_waypoint {
+    static constexpr std::uint16_t command_code = 0x040C;
+    std::uint16_t waypoint_number{};       ///< which waypoint
+    double latitude{};                     ///< degrees, -90 to 90
+    double longitude{};                    ///< degrees, -180 to 180
+    std::optional<double> altitude{};      ///< metres, -10000 to 35000
+    std::optional<double> desired_roll{};  ///< radians, -pi to pi
+    std::optional<double> desired_pitch{}; ///< radians, -pi to pi
+    std::optional<double> desired_yaw{};   ///< radians, -pi to pi
+    friend constexpr bool operator==(const set_global_waypoint&, const set_global_waypoint&) = default;
+};
+
+/// Set Local Waypoint: gives a waypoint in local coordinates.
+/// Code 040Dh, command class, 11 to 21 bytes.
+struct set_local_waypoint {
+    static constexpr std::uint16_t command_code = 0x040D;
+    std::uint16_t waypoint_number{};       ///< which waypoint
+    double waypoint_x{};                   ///< metres, -100000 to 100000
+    double waypoint_y{};                   ///< metres, -100000 to 100000
+    std::optional<double> waypoint_z{};    ///< metres, -10000 to 35000
+    std::optional<double> desired_roll{};  ///< radians, -pi to pi
+    std::optional<double> desired_pitch{}; ///< radians, -pi to pi
+    std::optional<double> desired_yaw{};   ///< radians, -pi to pi
+    friend constexpr bool operator==(const set_local_waypoint&, const set_local_waypoint&) = default;
+};
+
+/// Set Global Path Segment: gives a path segment by latitude and longitude.
+/// Code 040Fh, command class, 21 to 29 bytes. Both points P1 and P2 are always there; their altitudes need not be.
+struct set_global_path_segment {
+    static constexpr std::uint16_t command_code = 0x040F;
+    std::uint16_t path_segment_number{}; ///< which path segment
+    double p1_latitude{};                ///< degrees, -90 to 90
+    double p1_longitude{};               ///< degrees, -180 to 180
+    std::optional<double> p1_altitude{}; ///< metres, -10000 to 35000
+    double p2_latitude{};                ///< degrees, -90 to 90
+    double p2_longitude{};               ///< degrees, -180 to 180
+    std::optional<double> p2_altitude{}; ///< metres, -10000 to 35000
+    double weighting_factor{};           ///< 0 to 500
+    friend constexpr bool operator==(const set_global_path_segment&, const set_global_path_segment&) = default;
+};
+
+/// Set Local Path Segment: gives a path segment in local coordinates.
+/// Code 0410h, command class, 21 to 29 bytes. Both points P1 and P2 are always there; their heights need not be.
+struct set_local_path_segment {
+    static constexpr std::uint16_t command_code = 0x0410;
+    std::uint16_t path_segment_number{}; ///< which path segment
+    double p1_x{};                       ///< metres, -100000 to 100000
+    double p1_y{};                       ///< metres, -100000 to 100000
+    std::optional<double> p1_z{};        ///< metres, -10000 to 35000
+    double p2_x{};                       ///< metres, -100000 to 100000
+    double p2_y{};                       ///< metres, -100000 to 100000
+    std::optional<double> p2_z{};        ///< metres, -10000 to 35000
+    double weighting_factor{};           ///< 0 to 500
+    friend constexpr bool operator==(const set_local_path_segment&, const set_local_path_segment&) = default;
+};
+
+/// Query Platform Specifications: asks for size, balance and limits of the platform.
+/// Code 2400h, query class, 4 bytes.
+struct query_platform_specifications {
+    static constexpr std::uint16_t command_code = 0x2400;
+    std::uint32_t presence_vector{}; ///< the fields of Report Platform Specifications that are asked for
+    friend constexpr bool operator==(const query_platform_specifications&,
+                                     const query_platform_specifications&) = default;
+};
+
+/// Query Platform Operational Data: asks for the gauges of the platform.
+/// Code 2401h, query class, 1 byte.
+struct query_platform_operational_data {
+    static constexpr std::uint16_t command_code = 0x2401;
+    std::uint8_t presence_vector{}; ///< the fields of Report Platform Operational Data that are asked for
+    friend constexpr bool operator==(const query_platform_operational_data&,
+                                     const query_platform_operational_data&) = default;
+};
+
+/// Query Global Pose: asks for position by latitude and longitude, and attitude.
+/// Code 2402h, query class, 2 bytes.
 struct query_global_pose {
     static constexpr std::uint16_t command_code = 0x2402;
     std::uint16_t presence_vector{}; ///< the fields of Report Global Pose that are asked for
     friend constexpr bool operator==(const query_global_pose&, const query_global_pose&) = default;
 };
 
-/// Query Wrench Effort. Code 2405h, query class, 2 bytes.
+/// Query Local Pose: asks for position and attitude in local coordinates.
+/// Code 2403h, query class, 2 bytes.
+struct query_local_pose {
+    static constexpr std::uint16_t command_code = 0x2403;
+    std::uint16_t presence_vector{}; ///< the fields of Report Local Pose that are asked for
+    friend constexpr bool operator==(const query_local_pose&, const query_local_pose&) = default;
+};
+
+/// Query Velocity State: asks for the velocities of the platform.
+/// Code 2404h, query class, 2 bytes.
+struct query_velocity_state {
+    static constexpr std::uint16_t command_code = 0x2404;
+    std::uint16_t presence_vector{}; ///< the fields of Report Velocity State that are asked for
+    friend constexpr bool operator==(const query_velocity_state&, const query_velocity_state&) = default;
+};
+
+/// Query Wrench Effort: asks for the efforts in force.
+/// Code 2405h, query class, 2 bytes.
 struct query_wrench_effort {
     static constexpr std::uint16_t command_code = 0x2405;
     std::uint16_t presence_vector{}; ///< the fields of Report Wrench Effort that are asked for
     friend constexpr bool operator==(const query_wrench_effort&, const query_wrench_effort&) = default;
 };
 
-/// Query Travel Speed. Code 240Ah, query class, no body.
+/// Query Discrete Devices: asks for the state of engine, brake, horn, gear and transfer case.
+/// Code 2406h, query class, 1 byte.
+struct query_discrete_devices {
+    static constexpr std::uint16_t command_code = 0x2406;
+    std::uint8_t presence_vector{}; ///< the fields of Report Discrete Devices that are asked for
+    friend constexpr bool operator==(const query_discrete_devices&, const query_discrete_devices&) = default;
+};
+
+/// Query Global Vector: asks for the global vector in force.
+/// Code 2407h, query class, 1 byte.
+struct query_global_vector {
+    static constexpr std::uint16_t command_code = 0x2407;
+    std::uint8_t presence_vector{}; ///< the fields of Report Global Vector that are asked for
+    friend constexpr bool operator==(const query_global_vector&, const query_global_vector&) = default;
+};
+
+/// Query Local Vector: asks for the local vector in force.
+/// Code 2408h, query class, no body.
+struct query_local_vector {
+    static constexpr std::uint16_t command_code = 0x2408;
+    friend constexpr bool operator==(const query_local_vector&, const query_local_vector&) = default;
+};
+
+/// Query Travel Speed: asks for the speed to travel at.
+/// Code 240Ah, query class, no body.
 struct query_travel_speed {
     static constexpr std::uint16_t command_code = 0x240A;
     friend constexpr bool operator==(const query_travel_speed&, const query_travel_speed&) = default;
 };
 
-/// Report Global Pose. Code 4402h, inform class, 2 to 30 bytes. Peers are known to set presence bit 9 and to append two
-/// bytes that RA 3.3 does not define; they are dropped.
+/// Query Waypoint Count: asks how many waypoints there are.
+/// Code 240Bh, query class, no body.
+struct query_waypoint_count {
+    static constexpr std::uint16_t command_code = 0x240B;
+    friend constexpr bool operator==(const query_waypoint_count&, const query_waypoint_count&) = default;
+};
+
+/// Query Global Waypoint: asks for a waypoint by latitude and longitude.
+/// Code 240Ch, query class, 2 bytes.
+struct query_global_waypoint {
+    static constexpr std::uint16_t command_code = 0x240C;
+    std::uint16_t waypoint_number{}; ///< which waypoint
+    friend constexpr bool operator==(const query_global_waypoint&, const query_global_waypoint&) = default;
+};
+
+/// Query Local Waypoint: asks for a waypoint in local coordinates.
+/// Code 240Dh, query class, 2 bytes.
+struct query_local_waypoint {
+    static constexpr std::uint16_t command_code = 0x240D;
+    std::uint16_t waypoint_number{}; ///< which waypoint
+    friend constexpr bool operator==(const query_local_waypoint&, const query_local_waypoint&) = default;
+};
+
+/// Query Path Segment Count: asks how many path segments there are.
+/// Code 240Eh, query class, no body.
+struct query_path_segment_count {
+    static constexpr std::uint16_t command_code = 0x240E;
+    friend constexpr bool operator==(const query_path_segment_count&, const query_path_segment_count&) = default;
+};
+
+/// Query Global Path Segment: asks for a path segment by latitude and longitude.
+/// Code 240Fh, query class, 3 bytes. The number comes first here, unlike in the report.
+struct query_global_path_segment {
+    static constexpr std::uint16_t command_code = 0x240F;
+    std::uint16_t path_segment_number{}; ///< which path segment
+    std::uint8_t presence_vector{};      ///< the fields of Report Global Path Segment that are asked for
+    friend constexpr bool operator==(const query_global_path_segment&, const query_global_path_segment&) = default;
+};
+
+/// Query Local Path Segment: asks for a path segment in local coordinates.
+/// Code 2410h, query class, 3 bytes. The number comes first here, unlike in the report.
+struct query_local_path_segment {
+    static constexpr std::uint16_t command_code = 0x2410;
+    std::uint16_t path_segment_number{}; ///< which path segment
+    std::uint8_t presence_vector{};      ///< the fields of Report Local Path Segment that are asked for
+    friend constexpr bool operator==(const query_local_path_segment&, const query_local_path_segment&) = default;
+};
+
+/// Report Global Pose: position by latitude and longitude, and attitude.
+/// Code 4402h, inform class, 2 to 30 bytes. Peers are known to set presence bit 9 and to append two bytes that RA 3.3
+/// does not define; they are dropped.
 struct report_global_pose {
     static constexpr std::uint16_t command_code = 0x4402;
     std::optional<double> latitude{};             ///< degrees (WGS 84), -90 to 90
@@ -66,6 +272,39 @@ struct report_global_pose {
     std::optional<double> attitude_rms{};         ///< radians, 0 to pi
     std::optional<jaus::time_stamp> time_stamp{}; ///< time of the measurement
     friend constexpr bool operator==(const report_global_pose&, const report_global_pose&) = default;
+};
+
+/// Report Local Pose: position and attitude in local coordinates.
+/// Code 4403h, inform class, 2 to 30 bytes.
+struct report_local_pose {
+    static constexpr std::uint16_t command_code = 0x4403;
+    std::optional<double> x{};                    ///< metres, -100000 to 100000
+    std::optional<double> y{};                    ///< metres, -100000 to 100000
+    std::optional<double> z{};                    ///< metres, -10000 to 35000
+    std::optional<double> position_rms{};         ///< metres, 0 to 100
+    std::optional<double> roll{};                 ///< radians, -pi to pi
+    std::optional<double> pitch{};                ///< radians, -pi to pi
+    std::optional<double> yaw{};                  ///< radians, -pi to pi
+    std::optional<double> attitude_rms{};         ///< radians, 0 to pi
+    std::optional<jaus::time_stamp> time_stamp{}; ///< time of the measurement
+    friend constexpr bool operator==(const report_local_pose&, const report_local_pose&) = default;
+};
+
+/// Report Velocity State: the velocities of the platform.
+/// Code 4404h, inform class, 2 to 30 bytes. Peers are known to set presence bit 9 and to append two bytes that RA 3.3
+/// does not define; they are dropped. Others send Velocity RMS in two bytes; RA 3.3 has four.
+struct report_velocity_state {
+    static constexpr std::uint16_t command_code = 0x4404;
+    std::optional<double> velocity_x{};           ///< metres per second, -65.534 to 65.534
+    std::optional<double> velocity_y{};           ///< metres per second, -65.534 to 65.534
+    std::optional<double> velocity_z{};           ///< metres per second, -65.534 to 65.534
+    std::optional<double> velocity_rms{};         ///< metres per second, 0 to 100
+    std::optional<double> roll_rate{};            ///< radians per second, -32.767 to 32.767
+    std::optional<double> pitch_rate{};           ///< radians per second, -32.767 to 32.767
+    std::optional<double> yaw_rate{};             ///< radians per second, -32.767 to 32.767
+    std::optional<double> rate_rms{};             ///< radians per second, 0 to pi
+    std::optional<jaus::time_stamp> time_stamp{}; ///< time of the measurement
+    friend constexpr bool operator==(const report_velocity_state&, const report_velocity_state&) = default;
 };
 
 /// Report Wrench Effort: the efforts in force.
@@ -87,11 +326,107 @@ struct report_wrench_effort {
     friend constexpr bool operator==(const report_wrench_effort&, const report_wrench_effort&) = default;
 };
 
-/// Report Travel Speed. Code 440Ah, inform class, 2 bytes.
+/// Report Global Vector: the global vector in force.
+/// Code 4407h, inform class, 1 to 13 bytes.
+struct report_global_vector {
+    static constexpr std::uint16_t command_code = 0x4407;
+    std::optional<double> desired_speed{};     ///< metres per second, 0 to 10000
+    std::optional<double> desired_elevation{}; ///< metres, -10000 to 35000
+    std::optional<double> desired_heading{};   ///< radians, -pi to pi
+    std::optional<double> desired_roll{};      ///< radians, -pi to pi
+    std::optional<double> desired_pitch{};     ///< radians, -pi to pi
+    friend constexpr bool operator==(const report_global_vector&, const report_global_vector&) = default;
+};
+
+/// Report Local Vector: the local vector in force.
+/// Code 4408h, inform class, 6 bytes. The speed is a signed 32-bit scaled integer here, although it is never negative.
+struct report_local_vector {
+    static constexpr std::uint16_t command_code = 0x4408;
+    double desired_speed{};   ///< metres per second, 0 to 10000
+    double desired_heading{}; ///< radians, -pi to pi
+    friend constexpr bool operator==(const report_local_vector&, const report_local_vector&) = default;
+};
+
+/// Report Travel Speed: the speed to travel at.
+/// Code 440Ah, inform class, 2 bytes.
 struct report_travel_speed {
     static constexpr std::uint16_t command_code = 0x440A;
     double desired_speed{}; ///< metres per second, 0 to 10000
     friend constexpr bool operator==(const report_travel_speed&, const report_travel_speed&) = default;
+};
+
+/// Report Waypoint Count: how many waypoints there are.
+/// Code 440Bh, inform class, 2 bytes.
+struct report_waypoint_count {
+    static constexpr std::uint16_t command_code = 0x440B;
+    std::uint16_t waypoint_count{}; ///< waypoints
+    friend constexpr bool operator==(const report_waypoint_count&, const report_waypoint_count&) = default;
+};
+
+/// Report Global Waypoint: a waypoint by latitude and longitude.
+/// Code 440Ch, inform class, 11 to 21 bytes.
+struct report_global_waypoint {
+    static constexpr std::uint16_t command_code = 0x440C;
+    std::uint16_t waypoint_number{};       ///< which waypoint
+    double latitude{};                     ///< degrees, -90 to 90
+    double longitude{};                    ///< degrees, -180 to 180
+    std::optional<double> altitude{};      ///< metres, -10000 to 35000
+    std::optional<double> desired_roll{};  ///< radians, -pi to pi
+    std::optional<double> desired_pitch{}; ///< radians, -pi to pi
+    std::optional<double> desired_yaw{};   ///< radians, -pi to pi
+    friend constexpr bool operator==(const report_global_waypoint&, const report_global_waypoint&) = default;
+};
+
+/// Report Local Waypoint: a waypoint in local coordinates.
+/// Code 440Dh, inform class, 11 to 21 bytes.
+struct report_local_waypoint {
+    static constexpr std::uint16_t command_code = 0x440D;
+    std::uint16_t waypoint_number{};       ///< which waypoint
+    double waypoint_x{};                   ///< metres, -100000 to 100000
+    double waypoint_y{};                   ///< metres, -100000 to 100000
+    std::optional<double> waypoint_z{};    ///< metres, -10000 to 35000
+    std::optional<double> desired_roll{};  ///< radians, -pi to pi
+    std::optional<double> desired_pitch{}; ///< radians, -pi to pi
+    std::optional<double> desired_yaw{};   ///< radians, -pi to pi
+    friend constexpr bool operator==(const report_local_waypoint&, const report_local_waypoint&) = default;
+};
+
+/// Report Path Segment Count: how many path segments there are.
+/// Code 440Eh, inform class, 2 bytes.
+struct report_path_segment_count {
+    static constexpr std::uint16_t command_code = 0x440E;
+    std::uint16_t path_segment_count{}; ///< path segments
+    friend constexpr bool operator==(const report_path_segment_count&, const report_path_segment_count&) = default;
+};
+
+/// Report Global Path Segment: a path segment by latitude and longitude.
+/// Code 440Fh, inform class, 21 to 29 bytes.
+struct report_global_path_segment {
+    static constexpr std::uint16_t command_code = 0x440F;
+    std::uint16_t path_segment_number{}; ///< which path segment
+    double p1_latitude{};                ///< degrees, -90 to 90
+    double p1_longitude{};               ///< degrees, -180 to 180
+    std::optional<double> p1_altitude{}; ///< metres, -10000 to 35000
+    double p2_latitude{};                ///< degrees, -90 to 90
+    double p2_longitude{};               ///< degrees, -180 to 180
+    std::optional<double> p2_altitude{}; ///< metres, -10000 to 35000
+    double weighting_factor{};           ///< 0 to 500
+    friend constexpr bool operator==(const report_global_path_segment&, const report_global_path_segment&) = default;
+};
+
+/// Report Local Path Segment: a path segment in local coordinates.
+/// Code 4410h, inform class, 21 to 29 bytes.
+struct report_local_path_segment {
+    static constexpr std::uint16_t command_code = 0x4410;
+    std::uint16_t path_segment_number{}; ///< which path segment
+    double p1_x{};                       ///< metres, -100000 to 100000
+    double p1_y{};                       ///< metres, -100000 to 100000
+    std::optional<double> p1_z{};        ///< metres, -10000 to 35000
+    double p2_x{};                       ///< metres, -100000 to 100000
+    double p2_y{};                       ///< metres, -100000 to 100000
+    std::optional<double> p2_z{};        ///< metres, -10000 to 35000
+    double weighting_factor{};           ///< 0 to 500
+    friend constexpr bool operator==(const report_local_path_segment&, const report_local_path_segment&) = default;
 };
 
 } // namespace jauscat::jaus
@@ -99,6 +434,21 @@ struct report_travel_speed {
 // One line per field, as in the standard's table.
 // clang-format off
 namespace jauscat {
+
+template <> struct wire::schema<jaus::set_velocity_state> {
+    using T = jaus::set_velocity_state;
+    using type = layout<
+        presence<u16le,
+            field<&T::velocity_x, scaled<i32le, jaus::velocity_range>>,
+            field<&T::velocity_y, scaled<i32le, jaus::velocity_range>>,
+            field<&T::velocity_z, scaled<i32le, jaus::velocity_range>>,
+            field<&T::velocity_rms, scaled<u32le, jaus::velocity_error>>,
+            field<&T::roll_rate, scaled<i16le, jaus::angular_rate>>,
+            field<&T::pitch_rate, scaled<i16le, jaus::angular_rate>>,
+            field<&T::yaw_rate, scaled<i16le, jaus::angular_rate>>,
+            field<&T::rate_rms, scaled<u16le, jaus::angular_rate_error>>,
+            nested<&T::time_stamp>>>;
+};
 
 template <> struct wire::schema<jaus::set_wrench_effort> {
     using T = jaus::set_wrench_effort;
@@ -118,13 +468,105 @@ template <> struct wire::schema<jaus::set_wrench_effort> {
             field<&T::resistive_rotational_effort_z, scaled<u8, jaus::percent>>>>;
 };
 
+template <> struct wire::schema<jaus::set_global_vector> {
+    using T = jaus::set_global_vector;
+    using type = layout<
+        presence<u8,
+            field<&T::desired_speed, scaled<u16le, jaus::speed_limit>>,
+            field<&T::desired_elevation, scaled<i32le, jaus::elevation_range>>,
+            field<&T::desired_heading, scaled<i16le, jaus::signed_angle>>,
+            field<&T::desired_roll, scaled<i16le, jaus::signed_angle>>,
+            field<&T::desired_pitch, scaled<i16le, jaus::signed_angle>>>>;
+};
+
+template <> struct wire::schema<jaus::set_local_vector> {
+    using T = jaus::set_local_vector;
+    using type = layout<
+        field<&T::desired_speed, scaled<i32le, jaus::speed_limit>>,
+        field<&T::desired_heading, scaled<i16le, jaus::signed_angle>>>;
+};
+
 template <> struct wire::schema<jaus::set_travel_speed> {
     using T = jaus::set_travel_speed;
     using type = layout<field<&T::desired_speed, scaled<u16le, jaus::speed_limit>>>;
 };
 
+template <> struct wire::schema<jaus::set_global_waypoint> {
+    using T = jaus::set_global_waypoint;
+    using type = layout<
+        presence<u8,
+            field<&T::waypoint_number, u16le>,
+            field<&T::latitude, scaled<i32le, jaus::latitude_range>>,
+            field<&T::longitude, scaled<i32le, jaus::longitude_range>>,
+            field<&T::altitude, scaled<i32le, jaus::elevation_range>>,
+            field<&T::desired_roll, scaled<i16le, jaus::signed_angle>>,
+            field<&T::desired_pitch, scaled<i16le, jaus::signed_angle>>,
+            field<&T::desired_yaw, scaled<i16le, jaus::signed_angle>>>>;
+};
+
+template <> struct wire::schema<jaus::set_local_waypoint> {
+    using T = jaus::set_local_waypoint;
+    using type = layout<
+        presence<u8,
+            field<&T::waypoint_number, u16le>,
+            field<&T::waypoint_x, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::waypoint_y, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::waypoint_z, scaled<i32le, jaus::elevation_range>>,
+            field<&T::desired_roll, scaled<i16le, jaus::signed_angle>>,
+            field<&T::desired_pitch, scaled<i16le, jaus::signed_angle>>,
+            field<&T::desired_yaw, scaled<i16le, jaus::signed_angle>>>>;
+};
+
+template <> struct wire::schema<jaus::set_global_path_segment> {
+    using T = jaus::set_global_path_segment;
+    using type = layout<
+        presence<u8,
+            field<&T::path_segment_number, u16le>,
+            field<&T::p1_latitude, scaled<i32le, jaus::latitude_range>>,
+            field<&T::p1_longitude, scaled<i32le, jaus::longitude_range>>,
+            field<&T::p1_altitude, scaled<i32le, jaus::elevation_range>>,
+            field<&T::p2_latitude, scaled<i32le, jaus::latitude_range>>,
+            field<&T::p2_longitude, scaled<i32le, jaus::longitude_range>>,
+            field<&T::p2_altitude, scaled<i32le, jaus::elevation_range>>,
+            field<&T::weighting_factor, scaled<u16le, jaus::path_weight>>>>;
+};
+
+template <> struct wire::schema<jaus::set_local_path_segment> {
+    using T = jaus::set_local_path_segment;
+    using type = layout<
+        presence<u8,
+            field<&T::path_segment_number, u16le>,
+            field<&T::p1_x, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::p1_y, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::p1_z, scaled<i32le, jaus::elevation_range>>,
+            field<&T::p2_x, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::p2_y, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::p2_z, scaled<i32le, jaus::elevation_range>>,
+            field<&T::weighting_factor, scaled<u16le, jaus::path_weight>>>>;
+};
+
+template <> struct wire::schema<jaus::query_platform_specifications> {
+    using T = jaus::query_platform_specifications;
+    using type = layout<field<&T::presence_vector, u32le>>;
+};
+
+template <> struct wire::schema<jaus::query_platform_operational_data> {
+    using T = jaus::query_platform_operational_data;
+    using type = layout<field<&T::presence_vector, u8>>;
+};
+
 template <> struct wire::schema<jaus::query_global_pose> {
     using T = jaus::query_global_pose;
+    using type = layout<field<&T::presence_vector, u16le>>;
+};
+
+template <> struct wire::schema<jaus::query_local_pose> {
+    using T = jaus::query_local_pose;
+    using type = layout<field<&T::presence_vector, u16le>>;
+};
+
+template <> struct wire::schema<jaus::query_velocity_state> {
+    using T = jaus::query_velocity_state;
     using type = layout<field<&T::presence_vector, u16le>>;
 };
 
@@ -133,7 +575,47 @@ template <> struct wire::schema<jaus::query_wrench_effort> {
     using type = layout<field<&T::presence_vector, u16le>>;
 };
 
+template <> struct wire::schema<jaus::query_discrete_devices> {
+    using T = jaus::query_discrete_devices;
+    using type = layout<field<&T::presence_vector, u8>>;
+};
+
+template <> struct wire::schema<jaus::query_global_vector> {
+    using T = jaus::query_global_vector;
+    using type = layout<field<&T::presence_vector, u8>>;
+};
+
+template <> struct wire::schema<jaus::query_local_vector> { using type = layout<>; };
+
 template <> struct wire::schema<jaus::query_travel_speed> { using type = layout<>; };
+
+template <> struct wire::schema<jaus::query_waypoint_count> { using type = layout<>; };
+
+template <> struct wire::schema<jaus::query_global_waypoint> {
+    using T = jaus::query_global_waypoint;
+    using type = layout<field<&T::waypoint_number, u16le>>;
+};
+
+template <> struct wire::schema<jaus::query_local_waypoint> {
+    using T = jaus::query_local_waypoint;
+    using type = layout<field<&T::waypoint_number, u16le>>;
+};
+
+template <> struct wire::schema<jaus::query_path_segment_count> { using type = layout<>; };
+
+template <> struct wire::schema<jaus::query_global_path_segment> {
+    using T = jaus::query_global_path_segment;
+    using type = layout<
+        field<&T::path_segment_number, u16le>,
+        field<&T::presence_vector, u8>>;
+};
+
+template <> struct wire::schema<jaus::query_local_path_segment> {
+    using T = jaus::query_local_path_segment;
+    using type = layout<
+        field<&T::path_segment_number, u16le>,
+        field<&T::presence_vector, u8>>;
+};
 
 template <> struct wire::schema<jaus::report_global_pose> {
     using T = jaus::report_global_pose;
@@ -147,6 +629,36 @@ template <> struct wire::schema<jaus::report_global_pose> {
             field<&T::pitch, scaled<i16le, jaus::signed_angle>>,
             field<&T::yaw, scaled<i16le, jaus::signed_angle>>,
             field<&T::attitude_rms, scaled<u16le, jaus::positive_angle>>,
+            nested<&T::time_stamp>>>;
+};
+
+template <> struct wire::schema<jaus::report_local_pose> {
+    using T = jaus::report_local_pose;
+    using type = layout<
+        presence<u16le,
+            field<&T::x, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::y, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::z, scaled<i32le, jaus::elevation_range>>,
+            field<&T::position_rms, scaled<u32le, jaus::position_error>>,
+            field<&T::roll, scaled<i16le, jaus::signed_angle>>,
+            field<&T::pitch, scaled<i16le, jaus::signed_angle>>,
+            field<&T::yaw, scaled<i16le, jaus::signed_angle>>,
+            field<&T::attitude_rms, scaled<u16le, jaus::positive_angle>>,
+            nested<&T::time_stamp>>>;
+};
+
+template <> struct wire::schema<jaus::report_velocity_state> {
+    using T = jaus::report_velocity_state;
+    using type = layout<
+        open_presence<u16le,
+            field<&T::velocity_x, scaled<i32le, jaus::velocity_range>>,
+            field<&T::velocity_y, scaled<i32le, jaus::velocity_range>>,
+            field<&T::velocity_z, scaled<i32le, jaus::velocity_range>>,
+            field<&T::velocity_rms, scaled<u32le, jaus::velocity_error>>,
+            field<&T::roll_rate, scaled<i16le, jaus::angular_rate>>,
+            field<&T::pitch_rate, scaled<i16le, jaus::angular_rate>>,
+            field<&T::yaw_rate, scaled<i16le, jaus::angular_rate>>,
+            field<&T::rate_rms, scaled<u16le, jaus::angular_rate_error>>,
             nested<&T::time_stamp>>>;
 };
 
@@ -168,9 +680,91 @@ template <> struct wire::schema<jaus::report_wrench_effort> {
             field<&T::resistive_rotational_effort_z, scaled<u8, jaus::percent>>>>;
 };
 
+template <> struct wire::schema<jaus::report_global_vector> {
+    using T = jaus::report_global_vector;
+    using type = layout<
+        presence<u8,
+            field<&T::desired_speed, scaled<u16le, jaus::speed_limit>>,
+            field<&T::desired_elevation, scaled<i32le, jaus::elevation_range>>,
+            field<&T::desired_heading, scaled<i16le, jaus::signed_angle>>,
+            field<&T::desired_roll, scaled<i16le, jaus::signed_angle>>,
+            field<&T::desired_pitch, scaled<i16le, jaus::signed_angle>>>>;
+};
+
+template <> struct wire::schema<jaus::report_local_vector> {
+    using T = jaus::report_local_vector;
+    using type = layout<
+        field<&T::desired_speed, scaled<i32le, jaus::speed_limit>>,
+        field<&T::desired_heading, scaled<i16le, jaus::signed_angle>>>;
+};
+
 template <> struct wire::schema<jaus::report_travel_speed> {
     using T = jaus::report_travel_speed;
     using type = layout<field<&T::desired_speed, scaled<u16le, jaus::speed_limit>>>;
+};
+
+template <> struct wire::schema<jaus::report_waypoint_count> {
+    using T = jaus::report_waypoint_count;
+    using type = layout<field<&T::waypoint_count, u16le>>;
+};
+
+template <> struct wire::schema<jaus::report_global_waypoint> {
+    using T = jaus::report_global_waypoint;
+    using type = layout<
+        presence<u8,
+            field<&T::waypoint_number, u16le>,
+            field<&T::latitude, scaled<i32le, jaus::latitude_range>>,
+            field<&T::longitude, scaled<i32le, jaus::longitude_range>>,
+            field<&T::altitude, scaled<i32le, jaus::elevation_range>>,
+            field<&T::desired_roll, scaled<i16le, jaus::signed_angle>>,
+            field<&T::desired_pitch, scaled<i16le, jaus::signed_angle>>,
+            field<&T::desired_yaw, scaled<i16le, jaus::signed_angle>>>>;
+};
+
+template <> struct wire::schema<jaus::report_local_waypoint> {
+    using T = jaus::report_local_waypoint;
+    using type = layout<
+        presence<u8,
+            field<&T::waypoint_number, u16le>,
+            field<&T::waypoint_x, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::waypoint_y, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::waypoint_z, scaled<i32le, jaus::elevation_range>>,
+            field<&T::desired_roll, scaled<i16le, jaus::signed_angle>>,
+            field<&T::desired_pitch, scaled<i16le, jaus::signed_angle>>,
+            field<&T::desired_yaw, scaled<i16le, jaus::signed_angle>>>>;
+};
+
+template <> struct wire::schema<jaus::report_path_segment_count> {
+    using T = jaus::report_path_segment_count;
+    using type = layout<field<&T::path_segment_count, u16le>>;
+};
+
+template <> struct wire::schema<jaus::report_global_path_segment> {
+    using T = jaus::report_global_path_segment;
+    using type = layout<
+        presence<u8,
+            field<&T::path_segment_number, u16le>,
+            field<&T::p1_latitude, scaled<i32le, jaus::latitude_range>>,
+            field<&T::p1_longitude, scaled<i32le, jaus::longitude_range>>,
+            field<&T::p1_altitude, scaled<i32le, jaus::elevation_range>>,
+            field<&T::p2_latitude, scaled<i32le, jaus::latitude_range>>,
+            field<&T::p2_longitude, scaled<i32le, jaus::longitude_range>>,
+            field<&T::p2_altitude, scaled<i32le, jaus::elevation_range>>,
+            field<&T::weighting_factor, scaled<u16le, jaus::path_weight>>>>;
+};
+
+template <> struct wire::schema<jaus::report_local_path_segment> {
+    using T = jaus::report_local_path_segment;
+    using type = layout<
+        presence<u8,
+            field<&T::path_segment_number, u16le>,
+            field<&T::p1_x, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::p1_y, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::p1_z, scaled<i32le, jaus::elevation_range>>,
+            field<&T::p2_x, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::p2_y, scaled<i32le, jaus::local_coordinate>>,
+            field<&T::p2_z, scaled<i32le, jaus::elevation_range>>,
+            field<&T::weighting_factor, scaled<u16le, jaus::path_weight>>>>;
 };
 
 } // namespace jauscat
