@@ -1,4 +1,4 @@
-// The time stamp of pose and velocity reports. RA 3.3 part 3, time stamp format.
+// The stamps of reports and of the core subgroup's clock messages. RA 3.3 part 3, time stamp and date stamp formats.
 #pragma once
 #include <jauscat/wire/schema.hpp>
 
@@ -12,6 +12,14 @@ struct time_stamp {
     std::uint8_t hours{};         ///< 0 to 23
     std::uint8_t day{};           ///< 1 to 31
     friend constexpr bool operator==(const time_stamp&, const time_stamp&) = default;
+};
+
+/// Date. 2 bytes. Some peers count months from 0, or years from 1920 (2008 as 88).
+struct date_stamp {
+    std::uint8_t day{};   ///< 1 to 31
+    std::uint8_t month{}; ///< 1 to 12
+    std::uint8_t year{};  ///< 0 to 127, counted from 2000
+    friend constexpr bool operator==(const date_stamp&, const date_stamp&) = default;
 };
 
 } // namespace jauscat::jaus
@@ -29,6 +37,15 @@ template <> struct wire::schema<jaus::time_stamp> {
             bit<&T::minutes, 6>,
             bit<&T::hours, 5>,
             bit<&T::day, 5>>>;
+};
+
+template <> struct wire::schema<jaus::date_stamp> {
+    using T = jaus::date_stamp;
+    using type = layout<
+        bits<u16le,
+            bit<&T::day, 5>,
+            bit<&T::month, 4>,
+            bit<&T::year, 7>>>;
 };
 
 } // namespace jauscat
