@@ -1,0 +1,171 @@
+// Planning subgroup of RA 3.3 part 3: missions of JAUS messages that a Mission Spooler keeps and sends.
+#pragma once
+#include <jauscat/schema/jaus/header.hpp>
+#include <jauscat/wire/schema.hpp>
+
+namespace jauscat::jaus {
+
+/// Run Mission: starts a spooled mission. Code 0E01h, command class, 2 bytes.
+struct run_mission {
+    static constexpr std::uint16_t command_code = 0x0E01;
+    std::uint16_t mission_id{}; ///< the mission to start
+    friend constexpr bool operator==(const run_mission&, const run_mission&) = default;
+};
+
+/// Abort Mission: ends a mission or one of its tasks. Code 0E02h, command class, 4 bytes.
+struct abort_mission {
+    static constexpr std::uint16_t command_code = 0x0E02;
+    std::uint16_t mission_id{}; ///< the mission
+    std::uint16_t task_id{};    ///< the task, 0 for the whole mission
+    friend constexpr bool operator==(const abort_mission&, const abort_mission&) = default;
+};
+
+/// Pause Mission: holds a mission or one of its tasks. Code 0E03h, command class, 4 bytes.
+struct pause_mission {
+    static constexpr std::uint16_t command_code = 0x0E03;
+    std::uint16_t mission_id{}; ///< the mission
+    std::uint16_t task_id{};    ///< the task, 0 for the whole mission
+    friend constexpr bool operator==(const pause_mission&, const pause_mission&) = default;
+};
+
+/// Resume Mission: lets a paused mission or task go on. Code 0E04h, command class, 4 bytes.
+struct resume_mission {
+    static constexpr std::uint16_t command_code = 0x0E04;
+    std::uint16_t mission_id{}; ///< the mission
+    std::uint16_t task_id{};    ///< the task, 0 for the whole mission
+    friend constexpr bool operator==(const resume_mission&, const resume_mission&) = default;
+};
+
+/// Query Spooling Preference. Code 2E00h, query class, no body.
+struct query_spooling_preference {
+    static constexpr std::uint16_t command_code = 0x2E00;
+    friend constexpr bool operator==(const query_spooling_preference&, const query_spooling_preference&) = default;
+};
+
+/// Type of Query Mission Status and Report Mission Status: what the status is of.
+enum class mission_status_type : std::uint8_t {
+    mission = 0,
+    task = 1,
+    message = 2,
+};
+
+/// Query Mission Status. Code 2E01h, query class, 8 bytes. Whether the presence vector gates the three IDs is open;
+/// they are always sent here, as the peer does.
+struct query_mission_status {
+    static constexpr std::uint16_t command_code = 0x2E01;
+    std::uint8_t presence_vector{};   ///< bit 0 Mission ID, 1 Task ID, 2 Message UID
+    jaus::mission_status_type type{}; ///< what the status is asked of
+    std::uint16_t mission_id{};       ///< the mission
+    std::uint16_t task_id{};          ///< the task
+    std::uint16_t message_uid{};      ///< the message
+    friend constexpr bool operator==(const query_mission_status&, const query_mission_status&) = default;
+};
+
+/// Spooling Preference Type of Report Spooling Preference.
+enum class spooling_preference_type : std::uint8_t {
+    message_count = 0,
+    distance = 1,
+    time = 2,
+};
+
+/// Report Spooling Preference: how far ahead a spooler is to send messages.
+/// Code 4E00h, inform class, 5 bytes.
+struct report_spooling_preference {
+    static constexpr std::uint16_t command_code = 0x4E00;
+    jaus::spooling_preference_type spooling_preference_type{}; ///< what data counts
+    std::int32_t data{};                                       ///< messages, metres or seconds, by the type
+    friend constexpr bool operator==(const report_spooling_preference&, const report_spooling_preference&) = default;
+};
+
+/// Status of Report Mission Status.
+enum class mission_status : std::uint8_t {
+    spooling = 0,
+    pending = 1,
+    paused = 2,
+    aborted = 3,
+    finished = 4,
+};
+
+/// Secondary Status of Report Mission Status.
+enum class mission_secondary_status : std::uint8_t {
+    non_error_condition = 0,
+    lost_component_control = 1,
+    tolerance_not_met = 2,
+};
+
+/// Report Mission Status: how far a mission, a task or a message is.
+/// Code 4E01h, inform class, 9 bytes.
+struct report_mission_status {
+    static constexpr std::uint16_t command_code = 0x4E01;
+    jaus::mission_status_type type{};                  ///< what the status is of
+    jaus::mission_status status{};                     ///< how far it is
+    jaus::mission_secondary_status secondary_status{}; ///< why
+    std::uint16_t mission_id{};                        ///< the mission
+    std::uint16_t task_id{};                           ///< the task
+    std::uint16_t message_uid{};                       ///< the message
+    friend constexpr bool operator==(const report_mission_status&, const report_mission_status&) = default;
+};
+
+} // namespace jauscat::jaus
+
+// One line per field, as in the standard's table.
+// clang-format off
+namespace jauscat {
+
+template <> struct wire::schema<jaus::run_mission> {
+    using T = jaus::run_mission;
+    using type = layout<field<&T::mission_id, u16le>>;
+};
+
+template <> struct wire::schema<jaus::abort_mission> {
+    using T = jaus::abort_mission;
+    using type = layout<
+        field<&T::mission_id, u16le>,
+        field<&T::task_id, u16le>>;
+};
+
+template <> struct wire::schema<jaus::pause_mission> {
+    using T = jaus::pause_mission;
+    using type = layout<
+        field<&T::mission_id, u16le>,
+        field<&T::task_id, u16le>>;
+};
+
+template <> struct wire::schema<jaus::resume_mission> {
+    using T = jaus::resume_mission;
+    using type = layout<
+        field<&T::mission_id, u16le>,
+        field<&T::task_id, u16le>>;
+};
+
+template <> struct wire::schema<jaus::query_spooling_preference> { using type = layout<>; };
+
+template <> struct wire::schema<jaus::query_mission_status> {
+    using T = jaus::query_mission_status;
+    using type = layout<
+        field<&T::presence_vector, u8>,
+        field<&T::type, enumeration<jaus::mission_status_type, u8>>,
+        field<&T::mission_id, u16le>,
+        field<&T::task_id, u16le>,
+        field<&T::message_uid, u16le>>;
+};
+
+template <> struct wire::schema<jaus::report_spooling_preference> {
+    using T = jaus::report_spooling_preference;
+    using type = layout<
+        field<&T::spooling_preference_type, enumeration<jaus::spooling_preference_type, u8>>,
+        field<&T::data, i32le>>;
+};
+
+template <> struct wire::schema<jaus::report_mission_status> {
+    using T = jaus::report_mission_status;
+    using type = layout<
+        field<&T::type, enumeration<jaus::mission_status_type, u8>>,
+        field<&T::status, enumeration<jaus::mission_status, u8>>,
+        field<&T::secondary_status, enumeration<jaus::mission_secondary_status, u8>>,
+        field<&T::mission_id, u16le>,
+        field<&T::task_id, u16le>,
+        field<&T::message_uid, u16le>>;
+};
+
+} // namespace jauscat
