@@ -4,6 +4,7 @@
 #include "support/random_message.hpp"
 #include <jauscat/schema/jaus/platform.hpp>
 
+#include <cmath>
 #include <limits>
 
 using samples::envelope;
@@ -65,7 +66,7 @@ TEMPLATE_TEST_CASE("what clamp has limited encodes unless it holds NaN", "", poi
             wire::visit(object, [&](auto, const auto& member) {
                 const auto each = [&](const auto& value) {
                     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, double>)
-                        has_nan = has_nan || value != value;
+                        has_nan = has_nan || std::isnan(value);
                     else if constexpr (wire::message<std::remove_cvref_t<decltype(value)>>)
                         self(self, value);
                 };

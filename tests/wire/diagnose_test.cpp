@@ -14,7 +14,7 @@ using wire::errc;
 namespace {
 
 constexpr bool same(const wire::diagnosis& a, const wire::diagnosis& b) {
-    return a.error == b.error && a.field == b.field && a.parent == b.parent && a.offset == b.offset &&
+    return a.error == b.error && a.field == b.field && a.parent() == b.parent() && a.offset == b.offset &&
            a.needed == b.needed && a.available == b.available;
 }
 
@@ -57,9 +57,13 @@ TEST_CASE("a truncated message is diagnosed at the field that does not fit") {
                     {.error = errc::truncated, .field = "length", .needed = 2, .available = 1});
     });
     both_ways([] {
-        return same(
-            wire::diagnose<mixed>(bytes(0x02, 7, 0, 0, 1)),
-            {.error = errc::truncated, .field = "x", .parent = "place", .offset = 4, .needed = 2, .available = 1});
+        return same(wire::diagnose<mixed>(bytes(0x02, 7, 0, 0, 1)), {.error = errc::truncated,
+                                                                     .field = "x",
+                                                                     .path = {{{"place"}}},
+                                                                     .depth = 1,
+                                                                     .offset = 4,
+                                                                     .needed = 2,
+                                                                     .available = 1});
     });
     both_ways([] {
         return same(wire::diagnose<envelope>(bytes(1, 2, 0x01, 7, 0xFF, 0, 0)),
@@ -82,7 +86,8 @@ TEST_CASE("an unknown presence bit is diagnosed at its vector") {
     both_ways([] {
         return same(wire::diagnose<envelope>(bytes(1, 2, 0x80, 7, 0, 0, 9)), {.error = errc::unknown_presence_bit,
                                                                               .field = "presence_vector",
-                                                                              .parent = "content",
+                                                                              .path = {{{"content"}}},
+                                                                              .depth = 1,
                                                                               .offset = 2,
                                                                               .needed = 1,
                                                                               .available = 5});
@@ -95,9 +100,13 @@ TEST_CASE("an illegal raw value is diagnosed at its field") {
                     {.error = errc::out_of_range, .field = "x", .needed = 2, .available = 3});
     });
     both_ways([] {
-        return same(
-            wire::diagnose<mixed>(bytes(0x03, 7, 0xFF, 0, 0, 0x00, 0x80, 0)),
-            {.error = errc::out_of_range, .field = "x", .parent = "place", .offset = 5, .needed = 2, .available = 3});
+        return same(wire::diagnose<mixed>(bytes(0x03, 7, 0xFF, 0, 0, 0x00, 0x80, 0)), {.error = errc::out_of_range,
+                                                                                       .field = "x",
+                                                                                       .path = {{{"place"}}},
+                                                                                       .depth = 1,
+                                                                                       .offset = 5,
+                                                                                       .needed = 2,
+                                                                                       .available = 3});
     });
 }
 
@@ -107,16 +116,18 @@ TEST_CASE("a value that does not encode is diagnosed at its field") {
                     {.error = errc::out_of_range, .field = "y", .offset = 2, .needed = 1});
     });
     both_ways([] {
-        return same(wire::diagnose(mixed{.level = 1.0, .place = point{.y = -1.0}}),
-                    {.error = errc::out_of_range, .field = "y", .parent = "place", .offset = 7, .needed = 1});
+        return same(
+            wire::diagnose(mixed{.level = 1.0, .place = point{.y = -1.0}}),
+            {.error = errc::out_of_range, .field = "y", .path = {{{"place"}}}, .depth = 1, .offset = 7, .needed = 1});
     });
     both_ways([] {
         return same(wire::diagnose(flags{.shade = static_cast<samples::colour>(4)}),
                     {.error = errc::out_of_range, .field = "shade", .needed = 2});
     });
     both_ways([] {
-        return same(wire::diagnose(envelope{.content = {.place = point{.x = 500.0}}}),
-                    {.error = errc::out_of_range, .field = "x", .parent = "place", .offset = 6, .needed = 2});
+        return same(
+            wire::diagnose(envelope{.content = {.place = point{.x = 500.0}}}),
+            {.error = errc::out_of_range, .field = "x", .path = {{{"place"}}}, .depth = 1, .offset = 6, .needed = 2});
     });
 }
 
@@ -125,8 +136,8 @@ TEST_CASE("a buffer that is too small is diagnosed with what the message needs")
         [] { return same(wire::diagnose(mixed{.id = 1}, 7), {.error = errc::no_space, .needed = 8, .available = 7}); });
 }
 
-TEMPLATE_TEST_CASE("a diagnosis of random bytes names the error that decode gave", "", samples::scalars, flags, point,
-                   mixed, envelope, samples::open, samples::fine, jauscat::jaus::header,
+TEMPLATE_TEST_CASE("a diagnosis of random bytes names what decode met, or what it would have met before the end", "",
+                   samples::scalars, flags, point, mixed, envelope, samples::open, samples::fine, jauscat::jaus::header,
                    jauscat::jaus::set_wrench_effort, jauscat::jaus::report_global_pose) {
     using T = TestType;
     support::generator random{10};
@@ -142,7 +153,11 @@ TEMPLATE_TEST_CASE("a diagnosis of random bytes names the error that decode gave
         T value{};
         const auto used = wire::decode(value, in);
         const auto found = wire::diagnose<T>(in);
-        REQUIRE(found.error == used.error());
+        // Decode looks at the length first, a diagnosis goes field by field.
+        if (used.error() != errc::truncated)
+            REQUIRE(found.error == used.error());
+        else
+            REQUIRE(found.error != errc::ok);
         if (used) continue;
         ++failed;
         REQUIRE(found.offset + found.available == in.size());

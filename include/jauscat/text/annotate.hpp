@@ -10,63 +10,67 @@ namespace jauscat::text {
 
 namespace detail {
 
-class annotator {
-  public:
-    annotator(std::span<const std::byte> bytes, std::size_t first_offset, std::string indent)
-        : bytes_{bytes}, first_offset_{first_offset}, indent_{std::move(indent)} {}
-
-    template <class Layout> void layout(const auto& object, const std::string& prefix) {
-        Layout::all_items([&]<class Item>() {
-            item<Item>(object, prefix);
-            return true;
-        });
+/// `object[2].point[0].`: the structures and lists around a field.
+inline std::string path_text(const wire::diagnosis& at) {
+    std::string text;
+    for (std::size_t i = 0; i != at.depth; ++i) {
+        text += at.path[i].name;
+        if (at.path[i].element != wire::diagnosis_step::no_element)
+            text += "[" + std::to_string(at.path[i].element) + "]";
+        text += ".";
     }
-    [[nodiscard]] std::size_t offset() const noexcept { return at_; }
+    return text;
+}
+
+/// Watches decoding and writes a line for whatever it has passed.
+class annotating_trace : public wire::detail::decode_trace {
+  public:
+    annotating_trace(std::span<const std::byte> bytes, std::size_t first_offset, std::string indent)
+        : decode_trace{bytes}, bytes_{bytes}, first_offset_{first_offset}, indent_{std::move(indent)} {}
+
+    template <class Item> void passed(const auto& object, const std::byte* end) {
+        if constexpr (requires { typename Item::fields; }) {
+            std::string row;
+            Item::visit(object, [&](auto field, const auto& value) {
+                row += (row.empty() ? "" : ", ") + prefix() + std::string{field.name()} + " = " + to_text(field, value);
+            });
+            line(end, row);
+        } else if constexpr (is_leaf<Item>) {
+            line(end, prefix() + std::string{Item::name()} + " = " +
+                          to_text(Item{}, wire::held(wire::member_of<Item::key>(object))));
+        }
+    }
+    template <class Item> void passed_element(const auto& value, const std::byte* end) {
+        if constexpr (requires { typename Item::element_type::codec_type; }) {
+            std::string name = prefix();
+            name.pop_back(); // the dot
+            line(end, name + " = " + to_text(typename Item::element_type{}, value));
+        }
+    }
+    template <class Codec> void passed_number(std::string_view name, std::uint64_t value, const std::byte* end) {
+        const bool is_mask = name == "presence_vector";
+        line(end, prefix() + std::string{name} + " = " +
+                      (is_mask ? hex_number(value, Codec::size * 2) : std::to_string(value)));
+    }
     [[nodiscard]] std::string text() && { return std::move(text_); }
 
-    void line(std::size_t size, const std::string& what) {
-        const auto here = bytes_.subspan(at_, size);
+  private:
+    // One member, whole, with bytes of its own: no structure, list or group, of which the parts have been told.
+    template <class Item> static constexpr bool is_leaf = Item::max_size != 0 && requires { Item::key; }
+    &&!requires { typename Item::inner; }
+    &&!requires { typename Item::gated_item; }
+    &&!requires { typename Item::element_type; }
+    &&!requires { Item::max_depth; };
+
+    [[nodiscard]] std::string prefix() const { return path_text(found(wire::errc::ok)); }
+    void line(const std::byte* end, const std::string& what) {
+        const std::size_t next = offset_of(end);
+        const auto here = bytes_.subspan(at_, next - at_);
         std::string row = indent_ + formatted("%04zx  ", first_offset_ + at_) + hex(here);
         const std::size_t column = indent_.size() + 6 + 4 * 3 + 1; // four bytes, then the text
         if (row.size() < column) row.append(column - row.size(), ' ');
         text_ += row + " " + what + "\n";
-        at_ += size;
-    }
-
-  private:
-    template <class Item> void item(const auto& object, const std::string& prefix) {
-        if constexpr (requires { Item::known_bits; }) {
-            const auto mask = Item::mask(object);
-            line(Item::carrier_codec::size, "presence_vector = " + hex_number(mask, Item::carrier_codec::size * 2));
-            Item::all_items([&]<class Sub>() {
-                if constexpr (Sub::optional) {
-                    if (!wire::member_of<Sub::key>(object)) return true;
-                }
-                item<Sub>(object, prefix);
-                return true;
-            });
-        } else if constexpr (requires { typename Item::inner; }) {
-            const auto& member = wire::member_of<Item::key>(object);
-            const std::string inside = prefix + std::string{Item::name()} + ".";
-            if constexpr (Item::optional)
-                layout<typename Item::inner>(*member, inside);
-            else
-                layout<typename Item::inner>(member, inside);
-        } else if constexpr (requires { typename Item::fields; }) {
-            std::string row;
-            Item::visit(object, [&](auto field, const auto& value) {
-                row += (row.empty() ? "" : ", ") + prefix + std::string{field.name()} + " = " + to_text(field, value);
-            });
-            line(Item::max_size, row);
-        } else {
-            const auto& member = wire::member_of<Item::key>(object);
-            std::string value;
-            if constexpr (Item::optional)
-                value = to_text(Item{}, *member);
-            else
-                value = to_text(Item{}, member);
-            line(Item::max_size, prefix + std::string{Item::name()} + " = " + value);
-        }
+        at_ = next;
     }
 
     std::span<const std::byte> bytes_;
@@ -78,20 +82,34 @@ class annotator {
 
 } // namespace detail
 
+/// Where and why decoding failed, in one line: `truncated: ...: object[2].point[0].latitude at byte 40 needs 4 bytes, 1
+/// left`.
+[[nodiscard]] inline std::string to_text(const wire::diagnosis& why, std::size_t first_offset = 0) {
+    std::string text{wire::describe(why.error)};
+    if (!why.field.empty()) {
+        std::string name = detail::path_text(why);
+        if (why.depth != 0 && why.parent().name == why.field)
+            name.pop_back(); // an element of a list of values
+        else
+            name += why.field;
+        text += ": " + name;
+    }
+    text += " at byte " + std::to_string(first_offset + why.offset);
+    if (why.needed != 0)
+        text += " needs " + std::to_string(why.needed) + " bytes, " + std::to_string(why.available) + " left";
+    return text;
+}
+
 /// Decodes a `T` from the front of `bytes` and prints a line for each field: offset (counted from `first_offset`),
 /// bytes, name, value. Bytes that do not decode are dumped with the reason.
 template <wire::message T>
 [[nodiscard]] std::string annotate(std::span<const std::byte> bytes, std::size_t first_offset = 0,
                                    const std::string& indent = "  ") {
     T message{};
-    if (const wire::result used = wire::decode_prefix(message, bytes); !used) {
-        const wire::diagnosis why = wire::diagnose<T>(bytes);
-        return hex_dump(bytes, indent) + indent + std::string{wire::describe(why.error)} + ": " +
-               std::string{why.field} + " at byte " + std::to_string(first_offset + why.offset) + " needs " +
-               std::to_string(why.needed) + " bytes, " + std::to_string(why.available) + " left\n";
-    }
-    detail::annotator rows{bytes, first_offset, indent};
-    rows.layout<wire::layout_of<T>>(message, "");
+    detail::annotating_trace rows{bytes, first_offset, indent};
+    const wire::in_cursor end = wire::detail::decode_traced(message, bytes, rows);
+    if (end.at == nullptr && end.error() != wire::errc::ok)
+        return hex_dump(bytes, indent) + indent + to_text(rows.found(end.error()), first_offset) + "\n";
     return std::move(rows).text();
 }
 

@@ -46,30 +46,54 @@ requires std::is_enum_v<Enum>
     return number < 256 ? detail::enumerator_names<Enum>[static_cast<std::size_t>(number)] : std::string_view{};
 }
 
-/// A value without its unit.
+/// A value without its unit. Flags by the names of their set bits, text in quotes, bytes in hex.
 template <class T> [[nodiscard]] std::string to_text(const T& value) {
-    if constexpr (std::is_same_v<T, bool>)
+    if constexpr (std::is_same_v<T, bool>) {
         return value ? "true" : "false";
-    else if constexpr (std::is_enum_v<T>) {
+    } else if constexpr (std::is_enum_v<T>) {
         const std::string_view name = enumerator_name(value);
         const auto number = static_cast<unsigned long long>(value);
         return name.empty() ? hex_number(number, 1) : std::string{name};
-    } else if constexpr (std::floating_point<T>)
+    } else if constexpr (std::floating_point<T>) {
         return detail::formatted("%.8g", static_cast<double>(value));
-    else if constexpr (std::integral<T>)
+    } else if constexpr (std::integral<T>) {
         return std::to_string(value);
-    else
+    } else if constexpr (std::is_same_v<T, std::string_view>) {
+        return "\"" + std::string{value} + "\"";
+    } else if constexpr (requires { typename T::bit_type; }) {
+        std::string names;
+        for (unsigned bit = 0; bit != sizeof(typename T::bits_type) * 8; ++bit)
+            if (const auto one = static_cast<typename T::bit_type>(bit); value.test(one))
+                names +=
+                    (names.empty() ? "" : " | ") +
+                    (enumerator_name(one).empty() ? "bit " + std::to_string(bit) : std::string{enumerator_name(one)});
+        return names.empty() ? "none" : names;
+    } else if constexpr (std::is_same_v<T, std::monostate>) {
+        return "none";
+    } else if constexpr (wire::detail::is_variant<T>) {
+        return std::visit([](const auto& held) { return to_text(held); }, value);
+    } else if constexpr (wire::message<T>) {
+        std::string text = "{";
+        wire::layout_of<T>::visit(value, [&]<class Item>(Item, const auto& member) {
+            text += (text.size() == 1 ? "" : ", ") + std::string{Item::name()} + " = " + to_text(member);
+        });
+        return text + "}";
+    } else {
         return hex(value);
+    }
 }
 
 /// A member's value with unit and raw integer, as its field descriptor has them: `49.998474 % (raw 16383)`.
 template <class Item, class T> [[nodiscard]] std::string to_text(Item, const T& value) {
     if constexpr (requires { typename Item::codec_type::range_type; }) {
         using codec = typename Item::codec_type;
-        std::string text = to_text(value) + " " + std::string{codec::range_type::unit};
+        std::string text = to_text(value);
+        if (!codec::range_type::unit.empty()) text += " " + std::string{codec::range_type::unit};
         if (value >= codec::lowest && value <= codec::highest)
             text += " (raw " + std::to_string(codec::to_raw(value)) + ")";
         return text;
+    } else if constexpr (requires { typename Item::codec_type::unit_type; }) {
+        return to_text(value) + " " + std::string{Item::codec_type::unit_type::unit};
     } else if constexpr (Item::name() == "command_code" || Item::name() == "presence_vector") {
         // Nobody reads these in decimal.
         return hex_number(value, Item::max_size * 2);

@@ -75,7 +75,8 @@ template <codec Carrier, class... Fields> struct bits {
         return errc::ok;
     }
 
-    template <auto Member, reading> [[gnu::always_inline]] static constexpr auto read(const std::byte* in) noexcept {
+    template <auto Member, reading>
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto&) noexcept {
         const word_type word = loaded(in);
         std::size_t at = 0;
         word_type raw = 0;

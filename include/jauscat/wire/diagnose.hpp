@@ -1,177 +1,167 @@
-// The long answer to a failed encode or decode: which field, at which byte, and what was wrong. Walks the layout again,
-// so that the hot path carries nothing but an error code.
+// The long answer to a failed encode or decode: which field, of which element, at which byte, and what was wrong. The
+// same layouts walk again, this time watched, so that the hot path carries nothing but an error code.
 #pragma once
 #include <jauscat/wire/bits.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>
-#include <jauscat/wire/nested.hpp>
-#include <jauscat/wire/presence.hpp>
 
 namespace jauscat::wire {
+
+/// A structure or list that a walk is inside of.
+struct diagnosis_step {
+    static constexpr std::size_t no_element = unbounded;
+    std::string_view name{};
+    std::size_t element = no_element; ///< place in a list, from 0
+
+    friend constexpr bool operator==(const diagnosis_step&, const diagnosis_step&) = default;
+};
 
 /// Where and why an operation failed.
 struct diagnosis {
     errc error{};
-    std::string_view field{};  ///< the member's name, "presence_vector", or empty when no single field is at fault
-    std::string_view parent{}; ///< the nested message that holds it, or empty
+    std::string_view
+        field{}; ///< the member's name, "presence_vector", a count's name, or empty where no field is at fault
+    std::array<diagnosis_step, 6> path{}; ///< the structures and lists around it, outermost first
+    std::size_t depth{};                  ///< how many of them
     std::size_t offset{}; ///< byte of the message at which the field starts (trailing_bytes: the first byte too many)
     std::size_t needed{}; ///< bytes the field needs there (no_space: bytes the message needs)
     std::size_t available{}; ///< bytes that are left there (no_space: bytes of the buffer)
 
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return error == errc::ok; }
+    /// The structure or list that holds the field; empty for the message itself.
+    [[nodiscard]] constexpr diagnosis_step parent() const noexcept {
+        return depth == 0 ? diagnosis_step{} : path[depth - 1];
+    }
 };
 
 namespace detail {
 
-/// Walks items in wire order until one of them fails with the error that is looked for.
-template <class Object> class fault_finder {
+/// Keeps the path. Structures nested deeper than it is long (no standard message has them) are left out.
+class path_trace {
   public:
-    constexpr fault_finder(errc wanted, std::span<const std::byte> bytes) noexcept : bytes_{bytes} {
-        found_.error = wanted;
+    template <class Item> constexpr void enter() noexcept {
+        if (found_.depth < found_.path.size())
+            found_.path[found_.depth] = {item_label<Item>(), diagnosis_step::no_element};
+        ++found_.depth;
+    }
+    constexpr void element(std::size_t index) noexcept {
+        if (found_.depth <= found_.path.size()) found_.path[found_.depth - 1].element = index;
+    }
+    constexpr void leave() noexcept { --found_.depth; }
+
+    [[nodiscard]] constexpr diagnosis found(errc error) const noexcept {
+        diagnosis result = found_;
+        result.error = error;
+        result.depth = std::min(result.depth, result.path.size());
+        return result;
     }
 
-    /// Decodes `Layout` into `object`; false when the fault was found.
-    template <class Layout> constexpr bool decode(auto& object) noexcept {
-        return Layout::all_items([&]<class Item>() { return decode_item<Item>(object); });
-    }
-    /// Tries to encode each item of `Layout`; false when the fault was found.
-    template <class Layout> constexpr bool encode(const auto& object) noexcept {
-        return Layout::all_items([&]<class Item>() { return encode_item<Item>(object); });
-    }
-    [[nodiscard]] constexpr const diagnosis& found() const noexcept { return found_; }
-
-  private:
-    template <class Item> constexpr bool decode_item(auto& object) noexcept {
-        if constexpr (requires { Item::known_bits; }) {
-            return decode_presence<Item>(object);
-        } else if constexpr (requires { typename Item::inner; }) {
-            const auto outer = std::exchange(found_.parent, Item::name());
-            if (!decode<typename Item::inner>(inner_of<Item>(object))) return false;
-            found_.parent = outer;
-            return true;
-        } else {
-            if (!enough(label<Item>(), Item::max_size)) return false;
-            const errc error = Item::get(object, bytes_.data() + found_.offset);
-            return step(label<Item>(), error, Item::max_size);
-        }
-    }
-
-    template <class Item> constexpr bool decode_presence(auto& object) noexcept {
-        using carrier = typename Item::carrier_codec;
-        if (!enough("presence_vector", carrier::size)) return false;
-        const auto mask = Item::loaded(bytes_.data() + found_.offset);
-        if (!step("presence_vector", (mask & ~Item::known_bits) != 0 ? errc::unknown_presence_bit : errc::ok,
-                  carrier::size))
-            return false;
-        std::size_t at = 0;
-        return Item::all_items([&]<class Sub>() {
-            if constexpr (Sub::optional) {
-                if ((mask >> at++ & 1u) == 0) return true;
-            }
-            return decode_item<Sub>(object);
-        });
-    }
-
-    template <class Item> constexpr bool encode_item(const auto& object) noexcept {
-        if constexpr (requires { Item::known_bits; }) {
-            found_.offset += Item::carrier_codec::size;
-            return Item::all_items([&]<class Sub>() {
-                if constexpr (Sub::optional) {
-                    if (!member_of<Sub::key>(object)) return true;
-                }
-                return encode_item<Sub>(object);
-            });
-        } else if constexpr (requires { typename Item::inner; }) {
-            const auto outer = std::exchange(found_.parent, Item::name());
-            const auto& member = member_of<Item::key>(object);
-            if constexpr (Item::optional) {
-                if (!encode<typename Item::inner>(*member)) return false;
-            } else {
-                if (!encode<typename Item::inner>(member)) return false;
-            }
-            found_.parent = outer;
-            return true;
-        } else {
-            std::array<std::byte, Item::max_size> scratch{};
-            const errc error = Item::put(object, scratch.data());
-            return step(label_of_value<Item>(object), error, Item::max_size);
-        }
-    }
-
-    constexpr bool enough(std::string_view name, std::size_t size) noexcept {
-        if (bytes_.size() - found_.offset >= size) return true;
-        return step(name, errc::truncated, size);
-    }
-    // Past an item, or at the fault.
-    constexpr bool step(std::string_view name, errc error, std::size_t size) noexcept {
-        if (error == found_.error && error != errc::ok) {
-            found_.field = name;
-            found_.needed = size;
-            found_.available = bytes_.size() - std::min(found_.offset, bytes_.size());
-            return false;
-        }
-        found_.offset += size;
-        return error != errc::truncated;
-    }
-
-    template <class Item> static constexpr auto& inner_of(auto& object) noexcept {
-        auto& member = member_of<Item::key>(object);
-        if constexpr (Item::optional)
-            return member.emplace();
-        else
-            return member;
-    }
-    // A group of bit-fields is named by its first member; when a value does not fit, by the member that is too wide.
-    template <class Item> static constexpr std::string_view label() noexcept {
-        if constexpr (requires { Item::name(); })
-            return Item::name();
-        else
-            return first_name(typename Item::keys{});
-    }
-    template <class Item> static constexpr std::string_view label_of_value(const auto& object) noexcept {
-        if constexpr (requires { Item::name(); })
-            return Item::name();
-        else
-            return too_wide(static_cast<typename Item::fields*>(nullptr), object);
-    }
-    template <auto... Members> static constexpr std::string_view first_name(key_list<Members...>) noexcept {
-        const std::array<std::string_view, sizeof...(Members) + 1> names{member_name<Members>..., "reserved"};
-        return names[0];
-    }
-    template <class... Fields>
-    static constexpr std::string_view too_wide(std::tuple<Fields...>*, const auto& object) noexcept {
-        std::string_view name;
-        static_cast<void>((... || (!Fields::fits(object) && (name = label<Fields>(), true))));
-        return name;
-    }
-
-    std::span<const std::byte> bytes_;
+  protected:
     diagnosis found_{};
 };
 
+/// Watches decoding, and checks each field against the end of the bytes.
+class decode_trace : public path_trace {
+  public:
+    constexpr explicit decode_trace(std::span<const std::byte> bytes) noexcept : bytes_{bytes} {}
+
+    template <class Item> constexpr bool reach(const auto&, const std::byte* at) noexcept {
+        // What has parts is checked part by part.
+        constexpr bool whole = fixed_item<Item> && !requires { typename Item::inner; };
+        return reach_bytes(item_label<Item>(), at, whole ? Item::min_size : 0);
+    }
+    template <class Codec> constexpr bool reach_number(std::string_view name, const std::byte* at) noexcept {
+        return reach_bytes(name, at, Codec::size);
+    }
+    template <class Item> constexpr bool reach_octets(const std::byte* at, std::size_t size) noexcept {
+        return reach_bytes(item_label<Item>(), at, size);
+    }
+    constexpr bool reach_element(const std::byte* at, std::size_t size) noexcept {
+        return reach_bytes(found_.path[std::min(found_.depth, found_.path.size()) - 1].name, at, size);
+    }
+    [[nodiscard]] constexpr std::size_t remaining(const std::byte* at) const noexcept {
+        return bytes_.size() - offset_of(at);
+    }
+    template <class> constexpr void passed(const auto&, const std::byte*) noexcept {}
+    template <class> constexpr void passed_element(const auto&, const std::byte*) noexcept {}
+    template <class> constexpr void passed_number(std::string_view, std::uint64_t, const std::byte*) noexcept {}
+
+  protected:
+    [[nodiscard]] constexpr std::size_t offset_of(const std::byte* at) const noexcept {
+        return static_cast<std::size_t>(at - bytes_.data());
+    }
+
+  private:
+    constexpr bool reach_bytes(std::string_view name, const std::byte* at, std::size_t size) noexcept {
+        found_.field = name;
+        found_.offset = offset_of(at);
+        found_.needed = size;
+        found_.available = remaining(at);
+        return found_.available >= size;
+    }
+
+    std::span<const std::byte> bytes_;
+};
+
+/// Watches encoding, and counts the bytes.
+class encode_trace : public path_trace {
+  public:
+    template <class Item> constexpr bool reach(const auto& object, const std::byte*) noexcept {
+        if constexpr (requires { typename Item::fields; })
+            found_.field = too_wide(static_cast<typename Item::fields*>(nullptr), object);
+        else
+            found_.field = item_label<Item>();
+        found_.needed = fixed_item<Item> ? Item::max_size : 0;
+        return true;
+    }
+    template <class Codec> constexpr bool reach_number(std::string_view name, const std::byte*) noexcept {
+        found_.field = name;
+        found_.needed = Codec::size;
+        return true;
+    }
+    constexpr void advance(std::size_t size) noexcept { found_.offset += size; }
+
+  private:
+    // The bit-field whose value does not fit, so that not all of its integer is blamed.
+    template <class... Fields>
+    static constexpr std::string_view too_wide(std::tuple<Fields...>*, const auto& object) noexcept {
+        std::string_view name;
+        static_cast<void>((... || (!Fields::fits(object) && (name = item_label<Fields>(), true))));
+        return name;
+    }
+};
+
+/// Decodes `in` into `value`, watched by `trace`.
+template <message T> constexpr in_cursor decode_traced(T& value, std::span<const std::byte> in, auto& trace) noexcept {
+    const traced_root root{trace};
+    return layout_of<T>::get(value, {in.data(), 0}, object_scope{value, root});
+}
+
 } // namespace detail
 
-/// Why `decode` refuses `in`; `error` is ok when it does not.
+/// Why `decode` refuses `in`; `error` is ok when the bytes are not to blame (arena_full is a matter of memory). Names
+/// the first fault in wire order; decode, which looks at lengths first, says truncated where a later fault is one.
 template <message T> [[nodiscard]] constexpr diagnosis diagnose(std::span<const std::byte> in) noexcept {
     T scratch{};
-    const result used = decode_prefix(scratch, in);
-    if (used) {
-        if (used.size() == in.size()) return {};
-        return {.error = errc::trailing_bytes, .offset = used.size(), .available = in.size() - used.size()};
-    }
-    detail::fault_finder<T> finder{used.error(), in};
-    finder.template decode<layout_of<T>>(scratch);
-    return finder.found();
+    detail::decode_trace trace{in};
+    const in_cursor end = detail::decode_traced(scratch, in, trace);
+    if (end.at == nullptr) return trace.found(end.error());
+    const std::size_t left = trace.remaining(end.at);
+    if (left == 0) return {};
+    return {.error = errc::trailing_bytes, .offset = in.size() - left, .available = left};
 }
 
 /// Why `encode` refuses to write `value` into `space` bytes; `error` is ok when it does not.
 template <message T>
-[[nodiscard]] constexpr diagnosis diagnose(const T& value, std::size_t space = max_size<T>) noexcept {
+[[nodiscard]] constexpr diagnosis diagnose(const T& value, std::size_t space = unbounded) noexcept {
     const std::size_t needed = encoded_size(value);
+    if (needed > result::max_size && max_size < T >> result::max_size)
+        return {.error = errc::too_long, .needed = needed, .available = result::max_size};
     if (space < needed) return {.error = errc::no_space, .needed = needed, .available = space};
-    detail::fault_finder<T> finder{errc::out_of_range, {}};
-    if (finder.template encode<layout_of<T>>(value)) return {};
-    return finder.found();
+    detail::encode_trace trace;
+    const traced_root root{trace};
+    const out_cursor end = layout_of<T>::put(value, {nullptr, errc::ok}, object_scope{value, root});
+    return end.error == errc::ok ? diagnosis{} : trace.found(end.error);
 }
 
 } // namespace jauscat::wire

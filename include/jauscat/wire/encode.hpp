@@ -10,7 +10,7 @@ namespace detail {
 /// The one function per message that a compiler may keep out of line. All below it is forced inline, so the promise
 /// made here, that value and bytes do not overlap, lets neighbouring loads and stores merge.
 template <message T> constexpr out_cursor put_message(const T& __restrict value, std::byte* __restrict out) noexcept {
-    return layout_of<T>::put(value, {out, errc::ok});
+    return layout_of<T>::put(value, {out, errc::ok}, object_scope{value, plain_root{}});
 }
 } // namespace detail
 
@@ -20,12 +20,16 @@ template <message T> [[nodiscard, gnu::noinline]] constexpr std::size_t encoded_
     if constexpr (fixed_message<T>)
         return max_size<T>;
     else
-        return layout_of<T>::size(value);
+        return layout_of<T>::size(value, object_scope{value, plain_root{}});
 }
 
 /// Writes `value` to the front of `out`, which must not overlap it, and returns the number of bytes.
-/// Errors: no_space (nothing was written), out_of_range (`out` is then unspecified).
+/// Errors: no_space, too_long (nothing was written); out_of_range, count_above_capacity, count_mismatch, unknown_tag,
+/// presence_mismatch, too_deep (`out` is then unspecified).
 template <message T> constexpr result encode(const T& value, std::span<std::byte> out) noexcept {
+    if constexpr (max_size < T >> result::max_size) {
+        if (encoded_size(value) > result::max_size) return errc::too_long;
+    }
     if (out.size() < max_size<T>) {
         if (fixed_message<T> || out.size() < encoded_size(value)) return errc::no_space;
     }

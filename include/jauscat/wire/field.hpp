@@ -48,7 +48,8 @@ template <auto Member, class Codec> struct field {
         return errc::ok;
     }
 
-    template <auto, reading Mode> [[gnu::always_inline]] static constexpr auto read(const std::byte* in) noexcept {
+    template <auto, reading Mode>
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto&) noexcept {
         using used = codec_in_mode<Codec, Mode == reading::raw>;
         using value = typename used::value_type;
         value loaded{};
@@ -62,6 +63,23 @@ template <auto Member, class Codec> struct field {
 
     [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
         visitor(field{}, member_of<Member>(object));
+    }
+};
+
+/// A member that does not travel: the caller sets it before decoding, where the type of what follows was agreed before.
+template <auto Member> struct unsent {
+    static constexpr auto key = Member;
+    using keys = key_list<Member>;
+    using value_type = member_t<Member>;
+    using raw_type = value_type;
+    static constexpr bool optional = false;
+    static constexpr std::size_t min_size = 0, max_size = 0;
+
+    static consteval std::string_view name() { return name_of<Member>(); }
+    [[gnu::always_inline]] static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
+    [[gnu::always_inline]] static constexpr errc get(auto&, const std::byte*) noexcept { return errc::ok; }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(unsent{}, member_of<Member>(object));
     }
 };
 

@@ -9,6 +9,7 @@
 //   measure(cursor)           variable items: steps over it and checks that it is complete
 //   visit(object, f)          calls f(leaf item, member) for each member
 //   read<Member, Mode>(bytes) one member out of measured bytes
+// Variable items take the scope they stand in as their last argument (see scope.hpp).
 // All of it is forced inline: only whole messages are worth a call, and offsets fold to constants.
 #pragma once
 #include <jauscat/wire/member.hpp>
@@ -51,7 +52,49 @@ struct joined<key_list<A...>, key_list<B...>, More...> : joined<key_list<A..., B
 } // namespace detail
 template <class... Lists> using joined_keys = typename detail::joined<Lists...>::type;
 
-template <class Item> concept fixed_item = Item::min_size == Item::max_size;
+/// The size of what has no upper limit.
+inline constexpr std::size_t unbounded = ~std::size_t{};
+[[nodiscard]] constexpr std::size_t add_sizes(std::size_t a, std::size_t b) noexcept {
+    return a > unbounded - b ? unbounded : a + b;
+}
+template <class... Sizes> [[nodiscard]] constexpr std::size_t total_size(Sizes... sizes) noexcept {
+    std::size_t total = 0;
+    ((total = add_sizes(total, sizes)), ...);
+    return total;
+}
+
+/// An item says `contextual` when it looks at members of the structures around it.
+template <class Item> inline constexpr bool is_contextual = false;
+template <class Item>
+requires requires { Item::contextual; }
+inline constexpr bool is_contextual<Item> = Item::contextual;
+/// An item says `needs_memory` when it decodes into an arena.
+template <class Item> inline constexpr bool item_needs_memory = false;
+template <class Item>
+requires requires { Item::needs_memory; }
+inline constexpr bool item_needs_memory<Item> = Item::needs_memory;
+/// An item says `takes_rest` when it takes all bytes that are left.
+template <class Item> inline constexpr bool takes_rest = false;
+template <class Item>
+requires requires { Item::to_the_end; }
+inline constexpr bool takes_rest<Item> = Item::to_the_end;
+
+template <class Item> concept fixed_item = Item::min_size == Item::max_size && !is_contextual<Item>;
+
+/// What a std::optional member holds, or the member itself.
+[[gnu::always_inline]] constexpr auto& held(auto& member) noexcept {
+    if constexpr (requires { member.has_value(); })
+        return *member;
+    else
+        return member;
+}
+/// The same for a member that is about to be decoded.
+[[gnu::always_inline]] constexpr auto& made(auto& member) noexcept {
+    if constexpr (requires { member.has_value(); })
+        return member.emplace();
+    else
+        return member;
+}
 
 /// Marks an object whose scaled fields are raw integers.
 template <class Object> concept raw_object = requires { typename std::remove_cvref_t<Object>::raw_of; };

@@ -1,7 +1,8 @@
 // A layout lists the parts of a message in wire order; a schema gives a struct its layout, and the pair is checked
 // here.
 #pragma once
-#include <jauscat/wire/item.hpp>
+#include <jauscat/wire/scalar.hpp>
+#include <jauscat/wire/scope.hpp>
 
 #include <array>
 #include <concepts>
@@ -12,42 +13,184 @@ namespace jauscat::wire {
 /// Specialise for a message: `template <> struct schema<T> { using type = layout<...>; };`
 template <class T> struct schema;
 
+/// What a trace calls an item: its own name, or that of the first member it carries.
+template <class Item> consteval std::string_view item_label() {
+    if constexpr (requires { Item::name(); }) {
+        return Item::name();
+    } else {
+        return []<auto... Members>(key_list<Members...>) {
+            const std::array<std::string_view, sizeof...(Members) + 1> names{name_of<Members>()..., "reserved"};
+            return names[0];
+        }
+        (typename Item::keys{});
+    }
+}
+
+namespace detail {
+/// Lets `put` write `Size` bytes, and steps over them. Where a trace watches there is no buffer, only a count.
+template <std::size_t Size>
+[[gnu::always_inline]] constexpr void write(out_cursor& c, [[maybe_unused]] const auto& here, auto&& put) noexcept {
+    if constexpr (traced<decltype(here)>) {
+        std::array<std::byte, Size + 1> scratch{};
+        c.error = put(scratch.data());
+        if (c.error == errc::ok) root_of(here).tracer.advance(Size);
+    } else {
+        c.error = put(c.at);
+        if (c.error == errc::ok) c.at += Size;
+    }
+}
+/// Tells a trace which item comes next; false where it knows that the bytes end before.
+template <class Item>
+[[gnu::always_inline]] constexpr bool reach([[maybe_unused]] const auto& object, [[maybe_unused]] const std::byte* at,
+                                            [[maybe_unused]] const auto& here) noexcept {
+    if constexpr (traced<decltype(here)>)
+        return root_of(here).tracer.template reach<Item>(object, at);
+    else
+        return true;
+}
+/// Tells a trace that an integer which no member carries comes next: a presence vector, a count.
+template <codec Codec>
+[[gnu::always_inline]] constexpr bool reach_number([[maybe_unused]] std::string_view name,
+                                                   [[maybe_unused]] const std::byte* at,
+                                                   [[maybe_unused]] const auto& here) noexcept {
+    if constexpr (traced<decltype(here)>)
+        return root_of(here).tracer.template reach_number<Codec>(name, at);
+    else
+        return true;
+}
+/// Tells a trace that it goes into a structure, to an element of a list, and out again.
+template <class Item> [[gnu::always_inline]] constexpr void enter([[maybe_unused]] const auto& here) noexcept {
+    if constexpr (traced<decltype(here)>) root_of(here).tracer.template enter<Item>();
+}
+[[gnu::always_inline]] constexpr void element([[maybe_unused]] const auto& here,
+                                              [[maybe_unused]] std::size_t index) noexcept {
+    if constexpr (traced<decltype(here)>) root_of(here).tracer.element(index);
+}
+[[gnu::always_inline]] constexpr void leave([[maybe_unused]] const auto& here) noexcept {
+    if constexpr (traced<decltype(here)>) root_of(here).tracer.leave();
+}
+/// Bytes that an item which takes the rest of the body finds.
+[[gnu::always_inline]] constexpr std::size_t rest_of(in_cursor c, [[maybe_unused]] const auto& here) noexcept {
+    if constexpr (traced<decltype(here)>)
+        return root_of(here).tracer.remaining(c.at);
+    else
+        return c.slack;
+}
+/// Takes `size` bytes from those beyond the layout's minimum; false where there are not so many. A trace has checked
+/// against the end of the bytes themselves.
+[[gnu::always_inline]] constexpr bool spend(in_cursor& c, std::size_t size,
+                                            [[maybe_unused]] const auto& here) noexcept {
+    if constexpr (!traced<decltype(here)>) {
+        if (size > c.slack) {
+            c = in_cursor::failed(errc::truncated);
+            return false;
+        }
+        c.slack -= size;
+    }
+    return true;
+}
+/// A trace looks into structures; else one of fixed size is read and written in one go.
+template <class Item, class Here>
+inline constexpr bool in_one_go = fixed_item<Item> && !(traced<Here> && requires { typename Item::inner; });
+
+template <class Item>
+[[gnu::always_inline]] constexpr std::size_t size_of_item(const auto& object, const auto& here) noexcept {
+    if constexpr (fixed_item<Item>)
+        return Item::max_size;
+    else
+        return Item::size(object, here);
+}
+template <class Item>
+[[gnu::always_inline]] constexpr bool put_item(const auto& object, out_cursor& c, const auto& here) noexcept {
+    if (!reach<Item>(object, c.at, here)) return false;
+    if constexpr (in_one_go<Item, decltype(here)>)
+        write<Item::max_size>(c, here, [&](std::byte* out) { return Item::put(object, out); });
+    else
+        c = Item::put(object, c, here);
+    return c.error == errc::ok;
+}
+template <class Item>
+[[gnu::always_inline]] constexpr bool get_item(auto& object, in_cursor& c, const auto& here) noexcept {
+    if (!reach<Item>(object, c.at, here)) {
+        c = in_cursor::failed(errc::truncated);
+    } else if constexpr (in_one_go<Item, decltype(here)>) {
+        const errc error = Item::get(object, c.at);
+        c = error == errc::ok ? in_cursor{c.at + Item::max_size, c.slack} : in_cursor::failed(error);
+    } else {
+        c = Item::get(object, c, here);
+    }
+    if constexpr (traced<decltype(here)>) {
+        if (c.at != nullptr) root_of(here).tracer.template passed<Item>(object, c.at);
+    }
+    return c.at != nullptr;
+}
+template <class Item> [[gnu::always_inline]] constexpr bool measure_item(in_cursor& c, const auto& here) noexcept {
+    if constexpr (fixed_item<Item>)
+        c.at += Item::max_size;
+    else
+        c = Item::measure(c, here);
+    return c.at != nullptr;
+}
+template <class Item>
+[[gnu::always_inline]] constexpr std::size_t extent_of_item([[maybe_unused]] const std::byte* in,
+                                                            [[maybe_unused]] const auto& here) noexcept {
+    if constexpr (fixed_item<Item>)
+        return Item::max_size;
+    else
+        return Item::extent(in, here);
+}
+} // namespace detail
+
 /// Items in wire order.
 template <class... Items> struct layout {
     using keys = joined_keys<typename Items::keys...>;
     static_assert((!Items::optional && ... && true), "layout: a std::optional member needs a presence vector");
-    static constexpr std::size_t min_size = (Items::min_size + ... + 0);
-    static constexpr std::size_t max_size = (Items::max_size + ... + 0);
+    static constexpr std::size_t min_size = total_size(Items::min_size...);
+    static constexpr std::size_t max_size = total_size(Items::max_size...);
+    static constexpr bool contextual = (is_contextual<Items> || ... || false);
+    static constexpr bool needs_memory = (item_needs_memory<Items> || ... || false);
+    static constexpr bool to_the_end = (takes_rest<Items> || ... || false);
+    static_assert(
+        [] {
+            std::size_t index = 0, after = 0;
+            ((after += takes_rest<Items> && index + 1 != sizeof...(Items), ++index), ...);
+            return after == 0;
+        }(),
+        "layout: an item that takes the rest of the body must be the last one");
 
-    [[gnu::always_inline]] static constexpr std::size_t size([[maybe_unused]] const auto& object) noexcept {
-        return (item_size<Items>(object) + ... + 0);
+    [[gnu::always_inline]] static constexpr std::size_t size([[maybe_unused]] const auto& object,
+                                                             [[maybe_unused]] const auto& here) noexcept {
+        return (detail::size_of_item<Items>(object, here) + ... + 0);
     }
-    [[gnu::always_inline]] static constexpr out_cursor put([[maybe_unused]] const auto& object, out_cursor c) noexcept {
-        static_cast<void>((put_item<Items>(object, c) && ...));
+    [[gnu::always_inline]] static constexpr out_cursor put([[maybe_unused]] const auto& object, out_cursor c,
+                                                           [[maybe_unused]] const auto& here) noexcept {
+        static_cast<void>((detail::put_item<Items>(object, c, here) && ...));
         return c;
     }
-    [[gnu::always_inline]] static constexpr in_cursor get([[maybe_unused]] auto& object, in_cursor c) noexcept {
-        static_cast<void>((get_item<Items>(object, c) && ...));
+    [[gnu::always_inline]] static constexpr in_cursor get([[maybe_unused]] auto& object, in_cursor c,
+                                                          [[maybe_unused]] const auto& here) noexcept {
+        static_cast<void>((detail::get_item<Items>(object, c, here) && ...));
         return c;
     }
-    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c) noexcept {
-        static_cast<void>((measure_item<Items>(c) && ...));
+    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, [[maybe_unused]] const auto& here) noexcept {
+        static_cast<void>((detail::measure_item<Items>(c, here) && ...));
         return c;
     }
-    [[gnu::always_inline]] static constexpr std::size_t extent([[maybe_unused]] const std::byte* in) noexcept {
+    [[gnu::always_inline]] static constexpr std::size_t extent([[maybe_unused]] const std::byte* in,
+                                                               [[maybe_unused]] const auto& here) noexcept {
         std::size_t total = 0;
-        ((total += item_extent<Items>(in + total)), ...);
+        ((total += detail::extent_of_item<Items>(in + total, here)), ...);
         return total;
     }
     template <auto Member, reading Mode>
-    [[gnu::always_inline]] static constexpr auto read(const std::byte* in) noexcept {
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         static_assert(keys::template holds<Member>, "view: the message has no such member in its layout");
         constexpr std::size_t index = index_of<Member>;
         [&]<std::size_t... Before>(std::index_sequence<Before...>) {
-            ((in += item_extent<std::tuple_element_t<Before, std::tuple<Items...>>>(in)), ...);
+            ((in += detail::extent_of_item<std::tuple_element_t<Before, std::tuple<Items...>>>(in, here)), ...);
         }
         (std::make_index_sequence<index>{});
-        return std::tuple_element_t<index, std::tuple<Items...>>::template read<Member, Mode>(in);
+        return std::tuple_element_t<index, std::tuple<Items...>>::template read<Member, Mode>(in, here);
     }
     [[gnu::always_inline]] static constexpr void visit([[maybe_unused]] auto& object, [[maybe_unused]] auto&& visitor) {
         (Items::visit(object, visitor), ...);
@@ -62,46 +205,6 @@ template <class... Items> struct layout {
         static_cast<void>((... || (Items::keys::template holds<Member> || (++index, false))));
         return index;
     }();
-
-    template <class Item> [[gnu::always_inline]] static constexpr std::size_t item_size(const auto& object) noexcept {
-        if constexpr (fixed_item<Item>)
-            return Item::max_size;
-        else
-            return Item::size(object);
-    }
-    template <class Item>
-    [[gnu::always_inline]] static constexpr bool put_item(const auto& object, out_cursor& c) noexcept {
-        if constexpr (fixed_item<Item>) {
-            c.error = Item::put(object, c.at);
-            if (c.error == errc::ok) c.at += Item::max_size;
-        } else {
-            c = Item::put(object, c);
-        }
-        return c.error == errc::ok;
-    }
-    template <class Item> [[gnu::always_inline]] static constexpr bool get_item(auto& object, in_cursor& c) noexcept {
-        if constexpr (fixed_item<Item>) {
-            const errc error = Item::get(object, c.at);
-            c = error == errc::ok ? in_cursor{c.at + Item::max_size, c.slack} : in_cursor::failed(error);
-        } else {
-            c = Item::get(object, c);
-        }
-        return c.at != nullptr;
-    }
-    template <class Item> [[gnu::always_inline]] static constexpr bool measure_item(in_cursor& c) noexcept {
-        if constexpr (fixed_item<Item>)
-            c.at += Item::max_size;
-        else
-            c = Item::measure(c);
-        return c.at != nullptr;
-    }
-    template <class Item>
-    [[gnu::always_inline]] static constexpr std::size_t item_extent([[maybe_unused]] const std::byte* in) noexcept {
-        if constexpr (fixed_item<Item>)
-            return Item::max_size;
-        else
-            return Item::extent(in);
-    }
 };
 
 namespace detail {
@@ -134,11 +237,14 @@ template <class T> using layout_of = typename checked_schema<T>::type;
 /// A struct with a schema, or the `raw` of one.
 template <class T> concept message = requires { typename schema<T>::type; };
 
-/// Fewest and most bytes that a `T` takes.
+/// Fewest and most bytes that a `T` takes; `unbounded` where there is no most.
 template <message T> inline constexpr std::size_t min_size = layout_of<T>::min_size;
 template <message T> inline constexpr std::size_t max_size = layout_of<T>::max_size;
 
 /// Always the same number of bytes.
 template <class T> concept fixed_message = message<T> && fixed_item<layout_of<T>>;
+
+/// Decoding a `T` takes an arena for its lists.
+template <message T> inline constexpr bool needs_memory = layout_of<T>::needs_memory;
 
 } // namespace jauscat::wire

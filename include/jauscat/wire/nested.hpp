@@ -11,7 +11,7 @@
 namespace jauscat::wire {
 
 template <class T> class raw;
-template <message T> class view;
+template <message T, class Outer> class view;
 
 namespace detail {
 template <class Item> concept copied_item = requires { requires Item::codec_type::as_in_memory; };
@@ -27,7 +27,7 @@ inline constexpr bool copied_whole = [] {
         // One pattern of distinct bytes tells whether the members lie in the order of the layout.
         std::array<std::byte, sizeof(T)> memory{}, wire{};
         for (std::size_t i = 0; i != sizeof(T); ++i) memory[i] = static_cast<std::byte>(i);
-        layout::put(std::bit_cast<T>(memory), {wire.data(), errc::ok});
+        layout::put(std::bit_cast<T>(memory), {wire.data(), errc::ok}, plain_root{});
         return wire == memory;
     } else {
         return false;
@@ -43,60 +43,75 @@ template <auto Member> struct nested {
     using inner = layout_of<value_type>;
     static constexpr bool optional = is_optional_member<Member>;
     static constexpr std::size_t min_size = inner::min_size, max_size = inner::max_size;
+    static constexpr bool contextual = inner::contextual;
+    static constexpr bool needs_memory = inner::needs_memory;
+    static constexpr bool to_the_end = inner::to_the_end;
     using raw_type = std::conditional_t<optional, std::optional<raw<value_type>>, raw<value_type>>;
-    static_assert(!optional || fixed_item<inner>, "nested: an optional structure must have a fixed size");
 
     static consteval std::string_view name() { return name_of<Member>(); }
 
-    [[gnu::always_inline]] static constexpr std::size_t size(const auto& object) noexcept {
-        return inner::size(member_of<Member>(object));
-    }
     [[gnu::always_inline]] static constexpr errc put(const auto& object,
                                                      std::byte* out) noexcept requires fixed_item<inner> {
-        const auto& value = present(member_of<Member>(object));
+        const auto& value = held(member_of<Member>(object));
         if constexpr (detail::copied_whole<value_type> && !raw_object<decltype(object)>) {
             if (!std::is_constant_evaluated()) {
                 std::memcpy(out, &value, max_size);
                 return errc::ok;
             }
         }
-        return inner::put(value, out_cursor{out, errc::ok}).error;
+        return inner::put(value, out_cursor{out, errc::ok}, plain_root{}).error;
     }
     [[gnu::always_inline]] static constexpr errc get(auto& object,
                                                      const std::byte* in) noexcept requires fixed_item<inner> {
-        if constexpr (optional) member_of<Member>(object).emplace();
-        auto& value = present(member_of<Member>(object));
+        auto& value = made(member_of<Member>(object));
         if constexpr (detail::copied_whole<value_type> && !raw_object<decltype(object)>) {
             if (!std::is_constant_evaluated()) {
                 std::memcpy(&value, in, max_size);
                 return errc::ok;
             }
         }
-        return inner::get(value, in_cursor{in, 0}).error();
+        return inner::get(value, in_cursor{in, 0}, plain_root{}).error();
     }
-    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c) noexcept {
-        return inner::put(member_of<Member>(object), c);
+    [[gnu::always_inline]] static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
+        const auto& value = held(member_of<Member>(object));
+        return inner::size(value, object_scope{value, here});
     }
-    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c) noexcept {
-        return inner::get(member_of<Member>(object), c);
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
+                                                           const auto& here) noexcept {
+        const auto& value = held(member_of<Member>(object));
+        detail::enter<nested>(here);
+        c = inner::put(value, c, object_scope{value, here});
+        if (c.error == errc::ok) detail::leave(here);
+        return c;
     }
-    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c) noexcept { return inner::measure(c); }
-    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in) noexcept {
-        return inner::extent(in);
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+        auto& value = made(member_of<Member>(object));
+        detail::enter<nested>(here);
+        c = inner::get(value, c, object_scope{value, here});
+        if (c.at != nullptr) detail::leave(here);
+        return c;
     }
-    template <auto, reading> [[gnu::always_inline]] static constexpr auto read(const std::byte* in) noexcept {
-        return view<value_type>::of_measured({in, inner::extent(in)});
+    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+        return inner::measure(c, inside(c.at, here));
+    }
+    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+        return inner::extent(in, inside(in, here));
+    }
+    template <auto, reading>
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+        const std::span<const std::byte> bytes{in, inner::extent(in, inside(in, here))};
+        if constexpr (contextual)
+            return view<value_type, std::remove_cvref_t<decltype(here)>>::of_measured(bytes, here);
+        else
+            return view<value_type, plain_root>::of_measured(bytes, plain_root{});
     }
     [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
         visitor(nested{}, member_of<Member>(object));
     }
 
   private:
-    [[gnu::always_inline]] static constexpr auto& present(auto& member) noexcept {
-        if constexpr (optional)
-            return *member;
-        else
-            return member;
+    [[gnu::always_inline]] static constexpr auto inside(const std::byte* in, const auto& here) noexcept {
+        return byte_scope<value_type, std::remove_cvref_t<decltype(here)>>{in, here.end, here};
     }
 };
 

@@ -1,7 +1,6 @@
 // A presence vector and the fields it announces (JAUS RA 3.3 part 3; SAE AS5684).
 #pragma once
-#include <jauscat/wire/item.hpp>
-#include <jauscat/wire/scalar.hpp>
+#include <jauscat/wire/layout.hpp>
 
 #include <array>
 #include <optional>
@@ -43,21 +42,55 @@ inline constexpr auto sizes_by_nibble = [] {
 }();
 } // namespace detail
 
+/// A bit of the presence vector as a bool member: it announces something that stands elsewhere (see gated_by) and takes
+/// no bytes itself.
+template <auto Member> struct flag {
+    static constexpr auto key = Member;
+    using keys = key_list<Member>;
+    using value_type = bool;
+    using raw_type = bool;
+    static constexpr bool optional = false;
+    static constexpr bool takes_bit = true;
+    static constexpr std::size_t min_size = 0, max_size = 0;
+    static_assert(std::is_same_v<member_t<Member>, bool>, "flag: the member must be a bool");
+
+    static consteval std::string_view name() { return name_of<Member>(); }
+    [[gnu::always_inline]] static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
+    // Not called for a bit that is clear: presence_group clears the member.
+    [[gnu::always_inline]] static constexpr errc get(auto& object, const std::byte*) noexcept {
+        member_of<Member>(object) = true;
+        return errc::ok;
+    }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(flag{}, member_of<Member>(object));
+    }
+};
+
+namespace detail {
+template <class Item> inline constexpr bool takes_bit = Item::optional;
+template <class Item>
+requires requires { Item::takes_bit; }
+inline constexpr bool takes_bit<Item> = true;
+} // namespace detail
+
 /// A presence vector in `Carrier`, then its items. Each item with a std::optional member takes the next bit, from the
-/// least significant up, and is there when its bit is set; an item without one is always there.
+/// least significant up, and is there when its bit is set; so does a `flag`. Any other item is always there.
+// Where all items have a fixed size the vector alone tells the size of the whole, and the bytes are checked once.
 template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_group {
     using carrier_codec = Carrier;
     using mask_type = word_for<Carrier>;
     using keys = joined_keys<typename Items::keys...>;
     static constexpr bool optional = false;
-    static constexpr std::size_t optional_count = (static_cast<std::size_t>(Items::optional) + ... + 0);
-    static_assert((fixed_item<Items> && ... && true), "presence: each item must have a fixed size");
+    static constexpr std::size_t optional_count = (static_cast<std::size_t>(detail::takes_bit<Items>) + ... + 0);
+    static constexpr bool all_fixed = (fixed_item<Items> && ... && true);
+    static constexpr bool contextual = (is_contextual<Items> || ... || false);
+    static constexpr bool needs_memory = (item_needs_memory<Items> || ... || false);
+    static constexpr bool to_the_end = Unknown == unknown_bits::tolerated || (takes_rest<Items> || ... || false);
     static_assert(optional_count <= Carrier::size * 8,
                   "presence: more optional fields than bits in the presence vector");
-    static constexpr std::size_t required_size = ((Items::optional ? 0 : Items::max_size) + ... + 0);
-    static constexpr std::size_t min_size = Carrier::size + required_size;
-    static constexpr std::size_t max_size = Carrier::size + (Items::max_size + ... + 0);
-    static_assert(max_size > min_size, "presence: no item is optional, so the vector has nothing to announce");
+    static constexpr std::size_t min_size = total_size(Carrier::size, (Items::optional ? 0 : Items::min_size)...);
+    static constexpr std::size_t max_size = total_size(Carrier::size, Items::max_size...);
+    static_assert(optional_count != 0, "presence: no item is optional, so the vector has nothing to announce");
     static constexpr mask_type known_bits = static_cast<mask_type>(detail::low_bits<optional_count>);
 
     /// The presence vector that `object` encodes with.
@@ -68,50 +101,89 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         return m;
     }
 
-    [[gnu::always_inline]] static constexpr std::size_t size(const auto& object) noexcept {
-        return min_size + announced(mask(object));
+    [[gnu::always_inline]] static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
+        if constexpr (all_fixed)
+            return min_size + announced(mask(object));
+        else
+            return Carrier::size + (size_if_present<Items>(object, here) + ... + 0);
     }
-    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c) noexcept {
-        std::byte* const vector = c.at;
-        c.at += Carrier::size;
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
+                                                           const auto& here) noexcept {
+        [[maybe_unused]] std::byte* const vector = c.at;
+        detail::reach_number<Carrier>("presence_vector", c.at, here);
+        if constexpr (traced<decltype(here)>)
+            root_of(here).tracer.advance(Carrier::size);
+        else
+            c.at += Carrier::size;
         mask_type m{};
         std::size_t at = 0;
-        static_cast<void>((put_item<Items>(object, m, at, c) && ...));
-        Carrier::store(vector, static_cast<typename Carrier::value_type>(m));
+        static_cast<void>((put_if_present<Items>(object, m, at, c, here) && ...));
+        if constexpr (!traced<decltype(here)>) Carrier::store(vector, static_cast<typename Carrier::value_type>(m));
         return c;
     }
-    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c) noexcept {
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+        if (!detail::reach_number<Carrier>("presence_vector", c.at, here)) return in_cursor::failed(errc::truncated);
         const mask_type m = loaded(c.at);
-        const in_cursor end = end_of(c, m);
-        if (end.at == nullptr) return end;
-        const std::byte* in = c.at + Carrier::size;
-        std::size_t at = 0;
-        errc error = errc::ok;
-        static_cast<void>((get_item<Items>(object, m, at, in, error) && ...));
-        return error == errc::ok ? end : in_cursor::failed(error);
+        if constexpr (traced<decltype(here)>)
+            root_of(here).tracer.template passed_number<Carrier>("presence_vector", m, c.at + Carrier::size);
+        if constexpr (all_fixed && !traced<decltype(here)>) {
+            const in_cursor end = end_of(c, m);
+            if (end.at == nullptr) return end;
+            const std::byte* in = c.at + Carrier::size;
+            std::size_t at = 0;
+            errc error = errc::ok;
+            static_cast<void>((get_fixed<Items>(object, m, at, in, error) && ...));
+            return error == errc::ok ? end : in_cursor::failed(error);
+        } else {
+            return each(c, m, here, [&]<class Item>(bool present, in_cursor& cursor) {
+                if constexpr (detail::takes_bit<Item>) {
+                    if (!present) {
+                        absent<Item>(object);
+                        return true;
+                    }
+                }
+                return detail::get_item<Item>(object, cursor, here);
+            });
+        }
     }
-    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c) noexcept {
+    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         const mask_type m = loaded(c.at);
-        return end_of(c, m);
+        if constexpr (all_fixed)
+            return end_of(c, m);
+        else
+            return each(c, m, here, [&]<class Item>(bool present, in_cursor& cursor) {
+                return !present || detail::measure_item<Item>(cursor, here);
+            });
     }
-    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in) noexcept {
+    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
         const mask_type m = loaded(in);
-        return min_size + announced(m);
+        if constexpr (all_fixed)
+            return min_size + announced(m);
+        else
+            return extent_of_first<sizeof...(Items)>(in, m, here);
     }
     /// A member of a presence vector is read as a std::optional.
     template <auto Member, reading Mode>
-    [[gnu::always_inline]] static constexpr auto read(const std::byte* in) noexcept {
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         using item = std::tuple_element_t<index_of<Member>, std::tuple<Items...>>;
-        using value = decltype(item::template read<Member, Mode>(in));
         const mask_type m = loaded(in);
-        const std::byte* const at = in + Carrier::size + required_before<Member> + announced(m & bits_before<Member>);
-        if constexpr (!item::optional)
-            return item::template read<Member, Mode>(at);
-        else if constexpr (detail::optional_value<value>::is_optional)
-            return (m & bit_of<Member>) ? item::template read<Member, Mode>(at) : value{};
-        else
-            return (m & bit_of<Member>) ? std::optional<value>{item::template read<Member, Mode>(at)}
-                                        : std::optional<value>{};
+        if constexpr (requires { item::takes_bit; }) {
+            return (m & bit_of<Member>) != 0;
+        } else {
+            using value = decltype(item::template read<Member, Mode>(in, here));
+            const std::byte* at = in;
+            if constexpr (all_fixed)
+                at += Carrier::size + required_before<Member> + announced(m & bits_before<Member>);
+            else
+                at += extent_of_first<index_of<Member>>(in, m, here);
+            if constexpr (!item::optional)
+                return item::template read<Member, Mode>(at, here);
+            else if constexpr (detail::optional_value<value>::is_optional)
+                return (m & bit_of<Member>) ? item::template read<Member, Mode>(at, here) : value{};
+            else
+                return (m & bit_of<Member>) ? std::optional<value>{item::template read<Member, Mode>(at, here)}
+                                            : std::optional<value>{};
+        }
     }
     [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
         (Items::visit(object, visitor), ...);
@@ -124,18 +196,29 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         return carrier;
     }
 
+    /// Whether `Item` travels with `object`.
+    template <class Item> [[gnu::always_inline]] static constexpr bool is_present(const auto& object) noexcept {
+        if constexpr (Item::optional)
+            return member_of<Item::key>(object).has_value();
+        else if constexpr (detail::takes_bit<Item>)
+            return member_of<Item::key>(object);
+        else
+            return true;
+    }
+
   private:
     template <class Item>
     [[gnu::always_inline]] static constexpr mask_type present(const auto& object, std::size_t& at) noexcept {
-        if constexpr (Item::optional)
-            return mask_type{member_of<Item::key>(object).has_value()} << at++;
+        if constexpr (detail::takes_bit<Item>)
+            return mask_type{is_present<Item>(object)} << at++;
         else
             return 0;
     }
 
     // Bytes that the set bits stand for.
     [[gnu::always_inline]] static constexpr std::size_t announced(mask_type m) noexcept {
-        constexpr auto& sizes = detail::sizes_by_nibble<(Items::optional ? Items::max_size : detail::always_there)...>;
+        constexpr auto& sizes =
+            detail::sizes_by_nibble<(detail::takes_bit<Items> ? Items::max_size : detail::always_there)...>;
         return [&]<std::size_t... Nibble>(std::index_sequence<Nibble...>) {
             return (std::size_t{} + ... + sizes[Nibble][static_cast<std::size_t>(m >> (Nibble * 4) & 15u)]);
         }
@@ -155,24 +238,31 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
 
     template <class Item>
-    [[gnu::always_inline]] static constexpr bool put_item(const auto& object, mask_type& m, std::size_t& at,
-                                                          out_cursor& c) noexcept {
-        if constexpr (Item::optional) {
-            const auto bit = mask_type{1} << at++;
-            if (!member_of<Item::key>(object)) return true;
-            m |= bit;
-        }
-        c.error = Item::put(object, c.at);
-        if (c.error != errc::ok) return false;
-        c.at += Item::max_size;
-        return true;
+    [[gnu::always_inline]] static constexpr std::size_t size_if_present(const auto& object, const auto& here) noexcept {
+        return is_present<Item>(object) ? detail::size_of_item<Item>(object, here) : 0;
     }
     template <class Item>
-    [[gnu::always_inline]] static constexpr bool get_item(auto& object, mask_type m, std::size_t& at,
-                                                          const std::byte*& in, errc& error) noexcept {
-        if constexpr (Item::optional) {
+    [[gnu::always_inline]] static constexpr bool put_if_present(const auto& object, mask_type& m, std::size_t& at,
+                                                                out_cursor& c, const auto& here) noexcept {
+        if constexpr (detail::takes_bit<Item>) {
+            const auto bit = mask_type{1} << at++;
+            if (!is_present<Item>(object)) return true;
+            m |= bit;
+        }
+        return detail::put_item<Item>(object, c, here);
+    }
+    template <class Item> [[gnu::always_inline]] static constexpr void absent(auto& object) noexcept {
+        if constexpr (Item::optional)
+            member_of<Item::key>(object).reset();
+        else
+            member_of<Item::key>(object) = false;
+    }
+    template <class Item>
+    [[gnu::always_inline]] static constexpr bool get_fixed(auto& object, mask_type m, std::size_t& at,
+                                                           const std::byte*& in, errc& error) noexcept {
+        if constexpr (detail::takes_bit<Item>) {
             if ((m >> at++ & 1u) == 0) {
-                member_of<Item::key>(object).reset();
+                absent<Item>(object);
                 return true;
             }
         }
@@ -180,6 +270,41 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         if (error != errc::ok) return false;
         in += Item::max_size;
         return true;
+    }
+
+    // Steps over the items one by one: `step<Item>(present, cursor)`.
+    [[gnu::always_inline]] static constexpr in_cursor each(in_cursor c, mask_type m, const auto& here,
+                                                           auto&& step) noexcept {
+        if (Unknown == unknown_bits::refused && (m & ~known_bits) != 0)
+            return in_cursor::failed(errc::unknown_presence_bit);
+        c.at += Carrier::size;
+        std::size_t at = 0;
+        static_cast<void>((step_over<Items>(c, m, at, here, step) && ...));
+        if (c.at != nullptr && (m & ~known_bits) != 0) c = {c.at + detail::rest_of(c, here), 0};
+        return c;
+    }
+    template <class Item>
+    [[gnu::always_inline]] static constexpr bool step_over(in_cursor& c, mask_type m, std::size_t& at,
+                                                           [[maybe_unused]] const auto& here, auto&& step) noexcept {
+        bool present = true;
+        if constexpr (detail::takes_bit<Item>) {
+            present = (m >> at++ & 1u) != 0;
+            if (present && !detail::spend(c, Item::min_size, here)) return false;
+        }
+        return step.template operator()<Item>(present, c);
+    }
+    // Bytes of the vector and of the first `Count` items.
+    template <std::size_t Count>
+    [[gnu::always_inline]] static constexpr std::size_t extent_of_first(const std::byte* in, mask_type m,
+                                                                        const auto& here) noexcept {
+        std::size_t total = Carrier::size, at = 0, index = 0;
+        const auto add = [&]<class Item>() {
+            bool present = true;
+            if constexpr (detail::takes_bit<Item>) present = (m >> at++ & 1u) != 0;
+            if (index++ < Count && present) total += detail::extent_of_item<Item>(in + total, here);
+        };
+        (add.template operator()<Items>(), ...);
+        return total;
     }
 
     template <auto Member>
@@ -191,7 +316,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     template <auto Member>
     static constexpr std::size_t optionals_before = [] {
         std::size_t count = 0, index = 0;
-        ((count += Items::optional && index < index_of<Member>, ++index), ...);
+        ((count += detail::takes_bit<Items> && index < index_of<Member>, ++index), ...);
         return count;
     }();
     template <auto Member>

@@ -1,6 +1,7 @@
 // A message with every scaled field as the integer on the wire: exact for every byte pattern, without floating point.
 #pragma once
 #include <jauscat/wire/bits.hpp>
+#include <jauscat/wire/gated.hpp>
 #include <jauscat/wire/layout.hpp>
 #include <jauscat/wire/presence.hpp>
 
@@ -25,6 +26,7 @@ struct joined_slots<slot_list<A...>, slot_list<B...>, More...> : joined_slots<sl
 // The slots of an item: one for each leaf that carries a member.
 template <class Item> struct slots_of { using type = slot_list<slot<Item::key, typename Item::raw_type>>; };
 template <std::size_t Width> struct slots_of<reserved<Width>> : joined_slots<> {};
+template <auto Flag, class Item> struct slots_of<gated_by<Flag, Item>> : slots_of<Item> {};
 template <class Carrier, class... Fields>
 struct slots_of<bits<Carrier, Fields...>> : joined_slots<typename slots_of<Fields>::type...> {};
 template <unknown_bits Unknown, class Carrier, class... Items>

@@ -14,6 +14,13 @@ enum class errc : std::uint8_t {
     no_space,             ///< the output span is smaller than the encoded message
     out_of_range,         ///< a value outside its limits, not a number, or wider than its bit-field
     unknown_presence_bit, ///< a presence vector announces a field that its layout does not have
+    count_above_capacity, ///< more elements than the list holds, or than its count can say
+    count_mismatch,       ///< a count that stands elsewhere in the message differs from the number of elements
+    unknown_tag,          ///< no layout for this tag or type code, or the value is of another type
+    presence_mismatch,    ///< a member is there although its flag is not set, or the other way round
+    too_deep,             ///< a tree has more levels than its layout allows
+    arena_full,           ///< the memory for lists is used up
+    too_long,             ///< more than 2^24 - 1 bytes
 };
 
 /// The error in one line, for logs.
@@ -25,6 +32,13 @@ enum class errc : std::uint8_t {
     case errc::no_space: return "no space: the output buffer is too small";
     case errc::out_of_range: return "out of range: a value exceeds the limits or the width of its field";
     case errc::unknown_presence_bit: return "unknown presence bit: the presence vector announces an undefined field";
+    case errc::count_above_capacity: return "count above capacity: more elements than the list or its count can hold";
+    case errc::count_mismatch: return "count mismatch: the count differs from the number of elements";
+    case errc::unknown_tag: return "unknown tag: no layout for this type code, or the value is of another type";
+    case errc::presence_mismatch: return "presence mismatch: a member and the flag that announces it disagree";
+    case errc::too_deep: return "too deep: the tree has more levels than its layout allows";
+    case errc::arena_full: return "arena full: the memory given for lists is used up";
+    case errc::too_long: return "too long: more than 16 MiB";
     }
     return "unknown error";
 }
@@ -33,12 +47,14 @@ enum class errc : std::uint8_t {
 /// `Error` is an enumeration of at most 256 values whose `ok` is zero.
 template <class Error> class [[nodiscard]] basic_result {
   public:
+    static constexpr std::size_t max_size = 0xFFFFFF;
+
     constexpr basic_result(std::size_t size) noexcept : word_{static_cast<std::uint32_t>(size)} {}
     constexpr basic_result(Error error) noexcept : word_{static_cast<std::uint32_t>(error) << 24} {}
 
     /// True when there is a size and no error.
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return error() == Error{}; }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return word_ & 0xFFFFFFu; }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return word_ & max_size; }
     [[nodiscard]] constexpr Error error() const noexcept { return static_cast<Error>(word_ >> 24); }
 
   private:

@@ -134,4 +134,7 @@ template <std::size_t N> struct octets {
     }
 };
 
+/// A value that travels as it is and has a unit: `static constexpr std::string_view unit`.
+template <codec Codec, class Unit> struct in_units : Codec { using unit_type = Unit; };
+
 } // namespace jauscat::wire

@@ -2,8 +2,14 @@
 #pragma once
 #include <jauscat/wire/bits.hpp>
 #include <jauscat/wire/field.hpp>
+#include <jauscat/wire/flags.hpp>
+#include <jauscat/wire/gated.hpp>
 #include <jauscat/wire/layout.hpp>
 #include <jauscat/wire/nested.hpp>
 #include <jauscat/wire/presence.hpp>
+#include <jauscat/wire/repeated.hpp>
 #include <jauscat/wire/scalar.hpp>
 #include <jauscat/wire/scaled.hpp>
+#include <jauscat/wire/selected.hpp>
+#include <jauscat/wire/string.hpp>
+#include <jauscat/wire/tree.hpp>

@@ -1,7 +1,9 @@
-// One field out of received bytes, without decoding the rest.
+// One field out of received bytes, without decoding the rest; and an iterator over lists in them.
 #pragma once
-#include <jauscat/wire/layout.hpp>
+#include <jauscat/wire/repeated.hpp>
+#include <jauscat/wire/tree.hpp>
 
+#include <iterator>
 #include <span>
 
 namespace jauscat::wire {
@@ -12,42 +14,122 @@ namespace jauscat::wire {
 ///     wire::view<set_wrench_effort> message{body};
 ///     if (!message) return message.error();
 ///     if (auto effort = message.get<&set_wrench_effort::propulsive_linear_effort_x>()) use(*effort);
-template <message T> class view {
+///
+/// `Outer` is the scope around a structure that looks beyond its own bytes: a detail of views out of lists.
+template <message T, class Outer = plain_root> class view {
   public:
     constexpr explicit view(std::span<const std::byte> bytes) noexcept : bytes_{bytes}, error_{check(bytes)} {}
 
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return error_ == errc::ok; }
-    /// truncated, trailing_bytes or unknown_presence_bit; the view must not be read then.
+    /// truncated, trailing_bytes, unknown_presence_bit, unknown_tag or too_deep; the view must not be read then.
     [[nodiscard]] constexpr errc error() const noexcept { return error_; }
     [[nodiscard]] constexpr std::span<const std::byte> bytes() const noexcept { return bytes_; }
 
     /// The member's value. A std::optional where the field may be absent or is scaled: empty when it is absent, or when
-    /// its raw value is not legal. A nested message gives a view of it.
-    template <auto Member> [[nodiscard]] constexpr auto get() const noexcept {
-        return layout_of<T>::template read<Member, reading::real>(bytes_.data());
-    }
+    /// its raw value is not legal. A nested message gives a view of it, a list a list_view, text and bytes point into
+    /// the message.
+    template <auto Member> [[nodiscard]] constexpr auto get() const noexcept { return read<Member, reading::real>(); }
     /// The integer on the wire. A std::optional where the field may be absent.
     template <auto Member> [[nodiscard]] constexpr auto get_raw() const noexcept {
-        return layout_of<T>::template read<Member, reading::raw>(bytes_.data());
+        return read<Member, reading::raw>();
     }
 
     /// A view of bytes that are known to be complete: for the codec itself.
-    [[nodiscard]] static constexpr view of_measured(std::span<const std::byte> bytes) noexcept {
-        return view{bytes, errc::ok};
+    [[nodiscard]] static constexpr view of_measured(std::span<const std::byte> bytes,
+                                                    const Outer& outer = {}) noexcept {
+        return view{bytes, outer};
     }
 
   private:
-    constexpr view(std::span<const std::byte> bytes, errc error) noexcept : bytes_{bytes}, error_{error} {}
+    constexpr view(std::span<const std::byte> bytes, const Outer& outer) noexcept
+        : bytes_{bytes}, error_{errc::ok}, outer_{outer} {}
 
-    static constexpr errc check(std::span<const std::byte> bytes) noexcept {
+    template <auto Member, reading Mode> [[nodiscard]] constexpr auto read() const noexcept {
+        return layout_of<T>::template read<Member, Mode>(bytes_.data(), inside(bytes_));
+    }
+    [[nodiscard]] constexpr auto inside(std::span<const std::byte> bytes) const noexcept {
+        return byte_scope<T, Outer>{bytes.data(), bytes.data() + bytes.size(), outer_};
+    }
+    constexpr errc check(std::span<const std::byte> bytes) const noexcept {
         if (bytes.size() < min_size<T>) return errc::truncated;
-        const in_cursor end = layout_of<T>::measure({bytes.data(), bytes.size() - min_size<T>});
+        const in_cursor end = layout_of<T>::measure({bytes.data(), bytes.size() - min_size<T>}, inside(bytes));
         if (end.at == nullptr) return end.error();
         return end.at == bytes.data() + bytes.size() ? errc::ok : errc::trailing_bytes;
     }
 
     std::span<const std::byte> bytes_;
     errc error_;
+    [[no_unique_address]] Outer outer_{};
+};
+
+/// The elements of a list in received bytes: single values (real ones; a std::optional where scaled), or views of
+/// records. A forward range.
+template <class Item, class Outer> class list_view {
+  public:
+    constexpr list_view(const std::byte* first, std::size_t size, const Outer& outer) noexcept
+        : first_{first}, size_{size}, outer_{outer} {}
+
+    class iterator {
+      public:
+        using difference_type = std::ptrdiff_t;
+        using iterator_concept = std::forward_iterator_tag;
+
+        constexpr iterator() noexcept = default;
+        constexpr iterator(const std::byte* at, std::size_t left, const Outer& outer) noexcept
+            : at_{at}, left_{left}, outer_{outer} {}
+
+        [[nodiscard]] constexpr auto operator*() const noexcept {
+            if constexpr (of_records)
+                return view<record_type, Outer>::of_measured({at_, extent()}, outer_);
+            else
+                return field_value();
+        }
+        constexpr iterator& operator++() noexcept {
+            at_ += extent();
+            --left_;
+            return *this;
+        }
+        constexpr iterator operator++(int) noexcept {
+            iterator before = *this;
+            ++*this;
+            return before;
+        }
+        friend constexpr bool operator==(const iterator& a, const iterator& b) noexcept { return a.left_ == b.left_; }
+
+      private:
+        [[nodiscard]] constexpr std::size_t extent() const noexcept {
+            if constexpr (of_records)
+                return layout_of<record_type>::extent(at_, byte_scope<record_type, Outer>{at_, outer_.end, outer_});
+            else
+                return Item::element_type::codec_type::size;
+        }
+        [[nodiscard]] constexpr auto field_value() const noexcept {
+            using codec = typename Item::element_type::codec_type;
+            typename codec::value_type value{};
+            [[maybe_unused]] const errc error = codec::load(at_, value);
+            if constexpr (requires { typename codec::raw_codec; })
+                return error == errc::ok ? std::optional{value} : std::nullopt;
+            else
+                return value;
+        }
+
+        const std::byte* at_{};
+        std::size_t left_{};
+        Outer outer_{};
+    };
+
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] constexpr iterator begin() const noexcept { return {first_, size_, outer_}; }
+    [[nodiscard]] constexpr iterator end() const noexcept { return {nullptr, 0, outer_}; }
+
+  private:
+    using record_type = typename Item::value_type;
+    static constexpr bool of_records = !requires { typename Item::element_type::codec_type; };
+
+    const std::byte* first_;
+    std::size_t size_;
+    Outer outer_;
 };
 
 } // namespace jauscat::wire

@@ -1,0 +1,92 @@
+// How many: what a list, a string or a run of bytes takes its length from.
+#pragma once
+#include <jauscat/wire/layout.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace jauscat::wire {
+
+/// A name in a template argument, for what has no member: `count<"number_of_joints", u8>`.
+template <std::size_t N> struct label {
+    std::array<char, N> text{};
+    consteval label(const char (&literal)[N]) { std::copy_n(literal, N, text.begin()); }
+    [[nodiscard]] constexpr std::string_view view() const noexcept { return {text.data(), N - 1}; }
+};
+
+/// A count right before what it counts. It is no member: encoding writes the list's size.
+template <label Name, codec Codec> struct count {
+    using codec_type = Codec;
+    using value_type = typename Codec::value_type;
+    static constexpr std::size_t prefix_size = Codec::size;
+    static constexpr bool contextual = false;
+    static_assert(std::unsigned_integral<value_type>, "count: the carrier must be an unsigned integer");
+    static constexpr std::size_t limit =
+        sizeof(value_type) < sizeof(std::size_t) ? std::numeric_limits<value_type>::max() : ~std::size_t{};
+    static consteval std::string_view name() { return Name.view(); }
+
+    [[gnu::always_inline]] static constexpr out_cursor put(std::size_t elements, out_cursor c,
+                                                           const auto& here) noexcept {
+        detail::reach_number<Codec>(Name.view(), c.at, here);
+        if (elements > limit) return {c.at, errc::count_above_capacity};
+        detail::write<Codec::size>(
+            c, here, [&](std::byte* out) { return Codec::store(out, static_cast<value_type>(elements)); });
+        return c;
+    }
+    // Reads it and steps over it; false where a trace sees that the bytes end before.
+    [[gnu::always_inline]] static constexpr bool get(std::size_t& elements, in_cursor& c, const auto& here) noexcept {
+        if (!detail::reach_number<Codec>(Name.view(), c.at, here)) {
+            c = in_cursor::failed(errc::truncated);
+            return false;
+        }
+        elements = peek(c.at, here);
+        c.at += Codec::size;
+        if constexpr (traced<decltype(here)>)
+            root_of(here).tracer.template passed_number<Codec>(Name.view(), elements, c.at);
+        return true;
+    }
+    [[gnu::always_inline]] static constexpr std::size_t peek(const std::byte* in, const auto&) noexcept {
+        value_type value{};
+        Codec::load(in, value);
+        return static_cast<std::size_t>(value);
+    }
+};
+
+namespace detail {
+/// What counts that stand elsewhere have in common. `Less` is what the count is smaller by.
+template <std::size_t Less, auto... Path> struct count_elsewhere {
+    static constexpr std::size_t prefix_size = 0;
+    static constexpr bool contextual = true;
+
+    [[gnu::always_inline]] static constexpr out_cursor put(std::size_t elements, out_cursor c,
+                                                           const auto& here) noexcept {
+        if (elements != peek(nullptr, here)) c.error = errc::count_mismatch;
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr bool get(std::size_t& elements, in_cursor& c, const auto& here) noexcept {
+        elements = peek(c.at, here);
+        return true;
+    }
+    [[gnu::always_inline]] static constexpr std::size_t peek(const std::byte*, const auto& here) noexcept {
+        const auto value = static_cast<std::size_t>(look_up<Path...>(here));
+        return value < Less ? 0 : value - Less;
+    }
+};
+} // namespace detail
+
+/// The count is a member of this structure or of one around it; further pointers lead into it. Encoding a list of
+/// another size says count_mismatch.
+template <auto... Path> struct counted_by : detail::count_elsewhere<0, Path...> {};
+/// The same where the member counts one more than there are elements; 0 counts none.
+template <auto... Path> struct one_less_than : detail::count_elsewhere<1, Path...> {};
+
+/// All bytes to the end of the body; for its last item.
+struct rest {};
+/// Always `Size` characters, filled with zeros, which are not part of the value.
+template <std::size_t Size> struct fixed {};
+/// Sent as `fixed<Size>`; any length to the end of the body is received.
+template <std::size_t Size> struct fixed_or_rest {};
+/// Up to a zero, which is on the wire and not part of the value.
+struct zero_terminated {};
+
+} // namespace jauscat::wire

@@ -1,0 +1,55 @@
+// A member that a flag of an enclosing structure announces.
+#pragma once
+#include <jauscat/wire/layout.hpp>
+
+namespace jauscat::wire {
+
+/// `Item`, whose member is a std::optional, travels only when the bool `Flag`, a member of this structure or of one
+/// around it, is set. Encoding a value without its flag, or a flag without its value, says presence_mismatch.
+template <auto Flag, class Item> struct gated_by {
+    using gated_item = Item;
+    static constexpr auto key = Item::key;
+    using keys = typename Item::keys;
+    using raw_type = typename Item::raw_type;
+    static constexpr bool optional = false; // no presence vector of its own
+    static constexpr bool contextual = true;
+    static constexpr bool needs_memory = item_needs_memory<Item>;
+    static constexpr std::size_t min_size = 0, max_size = Item::max_size;
+    static_assert(Item::optional, "gated_by: the member must be a std::optional");
+
+    static consteval std::string_view name() { return item_label<Item>(); }
+
+    [[gnu::always_inline]] static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
+        return member_of<key>(object).has_value() ? detail::size_of_item<Item>(object, here) : 0;
+    }
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
+                                                           const auto& here) noexcept {
+        const bool there = look_up<Flag>(here);
+        if (there != member_of<key>(object).has_value()) return {c.at, errc::presence_mismatch};
+        if (there) detail::put_item<Item>(object, c, here);
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+        if (!look_up<Flag>(here))
+            member_of<key>(object).reset();
+        else if (detail::spend(c, Item::min_size, here))
+            detail::get_item<Item>(object, c, here);
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+        if (look_up<Flag>(here) && detail::spend(c, Item::min_size, here)) detail::measure_item<Item>(c, here);
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+        return look_up<Flag>(here) ? detail::extent_of_item<Item>(in, here) : 0;
+    }
+    template <auto Member, reading Mode>
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+        using value = decltype(Item::template read<Member, Mode>(in, here));
+        using found = std::conditional_t<detail::optional_value<value>::is_optional, value, std::optional<value>>;
+        return look_up<Flag>(here) ? found{Item::template read<Member, Mode>(in, here)} : found{};
+    }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) { Item::visit(object, visitor); }
+};
+
+} // namespace jauscat::wire

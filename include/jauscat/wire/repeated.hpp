@@ -1,0 +1,238 @@
+// Lists: of records with a schema of their own, or of single values.
+#pragma once
+#include <jauscat/wire/extent.hpp>
+#include <jauscat/wire/list.hpp>
+#include <jauscat/wire/nested.hpp>
+
+namespace jauscat::wire {
+
+/// The elements of a list are single values, carried by `Codec`. `Name` is the standard's name of an element; the
+/// member's is that of the field in it.
+template <label Name, codec Codec> struct element {
+    using codec_type = Codec;
+    static consteval std::string_view name() { return Name.view(); }
+};
+/// The elements of a list are records, laid out by their schema.
+struct record {};
+
+namespace detail {
+
+template <class List> struct list_traits;
+template <class T> struct list_traits<list<T>> {
+    using value_type = T;
+    template <class Other> using of = list<Other>;
+    static constexpr bool elsewhere = true;
+};
+template <class T, std::size_t Capacity> struct list_traits<inline_list<T, Capacity>> {
+    using value_type = T;
+    template <class Other> using of = inline_list<Other, Capacity>;
+    static constexpr bool elsewhere = false;
+    static constexpr std::size_t capacity = Capacity;
+};
+
+/// How single values are written and read in a list.
+template <class Codec, bool Raw> struct value_form {
+    using used = wire::codec_in_mode<Codec, Raw>;
+    static constexpr std::size_t min_size = Codec::size, max_size = Codec::size;
+    static constexpr bool fixed = true;
+    [[gnu::always_inline]] static constexpr std::size_t size(const auto&, const auto&) noexcept { return Codec::size; }
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
+        write<Codec::size>(c, here, [&](std::byte* out) { return used::store(out, value); });
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
+        if constexpr (traced<decltype(here)>) {
+            if (!root_of(here).tracer.reach_element(c.at, Codec::size)) return in_cursor::failed(errc::truncated);
+        }
+        const errc error = used::load(c.at, value);
+        return error == errc::ok ? in_cursor{c.at + Codec::size, c.slack} : in_cursor::failed(error);
+    }
+};
+/// How records are.
+template <class T> struct record_form {
+    using inner = layout_of<T>;
+    static constexpr std::size_t min_size = inner::min_size, max_size = inner::max_size;
+    static constexpr bool fixed = fixed_item<inner>;
+    [[gnu::always_inline]] static constexpr std::size_t size(const auto& value, const auto& here) noexcept {
+        return inner::size(value, object_scope{value, here});
+    }
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
+        return inner::put(value, c, object_scope{value, here});
+    }
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
+        return inner::get(value, c, object_scope{value, here});
+    }
+    template <class Here> static constexpr auto inside(const std::byte* in, const Here& here) noexcept {
+        return byte_scope<T, Here>{in, here.end, here};
+    }
+};
+
+} // namespace detail
+
+template <class Item, class Outer> class list_view;
+
+/// A list: `Count` says how many (count, counted_by, one_less_than), `Element` what (record, element).
+/// Decoding a `list` takes its elements from the arena (`arena_full`); an `inline_list` holds up to its capacity
+/// (`count_above_capacity`).
+template <auto Member, class Count, class Element = record> struct repeated {
+    static constexpr auto key = Member;
+    using keys = key_list<Member>;
+    using member_type = member_value_t<Member>;
+    using traits = detail::list_traits<member_type>;
+    using value_type = typename traits::value_type;
+    using count_type = Count;
+    using element_type = Element;
+    static constexpr bool optional = is_optional_member<Member>;
+    static constexpr bool of_records = std::is_same_v<Element, record>;
+
+    template <bool Raw, class Value> struct form_of { using type = detail::record_form<Value>; };
+    template <bool Raw, class Value>
+    requires(!of_records) struct form_of<Raw, Value> {
+        using type = detail::value_form<typename Element::codec_type, Raw>;
+    };
+    using plain_form = typename form_of<false, value_type>::type;
+    static_assert(plain_form::min_size != 0,
+                  "repeated: an element may take no bytes at all, so a count would mean nothing");
+
+    static constexpr bool contextual = true; // elements look at what is around them
+    static constexpr bool needs_memory = traits::elsewhere || [] {
+        if constexpr (of_records)
+            return layout_of<value_type>::needs_memory;
+        else
+            return false;
+    }();
+    static constexpr std::size_t min_size = Count::prefix_size;
+    static constexpr std::size_t max_size = [] {
+        if constexpr (traits::elsewhere)
+            return unbounded;
+        else
+            return plain_form::max_size == unbounded ? unbounded
+                                                     : Count::prefix_size + traits::capacity * plain_form::max_size;
+    }();
+    static_assert(
+        [] {
+            if constexpr (!traits::elsewhere && requires { Count::limit; })
+                return traits::capacity <= Count::limit;
+            else
+                return true;
+        }(),
+        "repeated: the list's capacity exceeds what its count can say");
+
+    static consteval std::string_view name() { return name_of<Member>(); }
+
+    template <class Value> struct raw_element { using type = raw<Value>; };
+    template <class Value>
+    requires(!of_records) struct raw_element<Value> {
+        using type = typename codec_in_mode<typename Element::codec_type, true>::value_type;
+    };
+    using raw_list = typename traits::template of<typename raw_element<value_type>::type>;
+    using raw_type = std::conditional_t<optional, std::optional<raw_list>, raw_list>;
+
+    [[gnu::always_inline]] static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
+        const auto& elements = held(member_of<Member>(object));
+        using form = form_in<decltype(object)>;
+        if constexpr (form::fixed) return Count::prefix_size + elements.size() * form::max_size;
+        std::size_t total = Count::prefix_size;
+        for (const auto& element : elements) total += form::size(element, here);
+        return total;
+    }
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
+                                                           const auto& here) noexcept {
+        const auto& elements = held(member_of<Member>(object));
+        c = Count::put(elements.size(), c, here);
+        if (c.error != errc::ok) return c;
+        detail::enter<repeated>(here);
+        std::size_t index = 0;
+        for (const auto& element : elements) {
+            detail::element(here, index++);
+            c = form_in<decltype(object)>::put(element, c, here);
+            if (c.error != errc::ok) return c;
+        }
+        detail::leave(here);
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+        using form = form_in<decltype(object)>;
+        auto& elements = made(member_of<Member>(object));
+        using stored = typename detail::list_traits<std::remove_reference_t<decltype(elements)>>::value_type;
+        std::size_t size{};
+        if (!Count::get(size, c, here)) return c;
+        if constexpr (traced<decltype(here)>) {
+            if constexpr (!traits::elsewhere) {
+                if (size > traits::capacity) return in_cursor::failed(errc::count_above_capacity);
+            }
+            detail::enter<repeated>(here);
+            stored scratch{};
+            for (std::size_t i = 0; i != size; ++i) {
+                detail::element(here, i);
+                scratch = {};
+                c = form::get(scratch, c, here);
+                if (c.at == nullptr) return c;
+                root_of(here).tracer.template passed_element<repeated>(scratch, c.at);
+            }
+            detail::leave(here);
+            return c;
+        } else {
+            if (size > c.slack / form::min_size) return in_cursor::failed(errc::truncated);
+            c.slack -= size * form::min_size;
+            if constexpr (traits::elsewhere) {
+                stored* const first = root_of(here).memory.template allocate<stored>(size);
+                if (first == nullptr && size != 0) return in_cursor::failed(errc::arena_full);
+                elements = std::span<const stored>{first, size};
+                return fill<form>(std::span{first, size}, c, here);
+            } else {
+                if (!elements.resize(size)) return in_cursor::failed(errc::count_above_capacity);
+                return fill<form>(std::span{elements.begin(), size}, c, here);
+            }
+        }
+    }
+    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+        const std::size_t size = Count::peek(c.at, here);
+        if (size > c.slack / plain_form::min_size) return in_cursor::failed(errc::truncated);
+        c = {c.at + Count::prefix_size, c.slack - size * plain_form::min_size};
+        if constexpr (plain_form::fixed) {
+            c.at += size * plain_form::max_size;
+        } else {
+            for (std::size_t i = 0; i != size && c.at != nullptr; ++i)
+                c = layout_of<value_type>::measure(c, plain_form::inside(c.at, here));
+        }
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+        const std::size_t size = Count::peek(in, here);
+        std::size_t total = Count::prefix_size;
+        if constexpr (plain_form::fixed) {
+            total += size * plain_form::max_size;
+        } else {
+            for (std::size_t i = 0; i != size; ++i)
+                total += layout_of<value_type>::extent(in + total, plain_form::inside(in + total, here));
+        }
+        return total;
+    }
+    template <auto, reading Mode>
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+        return list_view<repeated, std::remove_cvref_t<decltype(here)>>{in + Count::prefix_size, Count::peek(in, here),
+                                                                        here};
+    }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(repeated{}, member_of<Member>(object));
+    }
+
+  private:
+    template <class Object>
+    using form_in =
+        typename form_of<raw_object<Object>,
+                         std::remove_cvref_t<decltype(held(member_of<Member>(std::declval<Object&>()))[0])>>::type;
+
+    template <class Form, class T>
+    [[gnu::always_inline]] static constexpr in_cursor fill(std::span<T> elements, in_cursor c,
+                                                           const auto& here) noexcept {
+        for (T& element : elements) {
+            c = Form::get(element, c, here);
+            if (c.at == nullptr) break;
+        }
+        return c;
+    }
+};
+
+} // namespace jauscat::wire

@@ -1,0 +1,178 @@
+// A value whose layout depends on another member: a type code, a tag, an index.
+#pragma once
+#include <jauscat/wire/nested.hpp>
+
+#include <variant>
+
+namespace jauscat::wire {
+
+/// The member that selects; further pointers lead into it.
+template <auto... Path> struct by {
+    [[gnu::always_inline]] static constexpr auto value(const auto& here) noexcept { return look_up<Path...>(here); }
+};
+
+/// One case: for `Tag` the value has the form `Form`, a codec or a struct with a schema; without one it has no bytes.
+template <auto Tag, class Form = std::monostate> struct when {
+    static constexpr auto tag = Tag;
+    using form = Form;
+};
+
+namespace detail {
+
+// How one case is sized, written and read; `value` is of the case's own type.
+template <class Form> struct case_form {
+    using value_type = typename Form::value_type;
+    static constexpr std::size_t min_size = Form::size, max_size = Form::size;
+    static constexpr std::size_t size(const auto&, const auto&) noexcept { return Form::size; }
+    template <bool Raw>
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
+        using used = wire::codec_in_mode<Form, Raw>;
+        write<Form::size>(
+            c, here, [&](std::byte* out) { return used::store(out, static_cast<typename used::value_type>(value)); });
+        return c;
+    }
+    template <bool Raw>
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& value, in_cursor c, const auto&) noexcept {
+        using used = wire::codec_in_mode<Form, Raw>;
+        typename used::value_type loaded{};
+        const errc error = used::load(c.at, loaded);
+        if (error != errc::ok) return in_cursor::failed(error);
+        value = static_cast<std::remove_reference_t<decltype(value)>>(loaded);
+        return {c.at + Form::size, c.slack};
+    }
+};
+template <message Form> struct case_form<Form> {
+    using value_type = Form;
+    using inner = layout_of<Form>;
+    static_assert(fixed_item<inner>, "selected: a structure in a case must have a fixed size");
+    static constexpr std::size_t min_size = inner::min_size, max_size = inner::max_size;
+    static constexpr std::size_t size(const auto&, const auto&) noexcept { return max_size; }
+    template <bool>
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
+        return inner::put(value, c, object_scope{value, here});
+    }
+    template <bool>
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
+        return inner::get(value, c, object_scope{value, here});
+    }
+};
+template <> struct case_form<std::monostate> {
+    using value_type = std::monostate;
+    static constexpr std::size_t min_size = 0, max_size = 0;
+    static constexpr std::size_t size(const auto&, const auto&) noexcept { return 0; }
+    template <bool> static constexpr out_cursor put(const auto&, out_cursor c, const auto&) noexcept { return c; }
+    template <bool> static constexpr in_cursor get(auto&, in_cursor c, const auto&) noexcept { return c; }
+};
+
+template <class T> inline constexpr bool is_variant = false;
+template <class... T> inline constexpr bool is_variant<std::variant<T...>> = true;
+
+} // namespace detail
+
+/// A member in the form that `Selector` selects among `Cases`. The member is a std::variant of the cases' types, or of
+/// their one type. A tag without a case, and a value that is not of its tag's type, say unknown_tag.
+/// In a `raw` a plain member with scaled cases is the integer on the wire, as std::uint64_t.
+template <auto Member, class Selector, class... Cases> struct selected {
+    static constexpr auto key = Member;
+    using keys = key_list<Member>;
+    using value_type = member_value_t<Member>;
+    using cases = std::tuple<Cases...>;
+    static constexpr bool optional = is_optional_member<Member>;
+    static constexpr bool contextual = true;
+    static constexpr std::size_t min_size = std::min({detail::case_form<typename Cases::form>::min_size...});
+    static constexpr std::size_t max_size = std::max({detail::case_form<typename Cases::form>::max_size...});
+    static constexpr bool of_variant = detail::is_variant<value_type>;
+    static constexpr bool has_scaled = (requires { typename Cases::form::raw_codec; } || ...);
+    static_assert(!(of_variant && has_scaled), "selected: scaled cases need a plain member");
+    static_assert(
+        of_variant ||
+            (std::is_convertible_v<typename detail::case_form<typename Cases::form>::value_type, value_type> && ...),
+        "selected: a case does not fit the member's type");
+    using raw_value = std::conditional_t<has_scaled, std::uint64_t, value_type>;
+    using raw_type = std::conditional_t<optional, std::optional<raw_value>, raw_value>;
+
+    static consteval std::string_view name() { return name_of<Member>(); }
+
+    /// Calls f.template operator()<Case>() for the case of a tag; false where there is none.
+    static constexpr bool with_case(auto tag, auto&& f) {
+        return (... || (tag == Cases::tag && (f.template operator()<Cases>(), true)));
+    }
+
+    [[gnu::always_inline]] static constexpr std::size_t size(const auto&, const auto& here) noexcept {
+        return size_of_tag(Selector::value(here));
+    }
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
+                                                           const auto& here) noexcept {
+        const auto& value = held(member_of<Member>(object));
+        const out_cursor start = c;
+        c.error = errc::unknown_tag;
+        with_case(Selector::value(here), [&]<class Case>() {
+            using form = detail::case_form<typename Case::form>;
+            if constexpr (of_variant) {
+                if (const auto* const held_value = std::get_if<typename form::value_type>(&value))
+                    c = form::template put<false>(*held_value, start, here);
+            } else {
+                c = form::template put<raw_object<decltype(object)>>(value, start, here);
+            }
+        });
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+        auto& value = made(member_of<Member>(object));
+        const in_cursor start = c;
+        c = in_cursor::failed(errc::unknown_tag);
+        with_case(Selector::value(here), [&]<class Case>() {
+            using form = detail::case_form<typename Case::form>;
+            c = start;
+            if constexpr (traced<decltype(here)>) {
+                if (!root_of(here).tracer.template reach_octets<selected>(c.at, form::min_size)) {
+                    c = in_cursor::failed(errc::truncated);
+                    return;
+                }
+            }
+            if (!detail::spend(c, form::min_size - min_size, here)) return;
+            if constexpr (of_variant)
+                c = form::template get<false>(value.template emplace<typename form::value_type>(), c, here);
+            else
+                c = form::template get<raw_object<decltype(object)>>(value, c, here);
+        });
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+        const in_cursor start = c;
+        c = in_cursor::failed(errc::unknown_tag);
+        with_case(Selector::value(here), [&]<class Case>() {
+            using form = detail::case_form<typename Case::form>;
+            c = start;
+            if (detail::spend(c, form::min_size - min_size, here)) c.at += form::min_size;
+        });
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte*, const auto& here) noexcept {
+        return size_of_tag(Selector::value(here));
+    }
+    /// Decoded; empty where a scaled raw value is not legal. A view reads the raw value of a scaled case as a real one
+    /// too: only a `raw` holds it.
+    template <auto, reading>
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+        std::optional<value_type> value;
+        with_case(Selector::value(here), [&]<class Case>() {
+            using form = detail::case_form<typename Case::form>;
+            typename form::value_type loaded{};
+            if (form::template get<false>(loaded, {in, 0}, here).at != nullptr) value.emplace(loaded);
+        });
+        return value;
+    }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(selected{}, member_of<Member>(object));
+    }
+
+  private:
+    [[gnu::always_inline]] static constexpr std::size_t size_of_tag(auto tag) noexcept {
+        std::size_t size = 0;
+        with_case(tag, [&]<class Case>() { size = detail::case_form<typename Case::form>::max_size; });
+        return size;
+    }
+};
+
+} // namespace jauscat::wire

@@ -1,0 +1,262 @@
+// Characters and bytes of any length. They are not copied: a decoded value points into the received bytes.
+#pragma once
+#include <jauscat/wire/extent.hpp>
+#include <jauscat/wire/list.hpp>
+
+namespace jauscat::wire {
+
+namespace detail {
+
+/// Octets of a member that is a std::string_view or a blob, with the length `Extent` says.
+template <auto Member, class Extent> struct octet_run {
+    static constexpr auto key = Member;
+    using keys = key_list<Member>;
+    using value_type = member_value_t<Member>;
+    using raw_type = member_t<Member>;
+    static constexpr bool optional = is_optional_member<Member>;
+    static consteval std::string_view name() { return name_of<Member>(); }
+
+  protected:
+    /// The member that points at `size` octets.
+    [[gnu::always_inline]] static constexpr value_type pointing_at(const std::byte* in, std::size_t size) noexcept {
+        if constexpr (std::is_same_v<value_type, std::string_view>)
+            return {reinterpret_cast<const char*>(in), size}; // not in a constant expression
+        else
+            return value_type{std::span{in, size}};
+    }
+    [[gnu::always_inline]] static constexpr void copy(const value_type& value, std::byte* out) noexcept {
+        for (const auto octet : value) *out++ = static_cast<std::byte>(octet);
+    }
+    /// Fills up with zeros to `size`.
+    [[gnu::always_inline]] static constexpr errc put_filled(const value_type& value, std::byte* out,
+                                                            std::size_t size) noexcept {
+        if (value.size() > size) return errc::out_of_range;
+        copy(value, out);
+        for (std::size_t i = value.size(); i != size; ++i) out[i] = std::byte{};
+        return errc::ok;
+    }
+    /// Without the zeros that fill it up.
+    [[gnu::always_inline]] static constexpr std::size_t filled(const std::byte* in, std::size_t size) noexcept {
+        while (size != 0 && in[size - 1] == std::byte{}) --size;
+        return size;
+    }
+    /// Writes the octets behind what stands before them.
+    [[gnu::always_inline]] static constexpr out_cursor append(const value_type& value, out_cursor c,
+                                                              const auto& here) noexcept {
+        if (c.error != errc::ok) return c;
+        if constexpr (traced<decltype(here)>) {
+            root_of(here).tracer.advance(value.size());
+        } else {
+            copy(value, c.at);
+            c.at += value.size();
+        }
+        return c;
+    }
+};
+
+/// The length is a count, before it or elsewhere.
+template <auto Member, class Count> struct counted_run : octet_run<Member, Count> {
+    using base = octet_run<Member, Count>;
+    using count_type = Count;
+    static constexpr bool contextual = Count::contextual;
+    static constexpr std::size_t min_size = Count::prefix_size, max_size = unbounded;
+
+    [[gnu::always_inline]] static constexpr std::size_t size(const auto& object, const auto&) noexcept {
+        return Count::prefix_size + held(member_of<Member>(object)).size();
+    }
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
+                                                           const auto& here) noexcept {
+        const auto& value = held(member_of<Member>(object));
+        return base::append(value, Count::put(value.size(), c, here), here);
+    }
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+        std::size_t size{};
+        if (!Count::get(size, c, here)) return c;
+        if constexpr (traced<decltype(here)>) {
+            if (!root_of(here).tracer.template reach_octets<counted_run>(c.at, size))
+                return in_cursor::failed(errc::truncated);
+        }
+        if (!spend(c, size, here)) return c;
+        made(member_of<Member>(object)) = base::pointing_at(c.at, size);
+        c.at += size;
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+        const std::size_t size = Count::peek(c.at, here);
+        if (!spend(c, size, here)) return c;
+        c.at += Count::prefix_size + size;
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+        return Count::prefix_size + Count::peek(in, here);
+    }
+    template <auto, reading>
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+        return base::pointing_at(in + Count::prefix_size, Count::peek(in, here));
+    }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(counted_run{}, member_of<Member>(object));
+    }
+};
+
+template <auto Member, class Extent> struct run_of { using type = counted_run<Member, Extent>; };
+
+/// To the end of the body.
+template <auto Member> struct run_to_end : octet_run<Member, rest> {
+    using base = octet_run<Member, rest>;
+    static constexpr bool to_the_end = true;
+    static constexpr std::size_t min_size = 0, max_size = unbounded;
+
+    [[gnu::always_inline]] static constexpr std::size_t size(const auto& object, const auto&) noexcept {
+        return held(member_of<Member>(object)).size();
+    }
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
+                                                           const auto& here) noexcept {
+        return base::append(held(member_of<Member>(object)), c, here);
+    }
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+        const std::size_t size = rest_of(c, here);
+        made(member_of<Member>(object)) = base::pointing_at(c.at, size);
+        return {c.at + size, 0};
+    }
+    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto&) noexcept {
+        return {c.at + c.slack, 0};
+    }
+    // How far it reaches is known to the view alone, which reads it as the last item.
+    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+        return static_cast<std::size_t>(here.end - in);
+    }
+    template <auto, reading>
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+        return base::pointing_at(in, extent(in, here));
+    }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(run_to_end{}, member_of<Member>(object));
+    }
+};
+template <auto Member> struct run_of<Member, rest> { using type = run_to_end<Member>; };
+
+/// Sent with zeros up to `Size`, received to the end of the body.
+template <auto Member, std::size_t Size> struct lenient_run : octet_run<Member, fixed_or_rest<Size>> {
+    using base = octet_run<Member, fixed_or_rest<Size>>;
+    static constexpr bool to_the_end = true;
+    static constexpr std::size_t min_size = 0, max_size = Size;
+
+    [[gnu::always_inline]] static constexpr std::size_t size(const auto&, const auto&) noexcept { return Size; }
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
+                                                           const auto& here) noexcept {
+        const auto& value = held(member_of<Member>(object));
+        write<Size>(c, here, [&](std::byte* out) { return base::put_filled(value, out, Size); });
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+        const std::size_t size = rest_of(c, here);
+        made(member_of<Member>(object)) = base::pointing_at(c.at, base::filled(c.at, size));
+        return {c.at + size, 0};
+    }
+    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto&) noexcept {
+        return {c.at + c.slack, 0};
+    }
+    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+        return static_cast<std::size_t>(here.end - in);
+    }
+    template <auto, reading>
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+        return base::pointing_at(in, base::filled(in, extent(in, here)));
+    }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(lenient_run{}, member_of<Member>(object));
+    }
+};
+template <auto Member, std::size_t Size> struct run_of<Member, fixed_or_rest<Size>> {
+    using type = lenient_run<Member, Size>;
+};
+
+/// With zeros up to `Size`.
+template <auto Member, std::size_t Size> struct fixed_run : octet_run<Member, fixed<Size>> {
+    using base = octet_run<Member, fixed<Size>>;
+    static constexpr std::size_t min_size = Size, max_size = Size;
+
+    [[gnu::always_inline]] static constexpr errc put(const auto& object, std::byte* out) noexcept {
+        return base::put_filled(held(member_of<Member>(object)), out, Size);
+    }
+    [[gnu::always_inline]] static constexpr errc get(auto& object, const std::byte* in) noexcept {
+        made(member_of<Member>(object)) = base::pointing_at(in, base::filled(in, Size));
+        return errc::ok;
+    }
+    template <auto, reading>
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto&) noexcept {
+        return base::pointing_at(in, base::filled(in, Size));
+    }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(fixed_run{}, member_of<Member>(object));
+    }
+};
+template <auto Member, std::size_t Size> struct run_of<Member, fixed<Size>> { using type = fixed_run<Member, Size>; };
+
+/// Up to a zero.
+template <auto Member> struct terminated_run : octet_run<Member, zero_terminated> {
+    using base = octet_run<Member, zero_terminated>;
+    static constexpr std::size_t min_size = 1, max_size = unbounded;
+
+    [[gnu::always_inline]] static constexpr std::size_t size(const auto& object, const auto&) noexcept {
+        return held(member_of<Member>(object)).size() + 1;
+    }
+    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
+                                                           const auto& here) noexcept {
+        const auto& value = held(member_of<Member>(object));
+        for (const auto octet : value)
+            if (static_cast<std::byte>(octet) == std::byte{}) return {c.at, errc::out_of_range};
+        c = base::append(value, c, here);
+        write<1>(c, here, [](std::byte* out) { return *out = std::byte{}, errc::ok; });
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+        std::size_t size = 0;
+        const std::size_t most = traced<decltype(here)> ? rest_of(c, here) : c.slack + 1;
+        while (size != most && c.at[size] != std::byte{}) ++size;
+        if (size == most) {
+            if constexpr (traced<decltype(here)>)
+                root_of(here).tracer.template reach_octets<terminated_run>(c.at, size + 1);
+            return in_cursor::failed(errc::truncated);
+        }
+        if (!spend(c, size, here)) return c;
+        made(member_of<Member>(object)) = base::pointing_at(c.at, size);
+        c.at += size + 1;
+        return c;
+    }
+    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto&) noexcept {
+        std::size_t size = 0;
+        while (size != c.slack + 1 && c.at[size] != std::byte{}) ++size;
+        if (size == c.slack + 1) return in_cursor::failed(errc::truncated);
+        return {c.at + size + 1, c.slack - size};
+    }
+    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in, const auto&) noexcept {
+        std::size_t size = 0;
+        while (in[size] != std::byte{}) ++size;
+        return size + 1;
+    }
+    template <auto, reading>
+    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+        return base::pointing_at(in, extent(in, here) - 1);
+    }
+    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(terminated_run{}, member_of<Member>(object));
+    }
+};
+template <auto Member> struct run_of<Member, zero_terminated> { using type = terminated_run<Member>; };
+
+} // namespace detail
+
+/// Characters (member: std::string_view): `fixed<N>`, `fixed_or_rest<N>`, `zero_terminated`, `rest`, or a count.
+/// A string that is longer than `N` or contains its own terminator does not encode (`out_of_range`).
+template <auto Member, class Extent>
+requires std::is_same_v<member_value_t<Member>, std::string_view>
+using string = typename detail::run_of<Member, Extent>::type;
+
+/// Bytes (member: blob): `rest` or a count.
+template <auto Member, class Extent>
+requires std::is_same_v<member_value_t<Member>, blob>
+using bytes = typename detail::run_of<Member, Extent>::type;
+
+} // namespace jauscat::wire
