@@ -6,12 +6,82 @@
 
 namespace jauscat::jaus {
 
+/// Axes of Set Camera Pose whose value is a rate; a position where the bit is clear. Bit numbers.
+enum class mode_indicator : std::uint8_t {
+    linear_x_is_a_rate = 0,
+    linear_y_is_a_rate = 1,
+    linear_z_is_a_rate = 2,
+    angular_x_is_a_rate = 3,
+    angular_y_is_a_rate = 4,
+    angular_z_is_a_rate = 5,
+};
+
+/// Set Camera Pose: moves a camera along and about its axes.
+/// Code 0801h, command class, 3 to 15 bytes.
+struct set_camera_pose {
+    static constexpr std::uint16_t command_code = 0x0801;
+    std::uint8_t camera_id{};                               ///< which camera
+    wire::flags<jaus::mode_indicator> mode_indicator{};     ///< axes given as rates
+    std::optional<double> linear_x_displacement_or_rate{};  ///< percent, -100 to 100
+    std::optional<double> linear_y_displacement_or_rate{};  ///< percent, -100 to 100
+    std::optional<double> linear_z_displacement_or_rate{};  ///< percent, -100 to 100
+    std::optional<double> angular_x_displacement_or_rate{}; ///< percent, -100 to 100
+    std::optional<double> angular_y_displacement_or_rate{}; ///< percent, -100 to 100
+    std::optional<double> angular_z_displacement_or_rate{}; ///< percent, -100 to 100
+    friend constexpr bool operator==(const set_camera_pose&, const set_camera_pose&) = default;
+};
+
 /// Select Camera: selects a camera.
 /// Code 0802h, command class, 1 byte.
 struct select_camera {
     static constexpr std::uint16_t command_code = 0x0802;
     std::uint8_t camera_id{}; ///< camera to select
     friend constexpr bool operator==(const select_camera&, const select_camera&) = default;
+};
+
+/// Controls of a camera's picture. Bit numbers.
+enum class imaging_controls : std::uint16_t {
+    auto_focus = 0,
+    auto_exposure_iris = 1,
+    image_stabilization = 2,
+    white_balance = 3,
+    sync_flash_strobe = 4,
+    red_eye = 5,
+    auto_shutter = 6,
+    video_auto_gain = 7,
+    interlaced_video = 8,
+};
+
+/// Controls of a camera's sound. Bit numbers.
+enum class audio_controls : std::uint16_t {
+    audio_enabled = 0,
+    auto_gain = 1,
+    stereo_audio = 2,
+    directional_audio = 3,
+    front_microphone = 4,
+    rear_microphone = 5,
+    left_microphone = 6,
+    right_microphone = 7,
+};
+
+/// Set Camera Capabilities: sets lens, resolution, exposure and sound of a camera.
+/// Code 0805h, command class, 3 to 22 bytes. Some peers take bit 7 for Shutter Speed, Imaging Controls and Audio
+/// Controls too: to those send bits 7 to 10 together or not at all.
+struct set_camera_capabilities {
+    static constexpr std::uint16_t command_code = 0x0805;
+    std::uint8_t camera_id{};                                              ///< which camera
+    std::optional<double> horizontal_fov{};                                ///< radians, 0 to pi
+    std::optional<double> vertical_fov{};                                  ///< radians, 0 to pi
+    std::optional<std::uint16_t> horizontal_resolution{};                  ///< pixels
+    std::optional<std::uint16_t> vertical_resolution{};                    ///< pixels
+    std::optional<double> focus{};                                         ///< percent, 0 to 100
+    std::optional<double> iris{};                                          ///< percent, 0 to 100
+    std::optional<double> gain{};                                          ///< percent, 0 to 100
+    std::optional<std::uint16_t> frame_rate{};                             ///< frames per second
+    std::optional<std::uint16_t> shutter_speed{};                          ///< seconds
+    std::optional<wire::flags<jaus::imaging_controls>> imaging_controls{}; ///< what to switch on
+    std::optional<wire::flags<jaus::audio_controls>> audio_controls{};     ///< what to switch on
+    friend constexpr bool operator==(const set_camera_capabilities&, const set_camera_capabilities&) = default;
 };
 
 /// Coding of a camera's sound. Other values are not assigned.
@@ -116,6 +186,24 @@ struct query_image {
     friend constexpr bool operator==(const query_image&, const query_image&) = default;
 };
 
+/// Report Camera Pose: where a camera is and where it looks.
+/// Code 4800h, inform class, 3 to 36 bytes.
+struct report_camera_pose {
+    static constexpr std::uint16_t command_code = 0x4800;
+    std::uint8_t camera_id{};                                 ///< which camera
+    std::optional<std::string_view> camera_name{};            ///< up to 15 characters
+    std::optional<double> x_camera_origin{};                  ///< metres, -32.767 to 32.767
+    std::optional<double> y_camera_origin{};                  ///< metres, -32.767 to 32.767
+    std::optional<double> z_camera_origin{};                  ///< metres, -32.767 to 32.767
+    std::optional<double> x_camera_axis_direction_cosine_x{}; ///< -1 to 1
+    std::optional<double> x_camera_axis_direction_cosine_y{}; ///< -1 to 1
+    std::optional<double> x_camera_axis_direction_cosine_z{}; ///< -1 to 1
+    std::optional<double> z_camera_axis_direction_cosine_x{}; ///< -1 to 1
+    std::optional<double> z_camera_axis_direction_cosine_y{}; ///< -1 to 1
+    std::optional<double> z_camera_axis_direction_cosine_z{}; ///< -1 to 1
+    friend constexpr bool operator==(const report_camera_pose&, const report_camera_pose&) = default;
+};
+
 /// Report Camera Count: how many cameras there are.
 /// Code 4801h, inform class, 1 byte.
 struct report_camera_count {
@@ -150,6 +238,29 @@ struct report_selected_camera {
     friend constexpr bool operator==(const report_selected_camera&, const report_selected_camera&) = default;
 };
 
+/// Report Camera Capabilities: what a camera can do; a control bit says that the control is available.
+/// Code 4805h, inform class, 3 to 81 bytes.
+struct report_camera_capabilities {
+    static constexpr std::uint16_t command_code = 0x4805;
+    std::uint8_t camera_id{};                                              ///< which camera
+    std::optional<std::string_view> description{};                         ///< up to 50 characters
+    std::optional<double> maximum_horizontal_fov{};                        ///< radians, 0 to pi
+    std::optional<double> minimum_horizontal_fov{};                        ///< radians, 0 to pi
+    std::optional<double> maximum_vertical_fov{};                          ///< radians, 0 to pi
+    std::optional<double> minimum_vertical_fov{};                          ///< radians, 0 to pi
+    std::optional<std::uint16_t> maximum_horizontal_resolution{};          ///< pixels
+    std::optional<std::uint16_t> minimum_horizontal_resolution{};          ///< pixels
+    std::optional<std::uint16_t> maximum_vertical_resolution{};            ///< pixels
+    std::optional<std::uint16_t> minimum_vertical_resolution{};            ///< pixels
+    std::optional<std::uint16_t> maximum_frame_rate{};                     ///< frames per second
+    std::optional<std::uint16_t> minimum_frame_rate{};                     ///< frames per second
+    std::optional<std::uint16_t> maximum_shutter_speed{};                  ///< seconds
+    std::optional<std::uint16_t> minimum_shutter_speed{};                  ///< seconds
+    std::optional<wire::flags<jaus::imaging_controls>> imaging_controls{}; ///< what is available
+    std::optional<wire::flags<jaus::audio_controls>> audio_controls{};     ///< what is available
+    friend constexpr bool operator==(const report_camera_capabilities&, const report_camera_capabilities&) = default;
+};
+
 /// Report Camera Format Options: the codings of sound and pictures that a camera has.
 /// Code 4806h, inform class, 2 to 12 bytes.
 struct report_camera_format_options {
@@ -166,15 +277,57 @@ struct report_camera_format_options {
                                      const report_camera_format_options&) = default;
 };
 
+/// Report Image: an image; a large one comes in several packets.
+/// Code 4807h, inform class, 2 bytes or more. Contested: some peers send the image data alone.
+struct report_image {
+    static constexpr std::uint16_t command_code = 0x4807;
+    std::uint8_t camera_id{};    ///< which camera
+    image_format video_format{}; ///< coding of the image
+    wire::blob image_data{};     ///< in the coding above
+    friend constexpr bool operator==(const report_image&, const report_image&) = default;
+};
+
 } // namespace jauscat::jaus
 
 // One line per field, as in the standard's table.
 // clang-format off
 namespace jauscat {
 
+template <> struct wire::schema<jaus::set_camera_pose> {
+    using T = jaus::set_camera_pose;
+    using type = layout<
+        presence<u8,
+            field<&T::camera_id, u8>,
+            field<&T::mode_indicator, flag_bits<jaus::mode_indicator, u8>>,
+            field<&T::linear_x_displacement_or_rate, scaled<i16le, jaus::signed_percent>>,
+            field<&T::linear_y_displacement_or_rate, scaled<i16le, jaus::signed_percent>>,
+            field<&T::linear_z_displacement_or_rate, scaled<i16le, jaus::signed_percent>>,
+            field<&T::angular_x_displacement_or_rate, scaled<i16le, jaus::signed_percent>>,
+            field<&T::angular_y_displacement_or_rate, scaled<i16le, jaus::signed_percent>>,
+            field<&T::angular_z_displacement_or_rate, scaled<i16le, jaus::signed_percent>>>>;
+};
+
 template <> struct wire::schema<jaus::select_camera> {
     using T = jaus::select_camera;
     using type = layout<field<&T::camera_id, u8>>;
+};
+
+template <> struct wire::schema<jaus::set_camera_capabilities> {
+    using T = jaus::set_camera_capabilities;
+    using type = layout<
+        presence<u16le,
+            field<&T::camera_id, u8>,
+            field<&T::horizontal_fov, scaled<u16le, jaus::positive_angle>>,
+            field<&T::vertical_fov, scaled<u16le, jaus::positive_angle>>,
+            field<&T::horizontal_resolution, in_units<u16le, jaus::pixels>>,
+            field<&T::vertical_resolution, in_units<u16le, jaus::pixels>>,
+            field<&T::focus, scaled<u8, jaus::percent>>,
+            field<&T::iris, scaled<u8, jaus::percent>>,
+            field<&T::gain, scaled<u8, jaus::percent>>,
+            field<&T::frame_rate, in_units<u16le, jaus::frames_per_second>>,
+            field<&T::shutter_speed, in_units<u16le, jaus::whole_seconds>>,
+            field<&T::imaging_controls, flag_bits<jaus::imaging_controls, u16le>>,
+            field<&T::audio_controls, flag_bits<jaus::audio_controls, u16le>>>>;
 };
 
 template <> struct wire::schema<jaus::set_camera_format_options> {
@@ -219,6 +372,23 @@ template <> struct wire::schema<jaus::query_camera_format_options> {
 
 template <> struct wire::schema<jaus::query_image> { using type = layout<>; };
 
+template <> struct wire::schema<jaus::report_camera_pose> {
+    using T = jaus::report_camera_pose;
+    using type = layout<
+        presence<u16le,
+            field<&T::camera_id, u8>,
+            string<&T::camera_name, fixed<15>>,
+            field<&T::x_camera_origin, scaled<i16le, jaus::camera_origin>>,
+            field<&T::y_camera_origin, scaled<i16le, jaus::camera_origin>>,
+            field<&T::z_camera_origin, scaled<i16le, jaus::camera_origin>>,
+            field<&T::x_camera_axis_direction_cosine_x, scaled<i16le, jaus::unit_vector_component>>,
+            field<&T::x_camera_axis_direction_cosine_y, scaled<i16le, jaus::unit_vector_component>>,
+            field<&T::x_camera_axis_direction_cosine_z, scaled<i16le, jaus::unit_vector_component>>,
+            field<&T::z_camera_axis_direction_cosine_x, scaled<i16le, jaus::unit_vector_component>>,
+            field<&T::z_camera_axis_direction_cosine_y, scaled<i16le, jaus::unit_vector_component>>,
+            field<&T::z_camera_axis_direction_cosine_z, scaled<i16le, jaus::unit_vector_component>>>>;
+};
+
 template <> struct wire::schema<jaus::report_camera_count> {
     using T = jaus::report_camera_count;
     using type = layout<field<&T::camera_count, u8>>;
@@ -244,6 +414,28 @@ template <> struct wire::schema<jaus::report_selected_camera> {
     using type = layout<field<&T::camera_id, u8>>;
 };
 
+template <> struct wire::schema<jaus::report_camera_capabilities> {
+    using T = jaus::report_camera_capabilities;
+    using type = layout<
+        presence<u16le,
+            field<&T::camera_id, u8>,
+            string<&T::description, fixed<50>>,
+            field<&T::maximum_horizontal_fov, scaled<u16le, jaus::positive_angle>>,
+            field<&T::minimum_horizontal_fov, scaled<u16le, jaus::positive_angle>>,
+            field<&T::maximum_vertical_fov, scaled<u16le, jaus::positive_angle>>,
+            field<&T::minimum_vertical_fov, scaled<u16le, jaus::positive_angle>>,
+            field<&T::maximum_horizontal_resolution, in_units<u16le, jaus::pixels>>,
+            field<&T::minimum_horizontal_resolution, in_units<u16le, jaus::pixels>>,
+            field<&T::maximum_vertical_resolution, in_units<u16le, jaus::pixels>>,
+            field<&T::minimum_vertical_resolution, in_units<u16le, jaus::pixels>>,
+            field<&T::maximum_frame_rate, in_units<u16le, jaus::frames_per_second>>,
+            field<&T::minimum_frame_rate, in_units<u16le, jaus::frames_per_second>>,
+            field<&T::maximum_shutter_speed, in_units<u16le, jaus::whole_seconds>>,
+            field<&T::minimum_shutter_speed, in_units<u16le, jaus::whole_seconds>>,
+            field<&T::imaging_controls, flag_bits<jaus::imaging_controls, u16le>>,
+            field<&T::audio_controls, flag_bits<jaus::audio_controls, u16le>>>>;
+};
+
 template <> struct wire::schema<jaus::report_camera_format_options> {
     using T = jaus::report_camera_format_options;
     using type = layout<
@@ -256,6 +448,14 @@ template <> struct wire::schema<jaus::report_camera_format_options> {
             field<&T::image_format_3, enumeration<jaus::image_format, u8>>,
             field<&T::image_format_4, enumeration<jaus::image_format, u8>>,
             field<&T::format_options, u32le>>>;
+};
+
+template <> struct wire::schema<jaus::report_image> {
+    using T = jaus::report_image;
+    using type = layout<
+        field<&T::camera_id, u8>,
+        field<&T::video_format, enumeration<jaus::image_format, u8>>,
+        bytes<&T::image_data, rest>>;
 };
 
 } // namespace jauscat

@@ -42,6 +42,46 @@ struct set_wrench_effort {
     friend constexpr bool operator==(const set_wrench_effort&, const set_wrench_effort&) = default;
 };
 
+/// What Main Propulsion switches on. Bit numbers.
+enum class main_propulsion_device : std::uint8_t {
+    main_propulsion = 0,
+    main_fuel_supply = 1,
+    auxiliary_fuel_supply = 2,
+    power_to_auxiliary_devices = 3,
+    starting_device = 4,
+    cold_start = 5,
+    automatic_start_sequence = 6,
+    automatic_shutdown_sequence = 7,
+};
+
+/// What Parking, Brake and Horn switches on. Bit numbers; bits 2 to 7 are not assigned.
+enum class parking_brake_and_horn : std::uint8_t {
+    parking_brake = 0,
+    horn = 1,
+};
+
+/// Gear: 1 to 127 are the forward gears from low to high, 129 to 255 the reverse gears from low to high.
+enum class gear : std::uint8_t {
+    park = 0,
+    neutral = 128,
+};
+
+/// Transfer Case: 0 to 127 are low, 129 to 255 high.
+enum class transfer_case : std::uint8_t {
+    neutral = 128,
+};
+
+/// Set Discrete Devices: switches engine, brake, horn, gear and transfer case.
+/// Code 0406h, command class, 1 to 5 bytes.
+struct set_discrete_devices {
+    static constexpr std::uint16_t command_code = 0x0406;
+    std::optional<wire::flags<main_propulsion_device>> main_propulsion{};              ///< what to switch on
+    std::optional<wire::flags<jaus::parking_brake_and_horn>> parking_brake_and_horn{}; ///< what to switch on
+    std::optional<jaus::gear> gear{};                                                  ///< gear to engage
+    std::optional<jaus::transfer_case> transfer_case{};                                ///< transfer case to engage
+    friend constexpr bool operator==(const set_discrete_devices&, const set_discrete_devices&) = default;
+};
+
 /// Set Global Vector: sets speed, elevation, heading and attitude to hold.
 /// Code 0407h, command class, 1 to 13 bytes.
 struct set_global_vector {
@@ -257,6 +297,48 @@ struct query_local_path_segment {
     friend constexpr bool operator==(const query_local_path_segment&, const query_local_path_segment&) = default;
 };
 
+/// Report Platform Specifications: size, balance and limits of the platform.
+/// Code 4400h, inform class, 4 to 59 bytes.
+struct report_platform_specifications {
+    static constexpr std::uint16_t command_code = 0x4400;
+    std::optional<std::string_view> platform_name{}; ///< up to 15 characters
+    std::optional<double> front{};                   ///< metres, 0 to 32.767
+    std::optional<double> back{};                    ///< metres, 0 to 32.767
+    std::optional<double> right{};                   ///< metres, 0 to 32.767
+    std::optional<double> left{};                    ///< metres, 0 to 32.767
+    std::optional<double> bottom{};                  ///< metres, 0 to 32.767
+    std::optional<double> top{};                     ///< metres, 0 to 32.767
+    std::optional<double> x_cg{};                    ///< metres, 0 to 32.767
+    std::optional<double> y_cg{};                    ///< metres, 0 to 32.767
+    std::optional<double> z_cg{};                    ///< metres, 0 to 32.767
+    std::optional<double> turning_radius{};          ///< metres, 0 to 65.535
+    std::optional<double> wheel_base{};              ///< metres, 0 to 65.535
+    std::optional<double> track_width{};             ///< metres, 0 to 65.535
+    std::optional<double> static_pitch_over{};       ///< radians, 0 to 2.56
+    std::optional<double> static_roll_over{};        ///< radians, 0 to 2.56
+    std::optional<double> maximum_velocity_x{};      ///< metres per second, 0 to 65.535
+    std::optional<double> maximum_velocity_y{};      ///< metres per second, 0 to 65.535
+    std::optional<double> maximum_velocity_z{};      ///< metres per second, 0 to 65.535
+    std::optional<double> maximum_roll_rate{};       ///< radians per second, 0 to 32.767
+    std::optional<double> maximum_pitch_rate{};      ///< radians per second, 0 to 32.767
+    std::optional<double> maximum_yaw_rate{};        ///< radians per second, 0 to 32.767
+    friend constexpr bool operator==(const report_platform_specifications&,
+                                     const report_platform_specifications&) = default;
+};
+
+/// Report Platform Operational Data: the gauges of the platform.
+/// Code 4401h, inform class, 1 to 10 bytes.
+struct report_platform_operational_data {
+    static constexpr std::uint16_t command_code = 0x4401;
+    std::optional<double> engine_temperature{}; ///< degrees Celsius, -75 to 180
+    std::optional<std::uint32_t> odometer{};    ///< metres
+    std::optional<double> battery_voltage{};    ///< percent, 0 to 127
+    std::optional<double> fuel_level{};         ///< percent, 0 to 100
+    std::optional<double> oil_pressure{};       ///< percent, 0 to 127
+    friend constexpr bool operator==(const report_platform_operational_data&,
+                                     const report_platform_operational_data&) = default;
+};
+
 /// Report Global Pose: position by latitude and longitude, and attitude.
 /// Code 4402h, inform class, 2 to 30 bytes. Peers are known to set presence bit 9 and to append two bytes that RA 3.3
 /// does not define; they are dropped.
@@ -324,6 +406,17 @@ struct report_wrench_effort {
     std::optional<double> resistive_rotational_effort_y{};  ///< percent, 0 to 100
     std::optional<double> resistive_rotational_effort_z{};  ///< percent, 0 to 100
     friend constexpr bool operator==(const report_wrench_effort&, const report_wrench_effort&) = default;
+};
+
+/// Report Discrete Devices: the state of engine, brake, horn, gear and transfer case.
+/// Code 4406h, inform class, 1 to 5 bytes.
+struct report_discrete_devices {
+    static constexpr std::uint16_t command_code = 0x4406;
+    std::optional<wire::flags<main_propulsion_device>> main_propulsion{};              ///< what is on
+    std::optional<wire::flags<jaus::parking_brake_and_horn>> parking_brake_and_horn{}; ///< what is on
+    std::optional<jaus::gear> gear{};                                                  ///< gear engaged
+    std::optional<jaus::transfer_case> transfer_case{};                                ///< transfer case engaged
+    friend constexpr bool operator==(const report_discrete_devices&, const report_discrete_devices&) = default;
 };
 
 /// Report Global Vector: the global vector in force.
@@ -466,6 +559,16 @@ template <> struct wire::schema<jaus::set_wrench_effort> {
             field<&T::resistive_rotational_effort_x, scaled<u8, jaus::percent>>,
             field<&T::resistive_rotational_effort_y, scaled<u8, jaus::percent>>,
             field<&T::resistive_rotational_effort_z, scaled<u8, jaus::percent>>>>;
+};
+
+template <> struct wire::schema<jaus::set_discrete_devices> {
+    using T = jaus::set_discrete_devices;
+    using type = layout<
+        presence<u8,
+            field<&T::main_propulsion, flag_bits<jaus::main_propulsion_device, u8>>,
+            field<&T::parking_brake_and_horn, flag_bits<jaus::parking_brake_and_horn, u8>>,
+            field<&T::gear, enumeration<jaus::gear, u8>>,
+            field<&T::transfer_case, enumeration<jaus::transfer_case, u8>>>>;
 };
 
 template <> struct wire::schema<jaus::set_global_vector> {
@@ -617,6 +720,44 @@ template <> struct wire::schema<jaus::query_local_path_segment> {
         field<&T::presence_vector, u8>>;
 };
 
+template <> struct wire::schema<jaus::report_platform_specifications> {
+    using T = jaus::report_platform_specifications;
+    using type = layout<
+        presence<u32le,
+            string<&T::platform_name, fixed<15>>,
+            field<&T::front, scaled<u16le, jaus::platform_dimension>>,
+            field<&T::back, scaled<u16le, jaus::platform_dimension>>,
+            field<&T::right, scaled<u16le, jaus::platform_dimension>>,
+            field<&T::left, scaled<u16le, jaus::platform_dimension>>,
+            field<&T::bottom, scaled<u16le, jaus::platform_dimension>>,
+            field<&T::top, scaled<u16le, jaus::platform_dimension>>,
+            field<&T::x_cg, scaled<u16le, jaus::platform_dimension>>,
+            field<&T::y_cg, scaled<u16le, jaus::platform_dimension>>,
+            field<&T::z_cg, scaled<u16le, jaus::platform_dimension>>,
+            field<&T::turning_radius, scaled<u16le, jaus::chassis_dimension>>,
+            field<&T::wheel_base, scaled<u16le, jaus::chassis_dimension>>,
+            field<&T::track_width, scaled<u16le, jaus::chassis_dimension>>,
+            field<&T::static_pitch_over, scaled<u16le, jaus::static_roll_over_angle>>,
+            field<&T::static_roll_over, scaled<u16le, jaus::static_roll_over_angle>>,
+            field<&T::maximum_velocity_x, scaled<u16le, jaus::maximum_velocity>>,
+            field<&T::maximum_velocity_y, scaled<u16le, jaus::maximum_velocity>>,
+            field<&T::maximum_velocity_z, scaled<u16le, jaus::maximum_velocity>>,
+            field<&T::maximum_roll_rate, scaled<u16le, jaus::maximum_angular_rate>>,
+            field<&T::maximum_pitch_rate, scaled<u16le, jaus::maximum_angular_rate>>,
+            field<&T::maximum_yaw_rate, scaled<u16le, jaus::maximum_angular_rate>>>>;
+};
+
+template <> struct wire::schema<jaus::report_platform_operational_data> {
+    using T = jaus::report_platform_operational_data;
+    using type = layout<
+        presence<u8,
+            field<&T::engine_temperature, scaled<i16le, jaus::engine_temperature_range>>,
+            field<&T::odometer, in_units<u32le, jaus::metres>>,
+            field<&T::battery_voltage, scaled<u8, jaus::gauge_percent>>,
+            field<&T::fuel_level, scaled<u8, jaus::percent>>,
+            field<&T::oil_pressure, scaled<u8, jaus::gauge_percent>>>>;
+};
+
 template <> struct wire::schema<jaus::report_global_pose> {
     using T = jaus::report_global_pose;
     using type = layout<
@@ -678,6 +819,16 @@ template <> struct wire::schema<jaus::report_wrench_effort> {
             field<&T::resistive_rotational_effort_x, scaled<u8, jaus::percent>>,
             field<&T::resistive_rotational_effort_y, scaled<u8, jaus::percent>>,
             field<&T::resistive_rotational_effort_z, scaled<u8, jaus::percent>>>>;
+};
+
+template <> struct wire::schema<jaus::report_discrete_devices> {
+    using T = jaus::report_discrete_devices;
+    using type = layout<
+        presence<u8,
+            field<&T::main_propulsion, flag_bits<jaus::main_propulsion_device, u8>>,
+            field<&T::parking_brake_and_horn, flag_bits<jaus::parking_brake_and_horn, u8>>,
+            field<&T::gear, enumeration<jaus::gear, u8>>,
+            field<&T::transfer_case, enumeration<jaus::transfer_case, u8>>>>;
 };
 
 template <> struct wire::schema<jaus::report_global_vector> {
