@@ -48,6 +48,81 @@ struct query_services {
     friend constexpr bool operator==(const query_services&, const query_services&) = default;
 };
 
+/// Report Identification: what the system, subsystem, node or component is called.
+/// Code 4B00h, inform class, 84 bytes. Peers may send a shorter text without the fill.
+/// Types: 10001 vehicle, 20001 operator control unit, 30001 other subsystem, 40001 node, 50001 payload, 60001
+/// component.
+struct report_identification {
+    static constexpr std::uint16_t command_code = 0x4B00;
+    jaus::query_type query_type{};     ///< whose identification
+    std::uint8_t authority_code{};     ///< 0 lowest to 255 highest
+    std::uint16_t type{};              ///< kind of the named thing
+    std::string_view identification{}; ///< up to 80 characters
+    friend constexpr bool operator==(const report_identification&, const report_identification&) = default;
+};
+
+/// A component in Report Configuration. 2 bytes.
+struct configured_component {
+    std::uint8_t component_id{}; ///< 1 to 254
+    std::uint8_t instance_id{};  ///< 1 to 254
+    friend constexpr bool operator==(const configured_component&, const configured_component&) = default;
+};
+
+/// A node in Report Configuration. 2 bytes or more.
+struct configured_node {
+    std::uint8_t node_id{};                       ///< 1 to 254
+    wire::list<configured_component> component{}; ///< up to 255
+    friend constexpr bool operator==(const configured_node&, const configured_node&) = default;
+};
+
+/// Report Configuration: the nodes and components of a subsystem, or the components of a node.
+/// Code 4B01h, inform class, 1 byte or more.
+struct report_configuration {
+    static constexpr std::uint16_t command_code = 0x4B01;
+    wire::list<configured_node> node{}; ///< up to 255
+    friend constexpr bool operator==(const report_configuration&, const report_configuration&) = default;
+};
+
+/// A subsystem in Report Subsystem List. 4 bytes. It begins with the subsystem, unlike an address in the header.
+struct listed_subsystem {
+    std::uint8_t subsystem_id{}; ///< 1 to 254
+    std::uint8_t node_id{};      ///< 1 to 254
+    std::uint8_t component_id{}; ///< 1 to 254
+    std::uint8_t instance_id{};  ///< 1 to 254
+    friend constexpr bool operator==(const listed_subsystem&, const listed_subsystem&) = default;
+};
+
+/// Report Subsystem List: the known subsystems, each by the address of a component.
+/// Code 4B02h, inform class, 1 byte or more.
+struct report_subsystem_list {
+    static constexpr std::uint16_t command_code = 0x4B02;
+    wire::list<listed_subsystem> subsystem{}; ///< up to 255
+    friend constexpr bool operator==(const report_subsystem_list&, const report_subsystem_list&) = default;
+};
+
+/// A message of a service. 6 bytes.
+struct supported_message {
+    std::uint16_t command_code{};              ///< which message
+    std::uint32_t supported_presence_vector{}; ///< the supported fields; shorter vectors are in the low bits
+    friend constexpr bool operator==(const supported_message&, const supported_message&) = default;
+};
+
+/// A service in Report Services. 4 bytes or more.
+struct offered_service {
+    std::uint16_t service_type{};                   ///< a component ID, or 0 for the core service of each component
+    wire::list<supported_message> input_message{};  ///< what it takes; up to 255
+    wire::list<supported_message> output_message{}; ///< what it sends; up to 255
+    friend constexpr bool operator==(const offered_service&, const offered_service&) = default;
+};
+
+/// Report Services: the services of a component and their messages.
+/// Code 4B03h, inform class, 1 byte or more.
+struct report_services {
+    static constexpr std::uint16_t command_code = 0x4B03;
+    wire::list<offered_service> service{}; ///< up to 255
+    friend constexpr bool operator==(const report_services&, const report_services&) = default;
+};
+
 } // namespace jauscat::jaus
 
 // One line per field, as in the standard's table.
@@ -67,5 +142,67 @@ template <> struct wire::schema<jaus::query_configuration> {
 template <> struct wire::schema<jaus::query_subsystem_list> { using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_services> { using type = layout<>; };
+
+template <> struct wire::schema<jaus::report_identification> {
+    using T = jaus::report_identification;
+    using type = layout<
+        field<&T::query_type, enumeration<jaus::query_type, u8>>,
+        field<&T::authority_code, u8>,
+        field<&T::type, u16le>,
+        string<&T::identification, fixed_or_rest<80>>>;
+};
+
+template <> struct wire::schema<jaus::configured_component> {
+    using T = jaus::configured_component;
+    using type = layout<
+        field<&T::component_id, u8>,
+        field<&T::instance_id, u8>>;
+};
+
+template <> struct wire::schema<jaus::configured_node> {
+    using T = jaus::configured_node;
+    using type = layout<
+        field<&T::node_id, u8>,
+        repeated<&T::component, count<"number_of_components", u8>>>;
+};
+
+template <> struct wire::schema<jaus::report_configuration> {
+    using T = jaus::report_configuration;
+    using type = layout<repeated<&T::node, count<"number_of_nodes", u8>>>;
+};
+
+template <> struct wire::schema<jaus::listed_subsystem> {
+    using T = jaus::listed_subsystem;
+    using type = layout<
+        field<&T::subsystem_id, u8>,
+        field<&T::node_id, u8>,
+        field<&T::component_id, u8>,
+        field<&T::instance_id, u8>>;
+};
+
+template <> struct wire::schema<jaus::report_subsystem_list> {
+    using T = jaus::report_subsystem_list;
+    using type = layout<repeated<&T::subsystem, count<"number_of_subsystems", u8>>>;
+};
+
+template <> struct wire::schema<jaus::supported_message> {
+    using T = jaus::supported_message;
+    using type = layout<
+        field<&T::command_code, u16le>,
+        field<&T::supported_presence_vector, u32le>>;
+};
+
+template <> struct wire::schema<jaus::offered_service> {
+    using T = jaus::offered_service;
+    using type = layout<
+        field<&T::service_type, u16le>,
+        repeated<&T::input_message, count<"number_of_input_messages", u8>>,
+        repeated<&T::output_message, count<"number_of_output_messages", u8>>>;
+};
+
+template <> struct wire::schema<jaus::report_services> {
+    using T = jaus::report_services;
+    using type = layout<repeated<&T::service, count<"number_of_services", u8>>>;
+};
 
 } // namespace jauscat

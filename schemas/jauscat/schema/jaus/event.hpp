@@ -1,5 +1,6 @@
 // Event subgroup of RA 3.3 part 3: reports on change or in periods.
 #pragma once
+#include <jauscat/schema/jaus/typed_value.hpp>
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
 
@@ -13,6 +14,57 @@ enum class event_type : std::uint8_t {
     first_change_in_and_out_of_boundary = 3,
     periodic_without_repeat = 4, ///< also called replacement
     one_time_on_demand = 5,
+};
+
+/// How the value of a field is compared with the limits of an event.
+enum class event_boundary : std::uint8_t {
+    equal = 0,
+    not_equal = 1,
+    inside_inclusive = 2,
+    inside_exclusive = 3,
+    outside_inclusive = 4,
+    outside_exclusive = 5,
+    greater_than_or_equal = 6,
+    strictly_greater_than = 7,
+    less_than_or_equal = 8,
+    strictly_less_than = 9,
+};
+
+/// Create Event: asks for a report whenever something happens.
+/// Code 01F0h, command class, 5 bytes or more.
+struct create_event {
+    static constexpr std::uint16_t command_code = 0x01F0;
+    std::uint8_t local_request_id{};                      ///< the requester's own number
+    std::uint16_t message_code{};                         ///< command code of the report
+    jaus::event_type event_type{};                        ///< what triggers the report
+    std::optional<jaus::event_boundary> event_boundary{}; ///< how the limits are compared
+    std::optional<std::uint8_t> limit_data_field{}; ///< number of the field in the report that the limits apply to
+    std::optional<typed_value> lower_limit{};       ///< of the field
+    std::optional<typed_value> upper_limit{};       ///< of the field
+    std::optional<typed_value> state_limit{};       ///< of a field that is a state
+    std::optional<double> requested_minimum_periodic_rate{}; ///< hertz, 0 to 1092
+    std::optional<double> requested_periodic_rate{};         ///< hertz, 0 to 1092
+    std::optional<wire::blob> query_message_body{};          ///< of the query for the report, without a header
+    friend constexpr bool operator==(const create_event&, const create_event&) = default;
+};
+
+/// Update Event: changes an event that has been created.
+/// Code 01F1h, command class, 6 bytes or more.
+struct update_event {
+    static constexpr std::uint16_t command_code = 0x01F1;
+    std::uint8_t local_request_id{};                      ///< the requester's own number
+    std::uint16_t message_code{};                         ///< command code of the report
+    jaus::event_type event_type{};                        ///< what triggers the report
+    std::optional<jaus::event_boundary> event_boundary{}; ///< how the limits are compared
+    std::optional<std::uint8_t> limit_data_field{}; ///< number of the field in the report that the limits apply to
+    std::optional<typed_value> lower_limit{};       ///< of the field
+    std::optional<typed_value> upper_limit{};       ///< of the field
+    std::optional<typed_value> state_limit{};       ///< of a field that is a state
+    std::optional<double> requested_minimum_periodic_rate{}; ///< hertz, 0 to 1092
+    std::optional<double> requested_periodic_rate{};         ///< hertz, 0 to 1092
+    std::uint8_t event_id{};                                 ///< the event, as the confirmation numbered it
+    std::optional<wire::blob> query_message_body{};          ///< of the query for the report, without a header
+    friend constexpr bool operator==(const update_event&, const update_event&) = default;
 };
 
 /// Cancel Event: ends an event, or the events of a report.
@@ -48,6 +100,17 @@ struct confirm_event_request {
     friend constexpr bool operator==(const confirm_event_request&, const confirm_event_request&) = default;
 };
 
+/// Reject Event Request: answers a request for an event that cannot be met.
+/// Code 01F4h, command class, 3 bytes or more. The text goes to the end of the body; some peers add a zero, some fill
+/// it.
+struct reject_event_request {
+    static constexpr std::uint16_t command_code = 0x01F4;
+    std::uint8_t local_request_id{};                 ///< as in the request
+    event_response response_code{};                  ///< the reason
+    std::optional<std::string_view> error_message{}; ///< the reason in words
+    friend constexpr bool operator==(const reject_event_request&, const reject_event_request&) = default;
+};
+
 /// Query Events: asks for Report Events.
 /// Code 21F0h, query class, 1 to 5 bytes.
 struct query_events {
@@ -58,11 +121,79 @@ struct query_events {
     friend constexpr bool operator==(const query_events&, const query_events&) = default;
 };
 
+/// An event in Report Events. 4 bytes or more.
+struct reported_event {
+    std::uint16_t message_code{};                         ///< command code of the report
+    jaus::event_type event_type{};                        ///< what triggers the report
+    std::optional<jaus::event_boundary> event_boundary{}; ///< how the limits are compared
+    std::optional<std::uint8_t> limit_data_field{}; ///< number of the field in the report that the limits apply to
+    std::optional<typed_value> lower_limit{};       ///< of the field
+    std::optional<typed_value> upper_limit{};       ///< of the field
+    std::optional<typed_value> state_limit{};       ///< of a field that is a state
+    std::optional<std::uint8_t> event_id{};         ///< the event, as the confirmation numbered it
+    std::optional<wire::blob> query_message{};      ///< of the query for the report; some peers put its header in front
+    friend constexpr bool operator==(const reported_event&, const reported_event&) = default;
+};
+
+/// Report Events: the events that are set up.
+/// Code 41F0h, inform class, 1 byte or more.
+struct report_events {
+    static constexpr std::uint16_t command_code = 0x41F0;
+    wire::list<reported_event> event{}; ///< up to 255
+    friend constexpr bool operator==(const report_events&, const report_events&) = default;
+};
+
+/// Event: the report that an event triggered.
+/// Code 41F1h, inform class, 8 bytes or more.
+struct event {
+    static constexpr std::uint16_t command_code = 0x41F1;
+    std::uint8_t event_id{};              ///< the event, as the confirmation numbered it
+    std::uint16_t message_code{};         ///< command code of the report
+    std::uint8_t event_sequence_number{}; ///< counts occurrences, wraps
+    wire::blob report_message_body{};     ///< the report without a header
+    friend constexpr bool operator==(const event&, const event&) = default;
+};
+
 } // namespace jauscat::jaus
 
 // One line per field, as in the standard's table.
 // clang-format off
 namespace jauscat {
+
+template <> struct wire::schema<jaus::create_event> {
+    using T = jaus::create_event;
+    using type = layout<
+        presence<u8,
+            field<&T::local_request_id, u8>,
+            field<&T::message_code, u16le>,
+            field<&T::event_type, enumeration<jaus::event_type, u8>>,
+            field<&T::event_boundary, enumeration<jaus::event_boundary, u8>>,
+            field<&T::limit_data_field, u8>,
+            nested<&T::lower_limit>,
+            nested<&T::upper_limit>,
+            nested<&T::state_limit>,
+            field<&T::requested_minimum_periodic_rate, scaled<u16le, jaus::update_rate>>,
+            field<&T::requested_periodic_rate, scaled<u16le, jaus::update_rate>>,
+            bytes<&T::query_message_body, count<"query_message_size", u32le>>>>;
+};
+
+template <> struct wire::schema<jaus::update_event> {
+    using T = jaus::update_event;
+    using type = layout<
+        presence<u8,
+            field<&T::local_request_id, u8>,
+            field<&T::message_code, u16le>,
+            field<&T::event_type, enumeration<jaus::event_type, u8>>,
+            field<&T::event_boundary, enumeration<jaus::event_boundary, u8>>,
+            field<&T::limit_data_field, u8>,
+            nested<&T::lower_limit>,
+            nested<&T::upper_limit>,
+            nested<&T::state_limit>,
+            field<&T::requested_minimum_periodic_rate, scaled<u16le, jaus::update_rate>>,
+            field<&T::requested_periodic_rate, scaled<u16le, jaus::update_rate>>,
+            field<&T::event_id, u8>,
+            bytes<&T::query_message_body, count<"query_message_size", u32le>>>>;
+};
 
 template <> struct wire::schema<jaus::cancel_event> {
     using T = jaus::cancel_event;
@@ -84,6 +215,15 @@ template <> struct wire::schema<jaus::confirm_event_request> {
             field<&T::response_code, enumeration<jaus::event_response, u8>>>>;
 };
 
+template <> struct wire::schema<jaus::reject_event_request> {
+    using T = jaus::reject_event_request;
+    using type = layout<
+        presence<u8,
+            field<&T::local_request_id, u8>,
+            field<&T::response_code, enumeration<jaus::event_response, u8>>,
+            string<&T::error_message, rest>>>;
+};
+
 template <> struct wire::schema<jaus::query_events> {
     using T = jaus::query_events;
     using type = layout<
@@ -91,6 +231,35 @@ template <> struct wire::schema<jaus::query_events> {
             field<&T::message_code, u16le>,
             field<&T::event_type, enumeration<jaus::event_type, u8>>,
             field<&T::event_id, u8>>>;
+};
+
+template <> struct wire::schema<jaus::reported_event> {
+    using T = jaus::reported_event;
+    using type = layout<
+        presence<u8,
+            field<&T::message_code, u16le>,
+            field<&T::event_type, enumeration<jaus::event_type, u8>>,
+            field<&T::event_boundary, enumeration<jaus::event_boundary, u8>>,
+            field<&T::limit_data_field, u8>,
+            nested<&T::lower_limit>,
+            nested<&T::upper_limit>,
+            nested<&T::state_limit>,
+            field<&T::event_id, u8>,
+            bytes<&T::query_message, count<"query_message_size", u32le>>>>;
+};
+
+template <> struct wire::schema<jaus::report_events> {
+    using T = jaus::report_events;
+    using type = layout<repeated<&T::event, count<"number_of_events", u8>>>;
+};
+
+template <> struct wire::schema<jaus::event> {
+    using T = jaus::event;
+    using type = layout<
+        field<&T::event_id, u8>,
+        field<&T::message_code, u16le>,
+        field<&T::event_sequence_number, u8>,
+        bytes<&T::report_message_body, count<"report_message_size", u32le>>>;
 };
 
 } // namespace jauscat
