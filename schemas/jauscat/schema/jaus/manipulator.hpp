@@ -7,6 +7,33 @@
 // standard uses the same fields in metres and newtons with other limits; those are not known here.
 namespace jauscat::jaus {
 
+/// Set Joint Efforts: drives the joints open-loop, in percent of their capability.
+/// Code 0601h, command class, 1 byte or more.
+template <std::size_t Capacity> struct basic_set_joint_efforts {
+    static constexpr std::uint16_t command_code = 0x0601;
+    wire::inline_list<double, Capacity> joint_effort{}; ///< percent, -100 to 100; from joint 1
+    friend constexpr bool operator==(const basic_set_joint_efforts&, const basic_set_joint_efforts&) = default;
+};
+using set_joint_efforts = basic_set_joint_efforts<255>;
+
+/// Set Joint Positions: sends the joints to the given positions.
+/// Code 0602h, command class, 1 byte or more.
+template <std::size_t Capacity> struct basic_set_joint_positions {
+    static constexpr std::uint16_t command_code = 0x0602;
+    wire::inline_list<double, Capacity> joint_position{}; ///< radians, -8 pi to 8 pi; from joint 1
+    friend constexpr bool operator==(const basic_set_joint_positions&, const basic_set_joint_positions&) = default;
+};
+using set_joint_positions = basic_set_joint_positions<255>;
+
+/// Set Joint Velocities: moves the joints at the given velocities.
+/// Code 0603h, command class, 1 byte or more.
+template <std::size_t Capacity> struct basic_set_joint_velocities {
+    static constexpr std::uint16_t command_code = 0x0603;
+    wire::inline_list<double, Capacity> joint_velocity{}; ///< radians per second, -10 pi to 10 pi; from joint 1
+    friend constexpr bool operator==(const basic_set_joint_velocities&, const basic_set_joint_velocities&) = default;
+};
+using set_joint_velocities = basic_set_joint_velocities<255>;
+
 /// Set Tool Point: says where the tip of the tool is in the end effector's coordinate system.
 /// Code 0604h, command class, 12 bytes.
 struct set_tool_point {
@@ -52,6 +79,53 @@ struct set_end_effector_velocity_state {
                                      const set_end_effector_velocity_state&) = default;
 };
 
+/// One joint in a pose of Set Joint Motion. 16 bytes.
+struct joint_motion {
+    double joint_position{};             ///< radians, -8 pi to 8 pi
+    double joint_maximum_velocity{};     ///< radians per second, -10 pi to 10 pi
+    double joint_maximum_acceleration{}; ///< radians per second squared, -10 pi to 10 pi
+    double joint_maximum_deceleration{}; ///< radians per second squared, -10 pi to 10 pi
+    friend constexpr bool operator==(const joint_motion&, const joint_motion&) = default;
+};
+
+/// One pose of Set Joint Motion. 4 bytes or more.
+struct joint_motion_pose {
+    double pose_time{};               ///< seconds, 0 to 6000
+    wire::list<joint_motion> joint{}; ///< as many as the message has joints; from joint 1
+    friend constexpr bool operator==(const joint_motion_pose&, const joint_motion_pose&) = default;
+};
+
+/// Set Joint Motion: sends all joints through a sequence of poses.
+/// Code 0607h, command class, 2 bytes or more.
+struct set_joint_motion {
+    static constexpr std::uint16_t command_code = 0x0607;
+    std::uint8_t number_of_joints{};      ///< joints in each pose
+    wire::list<joint_motion_pose> pose{}; ///< in the order of time
+    friend constexpr bool operator==(const set_joint_motion&, const set_joint_motion&) = default;
+};
+
+/// One pose of Set End-Effector Path Motion. 32 bytes.
+struct end_effector_path_pose {
+    double pose_time{};                        ///< seconds, 0 to 6000
+    double x_component_of_tool_point{};        ///< metres, -30 to 30
+    double y_component_of_tool_point{};        ///< metres, -30 to 30
+    double z_component_of_tool_point{};        ///< metres, -30 to 30
+    double d_component_of_unit_quaternion_q{}; ///< -1 to 1
+    double a_component_of_unit_quaternion_q{}; ///< -1 to 1
+    double b_component_of_unit_quaternion_q{}; ///< -1 to 1
+    double c_component_of_unit_quaternion_q{}; ///< -1 to 1
+    friend constexpr bool operator==(const end_effector_path_pose&, const end_effector_path_pose&) = default;
+};
+
+/// Set End-Effector Path Motion: sends the tool point along a path of poses.
+/// Code 0608h, command class, 1 byte or more.
+struct set_end_effector_path_motion {
+    static constexpr std::uint16_t command_code = 0x0608;
+    wire::list<end_effector_path_pose> pose{}; ///< in the order of time
+    friend constexpr bool operator==(const set_end_effector_path_motion&,
+                                     const set_end_effector_path_motion&) = default;
+};
+
 /// Query Manipulator Specifications. Code 2600h, query class, no body.
 struct query_manipulator_specifications {
     static constexpr std::uint16_t command_code = 0x2600;
@@ -89,6 +163,77 @@ struct query_joint_force_torques {
     friend constexpr bool operator==(const query_joint_force_torques&, const query_joint_force_torques&) = default;
 };
 
+/// Joint Type of Report Manipulator Specifications.
+enum class joint_type : std::uint8_t {
+    revolute = 1,
+    prismatic = 2,
+};
+
+/// One of the joints 1 to n-1 of Report Manipulator Specifications. 13 bytes.
+struct joint_specification {
+    jaus::joint_type joint_type{};          ///< how the joint moves
+    std::uint16_t link_length{};            ///< millimetres
+    std::uint16_t twist_angle{};            ///< milliradians
+    std::uint16_t joint_offset{};           ///< millimetres or milliradians, by the joint's type
+    std::uint16_t joint_minimum_value{};    ///< millimetres or milliradians, by the joint's type
+    std::uint16_t joint_maximum_value{};    ///< millimetres or milliradians, by the joint's type
+    std::uint16_t joint_maximum_velocity{}; ///< thousandths of the joint's unit per second
+    friend constexpr bool operator==(const joint_specification&, const joint_specification&) = default;
+};
+
+/// Report Manipulator Specifications: the manipulator's place on the vehicle and its joints; the last joint comes first
+/// and has no link. Code 4600h, inform class, 38 bytes or more. A peer without joints is known to send the count alone,
+/// one byte; that is refused. Which of the joint values' two units goes with which type, and their sign, rest on one
+/// peer.
+struct report_manipulator_specifications {
+    static constexpr std::uint16_t command_code = 0x4600;
+    std::uint8_t number_of_joints{};           ///< n, 1 to 255
+    joint_type joint_n_type{};                 ///< how joint n moves
+    std::uint16_t joint_n_offset{};            ///< millimetres or milliradians, by the joint's type
+    std::uint16_t joint_n_minimum_value{};     ///< millimetres or milliradians, by the joint's type
+    std::uint16_t joint_n_maximum_value{};     ///< millimetres or milliradians, by the joint's type
+    std::uint16_t joint_n_maximum_velocity{};  ///< thousandths of the joint's unit per second
+    double manipulator_coordinate_system_x{};  ///< metres, -30 to 30; origin in the vehicle's coordinate system
+    double manipulator_coordinate_system_y{};  ///< metres, -30 to 30
+    double manipulator_coordinate_system_z{};  ///< metres, -30 to 30
+    double d_component_of_unit_quaternion_q{}; ///< -1 to 1
+    double a_component_of_unit_quaternion_q{}; ///< -1 to 1
+    double b_component_of_unit_quaternion_q{}; ///< -1 to 1
+    double c_component_of_unit_quaternion_q{}; ///< -1 to 1
+    wire::list<joint_specification> joint{};   ///< joints 1 to n-1
+    friend constexpr bool operator==(const report_manipulator_specifications&,
+                                     const report_manipulator_specifications&) = default;
+};
+
+/// Report Joint Efforts: the efforts in force.
+/// Code 4601h, inform class, 1 byte or more.
+template <std::size_t Capacity> struct basic_report_joint_efforts {
+    static constexpr std::uint16_t command_code = 0x4601;
+    wire::inline_list<double, Capacity> joint_effort{}; ///< percent, -100 to 100; from joint 1
+    friend constexpr bool operator==(const basic_report_joint_efforts&, const basic_report_joint_efforts&) = default;
+};
+using report_joint_efforts = basic_report_joint_efforts<255>;
+
+/// Report Joint Positions: where the joints are.
+/// Code 4602h, inform class, 1 byte or more.
+template <std::size_t Capacity> struct basic_report_joint_positions {
+    static constexpr std::uint16_t command_code = 0x4602;
+    wire::inline_list<double, Capacity> joint_position{}; ///< radians, -8 pi to 8 pi; from joint 1
+    friend constexpr bool operator==(const basic_report_joint_positions&,
+                                     const basic_report_joint_positions&) = default;
+};
+using report_joint_positions = basic_report_joint_positions<255>;
+
+/// Report Joint Velocities: how fast the joints move.
+/// Code 4603h, inform class, 1 byte or more.
+template <std::size_t Capacity> struct basic_report_joint_velocities {
+    static constexpr std::uint16_t command_code = 0x4603;
+    wire::inline_list<double, Capacity> joint_velocity{}; ///< radians per second, -10 pi to 10 pi; from joint 1
+    friend constexpr bool operator==(const basic_report_joint_velocities&,
+                                     const basic_report_joint_velocities&) = default;
+};
+using report_joint_velocities = basic_report_joint_velocities<255>;
+
 /// Report Tool Point: where the tip of the tool is in the end effector's coordinate system.
 /// Code 4604h, inform class, 12 bytes.
 struct report_tool_point {
@@ -99,11 +244,36 @@ struct report_tool_point {
     friend constexpr bool operator==(const report_tool_point&, const report_tool_point&) = default;
 };
 
+/// Report Joint Force/Torques: what the joints are measured to bear.
+/// Code 4605h, inform class, 1 byte or more.
+template <std::size_t Capacity> struct basic_report_joint_force_torques {
+    static constexpr std::uint16_t command_code = 0x4605;
+    wire::inline_list<double, Capacity> joint_force_torque{}; ///< newton metres, -1000 to 1000; from joint 1
+    friend constexpr bool operator==(const basic_report_joint_force_torques&,
+                                     const basic_report_joint_force_torques&) = default;
+};
+using report_joint_force_torques = basic_report_joint_force_torques<255>;
+
 } // namespace jauscat::jaus
 
 // One line per field, as in the standard's table.
 // clang-format off
 namespace jauscat {
+
+template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_efforts<Capacity>> {
+    using T = jaus::basic_set_joint_efforts<Capacity>;
+    using type = layout<repeated<&T::joint_effort, count<"number_of_joints", u8>, element<"joint", scaled<u16le, jaus::signed_percent>>>>;
+};
+
+template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_positions<Capacity>> {
+    using T = jaus::basic_set_joint_positions<Capacity>;
+    using type = layout<repeated<&T::joint_position, count<"number_of_joints", u8>, element<"joint", scaled<u32le, jaus::joint_angle>>>>;
+};
+
+template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_velocities<Capacity>> {
+    using T = jaus::basic_set_joint_velocities<Capacity>;
+    using type = layout<repeated<&T::joint_velocity, count<"number_of_joints", u8>, element<"joint", scaled<u32le, jaus::joint_angular_velocity>>>>;
+};
 
 template <> struct wire::schema<jaus::set_tool_point> {
     using T = jaus::set_tool_point;
@@ -137,6 +307,47 @@ template <> struct wire::schema<jaus::set_end_effector_velocity_state> {
         field<&T::linear_velocity_z, scaled<u32le, jaus::end_effector_linear_velocity>>>;
 };
 
+template <> struct wire::schema<jaus::joint_motion> {
+    using T = jaus::joint_motion;
+    using type = layout<
+        field<&T::joint_position, scaled<u32le, jaus::joint_angle>>,
+        field<&T::joint_maximum_velocity, scaled<u32le, jaus::joint_angular_velocity>>,
+        field<&T::joint_maximum_acceleration, scaled<u32le, jaus::joint_angular_acceleration>>,
+        field<&T::joint_maximum_deceleration, scaled<u32le, jaus::joint_angular_acceleration>>>;
+};
+
+template <> struct wire::schema<jaus::joint_motion_pose> {
+    using T = jaus::joint_motion_pose;
+    using type = layout<
+        field<&T::pose_time, scaled<u32le, jaus::pose_duration>>,
+        repeated<&T::joint, counted_by<&jaus::set_joint_motion::number_of_joints>>>;
+};
+
+template <> struct wire::schema<jaus::set_joint_motion> {
+    using T = jaus::set_joint_motion;
+    using type = layout<
+        field<&T::number_of_joints, u8>,
+        repeated<&T::pose, count<"number_of_poses", u8>>>;
+};
+
+template <> struct wire::schema<jaus::end_effector_path_pose> {
+    using T = jaus::end_effector_path_pose;
+    using type = layout<
+        field<&T::pose_time, scaled<u32le, jaus::pose_duration>>,
+        field<&T::x_component_of_tool_point, scaled<u32le, jaus::manipulator_coordinate>>,
+        field<&T::y_component_of_tool_point, scaled<u32le, jaus::manipulator_coordinate>>,
+        field<&T::z_component_of_tool_point, scaled<u32le, jaus::manipulator_coordinate>>,
+        field<&T::d_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
+        field<&T::a_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
+        field<&T::b_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
+        field<&T::c_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>>;
+};
+
+template <> struct wire::schema<jaus::set_end_effector_path_motion> {
+    using T = jaus::set_end_effector_path_motion;
+    using type = layout<repeated<&T::pose, count<"number_of_poses", u8>>>;
+};
+
 template <> struct wire::schema<jaus::query_manipulator_specifications> { using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_joint_efforts> { using type = layout<>; };
@@ -149,12 +360,63 @@ template <> struct wire::schema<jaus::query_tool_point> { using type = layout<>;
 
 template <> struct wire::schema<jaus::query_joint_force_torques> { using type = layout<>; };
 
+template <> struct wire::schema<jaus::joint_specification> {
+    using T = jaus::joint_specification;
+    using type = layout<
+        field<&T::joint_type, enumeration<jaus::joint_type, u8>>,
+        field<&T::link_length, in_units<u16le, jaus::millimetres>>,
+        field<&T::twist_angle, in_units<u16le, jaus::milliradians>>,
+        field<&T::joint_offset, u16le>,
+        field<&T::joint_minimum_value, u16le>,
+        field<&T::joint_maximum_value, u16le>,
+        field<&T::joint_maximum_velocity, u16le>>;
+};
+
+template <> struct wire::schema<jaus::report_manipulator_specifications> {
+    using T = jaus::report_manipulator_specifications;
+    using type = layout<
+        field<&T::number_of_joints, u8>,
+        field<&T::joint_n_type, enumeration<jaus::joint_type, u8>>,
+        field<&T::joint_n_offset, u16le>,
+        field<&T::joint_n_minimum_value, u16le>,
+        field<&T::joint_n_maximum_value, u16le>,
+        field<&T::joint_n_maximum_velocity, u16le>,
+        field<&T::manipulator_coordinate_system_x, scaled<u32le, jaus::manipulator_coordinate>>,
+        field<&T::manipulator_coordinate_system_y, scaled<u32le, jaus::manipulator_coordinate>>,
+        field<&T::manipulator_coordinate_system_z, scaled<u32le, jaus::manipulator_coordinate>>,
+        field<&T::d_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
+        field<&T::a_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
+        field<&T::b_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
+        field<&T::c_component_of_unit_quaternion_q, scaled<u32le, jaus::unit_vector_component>>,
+        repeated<&T::joint, one_less_than<&T::number_of_joints>>>;
+};
+
+template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_efforts<Capacity>> {
+    using T = jaus::basic_report_joint_efforts<Capacity>;
+    using type = layout<repeated<&T::joint_effort, count<"number_of_joints", u8>, element<"joint", scaled<u16le, jaus::signed_percent>>>>;
+};
+
+template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_positions<Capacity>> {
+    using T = jaus::basic_report_joint_positions<Capacity>;
+    using type = layout<repeated<&T::joint_position, count<"number_of_joints", u8>, element<"joint", scaled<u32le, jaus::joint_angle>>>>;
+};
+
+template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_velocities<Capacity>> {
+    using T = jaus::basic_report_joint_velocities<Capacity>;
+    using type = layout<repeated<&T::joint_velocity, count<"number_of_joints", u8>, element<"joint", scaled<u32le, jaus::joint_angular_velocity>>>>;
+};
+
 template <> struct wire::schema<jaus::report_tool_point> {
     using T = jaus::report_tool_point;
     using type = layout<
         field<&T::x_coordinate_of_tool_tip, scaled<u32le, jaus::tool_tip_coordinate>>,
         field<&T::y_coordinate_of_tool_tip, scaled<u32le, jaus::tool_tip_coordinate>>,
         field<&T::z_coordinate_of_tool_tip, scaled<u32le, jaus::tool_tip_coordinate>>>;
+};
+
+template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_force_torques<Capacity>> {
+    using T = jaus::basic_report_joint_force_torques<Capacity>;
+    using type = layout<repeated<&T::joint_force_torque, count<"number_of_joints", u8>, element<"joint", scaled<u32le, jaus::joint_torque>>>>;
 };
 
 } // namespace jauscat

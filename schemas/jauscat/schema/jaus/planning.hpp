@@ -5,6 +5,49 @@
 
 namespace jauscat::jaus {
 
+/// A whole JAUS message inside another. 16 bytes or more.
+struct embedded_message {
+    jaus::header header{}; ///< its data_size says how long the body is
+    wire::blob body{};     ///< bytes of the body
+    friend constexpr bool operator==(const embedded_message&, const embedded_message&) = default;
+};
+
+/// One message of a mission task. 19 bytes or more.
+struct mission_command {
+    std::uint16_t message_uid{}; ///< names the message within the mission
+    embedded_message message{};  ///< what is to be sent
+    std::uint8_t
+        blocking_flag{}; ///< 0: the next message may go at once, 1: it waits for this one; a peer prints the reverse
+    friend constexpr bool operator==(const mission_command&, const mission_command&) = default;
+};
+
+/// A node of the mission tree. 6 bytes or more, its children not counted.
+struct mission_task {
+    std::uint16_t task_id{};            ///< names the task within the mission
+    std::uint16_t number_of_children{}; ///< tasks right below this one
+    wire::list<std::uint32_t>
+        offset{}; ///< where each child starts, in bytes from the start of the body; a peer's offsets
+                  ///< below the first level count from elsewhere, so a receiver should not use them
+    wire::list<mission_command> message{}; ///< the task's own messages, in the order of sending
+    friend constexpr bool operator==(const mission_task&, const mission_task&) = default;
+};
+
+/// Append Flag of Spool Mission.
+enum class append_flag : std::uint8_t {
+    replace_the_current_mission = 0,
+    append_to_the_current_mission = 1,
+};
+
+/// Spool Mission: hands a tree of tasks with their messages to the spooler.
+/// Code 0E00h, command class, 9 bytes or more.
+struct spool_mission {
+    static constexpr std::uint16_t command_code = 0x0E00;
+    std::uint16_t mission_id{};              ///< names the mission
+    jaus::append_flag append_flag{};         ///< what becomes of the mission at hand
+    wire::list<mission_task> mission_tree{}; ///< depth first: each task is followed by its children, left to right
+    friend constexpr bool operator==(const spool_mission&, const spool_mission&) = default;
+};
+
 /// Run Mission: starts a spooled mission. Code 0E01h, command class, 2 bytes.
 struct run_mission {
     static constexpr std::uint16_t command_code = 0x0E01;
@@ -34,6 +77,27 @@ struct resume_mission {
     std::uint16_t mission_id{}; ///< the mission
     std::uint16_t task_id{};    ///< the task, 0 for the whole mission
     friend constexpr bool operator==(const resume_mission&, const resume_mission&) = default;
+};
+
+/// Remove Messages: takes messages out of a spooled task.
+/// Code 0E05h, command class, 6 bytes or more.
+struct remove_messages {
+    static constexpr std::uint16_t command_code = 0x0E05;
+    std::uint16_t mission_id{};              ///< the mission
+    std::uint16_t task_id{};                 ///< the task
+    wire::list<std::uint16_t> message_uid{}; ///< the messages to remove
+    friend constexpr bool operator==(const remove_messages&, const remove_messages&) = default;
+};
+
+/// Replace Messages: exchanges messages of a spooled task for others.
+/// Code 0E06h, command class, 8 bytes or more.
+struct replace_messages {
+    static constexpr std::uint16_t command_code = 0x0E06;
+    std::uint16_t mission_id{};                     ///< the mission
+    std::uint16_t task_id{};                        ///< the task
+    wire::list<std::uint16_t> message_uid{};        ///< the messages to remove
+    wire::list<mission_command> inserted_message{}; ///< the messages to put in their place
+    friend constexpr bool operator==(const replace_messages&, const replace_messages&) = default;
 };
 
 /// Query Spooling Preference. Code 2E00h, query class, no body.
@@ -112,6 +176,38 @@ struct report_mission_status {
 // clang-format off
 namespace jauscat {
 
+template <> struct wire::schema<jaus::embedded_message> {
+    using T = jaus::embedded_message;
+    using type = layout<
+        nested<&T::header>,
+        bytes<&T::body, counted_by<&T::header, &jaus::header::data_size>>>;
+};
+
+template <> struct wire::schema<jaus::mission_command> {
+    using T = jaus::mission_command;
+    using type = layout<
+        field<&T::message_uid, u16le>,
+        nested<&T::message>,
+        field<&T::blocking_flag, u8>>;
+};
+
+template <> struct wire::schema<jaus::mission_task> {
+    using T = jaus::mission_task;
+    using type = layout<
+        field<&T::task_id, u16le>,
+        field<&T::number_of_children, u16le>,
+        repeated<&T::offset, counted_by<&T::number_of_children>, element<"child_offset", u32le>>,
+        repeated<&T::message, count<"number_of_messages", u16le>>>;
+};
+
+template <> struct wire::schema<jaus::spool_mission> {
+    using T = jaus::spool_mission;
+    using type = layout<
+        field<&T::mission_id, u16le>,
+        field<&T::append_flag, enumeration<jaus::append_flag, u8>>,
+        tree<&T::mission_tree, &jaus::mission_task::number_of_children, 16>>;
+};
+
 template <> struct wire::schema<jaus::run_mission> {
     using T = jaus::run_mission;
     using type = layout<field<&T::mission_id, u16le>>;
@@ -136,6 +232,23 @@ template <> struct wire::schema<jaus::resume_mission> {
     using type = layout<
         field<&T::mission_id, u16le>,
         field<&T::task_id, u16le>>;
+};
+
+template <> struct wire::schema<jaus::remove_messages> {
+    using T = jaus::remove_messages;
+    using type = layout<
+        field<&T::mission_id, u16le>,
+        field<&T::task_id, u16le>,
+        repeated<&T::message_uid, count<"number_of_messages", u16le>, element<"message", u16le>>>;
+};
+
+template <> struct wire::schema<jaus::replace_messages> {
+    using T = jaus::replace_messages;
+    using type = layout<
+        field<&T::mission_id, u16le>,
+        field<&T::task_id, u16le>,
+        repeated<&T::message_uid, count<"number_of_messages_to_remove", u16le>, element<"removed_message", u16le>>,
+        repeated<&T::inserted_message, count<"number_of_messages_to_insert", u16le>>>;
 };
 
 template <> struct wire::schema<jaus::query_spooling_preference> { using type = layout<>; };
