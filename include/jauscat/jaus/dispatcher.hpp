@@ -34,12 +34,21 @@ constexpr void each_of(std::tuple<Handlers...>& handlers, auto&& call) {
     std::apply([&](auto&... handler) { (one(handler), ...); }, handlers);
 }
 
+template <class T>
+constexpr wire::result decode_body(T& message, std::span<const std::byte> body,
+                                   [[maybe_unused]] wire::arena* memory) noexcept {
+    if constexpr (wire::needs_memory<T>)
+        return wire::decode(message, body, *memory);
+    else
+        return wire::decode(message, body);
+}
+
 template <std::size_t I, class... Handlers>
 constexpr dispatched decode_and_handle(std::tuple<Handlers...>& handlers, const header& head,
-                                       std::span<const std::byte> body) {
+                                       std::span<const std::byte> body, wire::arena* memory) {
     auto& handler = std::get<I>(handlers);
     typename std::tuple_element_t<I, std::tuple<Handlers...>>::message_type message{};
-    if (const wire::result decoded = wire::decode(message, body); !decoded) {
+    if (const wire::result decoded = decode_body(message, body, memory); !decoded) {
         each_of<malformed_handler>(handlers, [&](auto& h) { h.handle(head, body, decoded.error()); });
         return dispatched::malformed;
     }
@@ -49,7 +58,7 @@ constexpr dispatched decode_and_handle(std::tuple<Handlers...>& handlers, const 
 
 /// The command codes of the typed handlers, and beside each the function that decodes for it.
 template <class... Handlers> struct dispatch_table {
-    using step = dispatched (*)(std::tuple<Handlers...>&, const header&, std::span<const std::byte>);
+    using step = dispatched (*)(std::tuple<Handlers...>&, const header&, std::span<const std::byte>, wire::arena*);
     static constexpr std::size_t count = (std::size_t{is_typed<Handlers>} + ... + 0);
     static constexpr auto places = [] {
         constexpr std::array<bool, sizeof...(Handlers)> typed{is_typed<Handlers>...};
@@ -59,6 +68,10 @@ template <class... Handlers> struct dispatch_table {
         return found;
     }();
     template <std::size_t I> using handler = std::tuple_element_t<places[I], std::tuple<Handlers...>>;
+    static constexpr bool needs_memory = []<std::size_t... I>(std::index_sequence<I...>) {
+        return (wire::needs_memory<typename handler<I>::message_type> || ... || false);
+    }
+    (std::make_index_sequence<count>{});
 
     static constexpr auto codes = []<std::size_t... I>(std::index_sequence<I...>) {
         return std::array<std::uint16_t, count>{command_code_of<typename handler<I>::message_type>...};
@@ -96,6 +109,21 @@ template <class... Handlers> class dispatcher {
 
     /// A body that does not decode is never handed to a typed handler.
     constexpr dispatched operator()(const header& head, std::span<const std::byte> body) {
+        static_assert(!table::needs_memory, "dispatcher: a message has lists; give an arena as the third argument");
+        return dispatch(head, body, nullptr);
+    }
+    /// For messages with lists, which are decoded into `memory`. It is reset first: what a handler was given is valid
+    /// until the next call.
+    constexpr dispatched operator()(const header& head, std::span<const std::byte> body, wire::arena& memory) {
+        memory.reset();
+        return dispatch(head, body, &memory);
+    }
+
+  private:
+    using table = detail::dispatch_table<Handlers...>;
+    using codes = wire::code_index<table::codes>;
+
+    constexpr dispatched dispatch(const header& head, std::span<const std::byte> body, wire::arena* memory) {
         if (is_acknowledgement(head) && body.empty()) {
             detail::each_of<detail::acknowledgement_handler>(handlers_, [&](auto& h) { h.handle(head); });
             return dispatched::acknowledgement;
@@ -105,11 +133,9 @@ template <class... Handlers> class dispatcher {
             detail::each_of<detail::unknown_handler>(handlers_, [&](auto& h) { h.handle(head, body); });
             return dispatched::unknown;
         }
-        return detail::dispatch_table<Handlers...>::steps[place](handlers_, head, body);
+        return table::steps[place](handlers_, head, body, memory);
     }
 
-  private:
-    using codes = wire::code_index<detail::dispatch_table<Handlers...>::codes>;
     std::tuple<Handlers...> handlers_;
 };
 
