@@ -13,20 +13,28 @@ using wire::errc;
 
 namespace {
 
+template <wire::message T> void require_agreement(const wire::view<T>& view, const T& real, const wire::raw<T>& raw);
+
+/// What a view read of one member (`seen`, and `seen_raw` as an integer) equals what was decoded.
+// A function of its own: clang 19 crashes when a generic lambda asks these questions.
+template <class Member>
+void require_same(const auto& seen, const auto& seen_raw, const Member& member, const auto& integer) {
+    if constexpr (wire::message<Member>) {
+        require_agreement(seen, member, integer);
+    } else if constexpr (requires { requires wire::message<typename Member::value_type>; }) {
+        REQUIRE(seen.has_value() == member.has_value());
+        if (seen) require_agreement(*seen, *member, *integer);
+    } else {
+        REQUIRE(seen == member); // a required scaled member is compared with a std::optional that must hold it
+        REQUIRE(seen_raw == integer);
+    }
+}
+
 /// What `view` reads of each member equals what `real` and `raw`, decoded from the same bytes, hold.
 template <wire::message T> void require_agreement(const wire::view<T>& view, const T& real, const wire::raw<T>& raw) {
-    wire::visit(real, [&]<class Item, class Member>(Item, const Member& member) {
-        const auto seen = view.template get<Item::key>();
-        const auto& integer = raw.template get<Item::key>();
-        if constexpr (wire::message<Member>) {
-            require_agreement(seen, member, integer);
-        } else if constexpr (requires { requires wire::message<typename Member::value_type>; }) {
-            REQUIRE(seen.has_value() == member.has_value());
-            if (seen) require_agreement(*seen, *member, *integer);
-        } else {
-            REQUIRE(seen == member); // a required scaled member is compared with a std::optional that must hold it
-            REQUIRE(view.template get_raw<Item::key>() == integer);
-        }
+    wire::visit(real, [&]<class Item>(Item, const auto& member) {
+        require_same(view.template get<Item::key>(), view.template get_raw<Item::key>(), member,
+                     raw.template get<Item::key>());
     });
 }
 
