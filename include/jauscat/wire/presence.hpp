@@ -135,6 +135,8 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             static_cast<void>((get_fixed<Items>(object, m, at, in, error) && ...));
             return error == errc::ok ? end : in_cursor::failed(error);
         } else {
+            std::size_t at = 0;
+            (set_flag<Items>(object, m, at), ...); // first, because an item before a flag may be gated by it
             return each(c, m, here, [&]<class Item>(bool present, in_cursor& cursor) {
                 if constexpr (detail::takes_bit<Item>) {
                     if (!present) {
@@ -270,6 +272,13 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         if (error != errc::ok) return false;
         in += Item::max_size;
         return true;
+    }
+
+    template <class Item>
+    [[gnu::always_inline]] static constexpr void set_flag([[maybe_unused]] auto& object, [[maybe_unused]] mask_type m,
+                                                          [[maybe_unused]] std::size_t& at) noexcept {
+        if constexpr (requires { Item::takes_bit; }) member_of<Item::key>(object) = (m >> at & 1u) != 0;
+        if constexpr (detail::takes_bit<Item>) ++at;
     }
 
     // Steps over the items one by one: `step<Item>(present, cursor)`.

@@ -91,8 +91,9 @@ template <auto Member, class Count, class Element = record> struct repeated {
         using type = detail::value_form<typename Element::codec_type, Raw>;
     };
     using plain_form = typename form_of<false, value_type>::type;
-    static_assert(plain_form::min_size != 0,
-                  "repeated: an element may take no bytes at all, so a count would mean nothing");
+    // Elements that may take no bytes are bounded by their count alone.
+    static_assert(plain_form::min_size != 0 || Count::prefix_size == 1,
+                  "repeated: an element may take no bytes at all, so it needs a count of one byte");
 
     static constexpr bool contextual = true; // elements look at what is around them
     static constexpr bool needs_memory = traits::elsewhere || [] {
@@ -173,8 +174,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
             detail::leave(here);
             return c;
         } else {
-            if (size > c.slack / form::min_size) return in_cursor::failed(errc::truncated);
-            c.slack -= size * form::min_size;
+            if (!spend_elements<form>(c, size)) return c;
             if constexpr (traits::elsewhere) {
                 stored* const first = root_of(here).memory.template allocate<stored>(size);
                 if (first == nullptr && size != 0) return in_cursor::failed(errc::arena_full);
@@ -188,8 +188,8 @@ template <auto Member, class Count, class Element = record> struct repeated {
     }
     [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         const std::size_t size = Count::peek(c.at, here);
-        if (size > c.slack / plain_form::min_size) return in_cursor::failed(errc::truncated);
-        c = {c.at + Count::prefix_size, c.slack - size * plain_form::min_size};
+        if (!spend_elements<plain_form>(c, size)) return c;
+        c.at += Count::prefix_size;
         if constexpr (plain_form::fixed) {
             c.at += size * plain_form::max_size;
         } else {
@@ -224,6 +224,18 @@ template <auto Member, class Count, class Element = record> struct repeated {
         typename form_of<raw_object<Object>,
                          std::remove_cvref_t<decltype(held(member_of<Member>(std::declval<Object&>()))[0])>>::type;
 
+    // Takes the fewest bytes of `size` elements from the slack.
+    template <class Form>
+    [[gnu::always_inline]] static constexpr bool spend_elements(in_cursor& c, std::size_t size) noexcept {
+        if constexpr (Form::min_size != 0) {
+            if (size > c.slack / Form::min_size) {
+                c = in_cursor::failed(errc::truncated);
+                return false;
+            }
+            c.slack -= size * Form::min_size;
+        }
+        return true;
+    }
     template <class Form, class T>
     [[gnu::always_inline]] static constexpr in_cursor fill(std::span<T> elements, in_cursor c,
                                                            const auto& here) noexcept {

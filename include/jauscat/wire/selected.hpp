@@ -24,6 +24,8 @@ template <class Form> struct case_form {
     using value_type = typename Form::value_type;
     static constexpr std::size_t min_size = Form::size, max_size = Form::size;
     static constexpr std::size_t size(const auto&, const auto&) noexcept { return Form::size; }
+    static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return {c.at + Form::size, c.slack}; }
+    static constexpr std::size_t extent(const std::byte*, const auto&) noexcept { return Form::size; }
     template <bool Raw>
     [[gnu::always_inline]] static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
         using used = wire::codec_in_mode<Form, Raw>;
@@ -44,9 +46,16 @@ template <class Form> struct case_form {
 template <message Form> struct case_form<Form> {
     using value_type = Form;
     using inner = layout_of<Form>;
-    static_assert(fixed_item<inner>, "selected: a structure in a case must have a fixed size");
     static constexpr std::size_t min_size = inner::min_size, max_size = inner::max_size;
-    static constexpr std::size_t size(const auto&, const auto&) noexcept { return max_size; }
+    static constexpr std::size_t size(const auto& value, const auto& here) noexcept {
+        return inner::size(value, object_scope{value, here});
+    }
+    template <class Here> static constexpr in_cursor measure(in_cursor c, const Here& here) noexcept {
+        return inner::measure(c, byte_scope<Form, Here>{c.at, here.end, here});
+    }
+    template <class Here> static constexpr std::size_t extent(const std::byte* in, const Here& here) noexcept {
+        return inner::extent(in, byte_scope<Form, Here>{in, here.end, here});
+    }
     template <bool>
     [[gnu::always_inline]] static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
         return inner::put(value, c, object_scope{value, here});
@@ -60,6 +69,8 @@ template <> struct case_form<std::monostate> {
     using value_type = std::monostate;
     static constexpr std::size_t min_size = 0, max_size = 0;
     static constexpr std::size_t size(const auto&, const auto&) noexcept { return 0; }
+    static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return c; }
+    static constexpr std::size_t extent(const std::byte*, const auto&) noexcept { return 0; }
     template <bool> static constexpr out_cursor put(const auto&, out_cursor c, const auto&) noexcept { return c; }
     template <bool> static constexpr in_cursor get(auto&, in_cursor c, const auto&) noexcept { return c; }
 };
@@ -98,8 +109,18 @@ template <auto Member, class Selector, class... Cases> struct selected {
         return (... || (tag == Cases::tag && (f.template operator()<Cases>(), true)));
     }
 
-    [[gnu::always_inline]] static constexpr std::size_t size(const auto&, const auto& here) noexcept {
-        return size_of_tag(Selector::value(here));
+    [[gnu::always_inline]] static constexpr std::size_t size([[maybe_unused]] const auto& object,
+                                                             const auto& here) noexcept {
+        std::size_t total = 0;
+        with_case(Selector::value(here), [&]<class Case>() {
+            using form = detail::case_form<typename Case::form>;
+            const auto& value = held(member_of<Member>(object));
+            if constexpr (!of_variant)
+                total = form::size(value, here);
+            else if (const auto* const held_value = std::get_if<typename form::value_type>(&value))
+                total = form::size(*held_value, here);
+        });
+        return total;
     }
     [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
                                                            const auto& here) noexcept {
@@ -144,12 +165,15 @@ template <auto Member, class Selector, class... Cases> struct selected {
         with_case(Selector::value(here), [&]<class Case>() {
             using form = detail::case_form<typename Case::form>;
             c = start;
-            if (detail::spend(c, form::min_size - min_size, here)) c.at += form::min_size;
+            if (detail::spend(c, form::min_size - min_size, here)) c = form::measure(c, here);
         });
         return c;
     }
-    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte*, const auto& here) noexcept {
-        return size_of_tag(Selector::value(here));
+    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+        std::size_t total = 0;
+        with_case(Selector::value(here),
+                  [&]<class Case>() { total = detail::case_form<typename Case::form>::extent(in, here); });
+        return total;
     }
     /// Decoded; empty where a scaled raw value is not legal. A view reads the raw value of a scaled case as a real one
     /// too: only a `raw` holds it.
@@ -159,19 +183,14 @@ template <auto Member, class Selector, class... Cases> struct selected {
         with_case(Selector::value(here), [&]<class Case>() {
             using form = detail::case_form<typename Case::form>;
             typename form::value_type loaded{};
-            if (form::template get<false>(loaded, {in, 0}, here).at != nullptr) value.emplace(loaded);
+            if (form::template get<false>(loaded, {in, static_cast<std::size_t>(here.end - in) - form::min_size}, here)
+                    .at != nullptr)
+                value.emplace(loaded);
         });
         return value;
     }
     [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
         visitor(selected{}, member_of<Member>(object));
-    }
-
-  private:
-    [[gnu::always_inline]] static constexpr std::size_t size_of_tag(auto tag) noexcept {
-        std::size_t size = 0;
-        with_case(tag, [&]<class Case>() { size = detail::case_form<typename Case::form>::max_size; });
-        return size;
     }
 };
 
