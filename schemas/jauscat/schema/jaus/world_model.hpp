@@ -1,9 +1,86 @@
 // World Model subgroup of RA 3.3 part 3: objects of a vector knowledge store (VKS).
 #pragma once
+#include <jauscat/schema/jaus/typed_value.hpp>
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/schema.hpp>
 
 namespace jauscat::jaus {
+
+/// Object Type: what the points of an object are.
+enum class object_type : std::uint8_t {
+    point = 0,
+    line = 1,
+    polygon = 2,
+};
+
+/// A point of an object. 8 bytes.
+struct vks_point {
+    double latitude{};  ///< degrees (WGS 84), -90 to 90
+    double longitude{}; ///< degrees (WGS 84), -180 to 180
+    friend constexpr bool operator==(const vks_point&, const vks_point&) = default;
+};
+
+/// A class that an object belongs to. 3 to 11 bytes.
+struct vks_feature_class {
+    std::uint16_t feature_class_id{};      ///< names the class
+    typed_value feature_class_attribute{}; ///< the object's value for that class
+    friend constexpr bool operator==(const vks_feature_class&, const vks_feature_class&) = default;
+};
+
+/// An object to create. 4 bytes or more.
+struct new_vks_object {
+    jaus::object_type object_type{};               ///< what the points are
+    std::optional<float> object_buffer{};          ///< metres around the points that belong to the object
+    wire::list<vks_feature_class> feature_class{}; ///< what the object is
+    wire::list<vks_point> point{};                 ///< where it is
+    friend constexpr bool operator==(const new_vks_object&, const new_vks_object&) = default;
+};
+
+/// An object of the store. 12 bytes or more.
+struct vks_object {
+    std::uint32_t object_id{};                     ///< the store's name for the object
+    jaus::object_type object_type{};               ///< what the points are
+    float object_buffer{};                         ///< metres around the points that belong to the object
+    wire::list<vks_feature_class> feature_class{}; ///< what the object is
+    wire::list<vks_point> point{};                 ///< where it is
+    friend constexpr bool operator==(const vks_object&, const vks_object&) = default;
+};
+
+/// Message Properties of Create Vector Knowledge Store Objects, by bit.
+enum class create_objects_property : std::uint8_t {
+    request_confirmation_of_object_creation = 0, ///< the store is to report the new objects' IDs
+};
+
+/// Create Vector Knowledge Store Objects: adds objects to the store.
+/// Code 0A20h, command class, 5 bytes or more.
+struct create_vector_knowledge_store_objects {
+    static constexpr std::uint16_t command_code = 0x0A20;
+    bool object_buffer_present{};                              ///< each object has a buffer
+    wire::flags<create_objects_property> message_properties{}; ///< how the store is to answer
+    std::uint8_t local_request_id{};                           ///< returned with the answer
+    wire::list<new_vks_object> object{};                       ///< what to add
+    friend constexpr bool operator==(const create_vector_knowledge_store_objects&,
+                                     const create_vector_knowledge_store_objects&) = default;
+};
+
+/// Metadata Options of Set Vector Knowledge Store Feature Class Metadata.
+enum class metadata_options : std::uint8_t {
+    append = 0,
+    prepend = 1,
+    overwrite = 2,
+    erase = 255,
+};
+
+/// Set Vector Knowledge Store Feature Class Metadata: changes the text that describes a feature class.
+/// Code 0A21h, command class, 5 bytes or more. A peer is known to send garbage in place of the text.
+struct set_vector_knowledge_store_feature_class_metadata {
+    static constexpr std::uint16_t command_code = 0x0A21;
+    jaus::metadata_options metadata_options{}; ///< where the text goes
+    std::uint16_t feature_class_id{};          ///< the class
+    std::string_view feature_class_metadata{}; ///< the text, up to 65535 characters
+    friend constexpr bool operator==(const set_vector_knowledge_store_feature_class_metadata&,
+                                     const set_vector_knowledge_store_feature_class_metadata&) = default;
+};
 
 /// Terminate Vector Knowledge Store Data Transfer: stops the reports in progress. Code 0A24h, command class, no body.
 struct terminate_vector_knowledge_store_data_transfer {
@@ -29,6 +106,26 @@ struct query_vector_knowledge_store_bounds {
                                      const query_vector_knowledge_store_bounds&) = default;
 };
 
+/// Report Vector Knowledge Store Objects Creation: the names of the objects that a request has created.
+/// Code 4A20h, inform class, 3 bytes or more.
+struct report_vector_knowledge_store_objects_creation {
+    static constexpr std::uint16_t command_code = 0x4A20;
+    std::uint8_t local_request_id{};       ///< of the request
+    wire::list<std::uint32_t> object_id{}; ///< in the request's order; 0: could not be created
+    friend constexpr bool operator==(const report_vector_knowledge_store_objects_creation&,
+                                     const report_vector_knowledge_store_objects_creation&) = default;
+};
+
+/// Report Vector Knowledge Store Feature Class Metadata: the text that describes a feature class.
+/// Code 4A21h, inform class, 4 bytes or more.
+struct report_vector_knowledge_store_feature_class_metadata {
+    static constexpr std::uint16_t command_code = 0x4A21;
+    std::uint16_t feature_class_id{};          ///< the class
+    std::string_view feature_class_metadata{}; ///< the text, up to 65535 characters
+    friend constexpr bool operator==(const report_vector_knowledge_store_feature_class_metadata&,
+                                     const report_vector_knowledge_store_feature_class_metadata&) = default;
+};
+
 /// Report Vector Knowledge Store Bounds: the corners of the area that a feature class covers.
 /// Code 4A22h, inform class, 19 bytes.
 struct report_vector_knowledge_store_bounds {
@@ -41,6 +138,18 @@ struct report_vector_knowledge_store_bounds {
     double northeast_longitude{};     ///< degrees (WGS 84), -180 to 180
     friend constexpr bool operator==(const report_vector_knowledge_store_bounds&,
                                      const report_vector_knowledge_store_bounds&) = default;
+};
+
+/// Report Vector Knowledge Store Objects: the objects that a query has found.
+/// Code 4A23h, inform class, 4 bytes or more. Only presence bit 0 is known, which announces all objects' data; the
+/// standard may have finer bits.
+struct report_vector_knowledge_store_objects {
+    static constexpr std::uint16_t command_code = 0x4A23;
+    std::uint8_t local_request_id{};                ///< of the query
+    std::uint16_t number_of_objects{};              ///< found; sent with or without the objects
+    std::optional<wire::list<vks_object>> object{}; ///< the objects found
+    friend constexpr bool operator==(const report_vector_knowledge_store_objects&,
+                                     const report_vector_knowledge_store_objects&) = default;
 };
 
 /// Report Vector Knowledge Store Data Transfer Termination: the reports are stopped. Code 4A24h, inform class, no body.
@@ -56,6 +165,58 @@ struct report_vector_knowledge_store_data_transfer_termination {
 // clang-format off
 namespace jauscat {
 
+template <> struct wire::schema<jaus::vks_point> {
+    using T = jaus::vks_point;
+    using type = layout<
+        field<&T::latitude, scaled<i32le, jaus::latitude_range>>,
+        field<&T::longitude, scaled<i32le, jaus::longitude_range>>>;
+};
+
+template <> struct wire::schema<jaus::vks_feature_class> {
+    using T = jaus::vks_feature_class;
+    using type = layout<
+        field<&T::feature_class_id, u16le>,
+        nested<&T::feature_class_attribute>>;
+};
+
+template <> struct wire::schema<jaus::new_vks_object> {
+    using T = jaus::new_vks_object;
+    using type = layout<
+        field<&T::object_type, enumeration<jaus::object_type, u8>>,
+        gated_by<&jaus::create_vector_knowledge_store_objects::object_buffer_present,
+            field<&T::object_buffer, in_units<f32le, jaus::metres>>>,
+        repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
+        repeated<&T::point, count<"number_of_points", u16le>>>;
+};
+
+template <> struct wire::schema<jaus::vks_object> {
+    using T = jaus::vks_object;
+    using type = layout<
+        field<&T::object_id, u32le>,
+        field<&T::object_type, enumeration<jaus::object_type, u8>>,
+        field<&T::object_buffer, in_units<f32le, jaus::metres>>,
+        repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
+        repeated<&T::point, count<"number_of_points", u16le>>>;
+};
+
+template <> struct wire::schema<jaus::create_vector_knowledge_store_objects> {
+    using T = jaus::create_vector_knowledge_store_objects;
+    using type = layout<
+        presence<u8,
+            flag<&T::object_buffer_present>,
+            field<&T::message_properties, flag_bits<jaus::create_objects_property, u8>>,
+            field<&T::local_request_id, u8>,
+            repeated<&T::object, count<"number_of_objects", u16le>>>>;
+};
+
+template <> struct wire::schema<jaus::set_vector_knowledge_store_feature_class_metadata> {
+    using T = jaus::set_vector_knowledge_store_feature_class_metadata;
+    using type = layout<
+        field<&T::metadata_options, enumeration<jaus::metadata_options, u8>>,
+        field<&T::feature_class_id, u16le>,
+        string<&T::feature_class_metadata, count<"number_of_string_characters", u16le>>>;
+};
+
 template <> struct wire::schema<jaus::terminate_vector_knowledge_store_data_transfer> { using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_vector_knowledge_store_feature_class_metadata> {
@@ -70,6 +231,20 @@ template <> struct wire::schema<jaus::query_vector_knowledge_store_bounds> {
         field<&T::feature_class_id, u16le>>;
 };
 
+template <> struct wire::schema<jaus::report_vector_knowledge_store_objects_creation> {
+    using T = jaus::report_vector_knowledge_store_objects_creation;
+    using type = layout<
+        field<&T::local_request_id, u8>,
+        repeated<&T::object_id, count<"number_of_objects", u16le>, element<"object", u32le>>>;
+};
+
+template <> struct wire::schema<jaus::report_vector_knowledge_store_feature_class_metadata> {
+    using T = jaus::report_vector_knowledge_store_feature_class_metadata;
+    using type = layout<
+        field<&T::feature_class_id, u16le>,
+        string<&T::feature_class_metadata, count<"number_of_string_characters", u16le>>>;
+};
+
 template <> struct wire::schema<jaus::report_vector_knowledge_store_bounds> {
     using T = jaus::report_vector_knowledge_store_bounds;
     using type = layout<
@@ -79,6 +254,15 @@ template <> struct wire::schema<jaus::report_vector_knowledge_store_bounds> {
         field<&T::southwest_longitude, scaled<i32le, jaus::longitude_range>>,
         field<&T::northeast_latitude, scaled<i32le, jaus::latitude_range>>,
         field<&T::northeast_longitude, scaled<i32le, jaus::longitude_range>>>;
+};
+
+template <> struct wire::schema<jaus::report_vector_knowledge_store_objects> {
+    using T = jaus::report_vector_knowledge_store_objects;
+    using type = layout<
+        presence<u8,
+            field<&T::local_request_id, u8>,
+            field<&T::number_of_objects, u16le>,
+            repeated<&T::object, counted_by<&T::number_of_objects>>>>;
 };
 
 template <> struct wire::schema<jaus::report_vector_knowledge_store_data_transfer_termination> { using type = layout<>; };
