@@ -84,10 +84,10 @@ template <class Table> class arm_application {
                 say_("travel speed " + jauscat::text::to_text(command.desired_speed) + " m/s");
             }),
             jaus::on<jaus::set_emergency>([&](const header&, const auto& command) {
-                if (command.transition_to_emergency) enter_emergency();
+                if (command.emergency_code.test(jaus::set_emergency_code::transition_to_emergency)) enter_emergency();
             }),
             jaus::on<jaus::clear_emergency>([&](const header&, const auto& command) {
-                if (!command.clear_emergency_condition) return;
+                if (!command.emergency_code.test(jaus::clear_emergency_code::clear_emergency)) return;
                 status_.primary_status_code = jaus::primary_status_code::ready;
                 say_("emergency cleared");
             }),

@@ -58,6 +58,8 @@ template <class Item, class Value> void randomise_member(Value& value, generator
         value = static_cast<Value>(std::normal_distribution<double>{0, 1e6}(g));
     } else if constexpr (std::integral<Value> || std::is_enum_v<Value>) {
         value = static_cast<Value>(g());
+    } else if constexpr (requires { typename Value::bits_type; }) {
+        value = Value::from_bits(static_cast<typename Value::bits_type>(g()));
     } else {
         fill(g, value);
     }

@@ -42,21 +42,29 @@ struct reset {
     friend constexpr bool operator==(const reset&, const reset&) = default;
 };
 
+/// Emergency Code of Set Emergency, by bit.
+enum class set_emergency_code : std::uint16_t {
+    transition_to_emergency = 0, ///< go to the emergency state
+};
+
 /// Set Emergency: tells the receiving component of an emergency.
-/// Code 0006h, command class, 2 bytes. Only bit 0 is assigned; the other bits pass through.
+/// Code 0006h, command class, 2 bytes.
 struct set_emergency {
     static constexpr std::uint16_t command_code = 0x0006;
-    bool transition_to_emergency{};  ///< bit 0: go to the emergency state
-    std::uint16_t unassigned_bits{}; ///< bits 1 to 15, sent as zero
+    wire::flags<set_emergency_code> emergency_code{}; ///< bits 1 to 15 are unassigned, sent as zero
     friend constexpr bool operator==(const set_emergency&, const set_emergency&) = default;
 };
 
+/// Emergency Code of Clear Emergency, by bit.
+enum class clear_emergency_code : std::uint16_t {
+    clear_emergency = 0, ///< leave the emergency state
+};
+
 /// Clear Emergency: ends an emergency that the sender has set.
-/// Code 0007h, command class, 2 bytes. Only bit 0 is assigned; the other bits pass through.
+/// Code 0007h, command class, 2 bytes.
 struct clear_emergency {
     static constexpr std::uint16_t command_code = 0x0007;
-    bool clear_emergency_condition{}; ///< bit 0: clear the emergency
-    std::uint16_t unassigned_bits{};  ///< bits 1 to 15, sent as zero
+    wire::flags<clear_emergency_code> emergency_code{}; ///< bits 1 to 15 are unassigned, sent as zero
     friend constexpr bool operator==(const clear_emergency&, const clear_emergency&) = default;
 };
 
@@ -264,18 +272,12 @@ template <> struct wire::schema<jaus::reset> { using type = layout<>; };
 
 template <> struct wire::schema<jaus::set_emergency> {
     using T = jaus::set_emergency;
-    using type = layout<
-        bits<u16le,
-            bit<&T::transition_to_emergency, 1>,
-            bit<&T::unassigned_bits, 15>>>;
+    using type = layout<field<&T::emergency_code, flag_bits<jaus::set_emergency_code, u16le>>>;
 };
 
 template <> struct wire::schema<jaus::clear_emergency> {
     using T = jaus::clear_emergency;
-    using type = layout<
-        bits<u16le,
-            bit<&T::clear_emergency_condition, 1>,
-            bit<&T::unassigned_bits, 15>>>;
+    using type = layout<field<&T::emergency_code, flag_bits<jaus::clear_emergency_code, u16le>>>;
 };
 
 template <> struct wire::schema<jaus::create_service_connection> {
