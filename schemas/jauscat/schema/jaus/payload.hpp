@@ -41,13 +41,19 @@ template <class Integer> struct payload_tuple {
     friend constexpr bool operator==(const payload_tuple&, const payload_tuple&) = default;
 };
 
+/// The text of a payload value. 2 bytes or more.
+struct payload_string {
+    std::string_view value{}; ///< up to 65535 characters
+    friend constexpr bool operator==(const payload_string&, const payload_string&) = default;
+};
+
 /// The value of one payload data element. 1 byte or more. The type does not travel with it: it is what Report Payload
-/// Interface gave for the interface, and is set before decoding. A string (its length in 2 bytes, then its characters)
-/// is refused as an unknown tag: cases have fixed sizes.
+/// Interface gave for the interface, and is set before decoding.
 struct payload_value {
     payload_type type_code{}; ///< what `value` holds; a scaled type holds the raw integer
     std::variant<std::int16_t, std::int32_t, std::int64_t, std::uint8_t, std::uint16_t, std::uint32_t, std::uint64_t,
-                 float, double, payload_tuple<std::uint8_t>, payload_tuple<std::uint16_t>, payload_tuple<std::uint32_t>>
+                 float, double, payload_string, payload_tuple<std::uint8_t>, payload_tuple<std::uint16_t>,
+                 payload_tuple<std::uint32_t>>
         value{};
     friend constexpr bool operator==(const payload_value&, const payload_value&) = default;
 };
@@ -168,6 +174,11 @@ template <> struct wire::schema<jaus::payload_tuple<std::uint32_t>> {
     using type = layout<field<&T::first, u32le>, field<&T::second, u32le>>;
 };
 
+template <> struct wire::schema<jaus::payload_string> {
+    using T = jaus::payload_string;
+    using type = layout<string<&T::value, count<"length", u16le>>>;
+};
+
 template <> struct wire::schema<jaus::payload_value> {
     using T = jaus::payload_value;
     using type = layout<
@@ -191,6 +202,7 @@ template <> struct wire::schema<jaus::payload_value> {
             when<jaus::payload_type::scaled_unsigned_long_integer, u64le>,
             when<jaus::payload_type::enumeration, u16le>,
             when<jaus::payload_type::boolean, u8>,
+            when<jaus::payload_type::string, jaus::payload_string>,
             when<jaus::payload_type::byte_tuple, jaus::payload_tuple<std::uint8_t>>,
             when<jaus::payload_type::unsigned_short_integer_tuple, jaus::payload_tuple<std::uint16_t>>,
             when<jaus::payload_type::unsigned_integer_tuple, jaus::payload_tuple<std::uint32_t>>>>;

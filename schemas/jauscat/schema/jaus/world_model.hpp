@@ -13,7 +13,14 @@ enum class object_type : std::uint8_t {
     polygon = 2,
 };
 
-/// A point of an object. 8 bytes.
+/// Region Type: what the points of a region are.
+enum class region_type : std::uint8_t {
+    point = 0,
+    line = 1,
+    polygon = 2,
+};
+
+/// A point of an object or region. 8 bytes.
 struct vks_point {
     double latitude{};  ///< degrees (WGS 84), -90 to 90
     double longitude{}; ///< degrees (WGS 84), -180 to 180
@@ -25,6 +32,14 @@ struct vks_feature_class {
     std::uint16_t feature_class_id{};      ///< names the class
     typed_value feature_class_attribute{}; ///< the object's value for that class
     friend constexpr bool operator==(const vks_feature_class&, const vks_feature_class&) = default;
+};
+
+/// A class that `Message` selects objects by. Bits 4 and 5 of its presence vector say for all classes what is there.
+/// 0 to 11 bytes.
+template <class Message> struct vks_feature_class_filter {
+    std::optional<std::uint16_t> feature_class_id{};      ///< names the class
+    std::optional<typed_value> feature_class_attribute{}; ///< the value that the objects have for that class
+    friend constexpr bool operator==(const vks_feature_class_filter&, const vks_feature_class_filter&) = default;
 };
 
 /// An object to create. 4 bytes or more.
@@ -89,6 +104,23 @@ struct terminate_vector_knowledge_store_data_transfer {
                                      const terminate_vector_knowledge_store_data_transfer&) = default;
 };
 
+/// Delete Vector Knowledge Store Objects: removes the objects that have all that is given.
+/// Code 0A25h, command class, 2 bytes or more. A peer is known to send the region buffer by the region type's bit.
+struct delete_vector_knowledge_store_objects {
+    static constexpr std::uint16_t command_code = 0x0A25;
+    using feature_class_filter = vks_feature_class_filter<delete_vector_knowledge_store_objects>;
+    std::uint8_t local_request_id{};                                 ///< returned with the answer
+    std::optional<wire::list<std::uint32_t>> object_id{};            ///< the objects by name
+    std::optional<jaus::region_type> region_type{};                  ///< what the region points are
+    std::optional<float> region_buffer{};                            ///< metres around the region
+    std::optional<wire::list<feature_class_filter>> feature_class{}; ///< what the objects are
+    bool feature_class_id_present{};                                 ///< each feature class has its ID
+    bool feature_class_attribute_present{};                          ///< each feature class has an attribute
+    std::optional<wire::list<vks_point>> region_point{};             ///< where the objects are
+    friend constexpr bool operator==(const delete_vector_knowledge_store_objects&,
+                                     const delete_vector_knowledge_store_objects&) = default;
+};
+
 /// Query Vector Knowledge Store Feature Class Metadata. Code 2A21h, query class, 2 bytes.
 struct query_vector_knowledge_store_feature_class_metadata {
     static constexpr std::uint16_t command_code = 0x2A21;
@@ -104,6 +136,24 @@ struct query_vector_knowledge_store_bounds {
     std::uint16_t feature_class_id{}; ///< the class
     friend constexpr bool operator==(const query_vector_knowledge_store_bounds&,
                                      const query_vector_knowledge_store_bounds&) = default;
+};
+
+/// Query Vector Knowledge Store Objects: asks for the objects that have all that is given.
+/// Code 2A23h, query class, 3 bytes or more. A peer is known to send the region buffer by the region type's bit.
+struct query_vector_knowledge_store_objects {
+    static constexpr std::uint16_t command_code = 0x2A23;
+    using feature_class_filter = vks_feature_class_filter<query_vector_knowledge_store_objects>;
+    std::uint8_t report_presence_vector{}; ///< the fields of Report Vector Knowledge Store Objects that are asked for
+    std::uint8_t local_request_id{};       ///< returned with the answer
+    std::optional<wire::list<std::uint32_t>> object_id{};            ///< the objects by name
+    std::optional<jaus::region_type> region_type{};                  ///< what the region points are
+    std::optional<float> region_buffer{};                            ///< metres around the region
+    std::optional<wire::list<feature_class_filter>> feature_class{}; ///< what the objects are
+    bool feature_class_id_present{};                                 ///< each feature class has its ID
+    bool feature_class_attribute_present{};                          ///< each feature class has an attribute
+    std::optional<wire::list<vks_point>> region_point{};             ///< where the objects are
+    friend constexpr bool operator==(const query_vector_knowledge_store_objects&,
+                                     const query_vector_knowledge_store_objects&) = default;
 };
 
 /// Report Vector Knowledge Store Objects Creation: the names of the objects that a request has created.
@@ -179,6 +229,13 @@ template <> struct wire::schema<jaus::vks_feature_class> {
         nested<&T::feature_class_attribute>>;
 };
 
+template <class Message> struct wire::schema<jaus::vks_feature_class_filter<Message>> {
+    using T = jaus::vks_feature_class_filter<Message>;
+    using type = layout<
+        gated_by<&Message::feature_class_id_present, field<&T::feature_class_id, u16le>>,
+        gated_by<&Message::feature_class_attribute_present, nested<&T::feature_class_attribute>>>;
+};
+
 template <> struct wire::schema<jaus::new_vks_object> {
     using T = jaus::new_vks_object;
     using type = layout<
@@ -219,6 +276,20 @@ template <> struct wire::schema<jaus::set_vector_knowledge_store_feature_class_m
 
 template <> struct wire::schema<jaus::terminate_vector_knowledge_store_data_transfer> { using type = layout<>; };
 
+template <> struct wire::schema<jaus::delete_vector_knowledge_store_objects> {
+    using T = jaus::delete_vector_knowledge_store_objects;
+    using type = layout<
+        presence<u8,
+            field<&T::local_request_id, u8>,
+            repeated<&T::object_id, count<"number_of_objects", u16le>, element<"object", u32le>>,
+            field<&T::region_type, enumeration<jaus::region_type, u8>>,
+            field<&T::region_buffer, in_units<f32le, jaus::metres>>,
+            repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
+            flag<&T::feature_class_id_present>,
+            flag<&T::feature_class_attribute_present>,
+            repeated<&T::region_point, count<"number_of_region_points", u16le>>>>;
+};
+
 template <> struct wire::schema<jaus::query_vector_knowledge_store_feature_class_metadata> {
     using T = jaus::query_vector_knowledge_store_feature_class_metadata;
     using type = layout<field<&T::feature_class_id, u16le>>;
@@ -229,6 +300,21 @@ template <> struct wire::schema<jaus::query_vector_knowledge_store_bounds> {
     using type = layout<
         field<&T::local_request_id, u8>,
         field<&T::feature_class_id, u16le>>;
+};
+
+template <> struct wire::schema<jaus::query_vector_knowledge_store_objects> {
+    using T = jaus::query_vector_knowledge_store_objects;
+    using type = layout<
+        presence<u8,
+            field<&T::report_presence_vector, u8>,
+            field<&T::local_request_id, u8>,
+            repeated<&T::object_id, count<"number_of_objects", u16le>, element<"object", u32le>>,
+            field<&T::region_type, enumeration<jaus::region_type, u8>>,
+            field<&T::region_buffer, in_units<f32le, jaus::metres>>,
+            repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
+            flag<&T::feature_class_id_present>,
+            flag<&T::feature_class_attribute_present>,
+            repeated<&T::region_point, count<"number_of_region_points", u16le>>>>;
 };
 
 template <> struct wire::schema<jaus::report_vector_knowledge_store_objects_creation> {
