@@ -262,17 +262,23 @@ namespace jauscat {
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_efforts<Capacity>> {
     using T = jaus::basic_set_joint_efforts<Capacity>;
-    using type = layout<repeated<&T::joint_effort, count<"number_of_joints", u8>, element<"joint", scaled<u16le, jaus::signed_percent>>>>;
+    using type = layout<
+        repeated<&T::joint_effort, count<"number_of_joints", u8>,
+            element<"joint", scaled<u16le, jaus::signed_percent>>>>;
 };
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_positions<Capacity>> {
     using T = jaus::basic_set_joint_positions<Capacity>;
-    using type = layout<repeated<&T::joint_position, count<"number_of_joints", u8>, element<"joint", scaled<u32le, jaus::joint_angle>>>>;
+    using type = layout<
+        repeated<&T::joint_position, count<"number_of_joints", u8>,
+            element<"joint", scaled<u32le, jaus::joint_angle>>>>;
 };
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_velocities<Capacity>> {
     using T = jaus::basic_set_joint_velocities<Capacity>;
-    using type = layout<repeated<&T::joint_velocity, count<"number_of_joints", u8>, element<"joint", scaled<u32le, jaus::joint_angular_velocity>>>>;
+    using type = layout<
+        repeated<&T::joint_velocity, count<"number_of_joints", u8>,
+            element<"joint", scaled<u32le, jaus::joint_angular_velocity>>>>;
 };
 
 template <> struct wire::schema<jaus::set_tool_point> {
@@ -393,17 +399,23 @@ template <> struct wire::schema<jaus::report_manipulator_specifications> {
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_efforts<Capacity>> {
     using T = jaus::basic_report_joint_efforts<Capacity>;
-    using type = layout<repeated<&T::joint_effort, count<"number_of_joints", u8>, element<"joint", scaled<u16le, jaus::signed_percent>>>>;
+    using type = layout<
+        repeated<&T::joint_effort, count<"number_of_joints", u8>,
+            element<"joint", scaled<u16le, jaus::signed_percent>>>>;
 };
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_positions<Capacity>> {
     using T = jaus::basic_report_joint_positions<Capacity>;
-    using type = layout<repeated<&T::joint_position, count<"number_of_joints", u8>, element<"joint", scaled<u32le, jaus::joint_angle>>>>;
+    using type = layout<
+        repeated<&T::joint_position, count<"number_of_joints", u8>,
+            element<"joint", scaled<u32le, jaus::joint_angle>>>>;
 };
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_velocities<Capacity>> {
     using T = jaus::basic_report_joint_velocities<Capacity>;
-    using type = layout<repeated<&T::joint_velocity, count<"number_of_joints", u8>, element<"joint", scaled<u32le, jaus::joint_angular_velocity>>>>;
+    using type = layout<
+        repeated<&T::joint_velocity, count<"number_of_joints", u8>,
+            element<"joint", scaled<u32le, jaus::joint_angular_velocity>>>>;
 };
 
 template <> struct wire::schema<jaus::report_tool_point> {
@@ -416,7 +428,9 @@ template <> struct wire::schema<jaus::report_tool_point> {
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_force_torques<Capacity>> {
     using T = jaus::basic_report_joint_force_torques<Capacity>;
-    using type = layout<repeated<&T::joint_force_torque, count<"number_of_joints", u8>, element<"joint", scaled<u32le, jaus::joint_torque>>>>;
+    using type = layout<
+        repeated<&T::joint_force_torque, count<"number_of_joints", u8>,
+            element<"joint", scaled<u32le, jaus::joint_torque>>>>;
 };
 
 } // namespace jauscat

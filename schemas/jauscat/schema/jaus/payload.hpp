@@ -250,8 +250,10 @@ template <> struct wire::schema<jaus::payload_command_interface> {
         jaus::payload_limit_item<&T::maximum_value, &T::type_code>,
         string<&T::enumeration, count<"enumeration_length", u16le>>,
         gated_by<&M::hmi_recommendation_present, field<&T::hmi_recommendation, u8>>,
-        gated_by<&M::hmi_recommended_x_position_present, field<&T::hmi_recommended_x_position, in_units<u16le, jaus::pixels>>>,
-        gated_by<&M::hmi_recommended_y_position_present, field<&T::hmi_recommended_y_position, in_units<u16le, jaus::pixels>>>,
+        gated_by<&M::hmi_recommended_x_position_present,
+            field<&T::hmi_recommended_x_position, in_units<u16le, jaus::pixels>>>,
+        gated_by<&M::hmi_recommended_y_position_present,
+            field<&T::hmi_recommended_y_position, in_units<u16le, jaus::pixels>>>,
         gated_by<&M::hmi_recommended_width_present, field<&T::hmi_recommended_width, in_units<u16le, jaus::pixels>>>,
         gated_by<&M::hmi_recommended_height_present, field<&T::hmi_recommended_height, in_units<u16le, jaus::pixels>>>>;
 };
@@ -269,8 +271,10 @@ template <> struct wire::schema<jaus::payload_information_interface> {
         jaus::payload_limit_item<&T::maximum_value, &T::type_code>,
         string<&T::enumeration, count<"enumeration_length", u16le>>,
         gated_by<&M::hmi_recommendation_present, field<&T::hmi_recommendation, u8>>,
-        gated_by<&M::hmi_recommended_x_position_present, field<&T::hmi_recommended_x_position, in_units<u16le, jaus::pixels>>>,
-        gated_by<&M::hmi_recommended_y_position_present, field<&T::hmi_recommended_y_position, in_units<u16le, jaus::pixels>>>,
+        gated_by<&M::hmi_recommended_x_position_present,
+            field<&T::hmi_recommended_x_position, in_units<u16le, jaus::pixels>>>,
+        gated_by<&M::hmi_recommended_y_position_present,
+            field<&T::hmi_recommended_y_position, in_units<u16le, jaus::pixels>>>,
         gated_by<&M::hmi_recommended_width_present, field<&T::hmi_recommended_width, in_units<u16le, jaus::pixels>>>,
         gated_by<&M::hmi_recommended_height_present, field<&T::hmi_recommended_height, in_units<u16le, jaus::pixels>>>>;
 };
@@ -286,7 +290,9 @@ template <> struct wire::schema<jaus::query_payload_interface> { using type = la
 
 template <> struct wire::schema<jaus::query_payload_data_element> {
     using T = jaus::query_payload_data_element;
-    using type = layout<repeated<&T::information_interface_number, count<"number_of_payload_information_elements", u8>, element<"element", u8>>>;
+    using type = layout<
+        repeated<&T::information_interface_number, count<"number_of_payload_information_elements", u8>,
+            element<"element", u8>>>;
 };
 
 template <> struct wire::schema<jaus::report_payload_interface> {

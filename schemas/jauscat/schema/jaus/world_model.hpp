@@ -351,6 +351,8 @@ template <> struct wire::schema<jaus::report_vector_knowledge_store_objects> {
             repeated<&T::object, counted_by<&T::number_of_objects>>>>;
 };
 
-template <> struct wire::schema<jaus::report_vector_knowledge_store_data_transfer_termination> { using type = layout<>; };
+template <> struct wire::schema<jaus::report_vector_knowledge_store_data_transfer_termination> {
+    using type = layout<>;
+};
 
 } // namespace jauscat
