@@ -12,22 +12,20 @@ struct embedded_message {
     friend constexpr bool operator==(const embedded_message&, const embedded_message&) = default;
 };
 
-/// One message of a mission task. 19 bytes or more.
+/// One message of a mission task. 19 bytes or more. A peer prints the blocking flag's meaning the other way round.
 struct mission_command {
-    std::uint16_t message_uid{}; ///< names the message within the mission
-    embedded_message message{};  ///< what is to be sent
-    std::uint8_t
-        blocking_flag{}; ///< 0: the next message may go at once, 1: it waits for this one; a peer prints the reverse
+    std::uint16_t message_uid{};  ///< names the message within the mission
+    embedded_message message{};   ///< what is to be sent
+    std::uint8_t blocking_flag{}; ///< 0: the next message may go at once, 1: it waits for this one
     friend constexpr bool operator==(const mission_command&, const mission_command&) = default;
 };
 
-/// A node of the mission tree. 6 bytes or more, its children not counted.
+/// A node of the mission tree. 6 bytes or more, its children not counted. A peer's child offsets below the first level
+/// start elsewhere, so a receiver should not use them.
 struct mission_task {
-    std::uint16_t task_id{};            ///< names the task within the mission
-    std::uint16_t number_of_children{}; ///< tasks right below this one
-    wire::list<std::uint32_t>
-        offset{}; ///< where each child starts, in bytes from the start of the body; a peer's offsets
-                  ///< below the first level count from elsewhere, so a receiver should not use them
+    std::uint16_t task_id{};               ///< names the task within the mission
+    std::uint16_t number_of_children{};    ///< tasks right below this one
+    wire::list<std::uint32_t> offset{};    ///< byte of the body at which each child starts
     wire::list<mission_command> message{}; ///< the task's own messages, in the order of sending
     friend constexpr bool operator==(const mission_task&, const mission_task&) = default;
 };
