@@ -4,6 +4,8 @@
 #include <jauscat/wire/wire.hpp>
 
 #include <limits>
+#include <memory>
+#include <memory_resource>
 #include <random>
 #include <span>
 
@@ -27,64 +29,232 @@ inline void fill(generator& g, std::span<std::byte> out) {
 struct odds {
     double present = 0.5; ///< probability that an optional field is there
     double illegal = 0;   ///< probability that a value that can be illegal is
+    bool exact = false;   ///< scaled values are ones that a raw value stands for, so that they survive a round trip
 };
 
 namespace detail {
 
-template <class Range> double real(generator& g, double illegal) {
-    using limits = std::numeric_limits<double>;
-    if (chance(g, illegal)) {
-        const std::array wrong{limits::quiet_NaN(), limits::infinity(), -limits::infinity(), Range::min - 1.0,
-                               Range::max + 1.0};
-        return wrong[below(g, wrong.size())];
-    }
-    const auto which = g() % 16;
-    if (which == 0) return Range::min;
-    if (which == 1) return Range::max;
-    return std::uniform_real_distribution<double>{Range::min, Range::max}(g);
+/// Whether the member `First` belongs to the structure that the scope `Here` stands in.
+template <auto First, class Here>
+inline constexpr bool stands_here =
+    std::is_same_v<typename wire::detail::structure_at<std::remove_cvref_t<Here>>::type, wire::owner_t<First>>;
+
+template <auto First, auto... Rest> auto& follow(auto& object) {
+    auto& member = wire::member_of<First>(object);
+    if constexpr (sizeof...(Rest) == 0)
+        return member;
+    else
+        return follow<Rest...>(member);
 }
 
-template <wire::message T> void randomise(T& message, generator& g, const odds& o);
+class randomiser {
+  public:
+    randomiser(generator& g, const odds& o, std::pmr::memory_resource& memory) : g_{g}, odds_{o}, memory_{memory} {}
 
-template <class Item, class Value> void randomise_member(Value& value, generator& g, const odds& o) {
-    if constexpr (requires { Item::width; }) {
-        constexpr auto mask = Item::width >= 64 ? ~std::uint64_t{} : (std::uint64_t{1} << (Item::width & 63)) - 1;
-        value = static_cast<Value>(chance(g, o.illegal) ? ~std::uint64_t{} : g() & mask);
-    } else if constexpr (wire::message<Value>) {
-        randomise(value, g, o);
-    } else if constexpr (requires { typename Item::codec_type::range_type; } && std::floating_point<Value>) {
-        value = static_cast<Value>(real<typename Item::codec_type::range_type>(g, o.illegal));
-    } else if constexpr (std::floating_point<Value>) {
-        value = static_cast<Value>(std::normal_distribution<double>{0, 1e6}(g));
-    } else if constexpr (std::integral<Value> || std::is_enum_v<Value>) {
-        value = static_cast<Value>(g());
-    } else if constexpr (requires { typename Value::bits_type; }) {
-        value = Value::from_bits(static_cast<typename Value::bits_type>(g()));
-    } else {
-        fill(g, value);
+    template <class T> void message(T& object, const auto& outer) {
+        const wire::object_scope here{object, outer};
+        wire::layout_of<T>::all_items([&]<class Item>() {
+            item(Item{}, object, here);
+            return true;
+        });
     }
-}
 
-template <wire::message T> void randomise(T& message, generator& g, const odds& o) {
-    wire::visit(message, [&]<class Item>(Item, auto& member) {
-        if constexpr (requires { member.emplace(); }) {
-            if (chance(g, o.present))
-                randomise_member<Item>(member.emplace(), g, o);
+  private:
+    // Flags first: they say what is in the other items.
+    template <wire::unknown_bits Unknown, class Carrier, class... Items>
+    void item(wire::presence_group<Unknown, Carrier, Items...>, auto& object, const auto& here) {
+        (flag(Items{}, object), ...);
+        (item(Items{}, object, here), ...);
+    }
+    template <auto Member> void item(wire::flag<Member>, auto&, const auto&) {}
+    template <class Item> void flag(Item, auto&) {}
+    template <auto Member> void flag(wire::flag<Member>, auto& object) {
+        wire::member_of<Member>(object) = chance(g_, odds_.present);
+    }
+    template <class Carrier, class... Fields> void item(wire::bits<Carrier, Fields...>, auto& object, const auto&) {
+        (bit(Fields{}, object), ...);
+    }
+    template <std::size_t Width> void bit(wire::reserved<Width>, auto&) {}
+    template <auto Member, std::size_t Width> void bit(wire::bit<Member, Width> field, auto& object) {
+        field.assign(object,
+                     chance(g_, odds_.illegal) ? ~std::uint64_t{} : integer() & (~std::uint64_t{} >> (64 - Width)));
+    }
+    template <auto Flag, class Item> void item(wire::gated_by<Flag, Item>, auto& object, const auto& here) {
+        auto& member = wire::member_of<Item::key>(object);
+        if (wire::look_up<Flag>(here) != chance(g_, odds_.illegal))
+            value(Item{}, member.emplace(), object, here);
+        else
+            member.reset();
+    }
+    template <class Item> void item(Item, auto& object, const auto& here) {
+        auto& member = wire::member_of<Item::key>(object);
+        if constexpr (!Item::optional)
+            value(Item{}, member, object, here);
+        else if (chance(g_, odds_.present))
+            value(Item{}, member.emplace(), object, here);
+        else
+            member.reset();
+    }
+
+    template <auto Member, class Codec> void value(wire::field<Member, Codec>, auto& member, auto&, const auto&) {
+        number<Codec>(member);
+    }
+    template <auto Member> void value(wire::unsent<Member>, auto& member, auto&, const auto&) {
+        member = static_cast<std::remove_reference_t<decltype(member)>>(integer());
+    }
+    template <auto Member> void value(wire::nested<Member>, auto& member, auto&, const auto& here) {
+        message(member, here);
+    }
+    template <auto Member, class Count, class Element>
+    void value(wire::repeated<Member, Count, Element>, auto& member, auto& object, const auto& here) {
+        using traits = typename wire::repeated<Member, Count, Element>::traits;
+        const auto element = [&](auto& one) {
+            if constexpr (std::is_same_v<Element, wire::record>)
+                message(one, here);
             else
-                member.reset();
+                number<typename Element::codec_type>(one);
+        };
+        if constexpr (traits::elsewhere) {
+            const auto elements =
+                make<typename std::remove_reference_t<decltype(member)>::value_type>(length<Count>(4, object, here));
+            for (auto& one : elements) element(one);
+            member = elements;
         } else {
-            randomise_member<Item>(member, g, o);
+            const bool full = chance(g_, 0.05);
+            member.resize(
+                length<Count>(full ? traits::capacity : std::min<std::size_t>(traits::capacity, 4), object, here));
+            for (auto& one : member) element(one);
         }
-    });
-}
+    }
+    template <auto Member, auto Children, std::size_t MaxDepth>
+    void value(wire::tree<Member, Children, MaxDepth>, auto& member, auto&, const auto& here) {
+        const auto nodes = make<typename std::remove_reference_t<decltype(member)>::value_type>(20);
+        wire::tree_walk<MaxDepth> walk;
+        std::size_t size = 0, announced = 1;
+        do {
+            auto& node = nodes[size++];
+            const auto& children = wire::member_of<Children>(node);
+            const std::size_t room = walk.depth() + 1 == MaxDepth ? 0 : nodes.size() - announced;
+            do message(node, here);
+            while (children > room);
+            announced += children;
+            static_cast<void>(walk.pass(children));
+        } while (!walk.complete());
+        member = nodes.first(size);
+    }
+    template <auto Member, class Selector, class... Cases>
+    void value(wire::selected<Member, Selector, Cases...>, auto& member, auto& object, const auto& here) {
+        using item = wire::selected<Member, Selector, Cases...>;
+        // Another value may have drawn it.
+        if (!item::with_case(Selector::value(here), []<class>() {})) draw_tag<Cases...>(Selector{}, object, here);
+        item::with_case(Selector::value(here), [&]<class Case>() {
+            using form = typename Case::form;
+            if constexpr (std::is_same_v<form, std::monostate>)
+                member = form{};
+            else if constexpr (wire::message<form>)
+                message(member.template emplace<form>(), here);
+            else if constexpr (item::of_variant)
+                number<form>(member.template emplace<typename form::value_type>());
+            else
+                number<form>(member);
+        });
+        if (chance(g_, odds_.illegal)) draw_tag<Cases...>(Selector{}, object, here);
+    }
+    // A tag of a structure around this one stays what it is.
+    template <class... Cases, auto First, auto... Rest>
+    void draw_tag(wire::by<First, Rest...>, auto& object, const auto& here) {
+        constexpr std::array tags{Cases::tag...};
+        if constexpr (stands_here<First, decltype(here)>) follow<First, Rest...>(object) = tags[below(g_, tags.size())];
+    }
+    /// Text and bytes.
+    template <class Item> void value(Item, auto& member, auto& object, const auto& here) {
+        constexpr std::size_t most = std::min<std::size_t>(Item::max_size, 100);
+        std::size_t size = chance(g_, 0.1) ? most : below(g_, std::min<std::size_t>(most, 20) + 1);
+        if constexpr (requires { typename Item::count_type; })
+            size = length<typename Item::count_type>(size, object, here);
+        else if (Item::max_size != wire::unbounded && chance(g_, odds_.illegal))
+            size = Item::max_size + 1;
+        if constexpr (std::is_same_v<typename Item::value_type, std::string_view>) {
+            const auto text = make<char>(size);
+            for (char& c : text) c = static_cast<char>('!' + below(g_, 94)); // all that can be seen
+            member = {text.data(), size};
+        } else {
+            const auto bytes = make<std::byte>(size);
+            fill(g_, bytes);
+            member = bytes;
+        }
+    }
+
+    /// Up to `most` elements. A count in this structure is told; one further out was drawn before and decides.
+    template <class Count> std::size_t length(std::size_t most, auto& object, const auto& here) {
+        if constexpr (requires { Count::limit; })
+            return below(g_, std::min(most, Count::limit) + 1);
+        else
+            return counted_elsewhere(Count{}, most, object, here);
+    }
+    template <std::size_t Less, auto First, auto... Rest>
+    std::size_t counted_elsewhere(const wire::detail::count_elsewhere<Less, First, Rest...>& count, std::size_t most,
+                                  auto& object, const auto& here) {
+        if constexpr (stands_here<First, decltype(here)>) {
+            auto& told = follow<First, Rest...>(object);
+            told = static_cast<std::remove_reference_t<decltype(told)>>(below(g_, most + 1) + Less);
+        }
+        return count.peek(nullptr, here) + chance(g_, odds_.illegal);
+    }
+
+    template <class Codec, class Value> void number(Value& value) {
+        if constexpr (requires { typename Codec::range_type; } && std::floating_point<Value>) {
+            value = real<Codec>();
+        } else if constexpr (std::floating_point<Value>) {
+            value = static_cast<Value>(std::normal_distribution<double>{0, 1e6}(g_));
+        } else if constexpr (std::integral<Value> || std::is_enum_v<Value>) {
+            value = static_cast<Value>(integer());
+        } else if constexpr (requires { typename Value::bits_type; }) {
+            value = Value::from_bits(static_cast<typename Value::bits_type>(integer()));
+        } else {
+            fill(g_, value);
+        }
+    }
+    template <class Codec> double real() {
+        using range = typename Codec::range_type;
+        using limits = std::numeric_limits<double>;
+        if (chance(g_, odds_.illegal)) {
+            const std::array wrong{limits::quiet_NaN(), limits::infinity(), -limits::infinity(), range::min - 1.0,
+                                   range::max + 1.0};
+            return wrong[below(g_, wrong.size())];
+        }
+        if (odds_.exact)
+            return Codec::to_real(std::max(Codec::bottom, static_cast<typename Codec::raw_type>(integer())));
+        const auto which = g_() % 16;
+        if (which == 0) return range::min;
+        if (which == 1) return range::max;
+        return std::uniform_real_distribution<double>{range::min, range::max}(g_);
+    }
+    /// Small ones are as frequent as all others.
+    std::uint64_t integer() { return chance(g_, 0.5) ? g_() : g_() % 8; }
+
+    template <class T> std::span<T> make(std::size_t size) {
+        T* const first = std::pmr::polymorphic_allocator<T>{&memory_}.allocate(size);
+        std::uninitialized_value_construct_n(first, size);
+        return {first, size};
+    }
+
+    generator& g_;
+    const odds& odds_;
+    std::pmr::memory_resource& memory_;
+};
 
 } // namespace detail
 
-/// A random `T`; unless `o` allows illegal values, one that encodes.
-template <wire::message T> T random_message(generator& g, const odds& o = {}) {
+/// A random `T`; unless `o` allows illegal values, one that encodes. Its lists, text and bytes are in `memory`.
+template <wire::message T> T random_message(generator& g, std::pmr::memory_resource& memory, const odds& o = {}) {
     T message{};
-    detail::randomise(message, g, o);
+    detail::randomiser{g, o, memory}.message(message, wire::plain_root{});
     return message;
+}
+/// The same for a message that holds everything itself.
+template <wire::message T> T random_message(generator& g, const odds& o = {}) {
+    return random_message<T>(g, *std::pmr::null_memory_resource(), o);
 }
 
 } // namespace support
