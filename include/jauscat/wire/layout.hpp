@@ -39,15 +39,6 @@ template <std::size_t Size>
         if (c.error == errc::ok) c.at += Size;
     }
 }
-/// Tells a trace which item comes next; false where it knows that the bytes end before.
-template <class Item>
-[[gnu::always_inline]] constexpr bool reach([[maybe_unused]] const auto& object, [[maybe_unused]] const std::byte* at,
-                                            [[maybe_unused]] const auto& here) noexcept {
-    if constexpr (traced<decltype(here)>)
-        return root_of(here).tracer.template reach<Item>(object, at);
-    else
-        return true;
-}
 /// Tells a trace that an integer which no member carries comes next: a presence vector, a count.
 template <codec Codec>
 [[gnu::always_inline]] constexpr bool reach_number([[maybe_unused]] std::string_view name,
@@ -100,20 +91,32 @@ template <class Item>
     else
         return Item::size(object, here);
 }
+// Few layers: each is a function for each field, and the compiler's time goes by their number.
 template <class Item>
 [[gnu::always_inline]] constexpr bool put_item(const auto& object, out_cursor& c, const auto& here) noexcept {
-    if (!reach<Item>(object, c.at, here)) return false;
-    if constexpr (in_one_go<Item, decltype(here)>)
-        write<Item::max_size>(c, here, [&](std::byte* out) { return Item::put(object, out); });
-    else
+    if constexpr (traced<decltype(here)>) {
+        root_of(here).tracer.template reach<Item>(object, c.at);
+        if constexpr (in_one_go<Item, decltype(here)>)
+            write<Item::max_size>(c, here, [&](std::byte* out) { return Item::put(object, out); });
+        else
+            c = Item::put(object, c, here);
+    } else if constexpr (fixed_item<Item>) {
+        c.error = Item::put(object, c.at);
+        c.at += Item::max_size;
+    } else {
         c = Item::put(object, c, here);
+    }
     return c.error == errc::ok;
 }
 template <class Item>
 [[gnu::always_inline]] constexpr bool get_item(auto& object, in_cursor& c, const auto& here) noexcept {
-    if (!reach<Item>(object, c.at, here)) {
-        c = in_cursor::failed(errc::truncated);
-    } else if constexpr (in_one_go<Item, decltype(here)>) {
+    if constexpr (traced<decltype(here)>) {
+        if (!root_of(here).tracer.template reach<Item>(object, c.at)) {
+            c = in_cursor::failed(errc::truncated);
+            return false;
+        }
+    }
+    if constexpr (in_one_go<Item, decltype(here)>) {
         const errc error = Item::get(object, c.at);
         c = error == errc::ok ? in_cursor{c.at + Item::max_size, c.slack} : in_cursor::failed(error);
     } else {

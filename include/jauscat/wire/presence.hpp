@@ -211,8 +211,10 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
   private:
     template <class Item>
     [[gnu::always_inline]] static constexpr mask_type present(const auto& object, std::size_t& at) noexcept {
-        if constexpr (detail::takes_bit<Item>)
-            return mask_type{is_present<Item>(object)} << at++;
+        if constexpr (Item::optional)
+            return mask_type{member_of<Item::key>(object).has_value()} << at++;
+        else if constexpr (detail::takes_bit<Item>)
+            return mask_type{member_of<Item::key>(object)} << at++;
         else
             return 0;
     }
@@ -248,10 +250,16 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
                                                                 out_cursor& c, const auto& here) noexcept {
         if constexpr (detail::takes_bit<Item>) {
             const auto bit = mask_type{1} << at++;
-            if (!is_present<Item>(object)) return true;
+            if (!member_of<Item::key>(object)) return true;
             m |= bit;
         }
-        return detail::put_item<Item>(object, c, here);
+        if constexpr (fixed_item<Item> && !traced<decltype(here)>) {
+            c.error = Item::put(object, c.at);
+            c.at += Item::max_size;
+            return c.error == errc::ok;
+        } else {
+            return detail::put_item<Item>(object, c, here);
+        }
     }
     template <class Item> [[gnu::always_inline]] static constexpr void absent(auto& object) noexcept {
         if constexpr (Item::optional)

@@ -13,3 +13,4 @@
 #include <jauscat/wire/selected.hpp>
 #include <jauscat/wire/string.hpp>
 #include <jauscat/wire/tree.hpp>
+#include <jauscat/wire/view.hpp> // a count inside a nested structure is read through a view
