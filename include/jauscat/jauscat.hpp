@@ -9,6 +9,7 @@
 #include <jauscat/jaus/copy_present.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/jaus/framing.hpp>
+#include <jauscat/jaus/large_data_set.hpp>
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/jaus/requested_fields.hpp>
 #include <jauscat/jaus/stream.hpp>

@@ -1,0 +1,167 @@
+// Large data sets received: a body that does not fit one packet comes in several, and is put together here in memory
+// that the caller gives. RA 3.3 part 2, large data sets.
+#pragma once
+#include <jauscat/jaus/message.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <span>
+
+namespace jauscat::jaus {
+
+/// What became of a packet.
+enum class reassembled : std::uint8_t {
+    only,      ///< no part of a large data set: it is the caller's
+    waiting,   ///< kept; others are missing
+    whole,     ///< the last one that was missing: the whole has been handed on
+    repeated,  ///< held already, and dropped
+    no_room,   ///< dropped: every place is taken by a data set that is still being received
+    too_large, ///< dropped together with its data set, which has more bytes or packets than a place holds
+};
+
+/// A place for one data set of which packets are missing, and what is known of it.
+struct partial_data_set {
+    jaus::header header{};                    ///< of packet 0, or of the first that came
+    std::size_t packets{};                    ///< how many are held; 0: the place is free
+    std::size_t bytes{};                      ///< of body that are held
+    std::optional<std::uint16_t> last{};      ///< sequence number of the last packet, once that has come
+    std::chrono::nanoseconds last_heard_at{}; ///< when a packet of it last came
+};
+
+/// A packet that is held: its sequence number and the bytes of its body.
+struct held_packet {
+    std::uint16_t sequence_number{};
+    std::uint16_t size{};
+};
+
+/// Puts data sets together by command code and source. Packets may come out of order and more than once. Memory is what
+/// the caller gives: a flood of packets takes places, never more memory, and cannot displace a data set that goes on.
+///
+///     std::array<jaus::partial_data_set, 4> places{};
+///     std::array<jaus::held_packet, 4 * 64> packets{};
+///     std::array<std::byte, 4 * 64 * jaus::max_body_size> memory{};
+///     jaus::reassembler large{places, packets, memory, 5s};
+///     large.on_packet(header, body, now, [&](const jaus::header& head, std::span<const std::byte> whole) { ... },
+///                     [&](const jaus::partial_data_set& incomplete) { ... });
+class reassembler {
+  public:
+    /// Each place has an equal share of `packets` and of `memory`. `patience`: a data set that has been silent so long
+    /// is given up when its place is wanted, or by on_time. All three must outlive this.
+    constexpr reassembler(std::span<partial_data_set> places, std::span<held_packet> packets,
+                          std::span<std::byte> memory, std::chrono::nanoseconds patience) noexcept
+        : places_{places}, packets_{packets}, memory_{memory}, patience_{patience} {}
+
+    /// A packet that came at `now`. `take(const header&, std::span<const std::byte>)` gets a whole data set: the header
+    /// of its packet 0, whose data size and flag are that packet's, and the whole body, valid during the call.
+    /// `lost(const partial_data_set&)` hears of one that is given up.
+    constexpr reassembled on_packet(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds now,
+                                    auto&& take, auto&& lost) {
+        if (head.data_flag == data_flag::only) return reassembled::only;
+        partial_data_set* set = find(head);
+        if (set != nullptr && begins_another(*set, head, body)) forget(*set, lost);
+        if (set == nullptr) set = free_place(now, lost);
+        if (set == nullptr) return reassembled::no_room;
+        if (set->packets == 0 || head.sequence_number == 0) set->header = head;
+        set->last_heard_at = now;
+
+        const auto list = share(packets_, *set);
+        const auto bytes = share(memory_, *set);
+        const auto held = list.first(set->packets);
+        const auto at = std::ranges::lower_bound(held, head.sequence_number, {}, &held_packet::sequence_number);
+        const auto before = static_cast<std::size_t>(at - held.begin());
+        if (at != held.end() && at->sequence_number == head.sequence_number) return reassembled::repeated;
+        if (set->packets == list.size() || body.size() > bytes.size() - set->bytes || body.size() > 0xFFFF) {
+            forget(*set, lost);
+            return reassembled::too_large;
+        }
+        const std::size_t offset = before == held.size() ? set->bytes : size_of(held.first(before));
+        insert(list, set->packets, before,
+               std::array{held_packet{head.sequence_number, static_cast<std::uint16_t>(body.size())}});
+        insert(bytes, set->bytes, offset, body);
+        ++set->packets;
+        set->bytes += body.size();
+
+        if (head.data_flag == data_flag::last) set->last = head.sequence_number;
+        if (!set->last || set->packets != *set->last + std::size_t{1}) return reassembled::waiting;
+        take(std::as_const(set->header), std::span<const std::byte>{bytes.first(set->bytes)});
+        *set = {};
+        return reassembled::whole;
+    }
+
+    /// Gives up what has been silent for the patience. Not needed for safety: on_packet does so for the place it wants.
+    constexpr void on_time(std::chrono::nanoseconds now, auto&& lost) {
+        for (partial_data_set& set : places_)
+            if (set.packets != 0 && stale(set, now)) forget(set, lost);
+    }
+
+    /// The places, for those who want to see what is incomplete.
+    [[nodiscard]] constexpr std::span<const partial_data_set> places() const noexcept { return places_; }
+
+  private:
+    [[nodiscard]] constexpr partial_data_set* find(const header& head) const noexcept {
+        const auto found = std::ranges::find_if(places_, [&](const partial_data_set& set) {
+            return set.packets != 0 && set.header.command_code == head.command_code && set.header.source == head.source;
+        });
+        return found == places_.end() ? nullptr : &*found;
+    }
+    // A sender that has gone on to its next data set uses the numbers of the old one again, for other bytes.
+    [[nodiscard]] constexpr bool begins_another(const partial_data_set& set, const header& head,
+                                                std::span<const std::byte> body) const noexcept {
+        if (set.last && head.sequence_number > *set.last) return true;
+        if (head.data_flag == data_flag::repeated) return false;
+        const auto held = share(packets_, set).first(set.packets);
+        if (head.data_flag == data_flag::last && !held.empty() && held.back().sequence_number > head.sequence_number)
+            return true;
+        std::size_t offset = 0;
+        for (const held_packet& packet : held) {
+            if (packet.sequence_number == head.sequence_number)
+                return !std::ranges::equal(share(memory_, set).subspan(offset, packet.size), body);
+            offset += packet.size;
+        }
+        return false;
+    }
+    [[nodiscard]] constexpr partial_data_set* free_place(std::chrono::nanoseconds now, auto& lost) {
+        if (places_.empty()) return nullptr;
+        const auto oldest = std::ranges::min_element(places_, {}, [](const partial_data_set& set) {
+            return std::pair{set.packets != 0, set.last_heard_at};
+        });
+        if (oldest->packets != 0) {
+            if (!stale(*oldest, now)) return nullptr;
+            forget(*oldest, lost);
+        }
+        return &*oldest;
+    }
+    [[nodiscard]] constexpr bool stale(const partial_data_set& set, std::chrono::nanoseconds now) const noexcept {
+        return now - set.last_heard_at >= patience_;
+    }
+    static constexpr void forget(partial_data_set& set, auto& lost) {
+        lost(std::as_const(set));
+        set = {};
+    }
+    template <class T>
+    [[nodiscard]] constexpr std::span<T> share(std::span<T> all, const partial_data_set& set) const noexcept {
+        const std::size_t size = all.size() / places_.size();
+        return all.subspan(static_cast<std::size_t>(&set - places_.data()) * size, size);
+    }
+    [[nodiscard]] static constexpr std::size_t size_of(std::span<const held_packet> packets) noexcept {
+        std::size_t size = 0;
+        for (const held_packet& packet : packets) size += packet.size;
+        return size;
+    }
+    // Puts `more` into the first `used` elements of `all`, in front of the one at `place`.
+    template <class T>
+    static constexpr void insert(std::span<T> all, std::size_t used, std::size_t place, const auto& more) noexcept {
+        const auto at = all.begin() + static_cast<std::ptrdiff_t>(place);
+        const auto end = all.begin() + static_cast<std::ptrdiff_t>(used);
+        std::copy_backward(at, end, end + static_cast<std::ptrdiff_t>(more.size()));
+        std::ranges::copy(more, at);
+    }
+
+    std::span<partial_data_set> places_;
+    std::span<held_packet> packets_;
+    std::span<std::byte> memory_;
+    std::chrono::nanoseconds patience_;
+};
+
+} // namespace jauscat::jaus

@@ -1,0 +1,194 @@
+// Large data sets put together from their packets, in whatever order and number these come.
+#include "support/catch.hpp"
+#include "support/hex.hpp"
+#include <jauscat/jaus/large_data_set.hpp>
+
+#include <random>
+#include <string>
+
+namespace {
+
+using namespace std::chrono_literals;
+using jauscat::jaus::address;
+using jauscat::jaus::data_flag;
+using jauscat::jaus::reassembled;
+using jauscat::test::from_hex;
+using jauscat::test::to_hex;
+namespace jaus = jauscat::jaus;
+
+/// Two places of at most four packets and eight bytes, and what came out of them.
+struct receiver {
+    std::array<jaus::partial_data_set, 2> places{};
+    std::array<jaus::held_packet, 8> packets{};
+    std::array<std::byte, 16> memory{};
+    jaus::reassembler sets{places, packets, memory, 1s};
+    std::vector<std::string> whole{};
+    std::vector<std::size_t> lost{}; ///< packets that each incomplete data set had
+
+    reassembled hear(data_flag flag, std::uint16_t number, const std::string& body, std::chrono::nanoseconds now = 0ms,
+                     std::uint8_t sender = 1, std::uint16_t code = 0x4807) {
+        const auto bytes = from_hex(body);
+        const jaus::header head{.command_code = code,
+                                .source = {sender, 37, 1, 2},
+                                .data_size = static_cast<std::uint16_t>(bytes.size()),
+                                .data_flag = flag,
+                                .sequence_number = number};
+        return sets.on_packet(
+            head, bytes, now,
+            [&](const jaus::header& first, std::span<const std::byte> all) {
+                REQUIRE(first.sequence_number == 0);
+                whole.push_back(to_hex(all));
+            },
+            [&](const jaus::partial_data_set& set) { lost.push_back(set.packets); });
+    }
+};
+using texts = std::vector<std::string>;
+
+} // namespace
+
+TEST_CASE("packets that come in order give the whole body with the last one") {
+    receiver r;
+    REQUIRE(r.hear(data_flag::first, 0, "0102") == reassembled::waiting);
+    REQUIRE(r.hear(data_flag::middle, 1, "0304") == reassembled::waiting);
+    REQUIRE(r.whole.empty());
+    REQUIRE(r.hear(data_flag::last, 2, "05") == reassembled::whole);
+    REQUIRE(r.whole == texts{"01 02 03 04 05"});
+    REQUIRE(r.lost.empty());
+    REQUIRE(r.places[0].packets == 0);
+}
+
+TEST_CASE("a single packet is left to the caller") {
+    receiver r;
+    REQUIRE(r.hear(data_flag::only, 7, "0102") == reassembled::only);
+    REQUIRE(r.whole.empty());
+}
+
+TEST_CASE("every order of the packets gives the same body") {
+    struct packet {
+        data_flag flag;
+        std::uint16_t number;
+        const char* body;
+    };
+    std::array<packet, 4> order{{{data_flag::first, 0, "0102"},
+                                 {data_flag::middle, 1, "03"},
+                                 {data_flag::repeated, 2, ""},
+                                 {data_flag::last, 3, "040506"}}};
+    const auto by_number = [](const packet& a, const packet& b) { return a.number < b.number; };
+    int orders = 0;
+    do {
+        receiver r;
+        for (const auto& p : order) r.hear(p.flag, p.number, p.body);
+        REQUIRE(r.whole == texts{"01 02 03 04 05 06"});
+        REQUIRE(r.lost.empty());
+        ++orders;
+    } while (std::ranges::next_permutation(order, by_number).found);
+    REQUIRE(orders == 24);
+}
+
+TEST_CASE("a packet that is held already is dropped, a retransmitted one fills its gap") {
+    receiver r;
+    r.hear(data_flag::first, 0, "01");
+    REQUIRE(r.hear(data_flag::first, 0, "01") == reassembled::repeated);
+    REQUIRE(r.hear(data_flag::repeated, 0, "01") == reassembled::repeated);
+    REQUIRE(r.hear(data_flag::last, 2, "03") == reassembled::waiting);
+    REQUIRE(r.hear(data_flag::repeated, 1, "02") == reassembled::whole);
+    REQUIRE(r.whole == texts{"01 02 03"});
+}
+
+TEST_CASE("data sets of several senders and codes come side by side") {
+    receiver r;
+    r.hear(data_flag::first, 0, "01", 0ms, 1);
+    r.hear(data_flag::first, 0, "11", 0ms, 2);
+    r.hear(data_flag::last, 1, "02", 0ms, 1);
+    r.hear(data_flag::first, 0, "21", 0ms, 2, 0x4A23);
+    r.hear(data_flag::last, 1, "12", 0ms, 2);
+    r.hear(data_flag::last, 1, "22", 0ms, 2, 0x4A23);
+    REQUIRE(r.whole == texts{"01 02", "11 12", "21 22"});
+    REQUIRE(r.lost.empty());
+}
+
+TEST_CASE("a sender that begins its next data set gives up the one before") {
+    receiver r;
+    r.hear(data_flag::first, 0, "01");
+    r.hear(data_flag::middle, 1, "02");
+    REQUIRE(r.hear(data_flag::first, 0, "0a") == reassembled::waiting);
+    REQUIRE(r.lost == std::vector<std::size_t>{2});
+    REQUIRE(r.hear(data_flag::last, 1, "0b") == reassembled::whole);
+    REQUIRE(r.whole == texts{"0a 0b"});
+
+    // Seen in recorded traffic: last packets only, of the same number or of another.
+    r.lost.clear();
+    r.hear(data_flag::last, 3, "01");
+    r.hear(data_flag::last, 3, "02");
+    r.hear(data_flag::last, 4, "03");
+    r.hear(data_flag::last, 2, "04");
+    REQUIRE(r.lost == std::vector<std::size_t>{1, 1, 1});
+    REQUIRE(r.whole.size() == 1);
+}
+
+TEST_CASE("a flood of first packets takes no place of a data set that goes on") {
+    receiver r;
+    r.hear(data_flag::first, 0, "01", 0ms, 1);
+    for (unsigned sender = 2; sender != 255; ++sender)
+        r.hear(data_flag::first, 0, "ff", 100ms, static_cast<std::uint8_t>(sender));
+    REQUIRE(r.hear(data_flag::first, 0, "ff", 100ms, 255) == reassembled::no_room);
+    REQUIRE(r.lost.empty());
+    REQUIRE(r.hear(data_flag::last, 1, "02", 900ms, 1) == reassembled::whole);
+    REQUIRE(r.whole == texts{"01 02"});
+}
+
+TEST_CASE("a silent data set gives its place to another") {
+    receiver r;
+    r.hear(data_flag::first, 0, "01", 0ms, 1);
+    r.hear(data_flag::first, 0, "02", 500ms, 2);
+    REQUIRE(r.hear(data_flag::first, 0, "03", 999ms, 3) == reassembled::no_room);
+    REQUIRE(r.hear(data_flag::first, 0, "03", 1000ms, 3) == reassembled::waiting);
+    REQUIRE(r.lost == std::vector<std::size_t>{1});
+
+    r.sets.on_time(1600ms, [&](const jaus::partial_data_set& set) {
+        REQUIRE(set.header.source.instance == 2);
+        r.lost.push_back(set.packets);
+    });
+    REQUIRE(r.lost.size() == 2);
+    REQUIRE(r.hear(data_flag::last, 1, "04", 1700ms, 3) == reassembled::whole);
+}
+
+TEST_CASE("a data set with more bytes or packets than a place holds is given up, and its neighbour stays whole") {
+    receiver r;
+    r.hear(data_flag::first, 0, "aaaaaaaa", 0ms, 1);
+    r.hear(data_flag::first, 0, "0102030405060708", 0ms, 2);
+    REQUIRE(r.hear(data_flag::middle, 1, "09", 0ms, 2) == reassembled::too_large);
+    REQUIRE(r.lost == std::vector<std::size_t>{1});
+    for (std::uint16_t number = 0; number != 4; ++number) r.hear(data_flag::middle, number, "01", 0ms, 2);
+    REQUIRE(r.hear(data_flag::middle, 4, "01", 0ms, 2) == reassembled::too_large);
+    REQUIRE(r.lost == std::vector<std::size_t>{1, 4});
+    REQUIRE(r.hear(data_flag::last, 1, "bbbbbbbb", 0ms, 1) == reassembled::whole);
+    REQUIRE(r.whole == texts{"aa aa aa aa bb bb bb bb"});
+}
+
+TEST_CASE("without places nothing is kept") {
+    jaus::reassembler none{{}, {}, {}, 1s};
+    const auto ignore = [](const auto&...) {};
+    REQUIRE(none.on_packet({.data_flag = data_flag::first}, {}, 0s, ignore, ignore) == reassembled::no_room);
+}
+
+TEST_CASE("random packets neither leave the memory nor make a body that was not sent") {
+    std::mt19937 random{20};
+    receiver r;
+    // Each byte says its sender and the packet's number, so a body can be checked for mixed origins.
+    for (int i = 0; i != 200000; ++i) {
+        const auto sender = static_cast<std::uint8_t>(1 + random() % 4);
+        const auto number = static_cast<std::uint16_t>(random() % 5);
+        const auto flag =
+            std::array{data_flag::first, data_flag::middle, data_flag::repeated, data_flag::last}[random() % 4];
+        std::string body;
+        for (unsigned size = random() % 4; size != 0; --size) body += std::to_string(sender) + std::to_string(number);
+        r.hear(flag, number, body, std::chrono::milliseconds{i * 20}, sender);
+    }
+    REQUIRE(r.whole.size() > 100);
+    for (const auto& body : r.whole)
+        for (std::size_t at = 3; at < body.size(); at += 3) {
+            REQUIRE(body[at] == body[0]);
+            REQUIRE(body[at + 1] >= body[at - 2]);
+        }
+}
