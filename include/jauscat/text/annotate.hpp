@@ -82,18 +82,23 @@ class annotating_trace : public wire::detail::decode_trace {
 
 } // namespace detail
 
+/// The field at fault with what is around it: `object[2].point[0].latitude`, `joint[3]` for an element of a list of
+/// values. Empty where no field is.
+[[nodiscard]] inline std::string field_path(const wire::diagnosis& why) {
+    if (why.field.empty()) return {};
+    std::string name = detail::path_text(why);
+    if (why.depth != 0 && why.parent().name == why.field)
+        name.pop_back(); // the dot
+    else
+        name += why.field;
+    return name;
+}
+
 /// Where and why decoding failed, in one line: `truncated: ...: object[2].point[0].latitude at byte 40 needs 4 bytes, 1
 /// left`.
 [[nodiscard]] inline std::string to_text(const wire::diagnosis& why, std::size_t first_offset = 0) {
     std::string text{wire::describe(why.error)};
-    if (!why.field.empty()) {
-        std::string name = detail::path_text(why);
-        if (why.depth != 0 && why.parent().name == why.field)
-            name.pop_back(); // an element of a list of values
-        else
-            name += why.field;
-        text += ": " + name;
-    }
+    if (!why.field.empty()) text += ": " + field_path(why);
     text += " at byte " + std::to_string(first_offset + why.offset);
     if (why.needed != 0)
         text += " needs " + std::to_string(why.needed) + " bytes, " + std::to_string(why.available) + " left";
