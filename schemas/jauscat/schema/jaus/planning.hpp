@@ -183,6 +183,7 @@ template <> struct wire::schema<jaus::embedded_message> {
 
 template <> struct wire::schema<jaus::mission_command> {
     using T = jaus::mission_command;
+    static constexpr std::string_view field_name = "mission_message"; // of the record in each element of a group
     using type = layout<
         field<&T::message_uid, u16le>,
         nested<&T::message>,

@@ -1,0 +1,165 @@
+// Messages as JSON and back. The only header that needs nlohmann-json.
+//
+// The object has the fields by name, in wire order. Scaled fields are {"value": 49.998, "raw": 16383}; enumerations,
+// flags and bit-fields of one integer (time stamps) are that integer; groups are arrays, in which a single value stands
+// under its field's name: "joint": [{"joint_effort": {...}}]; counts have names of their own; absent fields are left
+// out; bytes and messages inside messages are hex. Not every text and number is JSON: text that is not UTF-8 is
+// {"hex": "ff00"}, the numbers that are none are "NaN", "Infinity" and "-Infinity".
+#pragma once
+#include <jauscat/text/describe.hpp>
+#include <jauscat/text/hex.hpp>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace jauscat::text {
+
+using json = nlohmann::ordered_json;
+
+namespace detail {
+
+/// Hex without spaces, lower case.
+inline std::string plain_hex(std::span<const std::byte> bytes) {
+    std::string text = hex(bytes);
+    std::erase(text, ' ');
+    return text;
+}
+
+inline json json_number(std::uint64_t number, bool is_signed) {
+    return is_signed ? json(static_cast<std::int64_t>(number)) : json(number);
+}
+inline json json_real(double real) {
+    if (std::isnan(real)) return "NaN";
+    if (std::isinf(real)) return real > 0 ? "Infinity" : "-Infinity";
+    return real;
+}
+
+/// Writes any structure; `scope` holds what is around it, for tags.
+class json_writer {
+  public:
+    json fields(const structure& type, const void* object, bool outermost) {
+        const scope here{type.id, object, inner_};
+        inner_ = &here;
+        json made = json::object();
+        for (std::size_t i = 0; i != type.members.size(); ++i) {
+            const member& one = type.members[i];
+            switch (one.what) {
+            case member::role::flag:
+            case member::role::unsent: break;
+            case member::role::presence_vector: // the message's own stands beside the fields
+                if (!outermost) made[std::string{one.name}] = one.number(object);
+                break;
+            case member::role::count:
+                if (type.members[i + 1].find(object) != nullptr) made[std::string{one.name}] = one.number(object);
+                break;
+            case member::role::value:
+                if (const void* const found = one.find(object); found != nullptr)
+                    made[std::string{one.name}] = value(one, found);
+                break;
+            }
+        }
+        inner_ = here.outer;
+        return made;
+    }
+
+    json value(const form& how, const void* at) {
+        return std::visit([&](const auto& is) { return told(is, at); }, how.is);
+    }
+
+  private:
+    struct scope {
+        const void* id;
+        const void* object;
+        const scope* outer;
+    };
+
+    json value(const member& one, const void* at) {
+        const auto* const choice = std::get_if<choice_form>(&one.how->is);
+        if (choice == nullptr) return value(*one.how, at);
+        const scope* around = inner_;
+        while (around != nullptr && around->id != one.tag.owner) around = around->outer;
+        const std::uint64_t tag = around == nullptr ? 0 : one.tag.get(around->object);
+        for (const choice_case& held : choice->cases) {
+            if (held.tag != tag) continue;
+            if (held.how == nullptr) return json::object();
+            const void* const found = held.get(at);
+            if (found == nullptr) break;
+            json made = value(*held.how, found);
+            return std::holds_alternative<structure_form>(held.how->is) ? made : json{{"value", std::move(made)}};
+        }
+        return nullptr; // the tag is unknown, or of another type than the value
+    }
+
+    static json told(const integer_form& is, const void* at) { return json_number(is.get(at), is.is_signed); }
+    static json told(const real_form& is, const void* at) { return json_real(is.get(at)); }
+    static json told(const scaled_form& is, const void* at) {
+        const double real = is.get(at);
+        json made{{"value", json_real(real)}};
+        if (real >= is.lowest && real <= is.highest) made["raw"] = json_number(is.to_raw(real), is.is_signed);
+        return made;
+    }
+    static json told(const octets_form& is, const void* at) {
+        const auto bytes = is.get(at);
+        if (!is.characters) return plain_hex(bytes);
+        json text = std::string{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+        return is_utf8(text) ? text : json{{"hex", plain_hex(bytes)}};
+    }
+    json told(const structure_form& is, const void* at) { return fields(*is.of, at, false); }
+    static json told(const packed_form& is, const void* at) { return is.get(at); }
+    static json told(const encoded_form& is, const void* at) { return plain_hex(is.encode(at)); }
+    json told(const list_form& is, const void* at) {
+        json made = json::array();
+        const auto* element = static_cast<const std::byte*>(is.first(at));
+        for (std::size_t left = is.size(at); left != 0; --left, element += is.stride) {
+            json one = value(*is.element, element);
+            made.push_back(is.field.empty() ? std::move(one) : json{{std::string{is.field}, std::move(one)}});
+        }
+        return made;
+    }
+    json told(const tree_form& is, const void* at) {
+        const auto* next = static_cast<const std::byte*>(is.nodes.first(at));
+        std::size_t left = is.nodes.size(at);
+        return left == 0 ? json(nullptr) : node(is, next, left);
+    }
+    json told(const choice_form&, const void*) { return nullptr; } // always a member, see value
+
+    json node(const tree_form& is, const std::byte*& next, std::size_t& left) {
+        const std::byte* const here = next;
+        json made = value(*is.nodes.element, here);
+        next += is.nodes.stride;
+        --left;
+        json children = json::array();
+        for (std::uint64_t more = is.children(here); more != 0 && left != 0; --more)
+            children.push_back(node(is, next, left));
+        made["child"] = std::move(children);
+        return made;
+    }
+
+    static bool is_utf8(const json& text) {
+        try {
+            static_cast<void>(text.dump());
+            return true;
+        } catch (const json::exception&) {
+            return false;
+        }
+    }
+
+    const scope* inner_{};
+};
+
+} // namespace detail
+
+/// The fields of a message as JSON. Its presence vector stands beside them, see presence_vector_of.
+template <wire::message T> [[nodiscard]] json to_json(const T& message) {
+    return detail::json_writer{}.fields(describe<T>(), &message, true);
+}
+
+/// `"0x7A"`, as wide as the vector; null where the message has none.
+template <wire::message T> [[nodiscard]] json presence_vector_of(const T& message) {
+    for (const member& one : describe<T>().members)
+        if (one.what == member::role::presence_vector)
+            return hex_number(one.number(&message), std::get<integer_form>(one.how->is).bits / 4);
+    return nullptr;
+}
+
+} // namespace jauscat::text

@@ -1,0 +1,159 @@
+// What a message looks like, at run time: names, units, limits and a way to each member, without the message's type.
+// Made from a schema once (see describe.hpp); what prints, parses or documents any message is written against it and
+// compiled once, not once for each of 158 messages.
+#pragma once
+#include <jauscat/wire/arena.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace jauscat::text {
+
+struct structure;
+struct form;
+
+/// An integer of up to 64 bits; also enumerations, sets of flags and bool.
+struct integer_form {
+    enum class meaning : std::uint8_t { number, enumeration, flags, boolean };
+    meaning what{};
+    bool is_signed{};
+    unsigned bits{}; ///< of the value on the wire
+    std::string_view unit{};
+    std::span<const std::string_view> names{}; ///< of enumerators or bits, by number; empty where one has no name
+    std::uint64_t (*get)(const void* value){}; ///< a negative number in two's complement
+    void (*set)(void* value, std::uint64_t){};
+};
+
+/// A floating-point number that travels as it is.
+struct real_form {
+    std::string_view unit{};
+    double most{std::numeric_limits<double>::max()}; ///< largest finite number it holds
+    double (*get)(const void* value){};
+    void (*set)(void* value, double){};
+};
+
+/// A real number carried by an integer.
+struct scaled_form {
+    std::string_view unit{};
+    double min{}, max{};        ///< limits by the standard
+    double lowest{}, highest{}; ///< limits of what encodes: wider by rounding
+    bool is_signed{};
+    unsigned bits{}; ///< of the integer
+    double (*get)(const void* value){};
+    void (*set)(void* value, double){};
+    std::uint64_t (*to_raw)(double real){}; ///< of a number within the limits; negative in two's complement
+    double (*to_real)(std::uint64_t raw){};
+};
+
+/// Characters or bytes.
+struct octets_form {
+    bool characters{};
+    std::size_t least{}, most{}; ///< how many there may be
+    bool zero_filled{};          ///< zeros at the end are not part of the value
+    bool zero_terminated{};      ///< may not contain a zero
+    std::span<const std::byte> (*get)(const void* value){};
+    void (*set)(void* value, std::span<const std::byte>){}; ///< may keep pointing at them
+};
+
+/// A structure with members of its own.
+struct structure_form {
+    const structure* of{};
+};
+
+/// A structure whose bit-fields fill one integer: a time stamp.
+struct packed_form {
+    const structure* of{};
+    unsigned bits{};
+    std::uint64_t (*get)(const void* value){};
+    void (*set)(void* value, std::uint64_t){};
+    std::string (*show)(const void* value){};           ///< nullptr where it has no notation of its own
+    bool (*read)(void* value, std::string_view text){}; ///< the same notation back
+};
+
+/// A structure that is told as its bytes: a message inside a message.
+struct encoded_form {
+    std::vector<std::byte> (*encode)(const void* value){};     ///< empty where it does not encode
+    bool (*decode)(void* value, std::span<const std::byte>){}; ///< may keep pointing at the bytes
+};
+
+/// Any number of the same.
+struct list_form {
+    const form* element{};
+    std::string_view field{}; ///< name of the value in an element; empty where elements are structures themselves
+    std::size_t stride{};     ///< bytes from one element to the next
+    std::size_t most{};       ///< how many there may be
+    std::size_t (*size)(const void* list){};
+    const void* (*first)(const void* list){};
+    void* (*resize)(void* list, std::size_t, wire::arena&){}; ///< the first of so many new elements; nullptr: no room
+};
+
+/// Nodes of one structure, depth first; the rest as in a list.
+struct tree_form {
+    list_form nodes{};
+    std::size_t max_depth{};
+    std::uint64_t (*children)(const void* node){};
+    void (*set_children)(void* node, std::uint64_t){};
+    std::string_view children_name{}; ///< the node's member that counts them
+};
+
+/// What a tag of choice_form stands for.
+struct choice_case {
+    std::uint64_t tag{};
+    const form* how{};                       ///< nullptr: the case has no value
+    const void* (*get)(const void* value){}; ///< nullptr where another case is held
+    void* (*make)(void* value){};
+};
+/// A value in one of several forms; a member elsewhere says which.
+struct choice_form {
+    std::span<const choice_case> cases{};
+};
+
+/// How a value is told.
+struct form {
+    std::variant<integer_form, real_form, scaled_form, octets_form, structure_form, packed_form, encoded_form,
+                 list_form, tree_form, choice_form>
+        is;
+};
+
+/// A member of the structure `owner`, by its id: the one that is being told or one around it.
+struct other_member {
+    const void* owner{}; ///< nullptr: there is none
+    std::string_view name{};
+    std::uint64_t (*get)(const void* object){};
+    void (*set)(void* object, std::uint64_t){};
+};
+
+/// A member of a structure, in wire order.
+struct member {
+    enum class role : std::uint8_t {
+        value,           ///< an ordinary member
+        flag,            ///< a bool that only shows in the presence vector
+        unsent,          ///< does not travel
+        count,           ///< no member: how many the next one has
+        presence_vector, ///< no member: which of the following optional ones are there
+    };
+    role what{};
+    std::string_view name{};
+    const form* how{};                         ///< of count and presence vector: an integer_form without get and set
+    bool optional{};                           ///< may be absent: by its presence bit or its gate
+    const void* (*find)(const void* object){}; ///< its value; nullptr where absent
+    void* (*make)(void* object){};             ///< its value, made present
+    std::uint64_t (*number)(const void* object){}; ///< of a presence vector or count, which are no members
+    other_member gate{};                           ///< the flag that announces it
+    other_member counter{};                        ///< the member that says how many it has
+    std::size_t counter_excess{};                  ///< by how much the counter is larger
+    other_member tag{};                            ///< the member that selects among a choice_form's cases
+};
+
+struct structure {
+    const void* id{}; ///< the same for the same type
+    std::string_view name{};
+    std::span<const member> members{};
+};
+
+} // namespace jauscat::text
