@@ -62,6 +62,37 @@ template <message T, class Outer = plain_root> class view {
     [[no_unique_address]] Outer outer_{};
 };
 
+namespace detail {
+
+template <class Item> inline constexpr bool lists_records = !requires { typename Item::element_type::codec_type; };
+
+/// Bytes of the element at `at`.
+template <class Item, class Outer>
+[[nodiscard]] constexpr std::size_t element_extent(const std::byte* at, const Outer& outer) noexcept {
+    if constexpr (lists_records<Item>) {
+        using record_type = typename Item::value_type;
+        return layout_of<record_type>::extent(at, byte_scope<record_type, Outer>{at, outer.end, outer});
+    } else {
+        return Item::element_type::codec_type::size;
+    }
+}
+template <class Item, class Outer>
+[[nodiscard]] constexpr auto element_at(const std::byte* at, const Outer& outer) noexcept {
+    if constexpr (lists_records<Item>) {
+        return view<typename Item::value_type, Outer>::of_measured({at, element_extent<Item>(at, outer)}, outer);
+    } else {
+        using codec = typename Item::element_type::codec_type;
+        typename codec::value_type value{};
+        [[maybe_unused]] const errc error = codec::load(at, value);
+        if constexpr (requires { typename codec::raw_codec; })
+            return error == errc::ok ? std::optional{value} : std::nullopt;
+        else
+            return value;
+    }
+}
+
+} // namespace detail
+
 /// The elements of a list in received bytes: single values (real ones; a std::optional where scaled), or views of
 /// records. A forward range.
 template <class Item, class Outer> class list_view {
@@ -71,6 +102,7 @@ template <class Item, class Outer> class list_view {
 
     class iterator {
       public:
+        using value_type = decltype(detail::element_at<Item>(nullptr, std::declval<const Outer&>()));
         using difference_type = std::ptrdiff_t;
         using iterator_concept = std::forward_iterator_tag;
 
@@ -78,14 +110,9 @@ template <class Item, class Outer> class list_view {
         constexpr iterator(const std::byte* at, std::size_t left, const Outer& outer) noexcept
             : at_{at}, left_{left}, outer_{outer} {}
 
-        [[nodiscard]] constexpr auto operator*() const noexcept {
-            if constexpr (of_records)
-                return view<record_type, Outer>::of_measured({at_, extent()}, outer_);
-            else
-                return field_value();
-        }
+        [[nodiscard]] constexpr value_type operator*() const noexcept { return detail::element_at<Item>(at_, outer_); }
         constexpr iterator& operator++() noexcept {
-            at_ += extent();
+            at_ += detail::element_extent<Item>(at_, outer_);
             --left_;
             return *this;
         }
@@ -97,22 +124,6 @@ template <class Item, class Outer> class list_view {
         friend constexpr bool operator==(const iterator& a, const iterator& b) noexcept { return a.left_ == b.left_; }
 
       private:
-        [[nodiscard]] constexpr std::size_t extent() const noexcept {
-            if constexpr (of_records)
-                return layout_of<record_type>::extent(at_, byte_scope<record_type, Outer>{at_, outer_.end, outer_});
-            else
-                return Item::element_type::codec_type::size;
-        }
-        [[nodiscard]] constexpr auto field_value() const noexcept {
-            using codec = typename Item::element_type::codec_type;
-            typename codec::value_type value{};
-            [[maybe_unused]] const errc error = codec::load(at_, value);
-            if constexpr (requires { typename codec::raw_codec; })
-                return error == errc::ok ? std::optional{value} : std::nullopt;
-            else
-                return value;
-        }
-
         const std::byte* at_{};
         std::size_t left_{};
         Outer outer_{};
@@ -124,9 +135,6 @@ template <class Item, class Outer> class list_view {
     [[nodiscard]] constexpr iterator end() const noexcept { return {nullptr, 0, outer_}; }
 
   private:
-    using record_type = typename Item::value_type;
-    static constexpr bool of_records = !requires { typename Item::element_type::codec_type; };
-
     const std::byte* first_;
     std::size_t size_;
     Outer outer_;
