@@ -32,19 +32,21 @@ template <auto Member, class Codec> struct field {
 
     [[gnu::always_inline]] static constexpr errc put(const auto& object, std::byte* out) noexcept {
         using used = codec_in_mode<Codec, raw_object<decltype(object)>>;
-        const auto& member = member_of<Member>(object);
-        if constexpr (optional)
-            return used::store(out, static_cast<typename used::value_type>(*member));
+        if constexpr (raw_object<decltype(object)>)
+            return used::store(out, static_cast<typename used::value_type>(held(member_of<Member>(object))));
+        else if constexpr (optional) // no call for the member: see put_item
+            return used::store(out, static_cast<typename used::value_type>(*(object.*Member)));
         else
-            return used::store(out, static_cast<typename used::value_type>(member));
+            return used::store(out, static_cast<typename used::value_type>(object.*Member));
     }
     [[gnu::always_inline]] static constexpr errc get(auto& object, const std::byte* in) noexcept {
         using used = codec_in_mode<Codec, raw_object<decltype(object)>>;
-        auto& member = member_of<Member>(object);
-        using target = typename detail::optional_value<std::remove_cvref_t<decltype(member)>>::type;
         typename used::value_type value{};
         if (const errc error = used::load(in, value); error != errc::ok) return error;
-        member = static_cast<target>(value);
+        if constexpr (raw_object<decltype(object)>)
+            member_of<Member>(object) = static_cast<raw_value>(value);
+        else
+            object.*Member = static_cast<value_type>(value);
         return errc::ok;
     }
 

@@ -110,11 +110,12 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
                                                            const auto& here) noexcept {
         [[maybe_unused]] std::byte* const vector = c.at;
-        detail::reach_number<Carrier>("presence_vector", c.at, here);
-        if constexpr (traced<decltype(here)>)
+        if constexpr (traced<decltype(here)>) {
+            detail::reach_number<Carrier>("presence_vector", c.at, here);
             root_of(here).tracer.advance(Carrier::size);
-        else
+        } else {
             c.at += Carrier::size;
+        }
         mask_type m{};
         std::size_t at = 0;
         static_cast<void>((put_if_present<Items>(object, m, at, c, here) && ...));
@@ -122,7 +123,9 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         return c;
     }
     [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        if (!detail::reach_number<Carrier>("presence_vector", c.at, here)) return in_cursor::failed(errc::truncated);
+        if constexpr (traced<decltype(here)>) {
+            if (!detail::reach_number<Carrier>("presence_vector", c.at, here)) return in_cursor::failed(errc::truncated);
+        }
         const mask_type m = loaded(c.at);
         if constexpr (traced<decltype(here)>)
             root_of(here).tracer.template passed_number<Carrier>("presence_vector", m, c.at + Carrier::size);
@@ -211,12 +214,12 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
   private:
     template <class Item>
     [[gnu::always_inline]] static constexpr mask_type present(const auto& object, std::size_t& at) noexcept {
-        if constexpr (Item::optional)
-            return mask_type{member_of<Item::key>(object).has_value()} << at++;
-        else if constexpr (detail::takes_bit<Item>)
-            return mask_type{member_of<Item::key>(object)} << at++;
-        else
+        if constexpr (!detail::takes_bit<Item>)
             return 0;
+        else if constexpr (requires { object.*Item::key; }) // no call for the member: see put_item
+            return static_cast<mask_type>(static_cast<bool>(object.*Item::key)) << at++;
+        else
+            return static_cast<mask_type>(static_cast<bool>(member_of<Item::key>(object))) << at++;
     }
 
     // Bytes that the set bits stand for.
@@ -250,7 +253,11 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
                                                                 out_cursor& c, const auto& here) noexcept {
         if constexpr (detail::takes_bit<Item>) {
             const auto bit = mask_type{1} << at++;
-            if (!member_of<Item::key>(object)) return true;
+            if constexpr (requires { object.*Item::key; }) {
+                if (!(object.*Item::key)) return true;
+            } else {
+                if (!member_of<Item::key>(object)) return true;
+            }
             m |= bit;
         }
         if constexpr (fixed_item<Item> && !traced<decltype(here)>) {
@@ -272,7 +279,10 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
                                                            const std::byte*& in, errc& error) noexcept {
         if constexpr (detail::takes_bit<Item>) {
             if ((m >> at++ & 1u) == 0) {
-                absent<Item>(object);
+                if constexpr (requires { (object.*Item::key).reset(); })
+                    (object.*Item::key).reset();
+                else
+                    absent<Item>(object);
                 return true;
             }
         }
