@@ -102,7 +102,7 @@ template <class Item>
             c = Item::put(object, c, here);
     } else if constexpr (fixed_item<Item>) {
         c.error = Item::put(object, c.at);
-        c.at += Item::max_size;
+        if (c.error == errc::ok) c.at += Item::max_size;
     } else {
         c = Item::put(object, c, here);
     }

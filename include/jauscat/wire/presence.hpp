@@ -262,8 +262,9 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         }
         if constexpr (fixed_item<Item> && !traced<decltype(here)>) {
             c.error = Item::put(object, c.at);
+            if (c.error != errc::ok) return false;
             c.at += Item::max_size;
-            return c.error == errc::ok;
+            return true;
         } else {
             return detail::put_item<Item>(object, c, here);
         }
