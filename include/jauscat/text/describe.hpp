@@ -331,31 +331,24 @@ template <auto Flag, class Item> struct flag_of<wire::gated_by<Flag, Item>> {
     static constexpr other_member at = access<Flag>::other();
 };
 
-/// Collects members. One class for all structures: the compiler's time goes by the number of functions.
-struct collector {
-    std::array<member, 64> members{};
-    std::size_t size{};
-    constexpr void add(const member& one) { members[size++] = one; }
-};
-
-template <class T, class Item> constexpr void append(collector& out);
-template <class T, class... Items> constexpr void append_all(collector& out, std::tuple<Items...>*) {
+template <class T, class Item> constexpr void append(member*& out);
+template <class T, class... Items> constexpr void append_all(member*& out, std::tuple<Items...>*) {
     (append<T, Items>(out), ...);
 }
 
 /// Adds what an item tells, in wire order.
-template <class T, class Item> constexpr void append(collector& out) {
+template <class T, class Item> constexpr void append(member*& out) {
     if constexpr (requires { typename Item::fields; }) {
         append_all<T>(out, static_cast<typename Item::fields*>(nullptr));
     } else if constexpr (requires { typename Item::carrier_codec; }) {
-        out.add({.what = member::role::presence_vector,
-                 .name = "presence_vector",
-                 .how = &number_form<typename Item::carrier_codec>,
-                 .number = &mask_of<T, Item>});
+        *out++ = member{.what = member::role::presence_vector,
+                        .name = "presence_vector",
+                        .how = &number_form<typename Item::carrier_codec>,
+                        .number = &mask_of<T, Item>};
         Item::all_items([&]<class Inner>() { return append<T, Inner>(out), true; });
     } else if constexpr (requires { typename Item::gated_item; }) {
         append<T, typename Item::gated_item>(out);
-        out.members[out.size - 1].gate = flag_of<Item>::at;
+        out[-1].gate = flag_of<Item>::at;
     } else if constexpr (requires { Item::key; }) {
         using value_type = typename access_of<Item>::value_type;
         member made{.name = Item::name(),
@@ -388,29 +381,35 @@ template <class T, class Item> constexpr void append(collector& out) {
         if constexpr (requires { typename Item::count_type; }) {
             using counter = counter_of<typename Item::count_type>;
             if constexpr (counter::before) {
-                out.add({.what = member::role::count,
-                         .name = Item::count_type::name(),
-                         .how = &number_form<typename Item::count_type::codec_type>,
-                         .number = &access_of<Item>::size});
+                *out++ = member{.what = member::role::count,
+                                .name = Item::count_type::name(),
+                                .how = &number_form<typename Item::count_type::codec_type>,
+                                .number = &access_of<Item>::size};
             } else {
                 made.counter = counter::at;
                 made.counter_excess = counter::excess;
             }
         }
-        out.add(made);
+        *out++ = made;
     }
 }
 
-template <class T>
-inline constexpr collector collected = [] {
-    collector made;
-    wire::layout_of<T>::all_items([&]<class Item>() { return append<T, Item>(made), true; });
-    return made;
-}();
+/// Members that a layout tells beside those it carries: presence vectors, and counts that stand before what they count.
+template <class Item> inline constexpr std::size_t added = 0;
+template <class Item>
+requires requires { typename Item::count_type; }
+inline constexpr std::size_t added<Item> = counter_of<typename Item::count_type>::before ? 1 : 0;
+template <auto Flag, class Item> inline constexpr std::size_t added<wire::gated_by<Flag, Item>> = added<Item>;
+template <wire::unknown_bits Unknown, class Carrier, class... Items>
+inline constexpr std::size_t added<wire::presence_group<Unknown, Carrier, Items...>> = (1 + ... + added<Items>);
+template <class... Items> inline constexpr std::size_t added<wire::layout<Items...>> = (0 + ... + added<Items>);
+
 template <class T>
 inline constexpr auto members_of = [] {
-    std::array<member, collected<T>.size> made{};
-    std::copy_n(collected<T>.members.begin(), made.size(), made.begin());
+    using layout = wire::layout_of<T>;
+    std::array<member, layout::keys::count + added<layout>> made{};
+    [[maybe_unused]] member* next = made.data();
+    layout::all_items([&]<class Item>() { return append<T, Item>(next), true; });
     return made;
 }();
 template <class T>

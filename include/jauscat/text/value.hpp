@@ -14,21 +14,41 @@ namespace jauscat::text {
 
 namespace detail {
 
-template <auto Value> consteval std::string_view enumerator_spelling() {
-    constexpr std::string_view spelling = __PRETTY_FUNCTION__; // "... [with auto Value = jaus::ack; ...]" or "(jaus)3"
-    constexpr auto first = spelling.find("Value = ") + 8;
-    constexpr auto end = spelling.find_first_of(";]", first);
-    constexpr auto written = spelling.substr(first, end - first);
-    if (written.find('(') != std::string_view::npos) return {};
-    const auto colon = written.rfind(':');
-    return colon == std::string_view::npos ? std::string_view{} : written.substr(colon + 1);
+template <class Enum, Enum... Values> consteval std::string_view enumerator_spellings() {
+    return __PRETTY_FUNCTION__; // "... Values = {jaus::ack, (jaus)3, ...}" or "<...>"
 }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Names are looked for among the values 0 to 255.
-template <class Enum> inline constexpr auto enumerator_names = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<std::string_view, sizeof...(I)>{enumerator_spelling<static_cast<Enum>(I)>()...};
-}
-(std::make_index_sequence<256>{});
+// Names are looked for among the values 0 to 255. All in one spelling, of which little more is read than the names:
+// anything else took the compiler longer than the messages themselves. An underscore at the end, where the standard's
+// word is taken, is left out.
+template <class Enum>
+inline constexpr auto enumerator_names = [] {
+    constexpr std::string_view spelling = []<std::size_t... I>(std::index_sequence<I...>) {
+        return enumerator_spellings<Enum, static_cast<Enum>(I)..., Enum{}>(); // a comma behind each of the 256
+    }
+    (std::make_index_sequence<256>{});
+    std::array<std::string_view, 256> names{};
+    std::size_t at = spelling.find("Values = ") + 10;
+    std::size_t cast = 0; // size of "(jaus)", once one has been seen
+    for (std::size_t i = 0; i != names.size(); ++i) {
+        const std::size_t first = at;
+        if (cast != 0 && spelling[at + cast - 1] == ')' && is_digit(spelling[at + cast]))
+            at += cast + (i < 10 ? 1 : i < 100 ? 2 : 3);
+        else
+            while (spelling[at] != ',') ++at;
+        std::size_t last = at; // where digits at the end begin, or the name behind the last colon
+        while (is_digit(spelling[last - 1])) --last;
+        if (last != at && spelling[last - 1] == ')') {
+            cast = last - first;
+        } else {
+            while (last != first && spelling[last - 1] != ':') --last;
+            names[i] = spelling.substr(last, at - last - (spelling[at - 1] == '_' ? 1 : 0));
+        }
+        at += 2; // over ", "
+    }
+    return names;
+}();
 
 template <class... Args> std::string formatted(const char* format, Args... args) {
     std::array<char, 64> buffer{};
