@@ -8,6 +8,7 @@
 #pragma once
 #include <jauscat/text/describe.hpp>
 #include <jauscat/text/hex.hpp>
+#include <jauscat/text/quoted.hpp>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -67,27 +68,13 @@ class json_writer {
     }
 
   private:
-    struct scope {
-        const void* id;
-        const void* object;
-        const scope* outer;
-    };
-
     json value(const member& one, const void* at) {
-        const auto* const choice = std::get_if<choice_form>(&one.how->is);
-        if (choice == nullptr) return value(*one.how, at);
-        const scope* around = inner_;
-        while (around != nullptr && around->id != one.tag.owner) around = around->outer;
-        const std::uint64_t tag = around == nullptr ? 0 : one.tag.get(around->object);
-        for (const choice_case& held : choice->cases) {
-            if (held.tag != tag) continue;
-            if (held.how == nullptr) return json::object();
-            const void* const found = held.get(at);
-            if (found == nullptr) break;
-            json made = value(*held.how, found);
-            return std::holds_alternative<structure_form>(held.how->is) ? made : json{{"value", std::move(made)}};
-        }
-        return nullptr; // the tag is unknown, or of another type than the value
+        if (!std::holds_alternative<choice_form>(one.how->is)) return value(*one.how, at);
+        const held_case held = case_of(one, at, inner_);
+        if (!held.known) return nullptr;
+        if (held.how == nullptr) return json::object();
+        json made = value(*held.how, held.at);
+        return std::holds_alternative<structure_form>(held.how->is) ? made : json{{"value", std::move(made)}};
     }
 
     static json told(const integer_form& is, const void* at) { return json_number(is.get(at), is.is_signed); }
@@ -101,8 +88,8 @@ class json_writer {
     static json told(const octets_form& is, const void* at) {
         const auto bytes = is.get(at);
         if (!is.characters) return plain_hex(bytes);
-        json text = std::string{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-        return is_utf8(text) ? text : json{{"hex", plain_hex(bytes)}};
+        std::string text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+        return is_utf8(text) ? json(std::move(text)) : json{{"hex", plain_hex(bytes)}};
     }
     json told(const structure_form& is, const void* at) { return fields(*is.of, at, false); }
     static json told(const packed_form& is, const void* at) { return is.get(at); }
@@ -133,15 +120,6 @@ class json_writer {
             children.push_back(node(is, next, left));
         made["child"] = std::move(children);
         return made;
-    }
-
-    static bool is_utf8(const json& text) {
-        try {
-            static_cast<void>(text.dump());
-            return true;
-        } catch (const json::exception&) {
-            return false;
-        }
     }
 
     const scope* inner_{};

@@ -156,4 +156,30 @@ struct structure {
     std::span<const member> members{};
 };
 
+/// What is being told: a structure with its value, and what is around it.
+struct scope {
+    const void* id{};
+    const void* object{};
+    const scope* outer{};
+};
+
+/// The case that a choice_form member holds; `how` and `at` are nullptr where it has no value, `known` is false where
+/// the tag has no case or the value is of another one.
+struct held_case {
+    const form* how{};
+    const void* at{};
+    bool known{};
+};
+[[nodiscard]] inline held_case case_of(const member& one, const void* value, const scope* around) {
+    while (around != nullptr && around->id != one.tag.owner) around = around->outer;
+    if (around == nullptr) return {};
+    const std::uint64_t tag = one.tag.get(around->object);
+    for (const choice_case& candidate : std::get<choice_form>(one.how->is).cases) {
+        if (candidate.tag != tag) continue;
+        const void* const at = candidate.get(value);
+        return {candidate.how, at, at != nullptr};
+    }
+    return {};
+}
+
 } // namespace jauscat::text

@@ -1,6 +1,7 @@
 // One field's value as text: numbers with their unit, enumerations by name, bytes in hex.
 #pragma once
 #include <jauscat/text/hex.hpp>
+#include <jauscat/text/quoted.hpp>
 #include <jauscat/wire/schema.hpp>
 
 #include <array>
@@ -66,8 +67,24 @@ requires std::is_enum_v<Enum>
     return number < 256 ? detail::enumerator_names<Enum>[static_cast<std::size_t>(number)] : std::string_view{};
 }
 
-/// A value without its unit. Flags by the names of their set bits, text in quotes, bytes in hex.
-template <class T> [[nodiscard]] std::string to_text(const T& value) {
+/// A value without its unit. Flags by the names of their set bits, text in quotes, bytes in hex. Messages: see
+/// print.hpp.
+template <class T>
+requires(!wire::message<T>) [[nodiscard]] std::string to_text(const T& value);
+
+namespace detail {
+/// A structure in one line.
+template <wire::message T> std::string in_braces(const T& value) {
+    std::string text = "{";
+    wire::layout_of<T>::visit(value, [&]<class Item>(Item, const auto& member) {
+        text += (text.size() == 1 ? "" : ", ") + std::string{Item::name()} + " = " + to_text(member);
+    });
+    return text + "}";
+}
+} // namespace detail
+
+template <class T>
+requires(!wire::message<T>) std::string to_text(const T& value) {
     if constexpr (std::is_same_v<T, bool>) {
         return value ? "true" : "false";
     } else if constexpr (std::is_enum_v<T>) {
@@ -79,7 +96,7 @@ template <class T> [[nodiscard]] std::string to_text(const T& value) {
     } else if constexpr (std::integral<T>) {
         return std::to_string(value);
     } else if constexpr (std::is_same_v<T, std::string_view>) {
-        return "\"" + std::string{value} + "\"";
+        return quoted(value);
     } else if constexpr (requires { typename T::bit_type; }) {
         std::string names;
         for (unsigned bit = 0; bit != sizeof(typename T::bits_type) * 8; ++bit)
@@ -91,13 +108,14 @@ template <class T> [[nodiscard]] std::string to_text(const T& value) {
     } else if constexpr (std::is_same_v<T, std::monostate>) {
         return "none";
     } else if constexpr (wire::detail::is_variant<T>) {
-        return std::visit([](const auto& held) { return to_text(held); }, value);
-    } else if constexpr (wire::message<T>) {
-        std::string text = "{";
-        wire::layout_of<T>::visit(value, [&]<class Item>(Item, const auto& member) {
-            text += (text.size() == 1 ? "" : ", ") + std::string{Item::name()} + " = " + to_text(member);
-        });
-        return text + "}";
+        return std::visit(
+            []<class Held>(const Held& held) {
+                if constexpr (wire::message<Held>)
+                    return detail::in_braces(held);
+                else
+                    return to_text(held);
+            },
+            value);
     } else {
         return hex(value);
     }
