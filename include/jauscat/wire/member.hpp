@@ -46,8 +46,8 @@ namespace detail {
 template <auto Member> consteval std::string_view spelling_of() {
     return __PRETTY_FUNCTION__; // "... [with auto Member = &a::b::c; ...]" or "... [Member = &a::b::c]"
 }
-// What stands before and behind the pointer is the same for all of them; to search every spelling for it took a tenth of
-// the time to compile all messages.
+// What stands before and behind the pointer is the same for all of them; to search every spelling for it took a tenth
+// of the time to compile all messages.
 struct sample {
     int member;
 };
@@ -57,9 +57,9 @@ inline constexpr std::size_t spelling_behind =
     sample_spelling.size() - sample_spelling.find(sample_name) - sample_name.size();
 } // namespace detail
 
-/// Name of a member, from the compiler's own spelling of the pointer, so that no name is written twice. An underscore at
-/// its end, where the standard's word is taken (a keyword, `command_code`), is left out.
-/// Consteval: firmware that never asks for a name carries no text.
+/// Name of a member, from the compiler's own spelling of the pointer, so that no name is written twice. An underscore
+/// at its end, where the standard's word is taken (a keyword, `command_code`), is left out. Consteval: firmware that
+/// never asks for a name carries no text.
 template <auto Member> consteval std::string_view name_of() {
     constexpr std::string_view spelling = detail::spelling_of<Member>();
     std::size_t stop = spelling.size() - detail::spelling_behind;
@@ -71,14 +71,15 @@ template <auto Member> consteval std::string_view name_of() {
 /// The same as a constant, where an expression is evaluated at run time.
 template <auto Member> inline constexpr std::string_view member_name = name_of<Member>();
 
-/// Name of a type without its namespaces: `set_wrench_effort`.
+/// Name of a type without its namespaces: `set_wrench_effort`. A template `basic_x<N>` is called `x`.
 template <class Type> consteval std::string_view type_name() {
     constexpr std::string_view spelling = __PRETTY_FUNCTION__; // "... [with Type = a::b; ...]" or "[Type = a::b]"
     constexpr auto first = spelling.find("Type = ") + 7;
-    constexpr auto end = spelling.find_first_of(";]", first);
+    constexpr auto end = spelling.find_first_of(";]<", first);
     constexpr auto colon = spelling.rfind(':', end);
     constexpr auto start = colon == std::string_view::npos || colon < first ? first : colon + 1;
-    return spelling.substr(start, end - start);
+    constexpr auto name = spelling.substr(start, end - start);
+    return name.starts_with("basic_") ? name.substr(6) : name;
 }
 
 /// How many members an aggregate has.
