@@ -167,12 +167,18 @@ template <class... Items> struct layout {
     }
     [[gnu::always_inline]] static constexpr out_cursor put([[maybe_unused]] const auto& object, out_cursor c,
                                                            [[maybe_unused]] const auto& here) noexcept {
-        static_cast<void>((detail::put_item<Items>(object, c, here) && ...));
+        if constexpr (one_variable_item && !traced<decltype(here)>)
+            ((c = Items::put(object, c, here)), ...);
+        else
+            static_cast<void>((detail::put_item<Items>(object, c, here) && ...));
         return c;
     }
     [[gnu::always_inline]] static constexpr in_cursor get([[maybe_unused]] auto& object, in_cursor c,
                                                           [[maybe_unused]] const auto& here) noexcept {
-        static_cast<void>((detail::get_item<Items>(object, c, here) && ...));
+        if constexpr (one_variable_item && !traced<decltype(here)>)
+            ((c = Items::get(object, c, here)), ...);
+        else
+            static_cast<void>((detail::get_item<Items>(object, c, here) && ...));
         return c;
     }
     [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, [[maybe_unused]] const auto& here) noexcept {
@@ -202,6 +208,9 @@ template <class... Items> struct layout {
     static constexpr bool all_items([[maybe_unused]] auto&& f) { return (f.template operator()<Items>() && ...); }
 
   private:
+    // Most messages with a presence vector: one function less that holds all their code, for the compiler's sake.
+    static constexpr bool one_variable_item = sizeof...(Items) == 1 && !(fixed_item<Items> || ...);
+
     template <auto Member>
     static constexpr std::size_t index_of = [] {
         std::size_t index = 0;

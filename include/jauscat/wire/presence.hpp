@@ -124,7 +124,8 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
     [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         if constexpr (traced<decltype(here)>) {
-            if (!detail::reach_number<Carrier>("presence_vector", c.at, here)) return in_cursor::failed(errc::truncated);
+            if (!detail::reach_number<Carrier>("presence_vector", c.at, here))
+                return in_cursor::failed(errc::truncated);
         }
         const mask_type m = loaded(c.at);
         if constexpr (traced<decltype(here)>)

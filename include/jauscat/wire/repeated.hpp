@@ -48,22 +48,37 @@ template <class Codec, bool Raw> struct value_form {
         return error == errc::ok ? in_cursor{c.at + Codec::size, c.slack} : in_cursor::failed(error);
     }
 };
-/// How records are.
+/// How records are. Those of variable size are worth a call: inlined, a list in a list is compiled over and over.
 template <class T> struct record_form {
     using inner = layout_of<T>;
     static constexpr std::size_t min_size = inner::min_size, max_size = inner::max_size;
     static constexpr bool fixed = fixed_item<inner>;
-    [[gnu::always_inline]] static constexpr std::size_t size(const auto& value, const auto& here) noexcept {
+    [[gnu::noinline]] static constexpr std::size_t size(const auto& value, const auto& here) noexcept {
         return inner::size(value, object_scope{value, here});
     }
     [[gnu::always_inline]] static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
-        return inner::put(value, c, object_scope{value, here});
+        if constexpr (fixed)
+            return inner::put(value, c, object_scope{value, here});
+        else
+            return put_called(value, c, here);
     }
     [[gnu::always_inline]] static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
-        return inner::get(value, c, object_scope{value, here});
+        if constexpr (fixed)
+            return inner::get(value, c, object_scope{value, here});
+        else
+            return get_called(value, c, here);
     }
     template <class Here> static constexpr auto inside(const std::byte* in, const Here& here) noexcept {
         return byte_scope<T, Here>{in, here.end, here};
+    }
+
+  private:
+    [[gnu::noinline]] static constexpr out_cursor put_called(const auto& value, out_cursor c,
+                                                             const auto& here) noexcept {
+        return inner::put(value, c, object_scope{value, here});
+    }
+    [[gnu::noinline]] static constexpr in_cursor get_called(auto& value, in_cursor c, const auto& here) noexcept {
+        return inner::get(value, c, object_scope{value, here});
     }
 };
 

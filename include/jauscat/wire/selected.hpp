@@ -78,6 +78,76 @@ template <> struct case_form<std::monostate> {
 template <class T> inline constexpr bool is_variant = false;
 template <class... T> inline constexpr bool is_variant<std::variant<T...>> = true;
 
+/// What is done with a value of the type `Value` by its tag. For all members with the same cases, and out of line: a
+/// payload's interface has three values of 22 cases each. A structure in a case looks at nothing around it.
+template <class Value, bool Raw, class... Cases> struct case_table {
+    static constexpr std::size_t min_size = std::min({case_form<typename Cases::form>::min_size...});
+    static constexpr std::size_t max_size = std::max({case_form<typename Cases::form>::max_size...});
+
+    /// Calls f.template operator()<form>() for the form of a tag; false where there is none.
+    [[gnu::always_inline]] static constexpr bool with_form(auto tag, auto&& f) {
+        return (... || (tag == Cases::tag && (f.template operator()<case_form<typename Cases::form>>(), true)));
+    }
+    [[nodiscard]] static constexpr std::size_t min_size_of(auto tag) noexcept {
+        std::size_t size = 0;
+        with_form(tag, [&]<class Form>() { size = Form::min_size; });
+        return size;
+    }
+    [[gnu::noinline]] static constexpr std::size_t size(const Value& value, auto tag) noexcept {
+        std::size_t total = 0;
+        with_form(tag, [&]<class Form>() {
+            if (const auto* const one = in<Form>(value)) total = Form::size(*one, plain_root{});
+        });
+        return total;
+    }
+    [[gnu::noinline]] static constexpr out_cursor put(const Value& value, auto tag, out_cursor c,
+                                                      const auto& root) noexcept {
+        out_cursor end{c.at, errc::unknown_tag};
+        with_form(tag, [&]<class Form>() {
+            if (const auto* const one = in<Form>(value)) end = Form::template put<Raw>(*one, c, root);
+        });
+        return end;
+    }
+    [[gnu::noinline]] static constexpr in_cursor get(Value& value, auto tag, in_cursor c, const auto& root) noexcept {
+        in_cursor end = in_cursor::failed(errc::unknown_tag);
+        with_form(tag, [&]<class Form>() {
+            end = c;
+            if (!spend(end, Form::min_size - min_size, root)) return;
+            if constexpr (is_variant<Value>)
+                end = Form::template get<Raw>(value.template emplace<typename Form::value_type>(), end, root);
+            else
+                end = Form::template get<Raw>(value, end, root);
+        });
+        return end;
+    }
+    [[gnu::noinline]] static constexpr in_cursor measure(auto tag, in_cursor c, const std::byte* stop) noexcept {
+        in_cursor end = in_cursor::failed(errc::unknown_tag);
+        with_form(tag, [&]<class Form>() {
+            end = c;
+            if (spend(end, Form::min_size - min_size, plain_root{})) end = Form::measure(end, alone(c.at, stop));
+        });
+        return end;
+    }
+    [[gnu::noinline]] static constexpr std::size_t extent(auto tag, const std::byte* bytes,
+                                                          const std::byte* stop) noexcept {
+        std::size_t total = 0;
+        with_form(tag, [&]<class Form>() { total = Form::extent(bytes, alone(bytes, stop)); });
+        return total;
+    }
+
+  private:
+    // The value, if it is of the form's type.
+    template <class Form> static constexpr auto in(const Value& value) noexcept {
+        if constexpr (is_variant<Value>)
+            return std::get_if<typename Form::value_type>(&value);
+        else
+            return &value;
+    }
+    static constexpr auto alone(const std::byte* bytes, const std::byte* stop) noexcept {
+        return byte_scope<plain_root, plain_root>{bytes, stop, {}};
+    }
+};
+
 } // namespace detail
 
 /// A member in the form that `Selector` selects among `Cases`. The member is a std::variant of the cases' types, or of
@@ -90,8 +160,9 @@ template <auto Member, class Selector, class... Cases> struct selected {
     using cases = std::tuple<Cases...>;
     static constexpr bool optional = is_optional_member<Member>;
     static constexpr bool contextual = true;
-    static constexpr std::size_t min_size = std::min({detail::case_form<typename Cases::form>::min_size...});
-    static constexpr std::size_t max_size = std::max({detail::case_form<typename Cases::form>::max_size...});
+    template <class Value, bool Raw> using table = detail::case_table<Value, Raw, Cases...>;
+    static constexpr std::size_t min_size = table<value_type, false>::min_size;
+    static constexpr std::size_t max_size = table<value_type, false>::max_size;
     static constexpr bool of_variant = detail::is_variant<value_type>;
     static constexpr bool has_scaled = (requires { typename Cases::form::raw_codec; } || ...);
     static_assert(!(of_variant && has_scaled), "selected: scaled cases need a plain member");
@@ -109,89 +180,46 @@ template <auto Member, class Selector, class... Cases> struct selected {
         return (... || (tag == Cases::tag && (f.template operator()<Cases>(), true)));
     }
 
-    [[gnu::always_inline]] static constexpr std::size_t size([[maybe_unused]] const auto& object,
-                                                             const auto& here) noexcept {
-        std::size_t total = 0;
-        with_case(Selector::value(here), [&]<class Case>() {
-            using form = detail::case_form<typename Case::form>;
-            const auto& value = held(member_of<Member>(object));
-            if constexpr (!of_variant)
-                total = form::size(value, here);
-            else if (const auto* const held_value = std::get_if<typename form::value_type>(&value))
-                total = form::size(*held_value, here);
-        });
-        return total;
+    [[gnu::always_inline]] static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
+        return table_in<decltype(object)>::size(held(member_of<Member>(object)), Selector::value(here));
     }
     [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
                                                            const auto& here) noexcept {
-        const auto& value = held(member_of<Member>(object));
-        const out_cursor start = c;
-        c.error = errc::unknown_tag;
-        with_case(Selector::value(here), [&]<class Case>() {
-            using form = detail::case_form<typename Case::form>;
-            if constexpr (of_variant) {
-                if (const auto* const held_value = std::get_if<typename form::value_type>(&value))
-                    c = form::template put<false>(*held_value, start, here);
-            } else {
-                c = form::template put<raw_object<decltype(object)>>(value, start, here);
-            }
-        });
-        return c;
+        return table_in<decltype(object)>::put(held(member_of<Member>(object)), Selector::value(here), c,
+                                               root_of(here));
     }
     [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        auto& value = made(member_of<Member>(object));
-        const in_cursor start = c;
-        c = in_cursor::failed(errc::unknown_tag);
-        with_case(Selector::value(here), [&]<class Case>() {
-            using form = detail::case_form<typename Case::form>;
-            c = start;
-            if constexpr (traced<decltype(here)>) {
-                if (!root_of(here).tracer.template reach_octets<selected>(c.at, form::min_size)) {
-                    c = in_cursor::failed(errc::truncated);
-                    return;
-                }
-            }
-            if (!detail::spend(c, form::min_size - min_size, here)) return;
-            if constexpr (of_variant)
-                c = form::template get<false>(value.template emplace<typename form::value_type>(), c, here);
-            else
-                c = form::template get<raw_object<decltype(object)>>(value, c, here);
-        });
-        return c;
+        using table = table_in<decltype(object)>;
+        const auto tag = Selector::value(here);
+        if constexpr (traced<decltype(here)>) {
+            if (!root_of(here).tracer.template reach_octets<selected>(c.at, table::min_size_of(tag)))
+                return in_cursor::failed(errc::truncated);
+        }
+        return table::get(made(member_of<Member>(object)), tag, c, root_of(here));
     }
     [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
-        const in_cursor start = c;
-        c = in_cursor::failed(errc::unknown_tag);
-        with_case(Selector::value(here), [&]<class Case>() {
-            using form = detail::case_form<typename Case::form>;
-            c = start;
-            if (detail::spend(c, form::min_size - min_size, here)) c = form::measure(c, here);
-        });
-        return c;
+        return table<value_type, false>::measure(Selector::value(here), c, here.end);
     }
     [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
-        std::size_t total = 0;
-        with_case(Selector::value(here),
-                  [&]<class Case>() { total = detail::case_form<typename Case::form>::extent(in, here); });
-        return total;
+        return table<value_type, false>::extent(Selector::value(here), in, here.end);
     }
     /// Decoded; empty where a scaled raw value is not legal. A view reads the raw value of a scaled case as a real one
     /// too: only a `raw` holds it.
     template <auto, reading>
     [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
-        std::optional<value_type> value;
-        with_case(Selector::value(here), [&]<class Case>() {
-            using form = detail::case_form<typename Case::form>;
-            typename form::value_type loaded{};
-            if (form::template get<false>(loaded, {in, static_cast<std::size_t>(here.end - in) - form::min_size}, here)
-                    .at != nullptr)
-                value.emplace(loaded);
-        });
-        return value;
+        value_type value{};
+        const in_cursor c{in, static_cast<std::size_t>(here.end - in) - min_size};
+        const bool legal = table<value_type, false>::get(value, Selector::value(here), c, plain_root{}).at != nullptr;
+        return legal ? std::optional{value} : std::nullopt;
     }
     [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
         visitor(selected{}, member_of<Member>(object));
     }
+
+  private:
+    template <class Object>
+    using table_in =
+        table<std::remove_cvref_t<decltype(held(member_of<Member>(std::declval<Object&>())))>, raw_object<Object>>;
 };
 
 } // namespace jauscat::wire
