@@ -3,21 +3,18 @@
 #pragma once
 #include "support/hex.hpp"
 
-#include <boost/property_tree/json_parser.hpp>
-
 #include <cctype>
 #include <fstream>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 namespace golden {
 
-using json = boost::property_tree::ptree;
+using json = nlohmann::ordered_json;
 
 struct vector {
     std::string name{};
     std::uint16_t code{};
-    json header{};
-    json fields{};
+    json object{};                  ///< the whole line
     std::vector<std::byte> bytes{}; ///< header and body
 };
 
@@ -27,39 +24,28 @@ inline const std::vector<vector>& vectors() {
         std::vector<vector> read;
         std::ifstream file{JAUSCAT_TEST_DATA "/ra_vectors.jsonl"};
         for (std::string line; std::getline(file, line);) {
-            json object;
-            std::istringstream text{line};
-            boost::property_tree::read_json(text, object);
-            read.push_back({.name = object.get<std::string>("message"),
-                            .code = static_cast<std::uint16_t>(std::stoi(object.get<std::string>("code"), nullptr, 16)),
-                            .header = object.get_child("header"),
-                            .fields = object.get_child("fields"),
-                            .bytes = jauscat::test::from_hex(object.get<std::string>("hex"))});
+            json object = json::parse(line);
+            vector one{.name = object.at("message"),
+                       .code = static_cast<std::uint16_t>(std::stoi(object.at("code").get<std::string>(), nullptr, 16)),
+                       .bytes = jauscat::test::from_hex(object.at("hex").get<std::string>())};
+            one.object = std::move(object);
+            read.push_back(std::move(one));
         }
         return read;
     }();
     return all;
 }
 
-/// "Longitude (WGS 84)" to "longitude".
+/// "Longitude (WGS 84)" to "longitude", "Parking, Brake and Horn" to "parking_brake_and_horn".
 inline std::string snake_case(std::string_view standard_name) {
     std::string name;
-    for (const char c : standard_name.substr(0, standard_name.find(" (")))
-        name += std::isalnum(static_cast<unsigned char>(c))
-                    ? static_cast<char>(std::tolower(static_cast<unsigned char>(c)))
-                    : '_';
+    for (const char c : standard_name.substr(0, standard_name.find(" ("))) {
+        if (std::isalnum(static_cast<unsigned char>(c)))
+            name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        else if (!name.ends_with('_'))
+            name += '_';
+    }
     return name;
-}
-
-/// The number in a JSON value; integers of 64 bits keep all their bits.
-template <class Number> Number number(const json& value) {
-    const auto text = value.get_value<std::string>();
-    if constexpr (std::is_floating_point_v<Number>)
-        return static_cast<Number>(std::stod(text));
-    else if constexpr (std::is_signed_v<Number>)
-        return static_cast<Number>(std::stoll(text));
-    else
-        return static_cast<Number>(std::stoull(text));
 }
 
 } // namespace golden

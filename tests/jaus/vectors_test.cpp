@@ -1,107 +1,100 @@
-// Golden messages of every message that has a schema: header and body, field by field and byte for byte.
+// Golden messages of every command code: header and body, field by field and byte for byte, through a socket to the
+// handler of the message's type.
+#include "jaus/messages.hpp"
+#include "jaus/udp_pair.hpp"
+#include "jaus/vectors.hpp"
 #include "support/catch.hpp"
-#include "vectors.hpp"
+#include <jauscat/jaus/payload_elements.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>
-#include <jauscat/schema/jaus/header.hpp>
-#include <jauscat/schema/jaus/messages.hpp>
-#include <jauscat/wire/wire.hpp>
+#include <jauscat/schema/jaus/world_model.hpp>
+#include <jauscat/text/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace {
 
 namespace jaus = jauscat::jaus;
+namespace text = jauscat::text;
 namespace wire = jauscat::wire;
+using golden::json;
+using jauscat::test::from_hex;
 using jauscat::test::to_hex;
 
-constexpr std::size_t header_size = wire::max_size<jaus::header>;
-
-/// The bytes that `value` encodes to, as text.
-template <wire::message T> std::string encoded(const T& value) {
-    std::array<std::byte, wire::max_size<T>> out{};
-    const auto written = wire::encode(value, out);
-    return written ? to_hex(std::span{out}.first(written.size())) : std::string{wire::describe(written.error())};
-}
-
-jaus::address address(const golden::json& fields) {
-    const auto octet = [&](const char* name) { return golden::number<std::uint8_t>(fields.get_child(name)); };
-    return {.instance = octet("instance"),
-            .component = octet("component"),
-            .node = octet("node"),
-            .subsystem = octet("subsystem")};
+jaus::address address(const json& fields) {
+    return {.instance = fields.at("instance"),
+            .component = fields.at("component"),
+            .node = fields.at("node"),
+            .subsystem = fields.at("subsystem")};
 }
 
 jaus::header expected_header(const golden::vector& vector) {
-    const auto field = [&](const char* name) { return golden::number<std::uint16_t>(vector.header.get_child(name)); };
-    return {.priority = static_cast<std::uint8_t>(field("priority")),
-            .ack_nak = static_cast<jaus::ack_nak>(field("ack_nak")),
-            .service_connection = field("service_connection") != 0,
-            .experimental = field("experimental") != 0,
-            .version = static_cast<std::uint8_t>(field("version")),
-            .reserved = static_cast<std::uint8_t>(field("reserved")),
+    const json& fields = vector.object.at("header");
+    return {.priority = fields.at("priority"),
+            .ack_nak = static_cast<jaus::ack_nak>(fields.at("ack_nak").get<int>()),
+            .service_connection = fields.at("service_connection") != 0,
+            .experimental = fields.at("experimental") != 0,
+            .version = fields.at("version"),
+            .reserved = fields.at("reserved"),
             .command_code = vector.code,
-            .destination = address(vector.header.get_child("destination")),
-            .source = address(vector.header.get_child("source")),
-            .data_size = field("data_size"),
-            .data_flag = static_cast<jaus::data_flag>(field("data_flag")),
-            .sequence_number = field("sequence_number")};
+            .destination = address(fields.at("destination")),
+            .source = address(fields.at("source")),
+            .data_size = fields.at("data_size"),
+            .data_flag = static_cast<jaus::data_flag>(fields.at("data_flag").get<int>()),
+            .sequence_number = fields.at("sequence_number")};
 }
 
-/// Puts a JSON value into a member and into its raw counterpart.
-template <class Item, class Value, class Raw> void put(const golden::json& json, Value& value, Raw& raw) {
-    if constexpr (wire::message<Value>) {
-        // A structure of bit-fields is given as the integer that carries them.
-        const auto integer = golden::number<std::uint64_t>(json);
-        std::array<std::byte, 8> bytes{};
-        wire::u64le::store(bytes.data(), integer);
-        REQUIRE(wire::decode_prefix(value, bytes));
-        REQUIRE(wire::decode_prefix(raw, bytes));
-    } else if constexpr (requires { typename Item::codec_type::range_type; }) {
-        value = golden::number<double>(json.get_child("value"));
-        raw = golden::number<Raw>(json.get_child("raw"));
-    } else if constexpr (requires { typename Value::bits_type; }) {
-        value = Value::from_bits(golden::number<typename Value::bits_type>(json));
-        raw = value;
-    } else {
-        value = static_cast<Value>(golden::number<std::uint64_t>(json));
-        raw = value;
+std::span<const std::byte> body_of(std::span<const std::byte> message) { return message.subspan(jaus::header_size); }
+
+const messages::message& message_of(std::uint16_t code) {
+    static const auto all = messages::all();
+    const auto found = std::ranges::find(all, code, &messages::message::code);
+    REQUIRE(found != all.end());
+    return *found;
+}
+
+/// The fields under the names of our members. Text loses the zeros at its end: those that fill it are not part of the
+/// value in a message, but are in the vectors.
+json renamed(const json& fields) {
+    if (fields.is_string()) {
+        std::string text = fields;
+        while (!text.empty() && text.back() == '\0') text.pop_back();
+        return text;
     }
+    if (!fields.is_structured()) return fields;
+    json made = fields.is_array() ? json::array() : json::object();
+    for (const auto& [name, value] : fields.items())
+        if (fields.is_array())
+            made.push_back(renamed(value));
+        else
+            made[golden::snake_case(name)] = renamed(value);
+    return made;
 }
 
-/// The message that a vector's fields describe, as real and as raw values. Every field must find its member.
-template <wire::message T> std::pair<T, wire::raw<T>> expected_body(const golden::vector& vector) {
-    std::map<std::string, golden::json> fields;
-    for (const auto& [name, json] : vector.fields) fields.emplace(golden::snake_case(name), json);
-    std::pair<T, wire::raw<T>> both{};
-    wire::visit(both.first, [&]<class Item>(Item, auto& value) {
-        const auto found = fields.find(std::string{Item::name()});
-        auto& raw = both.second.template slot<Item::key>();
-        INFO(Item::name());
-        if constexpr (Item::optional) {
-            if (found == fields.end()) return;
-            put<Item>(found->second, value.emplace(), raw.emplace());
-        } else {
-            REQUIRE(found != fields.end());
-            put<Item>(found->second, value, raw);
-        }
-        fields.erase(found);
-    });
-    REQUIRE(fields.empty());
-    return both;
-}
-
-/// Equal, real values within 1e-12 of their size.
-template <class Value> void require_close(const Value& a, const Value& b) {
-    if constexpr (requires { a.has_value(); }) {
-        REQUIRE(a.has_value() == b.has_value());
-        if (a) require_close(*a, *b);
-    } else if constexpr (std::floating_point<Value>) {
-        REQUIRE(std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b)));
-    } else {
-        REQUIRE(a == b);
+/// Equal in names, their order, and values; real numbers within 1e-12 of their size.
+bool same(const json& a, const json& b) {
+    if (a.is_structured() && b.is_structured() && a.size() == b.size() && a.is_array() == b.is_array())
+        return std::equal(a.items().begin(), a.items().end(), b.items().begin(), [](const auto& x, const auto& y) {
+            return x.key() == y.key() && same(x.value(), y.value());
+        });
+    if (a.is_number_float() && b.is_number()) {
+        const double x = a, y = b;
+        return std::abs(x - y) <= 1e-12 * std::max(std::abs(x), std::abs(y));
     }
+    return a.is_number() && b.is_number_float() ? same(b, a) : a == b;
+}
+
+/// Elements of payload data have types that do not travel with them: the message holds their bytes.
+bool carries_payload_elements(const golden::vector& vector) { return vector.code == 0x0D01 || vector.code == 0x4D01; }
+
+/// "0x7A", or null.
+json presence_vector_of(const text::structure& type, const void* value) {
+    for (const auto& member : type.members)
+        if (member.what == text::member::role::presence_vector)
+            return text::hex_number(member.number(value), std::get<text::integer_form>(member.how->is).bits / 4);
+    return nullptr;
 }
 
 } // namespace
@@ -113,10 +106,12 @@ TEST_CASE("every golden header decodes field for field and encodes to the same b
         const auto expected = expected_header(vector);
         jaus::header header{};
         const auto used = wire::decode_prefix(header, vector.bytes);
-        REQUIRE(used.size() == header_size);
+        REQUIRE(used.size() == jaus::header_size);
         REQUIRE(header == expected);
-        REQUIRE(header.data_size == vector.bytes.size() - header_size);
-        REQUIRE(encoded(expected) == to_hex(std::span{vector.bytes}.first(header_size)));
+        REQUIRE(header.data_size == vector.bytes.size() - jaus::header_size);
+        std::array<std::byte, jaus::header_size> out{};
+        REQUIRE(wire::encode(expected, out));
+        REQUIRE(to_hex(out) == to_hex(std::span{vector.bytes}.first(jaus::header_size)));
     }
 }
 
@@ -129,27 +124,124 @@ TEST_CASE("every golden message is in the catalogue under its name") {
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("every golden body decodes field for field and encodes to the same bytes", "", jaus::messages) {
-    using T = TestType;
-    int count = 0;
-    for (const auto& vector : golden::vectors()) {
-        if (vector.code != T::command_code) continue;
-        ++count;
-        INFO(vector.name << ": " << to_hex(vector.bytes));
-        const auto body = std::span{vector.bytes}.subspan(header_size);
-        const auto [expected, expected_raw] = expected_body<T>(vector);
-        REQUIRE(encoded(expected) == to_hex(body));
-        REQUIRE(encoded(expected_raw) == to_hex(body));
-
-        T value{};
-        wire::raw<T> raw{};
-        REQUIRE(wire::decode(value, body).size() == body.size());
-        REQUIRE(wire::decode(raw, body).size() == body.size());
-        REQUIRE(raw == expected_raw);
-        wire::visit(value, [&, &wanted = expected]<class Item>(Item, const auto& member) {
-            INFO(Item::name());
-            require_close(member, wire::member_of<Item::key>(wanted));
-        });
+TEST_CASE("every message but one has golden vectors") {
+    std::map<std::uint16_t, int> count;
+    for (const auto& vector : golden::vectors()) ++count[vector.code];
+    for (const auto& message : messages::all()) {
+        INFO(message.name);
+        // The peer that made the vectors cannot encode 0A21h, and 4D00h only in seven of eight cases.
+        const int expected = message.code == 0x0A21 ? 0 : message.code == 0x4D00 ? 7 : 8;
+        CHECK(count[message.code] == expected);
     }
-    REQUIRE(count == 8);
+}
+
+TEST_CASE("every golden body decodes field for field") {
+    for (const auto& vector : golden::vectors()) {
+        INFO(vector.name << ": " << to_hex(vector.bytes));
+        json expected = renamed(vector.object.at("fields"));
+        if (carries_payload_elements(vector)) expected.erase("element");
+        const auto& message = message_of(vector.code);
+        json found, presence;
+        REQUIRE(message.show(body_of(vector.bytes), [&](const void* value) {
+            found = text::detail::json_writer{}.fields(*message.structure, value, true);
+            presence = presence_vector_of(*message.structure, value);
+        }));
+        if (carries_payload_elements(vector)) found.erase("element");
+        INFO("expected " << expected.dump() << "\nfound " << found.dump());
+        REQUIRE(same(renamed(found), expected));
+        REQUIRE(presence == vector.object.at("presence_vector"));
+    }
+}
+
+TEST_CASE("every golden body, decoded, encodes to the same bytes, and every way of reading it agrees") {
+    for (const auto& vector : golden::vectors()) {
+        INFO(vector.name << ": " << to_hex(vector.bytes));
+        const auto body = body_of(vector.bytes);
+        const auto seen = message_of(vector.code).decode(body);
+        REQUIRE(seen.error == wire::errc::ok);
+        REQUIRE(to_hex(seen.again) == to_hex(body));
+        REQUIRE(to_hex(seen.raw_again) == to_hex(body));
+        REQUIRE(seen.view_error == wire::errc::ok);
+        REQUIRE(seen.view_agrees);
+        REQUIRE(seen.why.error == wire::errc::ok);
+    }
+}
+
+TEST_CASE("every golden message, sent over UDP, reaches the handler of its type and no other") {
+    support::udp_pair sockets;
+    for (const auto& vector : golden::vectors()) {
+        INFO(vector.name << ": " << to_hex(vector.bytes));
+        const auto datagram = sockets.carry(vector.bytes);
+        REQUIRE(to_hex(datagram) == to_hex(vector.bytes));
+        jaus::header head{};
+        REQUIRE(wire::decode_prefix(head, datagram));
+        const auto body = body_of(datagram);
+
+        const bool acknowledges = jaus::is_acknowledgement(head) && body.empty();
+        std::vector<messages::handled> seen;
+        int handled = 0;
+        for (const auto* group : messages::groups()) {
+            const auto result = group->dispatch(head, body, seen);
+            handled += result == jaus::dispatched::handled;
+            REQUIRE(result != jaus::dispatched::malformed);
+            REQUIRE((result == jaus::dispatched::acknowledgement) == acknowledges);
+        }
+        if (acknowledges) continue;
+        REQUIRE(handled == 1);
+        REQUIRE(seen.size() == 1);
+        REQUIRE(seen[0].code == vector.code);
+        REQUIRE(seen[0].header == expected_header(vector));
+        REQUIRE(to_hex(seen[0].body) == to_hex(body));
+    }
+}
+
+TEST_CASE("payload elements have the golden values once their interfaces' types are known") {
+    int elements = 0;
+    for (const auto& vector : golden::vectors()) {
+        if (!carries_payload_elements(vector)) continue;
+        INFO(vector.name << ": " << to_hex(vector.bytes));
+        std::vector<jaus::payload_type> types;
+        for (const int code : vector.object.at("interface_type_codes"))
+            types.push_back(static_cast<jaus::payload_type>(code));
+        const auto body = body_of(vector.bytes);
+        const auto bytes = body.subspan(1);
+        jaus::payload_reader reader{std::to_integer<std::size_t>(body[0]), bytes, types};
+        std::vector<jaus::payload_element> read;
+        for (jaus::payload_element one{}; reader.next(one);) read.push_back(one);
+        REQUIRE(reader.error() == wire::errc::ok);
+
+        const json expected = renamed(vector.object.at("fields").at("Element"));
+        REQUIRE(read.size() == expected.size());
+        for (std::size_t i = 0; i != read.size(); ++i, ++elements) {
+            CAPTURE(i);
+            REQUIRE(read[i].interface_number == *expected[i].begin());
+            const json found = text::to_json(read[i].value);
+            INFO("expected " << expected[i].dump() << "\nfound " << found.dump());
+            REQUIRE(same(found, json{{"value", expected[i].at("value")}}));
+        }
+        messages::octets again(bytes.size());
+        REQUIRE(jaus::encode_payload_elements(read, again).size() == bytes.size());
+        REQUIRE(to_hex(again) == to_hex(bytes));
+    }
+    CHECK(elements > 16);
+}
+
+TEST_CASE("feature class metadata is set by hand") {
+    const auto body = from_hex("02 0201 0500 726f616473");
+    jaus::set_vector_knowledge_store_feature_class_metadata message{.metadata_options =
+                                                                        jaus::metadata_options::overwrite,
+                                                                    .feature_class_id = 0x0102,
+                                                                    .feature_class_metadata = "roads"};
+    messages::octets out(wire::encoded_size(message));
+    REQUIRE(wire::encode(message, out).size() == 10);
+    CHECK(to_hex(out) == to_hex(body));
+
+    jaus::set_vector_knowledge_store_feature_class_metadata found{};
+    REQUIRE(wire::decode(found, body).size() == 10);
+    CHECK(found == message);
+
+    message = {.metadata_options = jaus::metadata_options::erase, .feature_class_id = 0xFFFE};
+    out.resize(wire::encoded_size(message));
+    REQUIRE(wire::encode(message, out).size() == 5);
+    CHECK(to_hex(out) == "ff fe ff 00 00");
 }

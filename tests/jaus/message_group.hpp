@@ -1,0 +1,144 @@
+// What tests need of each message, instantiated for one subgroup at a time: a translation unit for each (see
+// message_group.cpp.in) keeps compilers within minutes and memory.
+#pragma once
+#include "jaus/messages.hpp"
+#include <jauscat/schema/jaus/messages.hpp>
+#include <jauscat/text/describe.hpp>
+#include <jauscat/wire/view.hpp>
+
+namespace messages {
+
+namespace detail {
+
+inline std::span<std::byte> scratch() {
+    static octets memory(1 << 20);
+    return memory;
+}
+
+template <wire::message T> octets encode(const T& value) {
+    octets bytes(wire::encoded_size(value));
+    const auto written = wire::encode(value, bytes);
+    if (!written) bytes.clear();
+    return bytes;
+}
+
+template <wire::message T> wire::errc decode_into(T& value, std::span<const std::byte> body, wire::arena& memory) {
+    return wire::decode(value, body, memory).error();
+}
+
+/// Whether what a view shows is the decoded member.
+template <class Seen, class Value> bool agrees(const Seen& seen, const Value& value);
+template <class T, class Outer> bool view_agrees(const wire::view<T, Outer>& seen, const T& value) {
+    bool all = true;
+    wire::visit(value, [&]<class Item>(Item, const auto& member) {
+        all = all && agrees(seen.template get<Item::key>(), member);
+    });
+    return all;
+}
+template <class Seen, class Value> bool agrees(const Seen& seen, const Value& value) {
+    if constexpr (requires { value.has_value(); })
+        return seen.has_value() == value.has_value() && (!value || agrees(*seen, *value));
+    else if constexpr (requires { seen.has_value(); })
+        return seen && agrees(*seen, value);
+    else if constexpr (requires { view_agrees(seen, value); })
+        return view_agrees(seen, value);
+    else if constexpr (
+        requires { *seen.begin() == *value.begin(); } || !requires { seen == value; })
+        return std::ranges::equal(seen, value, [](const auto& a, const auto& b) { return agrees(a, b); });
+    else
+        return seen == value;
+}
+
+template <wire::message T> encoded random(support::generator& g, const support::odds& odds) {
+    std::pmr::monotonic_buffer_resource memory;
+    const T value = support::random_message<T>(g, memory, odds);
+    encoded made;
+    made.bytes.resize(wire::encoded_size(value));
+    const auto written = wire::encode(value, made.bytes);
+    made.error = written.error();
+    made.why = wire::diagnose(value);
+    T back{};
+    wire::arena arena{scratch()};
+    made.decodes_to_itself =
+        written.size() == made.bytes.size() && decode_into(back, made.bytes, arena) == wire::errc::ok && back == value;
+    return made;
+}
+
+template <wire::message T> decoded decode(std::span<const std::byte> body) {
+    decoded made;
+    T value{};
+    wire::arena memory{scratch()};
+    made.error = decode_into(value, body, memory);
+    const wire::view<T> view{body};
+    made.view_error = view.error();
+    made.why = wire::diagnose<T>(body);
+    if (made.error == wire::errc::ok) {
+        made.again = encode(value);
+        made.view_agrees = view && view_agrees(view, value);
+    }
+    wire::raw<T> raw{};
+    memory.reset();
+    made.raw_error = decode_into(raw, body, memory);
+    if (made.raw_error == wire::errc::ok) made.raw_again = encode(raw);
+    wire::arena nothing{{}};
+    made.without_arena = decode_into(value, body, nothing);
+    return made;
+}
+
+template <wire::message T> bool show(std::span<const std::byte> body, const std::function<void(const void*)>& look) {
+    T value{};
+    wire::arena memory{scratch()};
+    if (decode_into(value, body, memory) != wire::errc::ok) return false;
+    look(&value);
+    return true;
+}
+
+template <wire::message T> octets build(const std::function<void(void*, wire::arena&)>& fill) {
+    T value{};
+    wire::arena memory{scratch()};
+    fill(&value, memory);
+    return encode(value);
+}
+
+template <unsigned Digit, class... Messages>
+jaus::dispatched dispatch(const jaus::header& head, std::span<const std::byte> body, std::vector<handled>& seen) {
+    jaus::dispatcher all{jaus::on<Messages>([&](const jaus::header& header, const Messages& message) {
+        seen.push_back({.code = Messages::command_code, .header = header, .body = encode(message)});
+    })...};
+    wire::arena memory{scratch()};
+    return all(head, body, memory);
+}
+
+template <class... Messages> struct chosen {};
+template <unsigned Digit, class... Chosen> auto choose(chosen<Chosen...> list, jaus::message_list<>) { return list; }
+template <unsigned Digit, class... Chosen, class First, class... Rest>
+auto choose(chosen<Chosen...>, jaus::message_list<First, Rest...>) {
+    if constexpr ((First::command_code >> 8 & 0xFu) == Digit)
+        return choose<Digit>(chosen<Chosen..., First>{}, jaus::message_list<Rest...>{});
+    else
+        return choose<Digit>(chosen<Chosen...>{}, jaus::message_list<Rest...>{});
+}
+
+template <unsigned Digit, class... Messages> const group& make_group(chosen<Messages...>) {
+    static const std::array<message, sizeof...(Messages)> all{message{.name = wire::type_name<Messages>(),
+                                                                      .code = Messages::command_code,
+                                                                      .min_size = wire::min_size<Messages>,
+                                                                      .max_size = wire::max_size<Messages>,
+                                                                      .structure = &jauscat::text::describe<Messages>(),
+                                                                      .object_size = sizeof(Messages),
+                                                                      .has_lists = wire::needs_memory<Messages>,
+                                                                      .random = &random<Messages>,
+                                                                      .decode = &decode<Messages>,
+                                                                      .show = &show<Messages>,
+                                                                      .build = &build<Messages>}...};
+    static const group made{all, &dispatch<Digit, Messages...>};
+    return made;
+}
+
+} // namespace detail
+
+template <unsigned Digit> const group& group_of() {
+    return detail::make_group<Digit>(detail::choose<Digit>(detail::chosen<>{}, jaus::messages{}));
+}
+
+} // namespace messages
