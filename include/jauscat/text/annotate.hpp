@@ -16,7 +16,7 @@ inline std::string path_text(const wire::diagnosis& at) {
     for (std::size_t i = 0; i != at.depth; ++i) {
         text += at.path[i].name;
         if (at.path[i].element != wire::diagnosis_step::no_element)
-            text += "[" + std::to_string(at.path[i].element) + "]";
+            ((text += '[') += std::to_string(at.path[i].element)) += ']';
         text += ".";
     }
     return text;
@@ -100,7 +100,7 @@ class annotating_trace : public wire::detail::decode_trace {
     std::string text{wire::describe(why.error)};
     if (!why.field.empty()) text += ": " + field_path(why);
     text += " at byte " + std::to_string(first_offset + why.offset);
-    if (why.needed != 0)
+    if (why.needed > why.available)
         text += " needs " + std::to_string(why.needed) + " bytes, " + std::to_string(why.available) + " left";
     return text;
 }

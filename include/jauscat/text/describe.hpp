@@ -261,14 +261,14 @@ template <class Item> constexpr form form_by_list() {
 }
 template <class Item> inline constexpr form list_form_of = form_by_list<Item>();
 
-template <class Item>
-inline constexpr form tree_form_of{tree_form{
-    .nodes = list_of<wire::list<typename Item::node>>(structure_form_of<typename Item::node>, {}, wire::unbounded),
-    .max_depth = Item::max_depth,
-    .children = [](const void* node) -> std::uint64_t {
-        return Item::children(*static_cast<const typename Item::node*>(node));
-    },
-}};
+template <class Item> struct tree_of;
+template <auto Member, auto Children, std::size_t MaxDepth> struct tree_of<wire::tree<Member, Children, MaxDepth>> {
+    using node = wire::owner_t<Children>;
+    static constexpr form value{
+        tree_form{.nodes = list_of<wire::list<node>>(structure_form_of<node>, {}, wire::unbounded),
+                  .max_depth = MaxDepth,
+                  .children = access<Children>::other()}};
+};
 
 template <class Value, class Case> constexpr choice_case case_of() {
     using form_type = typename Case::form;
@@ -365,7 +365,7 @@ template <class T, class Item> constexpr void append(member*& out) {
         } else if constexpr (requires { typename Item::codec_type; }) {
             made.how = &codec_form<value_type, typename Item::codec_type>;
         } else if constexpr (requires { Item::max_depth; }) {
-            made.how = &tree_form_of<Item>;
+            made.how = &tree_of<Item>::value;
         } else if constexpr (requires { typename Item::cases; }) {
             made.how = &choice_of<value_type, typename Item::cases>::value;
             made.tag = tag_of(Item{});

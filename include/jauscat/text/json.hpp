@@ -7,6 +7,7 @@
 // {"hex": "ff00"}, the numbers that are none are "NaN", "Infinity" and "-Infinity".
 #pragma once
 #include <jauscat/text/describe.hpp>
+#include <jauscat/text/from_text.hpp>
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/quoted.hpp>
 
@@ -116,7 +117,7 @@ class json_writer {
         next += is.nodes.stride;
         --left;
         json children = json::array();
-        for (std::uint64_t more = is.children(here); more != 0 && left != 0; --more)
+        for (std::uint64_t more = is.children.get(here); more != 0 && left != 0; --more)
             children.push_back(node(is, next, left));
         made["child"] = std::move(children);
         return made;
@@ -124,6 +125,26 @@ class json_writer {
 
     const scope* inner_{};
 };
+
+inline input input_of(const json& value) {
+    input made{.what = input::kind::leaf};
+    if (value.is_null()) {
+        made.what = input::kind::nothing;
+    } else if (value.is_object()) {
+        made.what = input::kind::object;
+        for (const auto& [name, part] : value.items()) made.parts.emplace_back(input_of(part)).name = name;
+    } else if (value.is_array()) {
+        made.what = input::kind::array;
+        for (const auto& part : value) made.parts.push_back(input_of(part));
+    } else if (value.is_string()) {
+        made.text = value.get<std::string>();
+    } else if (value.is_number_float() && !std::isfinite(value.get<double>())) {
+        made.text = json_real(value.get<double>()).get<std::string>();
+    } else {
+        made.text = value.dump();
+    }
+    return made;
+}
 
 } // namespace detail
 
@@ -138,6 +159,14 @@ template <wire::message T> [[nodiscard]] json presence_vector_of(const T& messag
         if (one.what == member::role::presence_vector)
             return hex_number(one.number(&message), std::get<integer_form>(one.how->is).bits / 4);
     return nullptr;
+}
+
+/// A message from the JSON of its fields. `presence_vector`, as a number or text in hex, may be among them: it says
+/// which members list elements have where the lists are empty. Counts may be left out, scaled fields may be numbers,
+/// and all that from_text takes may stand as text. Lists, texts and bytes lie in `memory`. Returns what is wrong, or an
+/// empty text; after an error the message is valid but unspecified.
+template <wire::message T> [[nodiscard]] std::string from_json(const json& fields, T& message, wire::arena& memory) {
+    return from_input(detail::input_of(fields), message, memory);
 }
 
 } // namespace jauscat::text

@@ -151,7 +151,7 @@ class printer {
         next += is.nodes.stride;
         --left;
         below([&] {
-            const std::uint64_t children = is.children(here);
+            const std::uint64_t children = is.children.get(here);
             for (std::uint64_t i = 0; i != children && left != 0; ++i)
                 node("child[" + std::to_string(i) + "]", is, next, left);
         });

@@ -92,13 +92,19 @@ struct list_form {
     void* (*resize)(void* list, std::size_t, wire::arena&){}; ///< the first of so many new elements; nullptr: no room
 };
 
+/// A member of the structure `owner`, by its id: the one that is being told or one around it.
+struct other_member {
+    const void* owner{}; ///< nullptr: there is none
+    std::string_view name{};
+    std::uint64_t (*get)(const void* object){};
+    void (*set)(void* object, std::uint64_t){};
+};
+
 /// Nodes of one structure, depth first; the rest as in a list.
 struct tree_form {
     list_form nodes{};
     std::size_t max_depth{};
-    std::uint64_t (*children)(const void* node){};
-    void (*set_children)(void* node, std::uint64_t){};
-    std::string_view children_name{}; ///< the node's member that counts them
+    other_member children{}; ///< the node's member that counts them
 };
 
 /// What a tag of choice_form stands for.
@@ -118,14 +124,6 @@ struct form {
     std::variant<integer_form, real_form, scaled_form, octets_form, structure_form, packed_form, encoded_form,
                  list_form, tree_form, choice_form>
         is;
-};
-
-/// A member of the structure `owner`, by its id: the one that is being told or one around it.
-struct other_member {
-    const void* owner{}; ///< nullptr: there is none
-    std::string_view name{};
-    std::uint64_t (*get)(const void* object){};
-    void (*set)(void* object, std::uint64_t){};
 };
 
 /// A member of a structure, in wire order.

@@ -1,0 +1,106 @@
+// Messages from what people type:
+//
+//     set_wrench_effort propulsive_linear_effort_x=50 resistive_linear_effort_x=raw:51
+//     set_joint_motion pose[0].pose_time=2.5 pose[0].joint[0].joint_position=0.785 ...
+//     set_emergency emergency_code=transition_to_emergency
+//     report_identification query_type=system_identification authority_code=1 type=10001 identification="left arm"
+//
+// Names are those of to_text and JSON. Numbers may carry their unit; enumerators are named or numbered, flags joined by
+// |; bytes are hex; counts may be left out. All functions return what is wrong in a line for the person who typed, or
+// an empty text.
+#pragma once
+#include <jauscat/schema/jaus/catalog.hpp>
+#include <jauscat/text/describe.hpp>
+#include <jauscat/text/fill.hpp>
+
+namespace jauscat::text {
+
+/// Fills a message from a tree of names and values. Its lists, texts and bytes lie in `memory`. After an error the
+/// message is valid but unspecified.
+template <wire::message T> [[nodiscard]] std::string from_input(const input& in, T& message, wire::arena& memory) {
+    message = T{};
+    return detail::filler{memory}.fill(describe<T>(), &message, in);
+}
+
+/// From words like `pose[1].pose_time=2.5`, as a shell hands them over.
+template <wire::message T>
+[[nodiscard]] std::string from_words(std::span<const std::string> words, T& message, wire::arena& memory) {
+    input tree{.what = input::kind::object};
+    for (const std::string& word : words)
+        if (std::string wrong = assign(word, tree); !wrong.empty()) return wrong;
+    return from_input(tree, message, memory);
+}
+
+/// The same from one line, in which quotes keep spaces together.
+template <wire::message T> [[nodiscard]] std::string from_text(std::string_view line, T& message, wire::arena& memory) {
+    std::vector<std::string> words;
+    if (std::string wrong = split(line, words); !wrong.empty()) return wrong;
+    return from_words(words, message, memory);
+}
+
+/// "Set End-Effector Path Motion" to "set_end_effector_path_motion".
+[[nodiscard]] inline std::string snake_case(std::string_view standard_name) {
+    std::string made;
+    for (const char c : standard_name) {
+        const bool upper = c >= 'A' && c <= 'Z';
+        const bool kept = upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        if (kept)
+            made += upper ? static_cast<char>(c - 'A' + 'a') : c;
+        else if (!made.empty() && made.back() != '_')
+            made += '_';
+    }
+    while (made.ends_with('_')) made.pop_back();
+    return made;
+}
+
+/// The command code of a message that is named as in its schema, as in the standard, or by its code in hex: 0405,
+/// 0405h, 0x0405.
+[[nodiscard]] inline std::string find_message(std::string_view name, std::uint16_t& command_code) {
+    std::string_view digits = name;
+    if (digits.starts_with("0x") || digits.starts_with("0X")) digits.remove_prefix(2);
+    if (digits.ends_with('h') || digits.ends_with('H')) digits.remove_suffix(1);
+    std::uint16_t code{};
+    const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+    if (error == std::errc{} && stop == digits.data() + digits.size()) {
+        command_code = code;
+        return std::ranges::find(jaus::catalog, code, &jaus::catalog_entry::command_code) != jaus::catalog.end()
+                   ? std::string{}
+                   : "there is no message with the code " + hex_number(code, 4);
+    }
+    const std::string wanted = snake_case(name);
+    std::vector<std::string> names;
+    for (const jaus::catalog_entry& entry : jaus::catalog) {
+        names.push_back(snake_case(entry.name));
+        if (names.back() != wanted) continue;
+        command_code = entry.command_code;
+        return {};
+    }
+    const std::vector<std::string_view> views{names.begin(), names.end()};
+    return "there is no message '" + std::string{name} + "'" + suggestion(wanted, views);
+}
+
+/// Calls use.template operator()<Message>() for the message type of a code; false where the list has none.
+template <template <class...> class List, class... Messages>
+bool with_message(std::uint16_t command_code, List<Messages...>, auto&& use) {
+    return (... || (Messages::command_code == command_code && (use.template operator()<Messages>(), true)));
+}
+
+/// The message that a line names in its first word, with the fields of the others: calls use(message). Memory as in
+/// from_input; `messages` are those it may be.
+template <class List>
+[[nodiscard]] std::string from_text(std::string_view line, wire::arena& memory, List messages, auto&& use) {
+    std::vector<std::string> words;
+    if (std::string wrong = split(line, words); !wrong.empty()) return wrong;
+    if (words.empty()) return "the name of a message is missing";
+    std::uint16_t command_code{};
+    std::string wrong = find_message(words.front(), command_code);
+    if (!wrong.empty()) return wrong;
+    const bool known = with_message(command_code, messages, [&]<class Message>() {
+        Message message{};
+        wrong = from_words(std::span<const std::string>{words}.subspan(1), message, memory);
+        if (wrong.empty()) use(message);
+    });
+    return known ? wrong : "the message " + words.front() + " is not among those taken here";
+}
+
+} // namespace jauscat::text

@@ -1,0 +1,127 @@
+// What somebody wrote, before it meets a message: a tree of names, texts and lists. It comes from words like
+// `pose[1].pose_time=2.5` or from JSON.
+#pragma once
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jauscat::text {
+
+struct input {
+    enum class kind : std::uint8_t { nothing, leaf, object, array };
+    kind what{};
+    std::string name{};         ///< in an object
+    std::string text{};         ///< of a leaf
+    std::vector<input> parts{}; ///< of an object or array
+
+    [[nodiscard]] const input* find(std::string_view part) const noexcept {
+        const auto found = std::ranges::find(parts, part, &input::name);
+        return what == kind::object && found != parts.end() && found->what != kind::nothing ? &*found : nullptr;
+    }
+};
+
+/// Most elements a list may have: an index beyond it is a typing error.
+inline constexpr std::size_t most_elements = 65536;
+
+namespace detail {
+
+inline bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+inline std::optional<unsigned> hex_digit(char c) {
+    if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
+    if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a' + 10);
+    if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A' + 10);
+    return std::nullopt;
+}
+
+/// One character between quotes, behind a backslash or not.
+inline bool unescape(std::string_view line, std::size_t& at, std::string& out) {
+    if (line[at] != '\\') {
+        out += line[at++];
+        return true;
+    }
+    if (++at == line.size()) return false;
+    if (line[at] == 'x') {
+        if (line.size() - at < 3) return false;
+        const auto high = hex_digit(line[at + 1]), low = hex_digit(line[at + 2]);
+        if (!high || !low) return false;
+        out += static_cast<char>(*high * 16 + *low);
+        at += 3;
+    } else {
+        out += line[at++];
+    }
+    return true;
+}
+
+} // namespace detail
+
+/// The words of a line. Quotes keep spaces together and are left out, as in a shell: `name="left arm"` is one word.
+/// Between quotes a backslash takes the next character as it is, and `\xHH` is an octet. Returns what is wrong, or
+/// nothing.
+[[nodiscard]] inline std::string split(std::string_view line, std::vector<std::string>& words) {
+    for (std::size_t at = 0;;) {
+        while (at != line.size() && detail::is_space(line[at])) ++at;
+        if (at == line.size()) return {};
+        std::string word;
+        while (at != line.size() && !detail::is_space(line[at])) {
+            if (line[at] != '"') {
+                word += line[at++];
+                continue;
+            }
+            const std::size_t opened = at++;
+            while (at != line.size() && line[at] != '"')
+                if (!detail::unescape(line, at, word))
+                    return "no character behind the backslash in: " + std::string{line};
+            if (at++ == line.size()) return "no quote at the end of: " + std::string{line.substr(opened)};
+        }
+        words.push_back(std::move(word));
+    }
+}
+
+/// Puts a word like `pose[1].pose_time=2.5` into the tree. Returns what is wrong, or nothing.
+[[nodiscard]] inline std::string assign(std::string_view word, input& tree) {
+    const std::size_t equals = word.find('=');
+    if (equals == 0 || equals == std::string_view::npos)
+        return "'" + std::string{word} + "' is not of the form field=value";
+    const std::string_view path = word.substr(0, equals);
+    const auto wrong = [&](std::string_view why) { return "'" + std::string{path} + "' " + std::string{why}; };
+    input* here = &tree;
+    for (std::size_t at = 0;;) {
+        const std::size_t end = std::min(path.find_first_of(".[", at), path.size());
+        if (end == at) return wrong("lacks a name");
+        if (here->what == input::kind::nothing) here->what = input::kind::object;
+        if (here->what != input::kind::object) return wrong("stands beside another value of the same name");
+        const std::string_view name = path.substr(at, end - at);
+        const auto found = std::ranges::find(here->parts, name, &input::name);
+        here = found != here->parts.end() ? &*found : &here->parts.emplace_back(input{.name = std::string{name}});
+        at = end;
+        if (at != path.size() && path[at] == '[') {
+            std::size_t index{};
+            const auto [stop, error] = std::from_chars(path.data() + at + 1, path.data() + path.size(), index);
+            const auto behind = static_cast<std::size_t>(stop - path.data());
+            if (error != std::errc{} || behind == path.size() || path[behind] != ']')
+                return wrong("needs the number of an element between its brackets, from 0");
+            if (index >= most_elements)
+                return wrong("is beyond the " + std::to_string(most_elements) + " elements a list may have");
+            if (here->what == input::kind::nothing) here->what = input::kind::array;
+            if (here->what != input::kind::array) return wrong("stands beside another value of the same name");
+            if (index >= here->parts.size()) here->parts.resize(index + 1);
+            here = &here->parts[index];
+            at = behind + 1;
+        }
+        if (at == path.size()) break;
+        if (path[at] != '.') return wrong("lacks a dot");
+        ++at;
+    }
+    if (here->what != input::kind::nothing) return wrong("is given twice");
+    here->what = input::kind::leaf;
+    here->text = word.substr(equals + 1);
+    return {};
+}
+
+} // namespace jauscat::text
