@@ -144,6 +144,19 @@ template <class Item>
 }
 } // namespace detail
 
+namespace detail {
+// Past an item of `Size` bytes; for all items of that size, so that layouts of fixed items need no function for each.
+template <std::size_t Size> [[gnu::always_inline]] constexpr bool put_next(errc error, out_cursor& c) noexcept {
+    c.error = error;
+    if (error == errc::ok) c.at += Size;
+    return error == errc::ok;
+}
+template <std::size_t Size> [[gnu::always_inline]] constexpr bool get_next(errc error, in_cursor& c) noexcept {
+    c = error == errc::ok ? in_cursor{c.at + Size, c.slack} : in_cursor::failed(error);
+    return error == errc::ok;
+}
+} // namespace detail
+
 /// Items in wire order.
 template <class... Items> struct layout {
     using keys = joined_keys<typename Items::keys...>;
@@ -167,7 +180,11 @@ template <class... Items> struct layout {
     }
     [[gnu::always_inline]] static constexpr out_cursor put([[maybe_unused]] const auto& object, out_cursor c,
                                                            [[maybe_unused]] const auto& here) noexcept {
-        if constexpr (one_variable_item && !traced<decltype(here)>)
+        if constexpr (traced<decltype(here)>)
+            static_cast<void>((detail::put_item<Items>(object, c, here) && ...));
+        else if constexpr (all_fixed)
+            static_cast<void>((detail::put_next<Items::max_size>(Items::put(object, c.at), c) && ...));
+        else if constexpr (sizeof...(Items) == 1)
             ((c = Items::put(object, c, here)), ...);
         else
             static_cast<void>((detail::put_item<Items>(object, c, here) && ...));
@@ -175,7 +192,11 @@ template <class... Items> struct layout {
     }
     [[gnu::always_inline]] static constexpr in_cursor get([[maybe_unused]] auto& object, in_cursor c,
                                                           [[maybe_unused]] const auto& here) noexcept {
-        if constexpr (one_variable_item && !traced<decltype(here)>)
+        if constexpr (traced<decltype(here)>)
+            static_cast<void>((detail::get_item<Items>(object, c, here) && ...));
+        else if constexpr (all_fixed)
+            static_cast<void>((detail::get_next<Items::max_size>(Items::get(object, c.at), c) && ...));
+        else if constexpr (sizeof...(Items) == 1)
             ((c = Items::get(object, c, here)), ...);
         else
             static_cast<void>((detail::get_item<Items>(object, c, here) && ...));
@@ -208,8 +229,7 @@ template <class... Items> struct layout {
     static constexpr bool all_items([[maybe_unused]] auto&& f) { return (f.template operator()<Items>() && ...); }
 
   private:
-    // Most messages with a presence vector: one function less that holds all their code, for the compiler's sake.
-    static constexpr bool one_variable_item = sizeof...(Items) == 1 && !(fixed_item<Items> || ...);
+    static constexpr bool all_fixed = (fixed_item<Items> && ... && true);
 
     template <auto Member>
     static constexpr std::size_t index_of = [] {
