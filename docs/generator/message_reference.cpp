@@ -1,0 +1,115 @@
+// Writes docs/messages: every JAUS message with its bytes, fields and place in the seed table, from the schemas.
+#include "describe.hpp"
+#include "diagram.hpp"
+#include "page.hpp"
+#include <jauscat/schema/jaus/messages.hpp>
+#include <jauscat/schema/translation/seed_table.hpp>
+#include <jauscat/translate/translator.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <span>
+
+namespace {
+
+using namespace jauscat;
+using files = std::map<std::filesystem::path, std::string>; // what is to be in the folder, by name in it
+
+template <class T> void describe(std::vector<reference::message>& messages) {
+    const auto entry = std::ranges::find(jaus::catalog, T::command_code, &jaus::catalog_entry::command_code);
+    const auto rank = std::ranges::find(translation::ra_command_codes, T::command_code);
+    messages.push_back({.code = T::command_code,
+                        .name = entry->name,
+                        .structure = reference::plain_name(typeid(T)),
+                        .least = wire::min_size<T>,
+                        .most = wire::max_size<T>,
+                        .rank = static_cast<unsigned>(rank - translation::ra_command_codes.begin() + 1),
+                        .parts = reference::parts_of<T>()});
+}
+template <class... Messages> std::vector<reference::message> described(jaus::message_list<Messages...>*) {
+    std::vector<reference::message> messages;
+    (describe<Messages>(messages), ...);
+    std::ranges::sort(messages, {}, &reference::message::code);
+    return messages;
+}
+
+files made_from(const std::filesystem::path& schemas) {
+    using translator = translate::translator<translation::seed_table>;
+    const reference::translation table{.index_base = translation::seed_index_base,
+                                       .packet = translator::packet_size + translator::rest_size,
+                                       .largest_body = translator::max_body};
+    const reference::remarks from{schemas / "jauscat/schema/jaus"};
+    const auto messages = described(static_cast<jaus::messages*>(nullptr));
+    files made;
+    std::set<std::string> headers;
+    for (const reference::message& one : messages) {
+        headers.insert(from.header_of(one.structure));
+        if (!one.parts.empty()) made[reference::diagram_file(one)] = reference::diagram(one.parts, one.name);
+    }
+    for (const std::string& header : headers) made[header + ".md"] = reference::page(header, messages, from, table);
+    made["README.md"] = reference::index_page(messages, from, table);
+    return made;
+}
+
+std::string content_of(const std::filesystem::path& file) {
+    std::ifstream in{file, std::ios::binary};
+    return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+/// Files of the folder that differ from what is made: missing, changed, or too many.
+std::vector<std::filesystem::path> outdated(const files& made, const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> found;
+    for (const auto& [name, content] : made)
+        if (content_of(folder / name) != content) found.push_back(name);
+    if (std::filesystem::exists(folder))
+        for (const auto& entry : std::filesystem::recursive_directory_iterator{folder})
+            if (const auto name = entry.path().lexically_relative(folder);
+                entry.is_regular_file() && !made.contains(name))
+                found.push_back(name);
+    return found;
+}
+
+void update(const files& made, const std::filesystem::path& folder) {
+    for (const auto& name : outdated(made, folder)) {
+        const auto file = folder / name;
+        if (const auto place = made.find(name); place != made.end()) {
+            std::filesystem::create_directories(file.parent_path());
+            std::ofstream{file, std::ios::binary} << place->second;
+        } else {
+            std::filesystem::remove(file);
+        }
+        std::cout << file.string() << '\n';
+    }
+}
+
+} // namespace
+
+int main(int count, char** words) try {
+    const std::vector<std::string_view> arguments(words + 1, words + count);
+    const bool check = arguments.size() == 3 && arguments[2] == "--check";
+    if (arguments.size() != 2 && !check) {
+        std::cerr
+            << "usage: message_reference SCHEMAS FOLDER [--check]\n"
+               "Writes the message reference to FOLDER, from the schemas it was compiled with and the comments in\n"
+               "SCHEMAS. With --check writes nothing, names the files that are not current, and fails if there "
+               "are any.\n";
+        return 2;
+    }
+    const std::filesystem::path folder{arguments[1]};
+    const files made = made_from(arguments[0]);
+    if (!check) {
+        update(made, folder);
+        return 0;
+    }
+    const auto found = outdated(made, folder);
+    for (const auto& name : found) std::cerr << (folder / name).string() << " is not current\n";
+    if (!found.empty()) std::cerr << "run scripts/message-reference\n";
+    return found.empty() ? 0 : 1;
+} catch (const std::exception& error) {
+    std::cerr << "message_reference: " << error.what() << '\n';
+    return 1;
+}

@@ -1,0 +1,294 @@
+#include "page.hpp"
+
+#include "words.hpp"
+#include <jauscat/wire/item.hpp>
+
+#include <algorithm>
+#include <array>
+#include <regex>
+#include <set>
+
+namespace jauscat::reference {
+
+namespace {
+
+std::string code(std::string_view text) { return "`" + std::string{text} + "`"; }
+
+std::string class_of(const message& one) {
+    static constexpr std::array names{"command", "query", "inform"};
+    return one.code < 0x6000 ? names[one.code / 0x2000U] : "other";
+}
+
+std::string body_size(const message& one) {
+    if (one.most == 0) return "none";
+    return one.most == wire::unbounded ? counted(one.least, "byte") + " or more"
+                                       : amount(one.least, one.most) + (one.most == 1 ? " byte" : " bytes");
+}
+
+/// GitHub's anchor of a heading.
+std::string anchor(std::string_view heading) {
+    std::string made;
+    for (const char c : heading) {
+        if (c == ' ') made += '-';
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_')
+            made += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return made;
+}
+std::string heading(const message& one) { return code_text(one.code) + " " + std::string{one.name}; }
+
+/// Rows of text; columns without any are left out.
+class table {
+  public:
+    explicit table(std::vector<std::string> heads) : heads_{std::move(heads)} {}
+    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+    [[nodiscard]] std::string text() const {
+        std::string made = line(heads_);
+        made += line(std::vector<std::string>(heads_.size(), "---"));
+        for (const auto& row : rows_) made += line(row);
+        return made;
+    }
+
+  private:
+    [[nodiscard]] std::string line(const std::vector<std::string>& row) const {
+        std::string made = "|";
+        for (std::size_t i = 0; i != row.size(); ++i)
+            if (std::ranges::any_of(rows_, [&](const auto& other) { return !other[i].empty(); }))
+                made += " " + row[i] + (row[i].empty() ? "|" : " |");
+        return made + "\n";
+    }
+    std::vector<std::string> heads_;
+    std::vector<std::vector<std::string>> rows_{};
+};
+
+/// A member's remark without the limits at its beginning, which the table has in a column of their own.
+struct split_remark {
+    std::string limits{}, meaning{};
+};
+split_remark split(const std::string& remark, const part& one) {
+    static const std::regex real{R"(^(?:[a-z ]+(\([^)]*\))?, )?-?[0-9.pi ]+ to -?[0-9.pi ]+(?:; (.*))?$)"};
+    static const std::regex whole{R"(^(-?[0-9]+ to -?[0-9]+)(?:[,;] (.*))?$)"};
+    std::smatch match;
+    if (one.scaled && std::regex_match(remark, match, real))
+        return {one.range, match.str(1) + (match.length(1) != 0 && match.length(2) != 0 ? " " : "") + match.str(2)};
+    if (!one.scaled && std::regex_match(remark, match, whole)) return {match[1], match[2]};
+    return {one.range, remark};
+}
+
+/// Makes the table of a message's fields and what is explained below it.
+class writer {
+  public:
+    explicit writer(const remarks& from) : from_{from} {}
+    /// Rows for parts that begin at byte `at`, in the message or, after a prefix, in an element.
+    void add(const std::vector<part>& parts, const std::string& indent, std::string_view prefix,
+             std::optional<std::size_t> at);
+    [[nodiscard]] std::string text() const {
+        return fields_.text() + "\n" + explained_ + (explained_.empty() ? "" : "\n");
+    }
+
+  private:
+    void add_bits(const part& packed, const std::string& indent, const std::string& where);
+    void explain(const std::string& name, const std::string& text) {
+        if (seen_.insert(name).second) explained_ += "- " + name + ": " + text + "\n";
+    }
+    void explain_names(const enumeration& names);
+    void explain_cases(const part& choice);
+
+    const remarks& from_;
+    table fields_{{"Where", "Field", "Type", "Bytes", "Values", "Meaning"}};
+    std::string explained_{};
+    std::set<std::string> seen_{};
+};
+
+void writer::explain_names(const enumeration& names) {
+    std::string text;
+    for (const auto& [number, name] : names.entries) {
+        const std::string& remark = from_.of_member(names.name, std::string{name});
+        text += std::string{text.empty() ? "" : ", "} + (names.of_bits ? "bit " : "") + std::to_string(number) + " " +
+                code(name) + (remark.empty() ? "" : " (" + remark + ")");
+    }
+    explain(code(names.name), text + ". " + from_.of_type(names.name));
+}
+
+void writer::explain_cases(const part& choice) {
+    std::string cases;
+    for (const part& each : choice.parts)
+        cases += (cases.empty() ? "" : ", ") + numbers_of(each.tags) + " " +
+                 (each.type.empty()                 ? "nothing"
+                  : each.what == part::kind::record ? code(each.type)
+                                                    : each.type);
+    explain("by " + code(choice.selector), cases + ".");
+    for (const part& each : choice.parts)
+        if (each.what == part::kind::record) explain(code(each.type), from_.of_type(each.type));
+}
+
+/// The column of values: names, limits, unit, step, what counts it, what ends it.
+std::string values_of(const part& one, const std::string& limits) {
+    if (one.names) return code(one.names->name);
+    if (!one.note.empty()) return one.note;
+    if (!one.times.empty()) {
+        const auto end = std::min(one.times.find(' '), one.times.size());
+        return "× " + code(one.times.substr(0, end)) + one.times.substr(end);
+    }
+    return limits + (limits.empty() || one.unit.empty() ? "" : " ") + one.unit +
+           (one.step.empty() ? "" : ", step " + one.step);
+}
+
+void writer::add_bits(const part& packed, const std::string& indent, const std::string& where) {
+    for (const part& field : packed.parts) {
+        if (field.names) explain_names(*field.names);
+        const auto [limits, remark] = split(from_.of_member(field.owner, field.name), field);
+        fields_.add({where, indent + (field.name.empty() ? "reserved" : code(field.name)),
+                     packed.type + ", " + bits_of(field), counted(field.width, "bit"), values_of(field, limits),
+                     field.name.empty() ? "sent as 0, ignored on receipt" : remark});
+    }
+}
+
+void writer::add(const std::vector<part>& parts, const std::string& indent, std::string_view prefix,
+                 std::optional<std::size_t> at) {
+    for (const part& one : parts) {
+        const bool always = condition_of(one).empty();
+        const std::string where = always             ? span_of(prefix, at, one)
+                                  : one.gate.empty() ? condition_of(one)
+                                                     : "if " + code(one.gate);
+        if (one.what == part::kind::packed) {
+            add_bits(one, indent, where);
+            advance(at, one);
+            continue;
+        }
+        const auto [limits, remark] = split(from_.of_member(one.owner, one.name), one);
+        const bool known = seen_.contains(code(one.type));
+        if (one.names) explain_names(*one.names);
+        std::string type = one.type, values = values_of(one, limits);
+        const bool many = one.what == part::kind::list, whole = one.what == part::kind::record;
+        if (one.what == part::kind::presence_vector) {
+            values = one.width == 1 ? "bit 0" : "bits 0–" + std::to_string(one.width - 1);
+            if (!one.note.empty()) values += "; " + one.note;
+        } else if (one.what == part::kind::flag) {
+            type = "flag";
+        } else if (one.what == part::kind::choice) {
+            type = "by " + code(one.selector);
+            explain_cases(one);
+        } else if ((many || whole) && !one.type.empty()) {
+            type = (many ? "list of " : "") + code(one.type);
+            explain(code(one.type), from_.of_type(one.type));
+        } else if (many) {
+            type = "list";
+        }
+        fields_.add({where, indent + code(one.name), type, amount(one.least, one.most), values, remark});
+        const std::string inner = indent + "&nbsp;&nbsp;&nbsp;&nbsp;";
+        if (many) add(one.parts, inner, "+", 0);
+        if (whole && !known) add(one.parts, inner, prefix, always ? at : std::nullopt);
+        advance(at, one);
+    }
+}
+
+std::string section(const message& one, const remarks& from, const translation& table) {
+    const message_remark remark = from.of_message(one.structure, one.name, code_text(one.code).substr(0, 4));
+    std::string made = "## " + heading(one) + "\n\n";
+    if (!remark.meaning.empty()) made += remark.meaning + "\n\n";
+    const std::size_t largest = std::min(one.most, table.largest_body);
+    made += "**" + class_of(one) + "** · body: " + body_size(one) + " · object " + std::to_string(table.index_base) +
+            " + component, subindex " + std::to_string(one.rank) +
+            " · SDO packet: " + amount(table.packet + one.least, table.packet + largest) + " bytes · " +
+            code("jaus::" + from.usual_name(one.structure)) + "\n\n";
+    if (!remark.notes.empty()) made += "> " + remark.notes + "\n\n";
+    if (one.parts.empty()) return made;
+    made += "![Bytes of " + std::string{one.name} + "](" + diagram_file(one) + ")\n\n";
+    writer fields{from};
+    fields.add(one.parts, "", "", 0);
+    return made + fields.text();
+}
+
+/// `Platform subgroup of RA 3.3 part 3: wrench effort, ...`: the name and the rest.
+std::pair<std::string, std::string> title_of(const std::string& remark) {
+    const auto colon = remark.find(": ");
+    return {remark.substr(0, remark.find(" subgroup")), capitalised(remark.substr(colon + 2))};
+}
+
+constexpr std::string_view made_by =
+    "<!-- Made by scripts/message-reference from the schemas; changes here get lost. -->\n\n";
+
+} // namespace
+
+std::string code_text(std::uint16_t code) {
+    static constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string made;
+    for (int shift = 12; shift >= 0; shift -= 4) made += digits[static_cast<unsigned>(code) >> shift & 15U];
+    return made + "h";
+}
+
+std::string diagram_file(const message& one) {
+    return one.parts.empty() ? "" : "diagrams/" + code_text(one.code).substr(0, 4) + ".svg";
+}
+
+std::string page(const std::string& header, const std::vector<message>& messages, const remarks& from,
+                 const translation& table) {
+    const auto [title, subjects] = title_of(from.of_header(header));
+    std::string list, sections;
+    for (const message& one : messages) {
+        if (from.header_of(one.structure) != header) continue;
+        list += "[" + heading(one) + "](#" + anchor(heading(one)) + ")<br>\n";
+        sections += section(one, from, table);
+    }
+    list.erase(list.rfind("<br>"), 4);
+    sections.pop_back();
+    return std::string{made_by} + "# " + title + " subgroup\n\n" + subjects + " Messages of `schema/jaus/" + header +
+           ".hpp`; [README.md](README.md) says how to read the diagrams.\n\n" + list + "\n" + sections;
+}
+
+std::string index_page(const std::vector<message>& messages, const remarks& from, const translation& table) {
+    class table list {
+        {
+            "Code", "Message", "Class", "Body", "Subindex", "Subgroup"
+        }
+    };
+    for (const message& one : messages) {
+        const std::string file = from.header_of(one.structure) + ".md";
+        list.add({code_text(one.code), "[" + std::string{one.name} + "](" + file + "#" + anchor(heading(one)) + ")",
+                  class_of(one), body_size(one), std::to_string(one.rank),
+                  "[" + title_of(from.of_header(from.header_of(one.structure))).first + "](" + file + ")"});
+    }
+    const std::string base = std::to_string(table.index_base), packet = std::to_string(table.packet),
+                      largest = std::to_string(table.largest_body);
+    return std::string{made_by} + R"(# Messages
+
+Every message of JAUS RA 3.3, and the experimental 0404h, as this library declares them in `schemas/jauscat/schema/jaus/`.
+
+## How to read the pages
+
+A diagram shows a message's body from its first byte on. All numbers are little endian: least significant byte first.
+
+![Bytes of Set Discrete Devices](diagrams/0406.svg)
+
+- Each box is a field, with its type: `u` unsigned, `i` signed, `f` floating point, and the number of bits. The cells on
+  its top edge are its bytes; dots stand for a number of bytes that varies.
+- Left above a box: which bytes of the body it takes, counted from 0, where that is the same in every message; `+` counts
+  from the start of a list's element.
+- Blue boxes say how the rest is laid out: presence vectors with their bits, counts, type codes.
+- A dashed box may be absent. `bit 3` above it is the bit of the presence vector that announces it, `if ...` a flag of a
+  structure around it.
+- A frame is a structure, or with × a list. A yellow frame holds one of several forms; `= 7` is the value that selects it.
+  What a message has shown before is not shown again.
+- Bits are counted from the least significant.
+
+In the tables, *where* says the bytes too, or what announces the field. A value with a *step* is a real number that travels as an integer; the step is what the integer's last bit
+stands for, rounded. In a `u` type 0 stands for the lower limit and all ones for the upper one; in an `i` type 0 stands for
+the middle, and the most negative integer is never sent.
+
+## In an SDO packet
+
+Under the seed table a message for component *c* is written to object )" +
+           base + R"( + *c*. The subindex is the message's place in
+the list of all command codes, which does not change. The download request packet has )" +
+           packet + R"( bytes and the body: 40 of header, 16 of
+node, index, subindex and count, 8 of what only the JAUS header says. One packet carries up to )" +
+           largest + R"( bytes of body; the
+sizes end there. [The architecture](../architecture.md) has the table.
+
+## All messages
+
+)" + list.text();
+}
+
+} // namespace jauscat::reference

@@ -1,0 +1,47 @@
+// What the schemas' headers say in their comments: the meaning of structures, members and enumerators, which no
+// template can see.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jauscat::reference {
+
+/// The comment above a message, taken apart.
+struct message_remark {
+    std::string meaning{}; ///< a sentence; empty where the name says it all
+    std::string notes{};   ///< further sentences
+};
+
+class remarks {
+  public:
+    /// Reads every header of `folder`. Throws std::runtime_error when there is none.
+    explicit remarks(const std::filesystem::path& folder);
+
+    /// First sentence of a header: `platform` has "Platform subgroup of RA 3.3 part 3: ..."
+    [[nodiscard]] const std::string& of_header(const std::string& stem) const { return found(headers_, stem); }
+    /// The header that defines a structure, without folder and ending.
+    [[nodiscard]] const std::string& header_of(const std::string& structure) const { return found(homes_, structure); }
+    /// The comment above a structure or enumeration.
+    [[nodiscard]] const std::string& of_type(const std::string& type) const { return found(types_, type); }
+    /// The comment behind a member or enumerator; empty where there is none.
+    [[nodiscard]] const std::string& of_member(const std::string& type, const std::string& member) const;
+    /// The name that users write for a type: a template's usual instance.
+    [[nodiscard]] const std::string& usual_name(const std::string& type) const;
+
+    /// The comment above a message. Throws where it does not have the standard's name and the code in it.
+    [[nodiscard]] message_remark of_message(const std::string& type, std::string_view name,
+                                            std::string_view code) const;
+
+  private:
+    using texts = std::map<std::string, std::string>;
+    void read(const std::filesystem::path& header);
+    static const std::string& found(const texts& among, const std::string& key);
+
+    texts headers_{}, homes_{}, types_{}, aliases_{};
+    std::map<std::string, texts> members_{}; // by type
+};
+
+} // namespace jauscat::reference
