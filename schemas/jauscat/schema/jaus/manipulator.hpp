@@ -126,38 +126,44 @@ struct set_end_effector_path_motion {
                                      const set_end_effector_path_motion&) = default;
 };
 
-/// Query Manipulator Specifications. Code 2600h, query class, no body.
+/// Query Manipulator Specifications: asks for Report Manipulator Specifications.
+/// Code 2600h, query class, no body.
 struct query_manipulator_specifications {
     static constexpr std::uint16_t command_code = 0x2600;
     friend constexpr bool operator==(const query_manipulator_specifications&,
                                      const query_manipulator_specifications&) = default;
 };
 
-/// Query Joint Efforts. Code 2601h, query class, no body.
+/// Query Joint Efforts: asks for Report Joint Efforts.
+/// Code 2601h, query class, no body.
 struct query_joint_efforts {
     static constexpr std::uint16_t command_code = 0x2601;
     friend constexpr bool operator==(const query_joint_efforts&, const query_joint_efforts&) = default;
 };
 
-/// Query Joint Positions. Code 2602h, query class, no body.
+/// Query Joint Positions: asks for Report Joint Positions.
+/// Code 2602h, query class, no body.
 struct query_joint_positions {
     static constexpr std::uint16_t command_code = 0x2602;
     friend constexpr bool operator==(const query_joint_positions&, const query_joint_positions&) = default;
 };
 
-/// Query Joint Velocities. Code 2603h, query class, no body.
+/// Query Joint Velocities: asks for Report Joint Velocities.
+/// Code 2603h, query class, no body.
 struct query_joint_velocities {
     static constexpr std::uint16_t command_code = 0x2603;
     friend constexpr bool operator==(const query_joint_velocities&, const query_joint_velocities&) = default;
 };
 
-/// Query Tool Point. Code 2604h, query class, no body.
+/// Query Tool Point: asks for Report Tool Point.
+/// Code 2604h, query class, no body.
 struct query_tool_point {
     static constexpr std::uint16_t command_code = 0x2604;
     friend constexpr bool operator==(const query_tool_point&, const query_tool_point&) = default;
 };
 
-/// Query Joint Force/Torques. Code 2605h, query class, no body.
+/// Query Joint Force/Torques: asks for Report Joint Force/Torques.
+/// Code 2605h, query class, no body.
 struct query_joint_force_torques {
     static constexpr std::uint16_t command_code = 0x2605;
     friend constexpr bool operator==(const query_joint_force_torques&, const query_joint_force_torques&) = default;

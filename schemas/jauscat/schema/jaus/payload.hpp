@@ -115,13 +115,15 @@ struct set_payload_data_element {
     friend constexpr bool operator==(const set_payload_data_element&, const set_payload_data_element&) = default;
 };
 
-/// Query Payload Interface. Code 2D00h, query class, no body.
+/// Query Payload Interface: asks for Report Payload Interface.
+/// Code 2D00h, query class, no body.
 struct query_payload_interface {
     static constexpr std::uint16_t command_code = 0x2D00;
     friend constexpr bool operator==(const query_payload_interface&, const query_payload_interface&) = default;
 };
 
-/// Query Payload Data Element. Code 2D01h, query class, 1 byte or more.
+/// Query Payload Data Element: asks for Report Payload Data Element.
+/// Code 2D01h, query class, 1 byte or more.
 struct query_payload_data_element {
     static constexpr std::uint16_t command_code = 0x2D01;
     wire::inline_list<std::uint8_t, 255> information_interface_number{}; ///< what is asked for, from 1

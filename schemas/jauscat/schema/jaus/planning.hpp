@@ -98,7 +98,8 @@ struct replace_messages {
     friend constexpr bool operator==(const replace_messages&, const replace_messages&) = default;
 };
 
-/// Query Spooling Preference. Code 2E00h, query class, no body.
+/// Query Spooling Preference: asks for Report Spooling Preference.
+/// Code 2E00h, query class, no body.
 struct query_spooling_preference {
     static constexpr std::uint16_t command_code = 0x2E00;
     friend constexpr bool operator==(const query_spooling_preference&, const query_spooling_preference&) = default;
@@ -111,8 +112,9 @@ enum class mission_status_type : std::uint8_t {
     message = 2,
 };
 
-/// Query Mission Status. Code 2E01h, query class, 8 bytes. Whether the presence vector gates the three IDs is open;
-/// they are always sent here, as the peer does.
+/// Query Mission Status: asks for Report Mission Status.
+/// Code 2E01h, query class, 8 bytes. Whether the presence vector gates the three IDs is open; they are always sent
+/// here, as the peer does.
 struct query_mission_status {
     static constexpr std::uint16_t command_code = 0x2E01;
     std::uint8_t presence_vector{};   ///< bit 0 Mission ID, 1 Task ID, 2 Message UID

@@ -121,7 +121,8 @@ struct delete_vector_knowledge_store_objects {
                                      const delete_vector_knowledge_store_objects&) = default;
 };
 
-/// Query Vector Knowledge Store Feature Class Metadata. Code 2A21h, query class, 2 bytes.
+/// Query Vector Knowledge Store Feature Class Metadata: asks for the text that describes a feature class.
+/// Code 2A21h, query class, 2 bytes.
 struct query_vector_knowledge_store_feature_class_metadata {
     static constexpr std::uint16_t command_code = 0x2A21;
     std::uint16_t feature_class_id{}; ///< the class
@@ -129,7 +130,8 @@ struct query_vector_knowledge_store_feature_class_metadata {
                                      const query_vector_knowledge_store_feature_class_metadata&) = default;
 };
 
-/// Query Vector Knowledge Store Bounds. Code 2A22h, query class, 3 bytes.
+/// Query Vector Knowledge Store Bounds: asks for the corners of the area that a feature class covers.
+/// Code 2A22h, query class, 3 bytes.
 struct query_vector_knowledge_store_bounds {
     static constexpr std::uint16_t command_code = 0x2A22;
     std::uint8_t local_request_id{};  ///< returned with the answer
