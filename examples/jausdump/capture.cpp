@@ -1,0 +1,153 @@
+#include "capture.hpp"
+
+#include "ip_headers.hpp"
+#include <jauscat/wire/decode.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <pcap/pcap.h>
+
+namespace jausdump {
+
+namespace {
+
+using bytes = std::span<const std::byte>;
+
+/// A frame that is of no use, and why.
+struct useless {
+    std::string reason{};
+};
+
+/// Takes a header off the front.
+template <class Header> Header take(bytes& rest, const char* name) {
+    Header header{};
+    const wire::result used = wire::decode_prefix(header, rest);
+    if (!used) throw useless{std::string{"shorter than its "} + name + " header"};
+    rest = rest.subspan(used.size());
+    return header;
+}
+
+constexpr std::uint16_t ether_type_ipv4 = 0x0800;
+constexpr std::uint16_t ether_type_provider_vlan = 0x88A8;
+constexpr std::uint8_t protocol_udp = 17;
+
+/// The IPv4 packet behind an EtherType.
+bytes ip_packet(std::uint16_t ether_type, bytes rest) {
+    while (ether_type == jauscat::ethercat::ether_type_vlan || ether_type == ether_type_provider_vlan)
+        ether_type = take<jauscat::ethercat::vlan_tag>(rest, "VLAN").ether_type;
+    if (ether_type != ether_type_ipv4) throw useless{"not IPv4: EtherType " + text::hex_number(ether_type, 4)};
+    return rest;
+}
+
+/// The address family in front of a packet from a loopback device, in the byte order of the machine that wrote it.
+bytes behind_address_family(bytes frame) {
+    if (frame.size() < 4) throw useless{"shorter than its loopback header"};
+    constexpr std::byte internet{2};
+    if (frame[0] != internet && frame[3] != internet) throw useless{"not IPv4: another address family"};
+    return frame.subspan(4);
+}
+
+bytes ip_packet_of(int link_type, bytes frame) {
+    switch (link_type) {
+    case DLT_EN10MB: {
+        const auto ether_type = take<jauscat::ethercat::ethernet_header>(frame, "Ethernet").ether_type;
+        return ip_packet(ether_type, frame);
+    }
+    case DLT_LINUX_SLL: {
+        const auto ether_type = take<cooked_header>(frame, "Linux cooked").protocol;
+        return ip_packet(ether_type, frame);
+    }
+    case DLT_LINUX_SLL2: {
+        const auto ether_type = take<cooked_header_2>(frame, "Linux cooked").protocol;
+        return ip_packet(ether_type, frame);
+    }
+    case DLT_NULL:
+    case DLT_LOOP: return behind_address_family(frame);
+    default: return frame; // raw IP
+    }
+}
+
+bool is_known(int link_type) {
+    switch (link_type) {
+    case DLT_EN10MB:
+    case DLT_LINUX_SLL:
+    case DLT_LINUX_SLL2:
+    case DLT_NULL:
+    case DLT_LOOP:
+    case DLT_RAW:
+    case DLT_IPV4: return true;
+    default: return false;
+    }
+}
+
+std::string endpoint(const std::array<std::byte, 4>& ip, std::uint16_t port) {
+    std::string text;
+    for (const std::byte octet : ip) {
+        if (!text.empty()) text += '.';
+        text += std::to_string(std::to_integer<int>(octet));
+    }
+    return text + ":" + std::to_string(port);
+}
+
+/// The UDP payload of an IPv4 packet; fills in the ends of `from`.
+bytes udp_payload(bytes packet, origin& from) {
+    const bytes whole = packet;
+    const auto ip = take<ipv4_header>(packet, "IPv4");
+    const std::size_t header_size = std::size_t{ip.words} * 4;
+    if (ip.version != 4) throw useless{"not IPv4: IP version " + std::to_string(ip.version)};
+    if (header_size < wire::min_size<ipv4_header> || header_size > ip.total_size) throw useless{"broken IPv4 header"};
+    if (ip.more_fragments || ip.fragment_offset != 0) throw useless{"IPv4 fragment"};
+    if (ip.protocol != protocol_udp) throw useless{"not UDP: IP protocol " + std::to_string(ip.protocol)};
+    if (ip.total_size > whole.size()) throw useless{"not captured to its end"};
+
+    bytes datagram = whole.subspan(header_size, ip.total_size - header_size);
+    const auto udp = take<udp_header>(datagram, "UDP");
+    if (udp.size < wire::min_size<udp_header> || udp.size - wire::min_size < udp_header >> datagram.size())
+        throw useless{"broken UDP header"};
+    from.from = endpoint(ip.source, udp.source_port);
+    from.to = endpoint(ip.destination, udp.destination_port);
+    return datagram.first(udp.size - wire::min_size<udp_header>);
+}
+
+std::chrono::nanoseconds time_of(const timeval& when) {
+    return std::chrono::seconds{when.tv_sec} + std::chrono::nanoseconds{when.tv_usec}; // opened with nanoseconds
+}
+
+} // namespace
+
+void read_capture(const std::string& path, const capture_listener& listener) {
+    std::error_code no_size;
+    const auto file_size = std::filesystem::file_size(path, no_size);
+    std::array<char, PCAP_ERRBUF_SIZE> problem{};
+    const std::unique_ptr<pcap_t, decltype(&pcap_close)> file{
+        pcap_open_offline_with_tstamp_precision(path.c_str(), PCAP_TSTAMP_PRECISION_NANO, problem.data()), &pcap_close};
+    if (!file) throw input_error{path + ": " + problem.data()};
+    const int link_type = pcap_datalink(file.get());
+    if (!is_known(link_type)) {
+        const char* name = pcap_datalink_val_to_name(link_type);
+        throw input_error{path + ": link type " + (name != nullptr ? name : std::to_string(link_type)) +
+                          " is not supported: Ethernet, Linux cooked, raw IP and loopback are"};
+    }
+
+    origin from{.place = "packet"};
+    for (;;) {
+        pcap_pkthdr* head = nullptr;
+        const unsigned char* data = nullptr;
+        const int got = pcap_next_ex(file.get(), &head, &data);
+        if (got == PCAP_ERROR_BREAK || listener.stop()) return;
+        if (got != 1)
+            throw input_error{path + ": after packet " + std::to_string(from.number) + ": " + pcap_geterr(file.get())};
+        ++from.number;
+        from.time = time_of(head->ts);
+        try {
+            const bytes frame = std::as_bytes(std::span{data, head->caplen});
+            listener.datagram(udp_payload(ip_packet_of(link_type, frame), from), from);
+        } catch (const useless& frame) {
+            listener.skipped(frame.reason);
+        }
+        if (!no_size && file_size != 0)
+            listener.progress(static_cast<double>(std::ftell(pcap_file(file.get()))) / static_cast<double>(file_size));
+    }
+}
+
+} // namespace jausdump

@@ -1,0 +1,22 @@
+// UDP payloads out of a capture file.
+#pragma once
+#include "record.hpp"
+
+#include <functional>
+
+namespace jausdump {
+
+/// Who hears what a capture holds.
+struct capture_listener {
+    std::function<void(std::span<const std::byte> payload, const origin&)> datagram{};
+    std::function<void(const std::string& reason)> skipped{}; ///< a frame without a whole UDP payload
+    std::function<void(double part)> progress{};              ///< of the file, 0 to 1
+    std::function<bool()> stop{};
+};
+
+/// Reads a capture file of libpcap's or the next generation's format. Link types: Ethernet (also with VLAN tags), Linux
+/// cooked, raw IP, loopback. Throws input_error when the file cannot be read, or not to its end; what came before has
+/// been told by then.
+void read_capture(const std::string& path, const capture_listener& listener);
+
+} // namespace jausdump

@@ -1,0 +1,195 @@
+#include "dump.hpp"
+
+#include "hex_line.hpp"
+#include <jauscat/jaus/framing.hpp>
+#include <jauscat/schema/translation/self_contained_table.hpp>
+#include <jauscat/text/annotate.hpp>
+#include <jauscat/translate/translator.hpp>
+
+#include <iostream>
+
+namespace jausdump {
+
+namespace {
+
+namespace translate = jauscat::translate;
+namespace translation_tables = jauscat::translation;
+
+template <class Error> std::string error_name(Error error) { return std::string{text::enumerator_name(error)}; }
+
+/// A fault at a byte that is counted from `first_offset`.
+fault fault_of(const wire::diagnosis& why, std::size_t first_offset) {
+    return {.error = error_name(why.error),
+            .field = text::field_path(why),
+            .byte = first_offset + why.offset,
+            .what = text::to_text(why, first_offset)};
+}
+
+std::string name_of(std::uint16_t command_code) {
+    const auto found = std::ranges::find(jaus::catalog, command_code, &jaus::catalog_entry::command_code);
+    return found != jaus::catalog.end() ? std::string{found->name} : "unknown";
+}
+
+/// Why a datagram without the prefix is no JAUS message; empty where it may be one. What only has a wrong size is one,
+/// if its command code is the standard's: a broken one.
+std::string why_no_message(std::span<const std::byte> bytes) {
+    jaus::header head{};
+    if (!wire::decode_prefix(head, bytes)) return "not JAUS: shorter than a header";
+    if (head.version > 2 || head.reserved != 0) return "not JAUS: not the first bytes of a header";
+    if (!names_one_component(head.source)) return "not JAUS: no component is the source";
+    const bool known = find_decoder(head.command_code) != nullptr;
+    if (head.data_size != bytes.size() - jaus::header_size && !known)
+        return "not JAUS: the size in the header is another";
+    return {};
+}
+
+template <class Table> std::string packet_of(std::span<const std::byte> message) {
+    using translator = translate::translator<Table>;
+    std::array<std::byte, translator::max_packet_size> packet{};
+    const translate::result size = translator::forth(message, packet);
+    return size ? text::detail::plain_hex(std::span{packet}.first(size.size())) : error_name(size.error());
+}
+
+/// Header and body again, from the decoded header and the body that was encoded from the decoded values.
+std::string encoded_again(jaus::header head, std::span<const std::byte> body) {
+    std::vector<std::byte> bytes(jaus::header_size);
+    head.data_size = static_cast<std::uint16_t>(body.size());
+    if (const wire::result result = wire::encode(head, bytes); !result) return error_name(result.error());
+    bytes.insert(bytes.end(), body.begin(), body.end());
+    return text::detail::plain_hex(bytes);
+}
+
+} // namespace
+
+dump::dump(options how) : options_{std::move(how)} {
+    if (!options_.payload_types.empty()) payloads_ = payload_directory{options_.payload_types};
+}
+
+void dump::on_line(const std::string& line, std::size_t number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) return;
+    record message{.origin = {.place = "line", .number = number}};
+    const hex_line read = read_hex_line(line);
+    if (!read.error.empty()) {
+        message.kind = kind::broken;
+        message.error = fault{.error = read.error, .what = "line " + std::to_string(number) + ": " + read.what};
+        return tell(message);
+    }
+    const auto bytes = jaus::remove_framing(read.bytes).message;
+    message.bytes.assign(bytes.begin(), bytes.end());
+    take_apart(message, false);
+}
+
+void dump::on_datagram(std::span<const std::byte> payload, const origin& from) {
+    const auto [framing, bytes] = jaus::remove_framing(payload);
+    if (framing == jaus::framing::bare)
+        if (const auto reason = why_no_message(bytes); !reason.empty()) return on_skipped(reason);
+    record message{.origin = from, .bytes = {bytes.begin(), bytes.end()}};
+    take_apart(message, true);
+}
+
+void dump::take_apart(record& message, bool network) {
+    jaus::header head{};
+    if (!wire::decode_prefix(head, message.bytes)) {
+        message.kind = kind::broken;
+        message.error = fault_of(wire::diagnose<jaus::header>(message.bytes), 0);
+        return tell(message);
+    }
+    message.head = head;
+    message.name = name_of(head.command_code);
+    if (!options_.filter.passes(message)) return;
+    if (options_.translation == translation::seed)
+        message.packet = packet_of<translation_tables::seed_table>(message.bytes);
+    if (options_.translation == translation::self_contained)
+        message.packet = packet_of<translation_tables::self_contained_table>(message.bytes);
+    if (network && head.data_flag != jaus::data_flag::only && head.data_size == message.body().size())
+        return add_packet_of_data_set(message);
+    decode(message, network);
+    tell(message);
+}
+
+void dump::decode(record& message, bool network) {
+    const jaus::header& head = *message.head;
+    const auto body = message.body();
+    const auto decoder = find_decoder(head.command_code);
+    if (body.empty() && jaus::is_acknowledgement(head)) {
+        message.kind = kind::acknowledgement;
+        if (options_.reencode) message.hex = encoded_again(head, {});
+    } else if (decoder == nullptr) {
+        message.kind = kind::unknown;
+        message.error = fault{.error = "unknown_command_code",
+                              .field = "command_code",
+                              .byte = 2,
+                              .what = "unknown: command code " + text::hex_number(head.command_code, 4) +
+                                      " is not one of the standard's"};
+        return;
+    } else {
+        auto decoded = decoder(body, {.head = head,
+                                      .payloads = payloads_,
+                                      .learn_payloads = network,
+                                      .text = options_.format == format::text_lines});
+        message.presence_vector = std::move(decoded.presence_vector);
+        message.fields = std::move(decoded.fields);
+        message.text = std::move(decoded.text);
+        if (!decoded.fault) message.error = fault_of(decoded.fault, jaus::header_size);
+        if (body.size() > decoded.encoded.size() && decoded.fault)
+            message.dropped = body.size() - decoded.encoded.size();
+        const bool one_packet = decoded.encoded.size() <= jaus::max_body_size;
+        if (options_.reencode && decoded.fault && one_packet) message.hex = encoded_again(head, decoded.encoded);
+    }
+    if (!message.error && message.data_set.empty() && head.data_size != body.size())
+        message.error =
+            fault{.error = error_name(jaus::errc::wrong_size),
+                  .field = "data_size",
+                  .byte = 12,
+                  .what = std::string{describe(jaus::errc::wrong_size)} + ": data_size at byte 12 is " +
+                          std::to_string(head.data_size) + ", " + std::to_string(body.size()) + " bytes follow"};
+    if (message.error) message.kind = kind::broken;
+}
+
+void dump::add_packet_of_data_set(record& message) {
+    message.kind = kind::part;
+    std::optional<record> whole;
+    const auto result = data_sets_.on_packet(
+        *message.head, message.body(), message.origin.time.value_or(std::chrono::nanoseconds{}),
+        [&](jaus::header head, std::span<const std::byte> body) {
+            head.data_flag = jaus::data_flag::only;
+            head.data_size = static_cast<std::uint16_t>(body.size());
+            whole = record{.origin = message.origin, .head = head, .name = message.name, .data_set = "reassembled"};
+            whole->bytes.resize(jaus::header_size);
+            // A body of more than 4095 bytes has no size that fits the header: these bytes are then not of a packet.
+            static_cast<void>(wire::encode(head, whole->bytes));
+            whole->bytes.insert(whole->bytes.end(), body.begin(), body.end());
+        },
+        [&](const jaus::partial_data_set&) { summary_.lose_data_set(); });
+    message.data_set = error_name(result);
+    tell(message);
+    if (!whole) return;
+    decode(*whole, true);
+    tell(*whole);
+}
+
+void dump::tell(const record& message) {
+    // Without a header there is nothing to choose by.
+    if (!message.head && !options_.filter.passes(message)) return;
+    summary_.add(message);
+    if (options_.summary_only) return;
+    if (options_.format == format::json_lines) {
+        std::cout << to_json_line(message);
+    } else {
+        if (!std::exchange(heading_printed_, true)) std::cout << heading();
+        std::cout << to_text(message, colours(), options_.hex);
+    }
+}
+
+bool dump::finish() {
+    for (const auto& set : data_sets_.places())
+        if (set.packets != 0) summary_.lose_data_set();
+    if (options_.format == format::text_lines)
+        std::cout << summary_.text(colours());
+    else if (options_.summary_only)
+        std::cout << summary_.object().dump() << "\n";
+    std::cout.flush();
+    return !summary_.something_did_not_decode();
+}
+
+} // namespace jausdump

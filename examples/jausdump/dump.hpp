@@ -1,0 +1,57 @@
+// From received bytes to what is printed: takes messages apart, puts large data sets together, counts.
+#pragma once
+#include "decoder.hpp"
+#include "filter.hpp"
+#include "printer.hpp"
+#include <jauscat/jaus/large_data_set.hpp>
+
+namespace jausdump {
+
+enum class format { text_lines, json_lines };
+enum class translation { none, seed, self_contained };
+
+/// What the command line asks for.
+struct options {
+    jausdump::format format{};
+    jausdump::translation translation{};
+    jausdump::filter filter{};
+    bool reencode{};
+    bool hex{};          ///< bytes with offsets, in text
+    bool summary_only{}; ///< print no messages
+    bool colour{};
+    std::vector<jaus::payload_type> payload_types{};
+};
+
+class dump {
+  public:
+    explicit dump(options how);
+
+    /// A line of hex digits: one message, decoded on its own whatever its flags say.
+    void on_line(const std::string& line, std::size_t number);
+    /// A UDP payload: a message, a packet of a large data set, or something else.
+    void on_datagram(std::span<const std::byte> payload, const origin& from);
+    void on_skipped(const std::string& reason) { summary_.skip(reason); }
+
+    /// Prints what is left to say. Returns whether everything was decoded.
+    bool finish();
+
+  private:
+    void take_apart(record& message, bool network);
+    void decode(record& message, bool network);
+    void add_packet_of_data_set(record& message);
+    void tell(const record& message);
+    [[nodiscard]] palette colours() const { return options_.colour ? palette::coloured() : palette{}; }
+
+    options options_;
+    payload_directory payloads_;
+    summary summary_{};
+    bool heading_printed_{};
+
+    // 16 data sets of at most 1 MiB and 4096 packets; one that is silent for 10 seconds gives its place to another.
+    std::vector<jaus::partial_data_set> places_ = std::vector<jaus::partial_data_set>(16);
+    std::vector<jaus::held_packet> packets_ = std::vector<jaus::held_packet>(16 * 4096);
+    std::vector<std::byte> memory_ = std::vector<std::byte>(std::size_t{16} << 20);
+    jaus::reassembler data_sets_{places_, packets_, memory_, std::chrono::seconds{10}};
+};
+
+} // namespace jausdump

@@ -1,0 +1,38 @@
+// Which messages the user wants to see.
+#pragma once
+#include "record.hpp"
+
+#include <array>
+
+namespace jausdump {
+
+/// A JAUS ID in which octets may be left open.
+struct address_pattern {
+    std::array<std::optional<std::uint8_t>, 4> octet{}; ///< subsystem, node, component, instance
+
+    [[nodiscard]] bool matches(const jaus::address& id) const {
+        const std::array<std::uint8_t, 4> octets{id.subsystem, id.node, id.component, id.instance};
+        for (std::size_t i = 0; i != octet.size(); ++i)
+            if (octet[i] && *octet[i] != octets[i]) return false;
+        return true;
+    }
+};
+
+/// Conditions that must all be met; of those of a kind, one.
+struct filter {
+    std::vector<std::uint16_t> codes{};
+    std::vector<std::string> names{}; ///< parts of names, in snake_case
+    std::vector<address_pattern> from{}, to{};
+
+    [[nodiscard]] bool passes(const record& message) const;
+};
+
+/// `set_wrench_effort` for "Set Wrench Effort".
+std::string snake_case(std::string_view standard_name);
+
+/// Parses what the options say; std::invalid_argument tells what is wrong.
+std::uint16_t parse_code(const std::string& text);
+std::string parse_name(const std::string& text);
+address_pattern parse_pattern(const std::string& text);
+
+} // namespace jausdump

@@ -1,0 +1,103 @@
+// What stands in front of a UDP payload in a capture: link layers, IPv4, UDP.
+#pragma once
+#include <jauscat/schema/ethercat/frame.hpp>
+#include <jauscat/wire/schema.hpp>
+
+#include <array>
+
+namespace jausdump {
+
+/// Linux cooked capture, version 1: 16 bytes.
+struct cooked_header {
+    std::uint16_t direction{};
+    std::uint16_t hardware_type{};
+    std::uint16_t address_size{};
+    std::array<std::byte, 8> address{};
+    std::uint16_t protocol{}; ///< an EtherType
+};
+
+/// Linux cooked capture, version 2: 20 bytes.
+struct cooked_header_2 {
+    std::uint16_t protocol{}; ///< an EtherType
+    std::array<std::byte, 18> rest{};
+};
+
+/// IPv4, RFC 791: 20 bytes, then options.
+struct ipv4_header {
+    std::uint8_t words{}; ///< of this header with its options, each 4 bytes
+    std::uint8_t version{};
+    std::uint8_t service{};
+    std::uint16_t total_size{}; ///< bytes with this header
+    std::uint16_t identification{};
+    std::uint16_t fragment_offset{}; ///< in units of 8 bytes
+    bool more_fragments{};
+    bool dont_fragment{};
+    std::uint8_t time_to_live{};
+    std::uint8_t protocol{};
+    std::uint16_t checksum{};
+    std::array<std::byte, 4> source{};
+    std::array<std::byte, 4> destination{};
+};
+
+/// UDP, RFC 768: 8 bytes.
+struct udp_header {
+    std::uint16_t source_port{};
+    std::uint16_t destination_port{};
+    std::uint16_t size{}; ///< bytes with this header
+    std::uint16_t checksum{};
+};
+
+} // namespace jausdump
+
+// One line per field.
+// clang-format off
+namespace jauscat {
+
+template <> struct wire::schema<jausdump::cooked_header> {
+    using T = jausdump::cooked_header;
+    using type = layout<
+        field<&T::direction, u16be>,
+        field<&T::hardware_type, u16be>,
+        field<&T::address_size, u16be>,
+        field<&T::address, octets<8>>,
+        field<&T::protocol, u16be>>;
+};
+
+template <> struct wire::schema<jausdump::cooked_header_2> {
+    using T = jausdump::cooked_header_2;
+    using type = layout<
+        field<&T::protocol, u16be>,
+        field<&T::rest, octets<18>>>;
+};
+
+template <> struct wire::schema<jausdump::ipv4_header> {
+    using T = jausdump::ipv4_header;
+    using type = layout<
+        bits<u8,
+            bit<&T::words, 4>,
+            bit<&T::version, 4>>,
+        field<&T::service, u8>,
+        field<&T::total_size, u16be>,
+        field<&T::identification, u16be>,
+        bits<u16be,
+            bit<&T::fragment_offset, 13>,
+            bit<&T::more_fragments, 1>,
+            bit<&T::dont_fragment, 1>,
+            reserved<1>>,
+        field<&T::time_to_live, u8>,
+        field<&T::protocol, u8>,
+        field<&T::checksum, u16be>,
+        field<&T::source, octets<4>>,
+        field<&T::destination, octets<4>>>;
+};
+
+template <> struct wire::schema<jausdump::udp_header> {
+    using T = jausdump::udp_header;
+    using type = layout<
+        field<&T::source_port, u16be>,
+        field<&T::destination_port, u16be>,
+        field<&T::size, u16be>,
+        field<&T::checksum, u16be>>;
+};
+
+} // namespace jauscat

@@ -1,0 +1,208 @@
+#include "printer.hpp"
+
+#include "decoder.hpp"
+
+#include <array>
+#include <cstdio>
+#include <ctime>
+
+namespace jausdump {
+
+namespace {
+
+/// `text`, filled up with spaces.
+std::string padded(std::string text, std::size_t width, bool right = false) {
+    if (text.size() < width) text.insert(right ? 0 : text.size(), width - text.size(), ' ');
+    return text;
+}
+
+std::string time_text(std::chrono::nanoseconds since_1970, const char* format) {
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(since_1970);
+    const auto microseconds = std::chrono::floor<std::chrono::microseconds>(since_1970 - seconds).count();
+    const auto count = static_cast<std::time_t>(seconds.count());
+    std::tm utc{};
+    gmtime_r(&count, &utc);
+    std::array<char, 32> text{};
+    std::strftime(text.data(), text.size(), format, &utc);
+    const std::string digits = std::to_string(1000000 + microseconds); // six of them behind the 1
+    return std::string{text.data()} + '.' + digits.substr(1);
+}
+
+std::string columns(const std::string& number, const std::string& time, const std::string& code,
+                    const std::string& name, const std::string& bytes, const std::string& from, const std::string& to,
+                    const std::string& sequence) {
+    return padded(number, 7, true) + "  " + padded(time, 15) + "  " + padded(code, 6) + "  " + padded(name, 38) +
+           padded(bytes, 6, true) + "  " + padded(from, 15) + " -> " + padded(to, 15) + "  " + sequence;
+}
+
+std::string flags_text(const jaus::header& head) {
+    std::string flags;
+    const auto add = [&](bool set, const std::string& what) {
+        if (set) flags += ", " + what;
+    };
+    add(head.ack_nak == jaus::ack_nak::request, "wants ACK");
+    add(head.ack_nak == jaus::ack_nak::ack, "ACK");
+    add(head.ack_nak == jaus::ack_nak::nak, "NAK");
+    add(head.service_connection, "service connection");
+    add(head.experimental, "experimental");
+    add(head.data_flag != jaus::data_flag::only, "packet: " + text::to_text(head.data_flag));
+    add(head.version != 2, "version " + std::to_string(head.version));
+    add(head.priority != 6, "priority " + std::to_string(head.priority));
+    return flags;
+}
+
+json address_object(const jaus::address& id) {
+    return {{"subsystem", id.subsystem}, {"node", id.node}, {"component", id.component}, {"instance", id.instance}};
+}
+
+json header_object(const jaus::header& head) {
+    return {{"priority", head.priority},
+            {"ack_nak", static_cast<int>(head.ack_nak)},
+            {"service_connection", static_cast<int>(head.service_connection)},
+            {"experimental", static_cast<int>(head.experimental)},
+            {"version", head.version},
+            {"reserved", head.reserved},
+            {"destination", address_object(head.destination)},
+            {"source", address_object(head.source)},
+            {"data_flag", static_cast<int>(head.data_flag)},
+            {"data_size", head.data_size},
+            {"sequence_number", head.sequence_number}};
+}
+
+json error_object(const fault& error) {
+    json object{{"error", error.error}, {"field", nullptr}, {"byte", nullptr}, {"text", error.what}};
+    if (!error.field.empty()) object["field"] = error.field;
+    if (error.byte) object["byte"] = *error.byte;
+    return object;
+}
+
+std::string dump_line(const json& object) { return object.dump(-1, ' ', false, json::error_handler_t::replace) + "\n"; }
+
+} // namespace
+
+std::string heading() {
+    return columns("number", "time (UTC)", "code", "message", "bytes", "source", "destination", "sequence") + "\n";
+}
+
+std::string to_text(const record& message, const palette& colour, bool with_bytes) {
+    const auto& from = message.origin;
+    const std::string indent(text_indent, ' ');
+    const auto number = std::to_string(from.number);
+    const auto time = from.time ? time_text(*from.time, "%H:%M:%S") : std::string{};
+    std::string text;
+    if (message.head) {
+        const auto& head = *message.head;
+        const auto name = message.data_set.empty() ? message.name : message.name + " (" + message.data_set + ")";
+        text = columns(number, time, text::hex_number(head.command_code, 4), name,
+                       std::to_string(message.body().size()), text::to_text(head.source),
+                       text::to_text(head.destination), std::to_string(head.sequence_number) + flags_text(head));
+        if (const auto at = text.find(name); !name.empty() && at != std::string::npos)
+            text.insert(at + name.size(), colour.end).insert(at, colour.name);
+    } else {
+        text = columns(number, time, "-", "not a message", std::to_string(message.bytes.size()), "", "", "");
+    }
+    text += "\n" + message.text;
+    if (message.dropped != 0)
+        text += indent + std::to_string(message.dropped) +
+                " bytes dropped: of presence bits that the standard's layout does not have\n";
+    if (message.error) text += indent + colour.error + message.error->what + colour.end + "\n";
+    if (with_bytes || message.kind == kind::unknown || message.kind == kind::broken)
+        text += colour.faint + text::hex_dump(message.bytes, indent) + colour.end;
+    if (message.hex) text += indent + "encoded again: " + *message.hex + "\n";
+    if (message.packet) text += indent + "SDO packet: " + *message.packet + "\n";
+    return text;
+}
+
+std::string to_json_line(const record& message) {
+    json object{{"message", nullptr},
+                {"code", nullptr},
+                {"header", nullptr},
+                {"presence_vector", nullptr},
+                {"fields", nullptr}};
+    if (message.head) {
+        object["message"] = message.name;
+        object["code"] = text::hex_number(message.head->command_code, 4);
+        object["header"] = header_object(*message.head);
+    }
+    object["presence_vector"] = message.presence_vector;
+    object["fields"] = message.fields;
+    if (message.hex) object["hex"] = *message.hex;
+    if (message.packet) object["packet"] = *message.packet;
+    if (message.error) object["error"] = error_object(*message.error);
+    if (message.kind == kind::unknown || message.kind == kind::broken)
+        object["bytes"] = text::detail::plain_hex(message.bytes);
+    if (message.dropped != 0) object["dropped"] = message.dropped;
+    if (!message.data_set.empty()) object["data_set"] = message.data_set;
+    json from{{message.origin.place, message.origin.number}};
+    if (message.origin.time) from["time"] = time_text(*message.origin.time, "%Y-%m-%dT%H:%M:%S") + "Z";
+    if (!message.origin.from.empty()) from["from"] = message.origin.from;
+    if (!message.origin.to.empty()) from["to"] = message.origin.to;
+    object["origin"] = std::move(from);
+    return dump_line(object);
+}
+
+void summary::add(const record& message) {
+    const bool bad = message.kind == kind::unknown || message.kind == kind::broken;
+    const auto code = message.head ? text::hex_number(message.head->command_code, 4) : "-";
+    auto& line = by_type_[{code, message.head ? message.name : "not a message"}];
+    ++line.count;
+    line.bytes += message.bytes.size();
+    line.not_decoded += bad ? 1 : 0;
+    ++by_kind_[message.kind];
+}
+
+bool summary::something_did_not_decode() const {
+    return lost_ != 0 || by_kind_.contains(kind::unknown) || by_kind_.contains(kind::broken);
+}
+
+std::string summary::text(const palette& colour) const {
+    std::string text{'\n'};
+    text += padded("code", 8) + padded("message", 38) + padded("count", 8, true) + padded("bytes", 12, true) +
+            padded("not decoded", 13, true) + "\n";
+    std::size_t total = 0;
+    for (const auto& [type, line] : by_type_) {
+        text += padded(type.first, 8) + padded(type.second, 38) + padded(std::to_string(line.count), 8, true) +
+                padded(std::to_string(line.bytes), 12, true);
+        if (line.not_decoded != 0)
+            text += colour.error + padded(std::to_string(line.not_decoded), 13, true) + colour.end;
+        text += "\n";
+        total += line.count;
+    }
+    text += std::to_string(total) + (total == 1 ? " message" : " messages");
+    std::string parts;
+    for (const auto& [what, name] : {std::pair{kind::decoded, "decoded"},
+                                     {kind::acknowledgement, "acknowledgements"},
+                                     {kind::part, "packets of large data sets"},
+                                     {kind::unknown, "unknown"},
+                                     {kind::broken, "broken"}})
+        if (const auto found = by_kind_.find(what); found != by_kind_.end())
+            parts += (parts.empty() ? ": " : ", ") + std::to_string(found->second) + " " + name;
+    text += parts + "\n";
+    if (lost_ != 0) text += std::to_string(lost_) + " incomplete large data sets\n";
+    for (const auto& [reason, count] : skipped_) text += std::to_string(count) + " skipped: " + reason + "\n";
+    return text;
+}
+
+json summary::object() const {
+    json types = json::array();
+    for (const auto& [type, line] : by_type_)
+        types.push_back({{"code", type.first},
+                         {"message", type.second},
+                         {"count", line.count},
+                         {"bytes", line.bytes},
+                         {"not_decoded", line.not_decoded}});
+    const auto count_of = [&](kind what) {
+        const auto found = by_kind_.find(what);
+        return found == by_kind_.end() ? std::size_t{0} : found->second;
+    };
+    return {{"messages", std::move(types)},
+            {"decoded", count_of(kind::decoded)},
+            {"acknowledgements", count_of(kind::acknowledgement)},
+            {"packets_of_large_data_sets", count_of(kind::part)},
+            {"unknown", count_of(kind::unknown)},
+            {"broken", count_of(kind::broken)},
+            {"incomplete_large_data_sets", lost_},
+            {"skipped", skipped_}};
+}
+
+} // namespace jausdump

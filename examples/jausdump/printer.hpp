@@ -1,0 +1,44 @@
+// Records as lines for people or as JSON.
+#pragma once
+#include "record.hpp"
+#include <jauscat/text/jaus.hpp>
+
+#include <map>
+
+namespace jausdump {
+
+/// Terminal colours, or nothing.
+struct palette {
+    const char *name{""}, *error{""}, *faint{""}, *end{""};
+    static constexpr palette coloured() { return {"\033[1m", "\033[31m", "\033[2m", "\033[0m"}; }
+};
+
+/// How much of what was seen.
+class summary {
+  public:
+    void add(const record& message);
+    void skip(const std::string& reason) { ++skipped_[reason]; }
+    void lose_data_set() { ++lost_; }
+    /// Whether a message was broken or unknown, or a data set incomplete.
+    [[nodiscard]] bool something_did_not_decode() const;
+    [[nodiscard]] std::string text(const palette& colour) const;
+    [[nodiscard]] json object() const;
+
+  private:
+    struct tally {
+        std::size_t count{}, bytes{}, not_decoded{};
+    };
+    std::map<std::pair<std::string, std::string>, tally> by_type_{}; ///< by code and name
+    std::map<kind, std::size_t> by_kind_{};
+    std::map<std::string, std::size_t> skipped_{};
+    std::size_t lost_{};
+};
+
+/// The columns' names.
+std::string heading();
+/// A line for the message, then its fields; also its bytes with their offsets, if `with_bytes`.
+std::string to_text(const record& message, const palette& colour, bool with_bytes);
+/// One object on one line.
+std::string to_json_line(const record& message);
+
+} // namespace jausdump

@@ -1,0 +1,64 @@
+// What is known of one message, before it is printed.
+#pragma once
+#include <jauscat/jaus/message.hpp>
+#include <jauscat/text/json.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace jausdump {
+
+namespace jaus = jauscat::jaus;
+namespace text = jauscat::text;
+namespace wire = jauscat::wire;
+using text::json;
+
+/// Input that cannot be read.
+struct input_error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Where a message came from.
+struct origin {
+    std::string place{};                            ///< "line" or "packet"
+    std::size_t number{};                           ///< of the line or packet, from 1
+    std::optional<std::chrono::nanoseconds> time{}; ///< since 1970, UTC
+    std::string from{}, to{};                       ///< "10.0.0.1:3794"; empty for a line
+};
+
+/// What broke a message, or kept it from being decoded.
+struct fault {
+    std::string error{};               ///< name of the error
+    std::string field{};               ///< path to the field; empty where none is at fault
+    std::optional<std::size_t> byte{}; ///< of the message, header included, from 0
+    std::string what{};                ///< for people
+};
+
+enum class kind { decoded, acknowledgement, part, unknown, broken };
+
+struct record {
+    jausdump::origin origin{};
+    jausdump::kind kind{};
+    std::vector<std::byte> bytes{}; ///< header and body
+    std::optional<jaus::header> head{};
+    std::string name{"unknown"}; ///< the standard's
+    json presence_vector{};
+    json fields{};
+    std::string text{};                  ///< the fields, a line each
+    std::optional<std::string> hex{};    ///< encoded again
+    std::optional<std::string> packet{}; ///< translated, or the error's name
+    std::optional<fault> error{};
+    std::size_t dropped{};  ///< bytes that the decoded values do not hold: of presence bits that the layout lacks
+    std::string data_set{}; ///< what became of a packet of a large data set, or "reassembled"
+
+    [[nodiscard]] std::span<const std::byte> body() const {
+        return std::span{bytes}.subspan(std::min(bytes.size(), jaus::header_size));
+    }
+};
+
+} // namespace jausdump
