@@ -21,6 +21,10 @@ template <wire::message T> [[nodiscard]] std::string from_input(const input& in,
     message = T{};
     return detail::filler{memory}.fill(describe<T>(), &message, in);
 }
+/// The same for a value-initialised object of which only the structure is known.
+[[nodiscard]] inline std::string from_input(const input& in, const structure& type, void* object, wire::arena& memory) {
+    return detail::filler{memory}.fill(type, object, in);
+}
 
 /// From words like `pose[1].pose_time=2.5`, as a shell hands them over.
 template <wire::message T>

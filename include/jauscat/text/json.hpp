@@ -149,16 +149,20 @@ inline input input_of(const json& value) {
 } // namespace detail
 
 /// The fields of a message as JSON. Its presence vector stands beside them, see presence_vector_of.
-template <wire::message T> [[nodiscard]] json to_json(const T& message) {
-    return detail::json_writer{}.fields(describe<T>(), &message, true);
+[[nodiscard]] inline json to_json(const structure& type, const void* object) {
+    return detail::json_writer{}.fields(type, object, true);
 }
+template <wire::message T> [[nodiscard]] json to_json(const T& message) { return to_json(describe<T>(), &message); }
 
 /// `"0x7A"`, as wide as the vector; null where the message has none.
-template <wire::message T> [[nodiscard]] json presence_vector_of(const T& message) {
-    for (const member& one : describe<T>().members)
+[[nodiscard]] inline json presence_vector_of(const structure& type, const void* object) {
+    for (const member& one : type.members)
         if (one.what == member::role::presence_vector)
-            return hex_number(one.number(&message), std::get<integer_form>(one.how->is).bits / 4);
+            return hex_number(one.number(object), std::get<integer_form>(one.how->is).bits / 4);
     return nullptr;
+}
+template <wire::message T> [[nodiscard]] json presence_vector_of(const T& message) {
+    return presence_vector_of(describe<T>(), &message);
 }
 
 /// A message from the JSON of its fields. `presence_vector`, as a number or text in hex, may be among them: it says
@@ -167,6 +171,11 @@ template <wire::message T> [[nodiscard]] json presence_vector_of(const T& messag
 /// empty text; after an error the message is valid but unspecified.
 template <wire::message T> [[nodiscard]] std::string from_json(const json& fields, T& message, wire::arena& memory) {
     return from_input(detail::input_of(fields), message, memory);
+}
+/// The same for a value-initialised object of which only the structure is known.
+[[nodiscard]] inline std::string from_json(const json& fields, const structure& type, void* object,
+                                           wire::arena& memory) {
+    return from_input(detail::input_of(fields), type, object, memory);
 }
 
 } // namespace jauscat::text

@@ -188,10 +188,13 @@ class printer {
 } // namespace detail
 
 /// The fields of a message or structure, a line each; `indent` spaces before them.
-template <wire::message T> [[nodiscard]] std::string to_text(const T& message, std::size_t indent = 2) {
+[[nodiscard]] inline std::string to_text(const structure& type, const void* object, std::size_t indent = 2) {
     detail::printer out{indent};
-    out.fields(describe<T>(), &message);
+    out.fields(type, object);
     return std::move(out).text();
+}
+template <wire::message T> [[nodiscard]] std::string to_text(const T& message, std::size_t indent = 2) {
+    return to_text(describe<T>(), &message, indent);
 }
 
 } // namespace jauscat::text

@@ -122,7 +122,9 @@ requires(!wire::message<T>) std::string to_text(const T& value) {
 }
 
 /// A member's value with unit and raw integer, as its field descriptor has them: `49.998474 % (raw 16383)`.
-template <class Item, class T> [[nodiscard]] std::string to_text(Item, const T& value) {
+template <class Item, class T>
+requires requires { Item::name(); }
+[[nodiscard]] std::string to_text(Item, const T& value) {
     if constexpr (requires { typename Item::codec_type::range_type; }) {
         using codec = typename Item::codec_type;
         std::string text = to_text(value);

@@ -1,0 +1,90 @@
+// What holds for every message: it comes back from JSON as it was, and its text names all of it.
+#include "jaus/messages.hpp"
+#include "support/catch.hpp"
+#include "support/hex.hpp"
+#include <jauscat/text/json.hpp>
+#include <jauscat/text/print.hpp>
+
+namespace {
+
+namespace text = jauscat::text;
+namespace wire = jauscat::wire;
+using jauscat::test::to_hex;
+using text::json;
+
+/// Calls look(message, bytes, value) for random values of every message.
+void for_random_messages(unsigned seed, auto&& look) {
+    support::generator g{seed};
+    for (const auto& message : messages::all()) {
+        for (const double present : {0.0, 0.5, 0.5, 0.5, 0.5, 1.0}) {
+            const auto random = message.random(g, {.present = present, .exact = true});
+            INFO(message.name << ": " << to_hex(random.bytes));
+            REQUIRE(random.error == wire::errc::ok);
+            REQUIRE(message.show(random.bytes, [&](const void* value) { look(message, random.bytes, value); }));
+        }
+    }
+}
+
+/// The JSON of a message, with its presence vector among the fields.
+json whole_json(const messages::message& message, const void* value) {
+    json made = text::to_json(*message.structure, value);
+    if (const json vector = text::presence_vector_of(*message.structure, value); !vector.is_null())
+        made["presence_vector"] = vector;
+    return made;
+}
+
+void check_comes_back(const messages::message& message, const json& fields, const messages::octets& bytes) {
+    INFO(fields.dump());
+    std::string wrong;
+    const auto again = message.build(
+        [&](void* value, wire::arena& memory) { wrong = text::from_json(fields, *message.structure, value, memory); });
+    REQUIRE(wrong.empty());
+    REQUIRE(to_hex(again) == to_hex(bytes));
+}
+
+/// Removes every "raw" beside a "value", and every count.
+void simplify(json& fields) {
+    for (auto it = fields.begin(); it != fields.end();) {
+        if (fields.is_object() && (it.key() == "raw" || it.key().starts_with("number_of_") ||
+                                   it.key() == "enumeration_length" || it.key() == "query_message_size")) {
+            it = fields.erase(it);
+            continue;
+        }
+        if (it->is_structured()) simplify(*it);
+        ++it;
+    }
+}
+
+} // namespace
+
+TEST_CASE("every message comes back from its JSON as it was") {
+    for_random_messages(61, [](const messages::message& message, const messages::octets& bytes, const void* value) {
+        const json fields = whole_json(message, value);
+        check_comes_back(message, fields, bytes);
+        // The JSON itself is one that others can read.
+        check_comes_back(message, json::parse(fields.dump()), bytes);
+    });
+}
+
+TEST_CASE("the text of every message names each of its fields") {
+    for_random_messages(62, [](const messages::message& message, const messages::octets&, const void* value) {
+        const std::string lines = "\n" + text::to_text(*message.structure, value);
+        INFO(lines);
+        for (const auto& [name, field] : whole_json(message, value).items()) {
+            const std::size_t at = lines.find("\n  " + name);
+            INFO(name);
+            REQUIRE(at != std::string::npos);
+            REQUIRE(std::string_view{" [.\n"}.find(lines[at + 3 + name.size()]) != std::string_view::npos);
+        }
+    });
+}
+
+TEST_CASE("raw integers and counts may be left out of JSON") {
+    for_random_messages(63, [](const messages::message& message, const messages::octets& bytes, const void* value) {
+        // Counts of what is not there, or of a list that may be empty or absent, are no derived facts.
+        if (message.code == 0x4A23) return;
+        json fields = whole_json(message, value);
+        simplify(fields);
+        check_comes_back(message, fields, bytes);
+    });
+}
