@@ -1,0 +1,6 @@
+// expect: flags: the enumeration's underlying type must be unsigned
+#include "small_message.hpp"
+
+enum class direction : std::int8_t { left };
+
+jauscat::wire::flags<direction> set{};

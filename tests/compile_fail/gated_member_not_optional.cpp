@@ -1,0 +1,14 @@
+// expect: gated_by: the member must be a std::optional
+#include "small_message.hpp"
+
+struct always_there {
+    bool present{};
+    std::uint8_t number{};
+};
+
+template <> struct jauscat::wire::schema<always_there> {
+    using T = always_there;
+    using type = layout<presence<u8, flag<&T::present>, gated_by<&T::present, field<&T::number, u8>>>>;
+};
+
+static_assert(size_of_wrong<always_there> != 0);
