@@ -16,7 +16,8 @@ constexpr int label_height = 14; // above a box: its place and what announces it
 constexpr int box_height = 44;   // of a leaf
 constexpr int strip_height = 7;  // of its bytes
 constexpr int frame_padding = 8;
-constexpr int cell_width = 22; // of a bit in a presence vector
+constexpr int cell_width = 22;         // of a bit in a presence vector
+constexpr std::size_t most_cells = 16; // of a leaf
 constexpr int text_width(std::size_t characters, int size) { return static_cast<int>(characters) * size * 6 / 10 + 1; }
 
 std::string attribute(const char* name, int value) {
@@ -39,7 +40,7 @@ struct box {
     bool maybe{};            // may be absent
     std::string left{};      // label above: its place
     std::string right{};     // and what announces it
-    std::string title{};     //
+    std::string title{};     // name of the field
     std::string subtitle{};  // of a leaf
     std::size_t bytes{};     // drawn as cells on top of a leaf; 0 where their number varies
     unsigned bits{}, used{}; // cells in a presence vector
@@ -55,6 +56,8 @@ struct box {
 
 /// Places boxes in lines of the given width from a corner on; returns the size they take.
 std::pair<int, int> flow(std::vector<box>& boxes, int available, int left_edge, int top_edge) {
+    const bool labelled = std::ranges::any_of(boxes, [](const box& one) { return !(one.left + one.right).empty(); });
+    const int label = labelled ? label_height : gap;
     int x = 0, y = 0, line = 0, widest = 0;
     for (box& one : boxes) {
         one.arrange(available);
@@ -64,9 +67,9 @@ std::pair<int, int> flow(std::vector<box>& boxes, int available, int left_edge, 
             line = 0;
         }
         one.x = left_edge + x;
-        one.y = top_edge + y + label_height;
+        one.y = top_edge + y + label;
         x += one.width + gap;
-        line = std::max(line, label_height + one.height);
+        line = std::max(line, label + one.height);
         widest = std::max(widest, x - gap);
     }
     return {widest, y + line};
@@ -99,8 +102,8 @@ void box::draw(std::string& svg, int left_edge, int top_edge) const {
         for (const box& one : inside) one.draw(svg, from_left, from_top);
         return;
     }
-    // The bytes, in their true number where that is fixed.
-    const int cells = bytes == 0 ? 1 : static_cast<int>(std::min<std::size_t>(bytes, 16));
+    // The bytes, where their number is fixed and not too large to see.
+    const int cells = bytes == 0 || bytes > most_cells ? 1 : static_cast<int>(bytes);
     for (int i = 0; i != cells; ++i)
         svg += rectangle(bytes == 0   ? "open"
                          : structural ? "byte strong"

@@ -61,14 +61,16 @@ class table {
     std::vector<std::vector<std::string>> rows_{};
 };
 
-/// A member's remark without the limits at its beginning, which the table has in a column of their own.
+/// A member's remark without the unit and limits at its beginning, which the table has in a column of their own.
 struct split_remark {
     std::string limits{}, meaning{};
 };
 split_remark split(const std::string& remark, const part& one) {
-    static const std::regex real{R"(^(?:[a-z ]+(\([^)]*\))?, )?-?[0-9.pi ]+ to -?[0-9.pi ]+(?:; (.*))?$)"};
+    static const std::regex real{R"(^(?:[A-Za-z ]+(\([^)]*\))?, )?-?[0-9.pi ]+ to -?[0-9.pi ]+(?:; (.*))?$)"};
     static const std::regex whole{R"(^(-?[0-9]+ to -?[0-9]+)(?:[,;] (.*))?$)"};
+    static const std::regex unit{"[a-z]+( per second)?"};
     std::smatch match;
+    if (!one.unit.empty() && std::regex_match(remark, unit)) return {one.range, {}};
     if (one.scaled && std::regex_match(remark, match, real))
         return {one.range, match.str(1) + (match.length(1) != 0 && match.length(2) != 0 ? " " : "") + match.str(2)};
     if (!one.scaled && std::regex_match(remark, match, whole)) return {match[1], match[2]};
@@ -262,7 +264,7 @@ A diagram shows a message's body from its first byte on. All numbers are little 
 ![Bytes of Set Discrete Devices](diagrams/0406.svg)
 
 - Each box is a field, with its type: `u` unsigned, `i` signed, `f` floating point, and the number of bits. The cells on
-  its top edge are its bytes; dots stand for a number of bytes that varies.
+  its top edge are its bytes, where they are few; dots stand for a number of bytes that varies.
 - Left above a box: which bytes of the body it takes, counted from 0, where that is the same in every message; `+` counts
   from the start of a list's element.
 - Blue boxes say how the rest is laid out: presence vectors with their bits, counts, type codes.

@@ -38,7 +38,7 @@ struct part {
     std::string owner{};                ///< the structure whose member it is; empty for what is no member
     std::size_t least{}, most{};        ///< bytes, when it is there
     std::string type{};                 ///< on the wire: u16, or the structure's name
-    std::string unit{};                 ///<
+    std::string unit{};                 ///< as the schema has it: rad/s
     std::string range{};                ///< of the value
     std::string step{};                 ///< of a scaled value
     std::string note{};                 ///< what limits or ends it otherwise
