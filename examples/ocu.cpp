@@ -1,5 +1,6 @@
 // The operator control unit: commands a wrench effort over JAUS, asks for it back, and compares.
 #include "support/program.hpp"
+#include "support/robot_messages.hpp"
 #include <jauscat/jaus/requested_fields.hpp>
 #include <jauscat/text/jaus.hpp>
 
@@ -118,7 +119,7 @@ class operator_console {
     }
     static void show(const char* verb, std::span<const std::byte> bytes) {
         std::cout << "ocu " << verb << " " << text::summary(jaus::split(bytes).header) << "\n"
-                  << text::annotate_message(bytes, jaus::messages{});
+                  << text::annotate_message(bytes, robot_messages{});
     }
     void received(std::span<const std::byte> bytes) {
         const auto message = jaus::split(bytes);

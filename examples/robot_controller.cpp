@@ -1,5 +1,6 @@
 // The robot controller: JAUS messages in over UDP, SDO downloads out over EtherCAT, and reports the way back.
 #include "support/link_options.hpp"
+#include "support/robot_messages.hpp"
 #include "support/trace.hpp"
 #include <jauscat/ethercat/delivery.hpp>
 #include <jauscat/ethercat/master.hpp>
@@ -91,7 +92,7 @@ template <class Table, class Link> class robot_controller {
             return;
         }
         std::cout << "controller: received " << text::summary(message.header) << "\n"
-                  << text::annotate_message(bytes, jaus::messages{});
+                  << text::annotate_message(bytes, robot_messages{});
         if (jaus::is_acknowledgement(message.header)) return;
         const std::string problem = deliver(message.header, bytes);
         if (!problem.empty()) std::cout << "controller: not delivered: " << problem << "\n";

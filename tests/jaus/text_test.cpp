@@ -25,7 +25,7 @@ TEST_CASE("a message is shown with offsets, bytes, names, units and raw values")
                  .destination = {1, 33, 2, 2},
                  .source = {1, 32, 1, 1},
                  .sequence_number = 7});
-    CHECK(text::annotate_message(bytes, jaus::messages{}) ==
+    CHECK(text::annotate_message(bytes, jaus::message_list<jaus::set_wrench_effort>{}) ==
           "  0000  16 02         priority = 6, ack_nak = request, service_connection = false, experimental = false, "
           "version = 2, reserved = 0\n"
           "  0002  05 04         command_code = 0x0405\n"

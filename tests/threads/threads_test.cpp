@@ -43,7 +43,8 @@ std::string work(std::uint64_t seed) {
         const auto back = translator::back(std::span{packet}.first(there.size()), again);
         const auto m = jaus::split(std::span<const std::byte>{again}.first(back.size()));
         if (m && handlers(m.header, m.body) == jaus::dispatched::handled)
-            said += text::annotate_message(std::span{again}.first(back.size()), jaus::messages{});
+            said += text::annotate_message(std::span{again}.first(back.size()),
+                                           jaus::message_list<jaus::set_wrench_effort>{});
     }
     return said;
 }
