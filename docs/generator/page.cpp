@@ -16,7 +16,7 @@ std::string code(std::string_view text) { return "`" + std::string{text} + "`"; 
 
 std::string class_of(const message& one) {
     static constexpr std::array names{"command", "query", "inform"};
-    return one.code < 0x6000 ? names[one.code / 0x2000U] : "other";
+    return names.at(one.code / 0x2000U);
 }
 
 std::string body_size(const message& one) {
