@@ -2,7 +2,7 @@
 // is said. Counts, and flags that announce members of list elements, follow from what is there.
 #pragma once
 #include <jauscat/text/consistent.hpp>
-#include <jauscat/text/scan.hpp>
+#include <jauscat/text/fill_value.hpp>
 
 namespace jauscat::text::detail {
 
@@ -219,92 +219,20 @@ class filler {
     }
 
     bool value(const form& how, void* at, const input& in, const frame& here) {
-        return std::visit([&](const auto& is) { return told(is, at, in, here); }, how.is);
-    }
-    bool told(const integer_form& is, void* at, const input& in, const frame&) {
-        if (in.what != input::kind::leaf) return fail("is a single value");
-        std::uint64_t number{};
-        if (!said(scan(in.text, is, number))) return false;
-        is.set(at, number);
-        return true;
-    }
-    bool told(const real_form& is, void* at, const input& in, const frame&) {
-        if (in.what != input::kind::leaf) return fail("is a single value");
-        double real{};
-        if (!said(scan(in.text, is, real))) return false;
-        is.set(at, real);
-        return true;
-    }
-    bool told(const scaled_form& is, void* at, const input& in, const frame&) {
-        double real{};
-        if (in.what == input::kind::leaf) {
-            if (!said(scan(in.text, is, real))) return false;
-        } else {
-            const input* const raw = in.find("raw");
-            const input* const value = in.find("value");
-            if (in.what != input::kind::object || (raw == nullptr && value == nullptr) ||
-                in.parts.size() != (raw != nullptr ? 1u : 0u) + (value != nullptr ? 1u : 0u))
-                return fail("is a single value, or a value and its raw integer");
-            double by_raw{};
-            if (raw != nullptr && !said(scan_raw(raw->text, is, by_raw))) return false;
-            if (value != nullptr && !said(scan(value->text, is, real))) return false;
-            if (value == nullptr) real = by_raw;
-            if (raw != nullptr && is.to_raw(real) != is.to_raw(by_raw))
-                return fail("has the value " + value->text + " and the raw integer " + raw->text +
-                            ", which stands for " + formatted("%.8g", by_raw));
-        }
-        is.set(at, real);
-        return true;
-    }
-    bool told(const octets_form& is, void* at, const input& in, const frame&) {
-        std::string_view text = in.text;
-        const input* const hex = in.find("hex");
-        if (in.what != input::kind::leaf && (hex == nullptr || in.parts.size() != 1)) return fail("is a single value");
-        std::vector<std::byte> scanned;
-        std::span<const std::byte> bytes = std::as_bytes(std::span{text});
-        if (!is.characters || hex != nullptr) {
-            auto found = scan_hex(hex != nullptr ? hex->text : text);
-            if (!found) return fail("is not in hex: pairs of digits");
-            scanned = *std::move(found);
-            bytes = scanned;
-        }
-        if (is.zero_filled)
-            while (!bytes.empty() && bytes.back() == std::byte{}) bytes = bytes.first(bytes.size() - 1);
-        const std::string what = is.characters ? " characters" : " bytes";
-        if (bytes.size() > is.most)
-            return fail("has " + std::to_string(bytes.size()) + what + ", must have at most " +
-                        std::to_string(is.most));
-        if (bytes.size() < is.least)
-            return fail("has " + std::to_string(bytes.size()) + what + ", must have " + std::to_string(is.least));
-        if (is.zero_terminated && std::ranges::find(bytes, std::byte{}) != bytes.end())
-            return fail("contains a zero, which ends it");
-        return kept(bytes, [&](std::span<const std::byte> copy) {
-            is.set(at, copy);
-            return true;
-        });
+        return std::visit(
+            [&](const auto& is) {
+                if constexpr (requires { fill_value(is, at, in, memory_); })
+                    return said(fill_value(is, at, in, memory_));
+                else
+                    return told(is, at, in, here);
+            },
+            how.is);
     }
     bool told(const structure_form& is, void* at, const input& in, const frame& here) {
         return fields(*is.of, at, in, &here);
     }
     bool told(const packed_form& is, void* at, const input& in, const frame& here) {
-        if (in.what == input::kind::object) return fields(*is.of, at, in, &here);
-        if (in.what != input::kind::leaf) return fail("is a single value");
-        if (is.read != nullptr && is.read(at, in.text)) return true;
-        std::string_view text = in.text;
-        is_raw(text);
-        std::uint64_t number{};
-        if (!scan_whole(text) && is.show != nullptr)
-            return fail(says(text, "which is neither of the form '" + is.show(at) + "' nor a raw integer"));
-        if (!said(scan_bits(text, false, is.bits, {}, number))) return false;
-        is.set(at, number);
-        return true;
-    }
-    bool told(const encoded_form& is, void* at, const input& in, const frame&) {
-        const auto bytes = in.what == input::kind::leaf ? scan_hex(in.text) : std::nullopt;
-        if (!bytes) return fail("is a whole message in hex: pairs of digits");
-        return kept(*bytes, [&](std::span<const std::byte> copy) {
-            return is.decode(at, copy) || fail("is no whole message");
-        });
+        return in.what == input::kind::object ? fields(*is.of, at, in, &here) : said(fill_value(is, at, in));
     }
     bool told(const list_form& is, void* at, const input& in, const frame& here) {
         if (in.what != input::kind::array) return fail("is a list");
@@ -313,7 +241,7 @@ class filler {
                         std::to_string(is.most));
         if (in.parts.empty()) return true;
         auto* const first = static_cast<std::byte*>(is.resize(at, in.parts.size(), memory_));
-        if (first == nullptr) return fail("does not fit into the memory for lists");
+        if (first == nullptr) return fail(std::string{no_room});
         for (std::size_t i = 0; i != in.parts.size(); ++i)
             if (!inside("[" + std::to_string(i) + "]",
                         [&] { return element(is, first + i * is.stride, in.parts[i], here); }))
@@ -331,7 +259,7 @@ class filler {
         const std::size_t nodes = nodes_of(in, 1, is.max_depth);
         if (nodes == 0) return fail("has more than " + std::to_string(is.max_depth) + " levels");
         auto* next = static_cast<std::byte*>(is.nodes.resize(at, nodes, memory_));
-        if (next == nullptr) return fail("does not fit into the memory for lists");
+        if (next == nullptr) return fail(std::string{no_room});
         return node(is, next, in, here);
     }
     /// How many there are; 0 where they are too deep.
@@ -366,15 +294,6 @@ class filler {
         return true;
     }
     bool told(const choice_form&, void*, const input&, const frame&) { return fail("has no form"); } // see choice
-
-    /// Octets that a message may point at.
-    bool kept(std::span<const std::byte> bytes, auto&& use) {
-        if (bytes.empty()) return use(bytes);
-        auto* const copy = memory_.allocate<std::byte>(bytes.size());
-        if (copy == nullptr) return fail("does not fit into the memory for lists");
-        std::ranges::copy(bytes, copy);
-        return use(std::span<const std::byte>{copy, bytes.size()});
-    }
 
     wire::arena& memory_;
     std::string path_;

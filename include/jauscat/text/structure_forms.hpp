@@ -1,0 +1,153 @@
+// How structures, lists, trees and values of a type code are told.
+#pragma once
+#include <jauscat/text/stamps.hpp>
+#include <jauscat/text/value_forms.hpp>
+#include <jauscat/wire/decode.hpp>
+#include <jauscat/wire/encode.hpp>
+
+namespace jauscat::text {
+
+template <wire::message T> [[nodiscard]] constexpr const structure& describe() noexcept; // describe.hpp
+
+namespace detail {
+
+// A structure whose length is counted inside another of its structures is a message in a message: told as its bytes.
+template <class Count> inline constexpr bool counted_deep = false;
+template <auto A, auto B, auto... More> inline constexpr bool counted_deep<wire::counted_by<A, B, More...>> = true;
+template <class T> consteval bool told_as_bytes() {
+    return !wire::layout_of<T>::all_items([]<class Item>() {
+        if constexpr (requires { typename Item::count_type; })
+            return !counted_deep<typename Item::count_type>;
+        else
+            return true;
+    });
+}
+template <class T> std::vector<std::byte> encoded(const void* value) {
+    const T& object = *static_cast<const T*>(value);
+    std::vector<std::byte> bytes(wire::encoded_size(object));
+    const wire::result written = wire::encode(object, bytes);
+    bytes.resize(written ? written.size() : 0);
+    return bytes;
+}
+template <class T> bool decoded(void* value, std::span<const std::byte> bytes) {
+    return static_cast<bool>(wire::decode(*static_cast<T*>(value), bytes));
+}
+
+/// Bit-fields as the one integer they fill.
+template <class Layout> struct packing { static constexpr bool whole = false; };
+template <class Carrier, class... Fields> struct packing<wire::layout<wire::bits<Carrier, Fields...>>> {
+    static constexpr bool whole = true;
+    static constexpr unsigned bits = static_cast<unsigned>(Carrier::size * 8);
+    template <class T> static std::uint64_t get(const void* value) {
+        std::uint64_t word = 0;
+        std::size_t at = 0;
+        ((word |= Fields::value(*static_cast<const T*>(value)) << at, at += Fields::width), ...);
+        return word;
+    }
+    template <class T> static void set(void* value, std::uint64_t word) {
+        std::size_t at = 0;
+        ((Fields::assign(*static_cast<T*>(value), word >> at & (~std::uint64_t{} >> (64 - Fields::width))),
+          at += Fields::width),
+         ...);
+    }
+};
+
+template <class T> constexpr form form_by_structure() {
+    using packed = packing<wire::layout_of<T>>;
+    if constexpr (told_as_bytes<T>()) {
+        return {encoded_form{&encoded<T>, &decoded<T>}};
+    } else if constexpr (packed::whole) {
+        packed_form made{.of = &describe<T>(),
+                         .bits = packed::bits,
+                         .get = &packed::template get<T>,
+                         .set = &packed::template set<T>};
+        if constexpr (requires(T & value) { from_text(value, std::string_view{}); }) {
+            made.show = [](const void* value) { return to_text(*static_cast<const T*>(value)); };
+            made.read = [](void* value, std::string_view text) { return from_text(*static_cast<T*>(value), text); };
+        }
+        return {made};
+    } else {
+        return {structure_form{&describe<T>()}};
+    }
+}
+template <class T> inline constexpr form structure_form_of = form_by_structure<T>();
+
+template <class List> struct list_access {
+    using value_type = typename wire::detail::list_traits<List>::value_type;
+    static std::size_t size(const void* list) { return static_cast<const List*>(list)->size(); }
+    static const void* first(const void* list) { return std::to_address(static_cast<const List*>(list)->begin()); }
+    static void* resize(void* list, std::size_t size, wire::arena& memory) {
+        auto& held = *static_cast<List*>(list);
+        if constexpr (wire::detail::list_traits<List>::elsewhere) {
+            value_type* const first = memory.allocate<value_type>(size);
+            if (first != nullptr) held = std::span<const value_type>{first, size};
+            return first;
+        } else {
+            return held.resize(size) ? held.begin() : nullptr;
+        }
+    }
+};
+template <class List> constexpr list_form list_of(const form& element, std::string_view field, std::size_t most) {
+    return {.element = &element,
+            .field = field,
+            .stride = sizeof(typename list_access<List>::value_type),
+            .most = most,
+            .size = &list_access<List>::size,
+            .first = &list_access<List>::first,
+            .resize = &list_access<List>::resize};
+}
+template <class Item> constexpr form form_by_list() {
+    using list = typename Item::member_type;
+    using value_type = typename Item::value_type;
+    std::size_t most = wire::unbounded;
+    if constexpr (requires { Item::count_type::limit; }) most = Item::count_type::limit;
+    if constexpr (!Item::traits::elsewhere) most = std::min(most, Item::traits::capacity);
+    if constexpr (!Item::of_records) {
+        return {list_of<list>(codec_form<value_type, typename Item::element_type::codec_type>, Item::name(), most)};
+    } else {
+        std::string_view field;
+        if constexpr (requires { wire::schema<value_type>::field_name; }) field = wire::schema<value_type>::field_name;
+        return {list_of<list>(structure_form_of<value_type>, field, most)};
+    }
+}
+template <class Item> inline constexpr form list_form_of = form_by_list<Item>();
+
+template <class Item> struct tree_of;
+template <auto Member, auto Children, std::size_t MaxDepth> struct tree_of<wire::tree<Member, Children, MaxDepth>> {
+    using node = wire::owner_t<Children>;
+    static constexpr form value{
+        tree_form{.nodes = list_of<wire::list<node>>(structure_form_of<node>, {}, wire::unbounded),
+                  .max_depth = MaxDepth,
+                  .children = access<Children>::other()}};
+};
+
+template <class Value, class Case> constexpr choice_case case_of() {
+    using form_type = typename Case::form;
+    using held = typename wire::detail::case_form<form_type>::value_type;
+    choice_case made{.tag = static_cast<std::uint64_t>(Case::tag)};
+    if constexpr (std::is_same_v<form_type, std::monostate>)
+        made.how = nullptr;
+    else if constexpr (wire::message<form_type>)
+        made.how = &structure_form_of<form_type>;
+    else if constexpr (wire::detail::is_variant<Value>)
+        made.how = &codec_form<held, form_type>;
+    else
+        made.how = &codec_form<Value, form_type>;
+    if constexpr (wire::detail::is_variant<Value>) {
+        made.get = [](const void* value) -> const void* { return std::get_if<held>(static_cast<const Value*>(value)); };
+        made.make = [](void* value) -> void* { return &static_cast<Value*>(value)->template emplace<held>(); };
+    } else {
+        made.get = [](const void* value) { return value; };
+        made.make = [](void* value) { return value; };
+    }
+    return made;
+}
+template <class Value, class... Cases> inline constexpr std::array cases_of{case_of<Value, Cases>()...};
+template <class Value, class Cases> struct choice_of;
+template <class Value, class... Cases> struct choice_of<Value, std::tuple<Cases...>> {
+    static constexpr form value{choice_form{cases_of<Value, Cases...>}};
+};
+
+} // namespace detail
+
+} // namespace jauscat::text
