@@ -180,11 +180,9 @@ template <class... Items> struct layout {
     }
     [[gnu::always_inline]] static constexpr out_cursor put([[maybe_unused]] const auto& object, out_cursor c,
                                                            [[maybe_unused]] const auto& here) noexcept {
-        if constexpr (traced<decltype(here)>)
-            static_cast<void>((detail::put_item<Items>(object, c, here) && ...));
-        else if constexpr (all_fixed)
+        if constexpr (all_fixed && !traced<decltype(here)>)
             static_cast<void>((detail::put_next<Items::max_size>(Items::put(object, c.at), c) && ...));
-        else if constexpr (sizeof...(Items) == 1)
+        else if constexpr (sizeof...(Items) == 1 && !traced<decltype(here)>)
             ((c = Items::put(object, c, here)), ...);
         else
             static_cast<void>((detail::put_item<Items>(object, c, here) && ...));
@@ -192,11 +190,9 @@ template <class... Items> struct layout {
     }
     [[gnu::always_inline]] static constexpr in_cursor get([[maybe_unused]] auto& object, in_cursor c,
                                                           [[maybe_unused]] const auto& here) noexcept {
-        if constexpr (traced<decltype(here)>)
-            static_cast<void>((detail::get_item<Items>(object, c, here) && ...));
-        else if constexpr (all_fixed)
+        if constexpr (all_fixed && !traced<decltype(here)>)
             static_cast<void>((detail::get_next<Items::max_size>(Items::get(object, c.at), c) && ...));
-        else if constexpr (sizeof...(Items) == 1)
+        else if constexpr (sizeof...(Items) == 1 && !traced<decltype(here)>)
             ((c = Items::get(object, c, here)), ...);
         else
             static_cast<void>((detail::get_item<Items>(object, c, here) && ...));

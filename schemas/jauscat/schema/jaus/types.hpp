@@ -42,8 +42,8 @@ struct joint_torque                   { static constexpr double min = -1000,    
 struct engine_temperature_range       { static constexpr double min = -75,      max = 180     ; static constexpr std::string_view unit = "deg C"; };
 struct update_rate                    { static constexpr double min = 0,        max = 1092    ; static constexpr std::string_view unit = "Hz"; };
 struct pose_duration                  { static constexpr double min = 0,        max = 6000    ; static constexpr std::string_view unit = "s"; };
-struct path_weight                    { static constexpr double min = 0,        max = 500     ; static constexpr std::string_view unit = ""; };
-struct unit_vector_component          { static constexpr double min = -1,       max = 1       ; static constexpr std::string_view unit = ""; };
+struct path_weight                    { static constexpr double min = 0,        max = 500     ; static constexpr std::string_view unit{}; };
+struct unit_vector_component          { static constexpr double min = -1,       max = 1       ; static constexpr std::string_view unit{}; };
 
 // Units of values that travel as they are.
 struct metres                         { static constexpr std::string_view unit = "m"; };
