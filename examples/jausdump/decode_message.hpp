@@ -55,6 +55,11 @@ inline payload_members members_of(const jaus::report_payload_data_element& m, co
             "information_interface_number"};
 }
 
+/// A value that is a single one without the object around it.
+inline std::string value_text(const json& value) {
+    return (value.size() == 1 && value.contains("value") ? value.at("value") : value).dump();
+}
+
 inline json value_of(const jaus::payload_element& element, const payload_interfaces& interfaces) {
     json value = text::to_json(element.value).at("value");
     if (!jaus::is_scaled(element.value.type_code)) return value;
@@ -77,7 +82,7 @@ inline void tell_payload(decoded_body& body, const payload_members& members, std
     for (jaus::payload_element one{}; reader.next(one); elements.push_back(one)) {
         told.push_back({{members.number_name, one.interface_number}, {"value", value_of(one, *members.interfaces)}});
         lines += std::string(text_indent, ' ') + "element[" + std::to_string(elements.size()) + "]: interface " +
-                 std::to_string(one.interface_number) + " = " + told.back().at("value").dump() + "\n";
+                 std::to_string(one.interface_number) + " = " + value_text(told.back().at("value")) + "\n";
     }
     if (reader.error() != wire::errc::ok) {
         body.fault = {.error = reader.error(), .field = "element", .offset = bytes_before + reader.offset()};

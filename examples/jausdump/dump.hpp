@@ -32,6 +32,7 @@ class dump {
     void on_datagram(std::span<const std::byte> payload, const origin& from);
     void on_skipped(const std::string& reason) { summary_.skip(reason); }
 
+    [[nodiscard]] bool has_seen_anything() const { return !summary_.empty(); }
     /// Prints what is left to say. Returns whether everything was decoded.
     bool finish();
 

@@ -168,6 +168,7 @@ int read_input(const po::variables_map& values) {
         else
             read_lines(dump);
     } catch (const jausdump::input_error& error) {
+        if (!dump.has_seen_anything()) throw;
         problem = error.what(); // what came before it is summed up first
     }
     const bool all_decoded = dump.finish();

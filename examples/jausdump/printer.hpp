@@ -19,6 +19,7 @@ class summary {
     void add(const record& message);
     void skip(const std::string& reason) { ++skipped_[reason]; }
     void lose_data_set() { ++lost_; }
+    [[nodiscard]] bool empty() const { return by_type_.empty() && skipped_.empty(); }
     /// Whether a message was broken or unknown, or a data set incomplete.
     [[nodiscard]] bool something_did_not_decode() const;
     [[nodiscard]] std::string text(const palette& colour) const;

@@ -1,0 +1,222 @@
+// Captures: real traffic, and frames of every link type made for the purpose.
+#include "program.hpp"
+#include "support/catch.hpp"
+
+#include <map>
+
+using dump_test::ethernet_frame;
+using dump_test::json;
+using dump_test::run;
+using dump_test::scratch;
+using dump_test::udp_packet;
+using dump_test::write_capture;
+
+namespace {
+
+const std::string recorded = JAUSCAT_TEST_DATA "/jaus_ra.pcap";
+const std::string prefix = "4a41555330312e30";
+// Report Component Status from 1.1.33.1, bare and with the prefix.
+const std::string status = "0602 0240 01200101 01210101 0500 0700 0100000000";
+
+/// A packet of Report Image from 1.1.37.1.
+std::string image_packet(const std::string& flag_and_size, const std::string& number, const std::string& body) {
+    return prefix + "0602 0748 01200101 01250101" + flag_and_size + number + body;
+}
+
+} // namespace
+
+TEST_CASE("the recorded JAUS traffic is listed whole") {
+    const auto result = run("--format json " + recorded);
+    REQUIRE(result.code == 1);
+    REQUIRE(result.err.empty());
+    std::map<std::string, int> messages;
+    int standard = 0, last_packets = 0, private_codes = 0, with_dropped_bytes = 0, acknowledgements = 0;
+    for (const auto& object : result.objects()) {
+        const auto code = object.at("code").get<std::string>();
+        INFO(object.dump());
+        ++messages[code];
+        if (code >= "0xD000") {
+            ++private_codes;
+            REQUIRE(object.at("message") == "unknown");
+            REQUIRE((object.at("header").at("ack_nak") == 3 || object.at("bytes").get<std::string>().size() > 31));
+            continue;
+        }
+        REQUIRE_FALSE(object.contains("error"));
+        if (code == "0x4807") {
+            ++last_packets;
+            REQUIRE(object.at("header").at("data_flag") == 8);
+            REQUIRE(object.at("data_set") != "whole");
+            continue;
+        }
+        ++standard;
+        const bool has_more = code == "0x4402" || code == "0x4404";
+        REQUIRE(object.value("dropped", 0) == (has_more ? 2 : 0));
+        with_dropped_bytes += has_more ? 1 : 0;
+        if (object.at("header").at("ack_nak") == 3)
+            ++acknowledgements;
+        else
+            REQUIRE(object.at("fields").is_object());
+    }
+    REQUIRE(private_codes == 1095);
+    REQUIRE(last_packets == 482);
+    REQUIRE(standard == 3329 - 1095 - 482);
+    REQUIRE(with_dropped_bytes == 150);
+    REQUIRE(acknowledgements == 6);
+    REQUIRE(messages.size() == 23 + 26);
+    REQUIRE(messages.at("0x0801") == 548);
+}
+
+TEST_CASE("the recorded traffic's messages of the standard decode, and encode again to the same bytes") {
+    const auto result =
+        run("--format json --reencode --code 000D,000E,000F,0010,040A,040C,0801,0802,2400,2801,2805,4002,"
+            "4202,4400,4401,4405,4406,4800,4801,4805 " +
+            recorded);
+    REQUIRE(result.code == 0);
+    int count = 0;
+    for (const auto& object : result.objects()) {
+        // As received: the header's bytes are told too, so what is encoded from both has the same size.
+        REQUIRE(object.at("hex").get<std::string>().size() ==
+                2 * (16 + object.at("header").at("data_size").get<std::size_t>()));
+        ++count;
+    }
+    REQUIRE(count == 3329 - 1095 - 482 - 150);
+}
+
+TEST_CASE("the summary of the recorded traffic") {
+    const auto result = run("--summary " + recorded);
+    REQUIRE(
+        result.says("3329 messages: 1746 decoded, 9 acknowledgements, 482 packets of large data sets, 1092 unknown\n"));
+    REQUIRE(result.says("13 skipped: not UDP: IP protocol 1\n"));
+    REQUIRE(result.says("0x4402  Report Global Pose                          75        3600\n"));
+}
+
+TEST_CASE("frames of every link type hold messages, with and without the prefix") {
+    const scratch files;
+    const auto packet = udp_packet(prefix + status), bare = udp_packet(status);
+    const std::vector<std::pair<std::uint32_t, std::vector<std::string>>> captures{
+        {dump_test::link_ethernet,
+         {ethernet_frame(packet), ethernet_frame(bare) + "0000000000", // padded to the shortest frame
+          "020000000002 020000000001 8100 0005 0800 " + packet,
+          "020000000002 020000000001 88a8 0005 8100 0006 0800 " + bare}},
+        {dump_test::link_raw, {packet, bare}},
+        {dump_test::link_cooked, {"0000 0001 0006 020000000001 0000 0800" + packet}},
+        {dump_test::link_cooked_2, {"0800 0000 00000001 0001 00 06 020000000001 0000" + packet}},
+        {dump_test::link_null, {"02000000" + packet, "00000002" + bare}}};
+    for (const auto& [link_type, frames] : captures) {
+        INFO("link type " << link_type);
+        write_capture(files / "capture", link_type, frames);
+        const auto result = run("--format json " + (files / "capture"));
+        REQUIRE(result.code == 0);
+        REQUIRE(result.objects().size() == frames.size());
+        for (std::size_t i = 0; i != frames.size(); ++i) {
+            const auto object = result.objects()[i];
+            REQUIRE(object.at("message") == "Report Component Status");
+            REQUIRE(object.at("origin").at("packet") == i + 1);
+            REQUIRE(object.at("origin").at("time") == "2001-09-09T01:46:4" + std::to_string(i) + ".000250Z");
+            REQUIRE(object.at("origin").at("from") == "10.0.0.1:3794");
+            REQUIRE(object.at("origin").at("to") == "10.0.0.2:3794");
+        }
+    }
+}
+
+TEST_CASE("what is not JAUS is counted with its reason") {
+    const scratch files;
+    const auto frame = [](const std::string& payload) { return ethernet_frame(udp_packet(payload)); };
+    auto tcp = frame(status);
+    tcp.replace(tcp.find("40 11"), 5, "40 06");
+    auto cut_off = ethernet_frame(udp_packet(prefix + status));
+    cut_off.resize(cut_off.size() - 6);
+    write_capture(files / "capture", dump_test::link_ethernet,
+                  {"020000000002 020000000001 0806 0001", "0200", tcp, cut_off,
+                   ethernet_frame(udp_packet(status, "2000")), ethernet_frame(udp_packet(status, "0010")),
+                   ethernet_frame("65 00"), ethernet_frame("60" + std::string(80, '0')), frame("0102"),
+                   frame("ffff 0240 01200101 01210101 0500 0700 0100000000"),
+                   frame("0602 0240 01200101 00000000 0500 0700 0100000000"),
+                   frame("0602 15e0 01200101 01210101 0500 0700 01000000"), frame(status)});
+    const auto result = run("--format json --summary " + (files / "capture"));
+    REQUIRE(result.code == 0);
+    REQUIRE(result.objects().at(0).at("skipped") == json{{"IPv4 fragment", 2},
+                                                         {"not IPv4: EtherType 0x0806", 1},
+                                                         {"not IPv4: IP version 6", 1},
+                                                         {"not JAUS: no component is the source", 1},
+                                                         {"not JAUS: not the first bytes of a header", 1},
+                                                         {"not JAUS: shorter than a header", 1},
+                                                         {"not JAUS: the size in the header is another", 1},
+                                                         {"not UDP: IP protocol 6", 1},
+                                                         {"not captured to its end", 1},
+                                                         {"shorter than its Ethernet header", 1},
+                                                         {"shorter than its IPv4 header", 1}});
+    REQUIRE(result.objects().at(0).at("decoded") == 1);
+}
+
+TEST_CASE("a message that breaks off is shown as broken, since its code or its prefix says that it is one") {
+    const scratch files;
+    write_capture(files / "capture", dump_test::link_raw,
+                  {udp_packet("0602 0240 01200101 01210101 0500 0700 0100"), udp_packet(prefix + "0602"),
+                   udp_packet(prefix + status)});
+    const auto result = run("--format json " + (files / "capture"));
+    REQUIRE(result.code == 1);
+    REQUIRE(result.objects().at(0).at("error").at("field") == "secondary_status_code");
+    REQUIRE(result.objects().at(0).at("error").at("byte") == 17);
+    REQUIRE(result.objects().at(1).at("error").at("field") == "command_code");
+    REQUIRE_FALSE(result.objects().at(2).contains("error"));
+}
+
+TEST_CASE("packets of a large data set are listed and put together, also out of order") {
+    const scratch files;
+    write_capture(files / "capture", dump_test::link_raw,
+                  {udp_packet(image_packet("0310", "0000", "01 02 aa")), udp_packet(image_packet("0180", "0200", "dd")),
+                   udp_packet(image_packet("0220", "0100", "bbcc")), udp_packet(image_packet("0220", "0100", "bbcc"))});
+    const auto result = run("--format json --reencode " + (files / "capture"));
+    REQUIRE(result.code == 1); // the repeated packet begins a data set that stays incomplete
+    const auto objects = result.objects();
+    REQUIRE(objects.size() == 5);
+    std::string states;
+    for (const auto& object : objects) states += object.at("data_set").get<std::string>() + " ";
+    REQUIRE(states == "waiting waiting whole reassembled waiting ");
+    REQUIRE(objects[0].at("fields").is_null());
+    REQUIRE(objects[3].at("message") == "Report Image");
+    REQUIRE(objects[3].at("header").at("data_size") == 6);
+    REQUIRE(objects[3].at("fields").at("image_data") == "aabbccdd");
+    REQUIRE(objects[3].at("hex") == "0602074801200101012501010600"
+                                    "0000"
+                                    "0102aabbccdd");
+}
+
+TEST_CASE("payload data elements are decoded by the report of their payload that came before") {
+    const scratch files;
+    // One command interface "go": scaled byte, -10 to 10, no unit, no enumeration. Then Set Payload Data Element.
+    const std::string report = prefix +
+                               "0602 004d 01200101 01280101 1700 0000 00 01 00 676f00 0a 00 00 000020c1 00000000 "
+                               "00002041 0000";
+    const auto set = [](const std::string& to) { return prefix + "0602 010d" + to + "01200101 0300 0000 01 01 ff"; };
+    write_capture(files / "capture", dump_test::link_raw,
+                  {udp_packet(report), udp_packet(set("01280101")), udp_packet(set("01280202"))});
+    const auto result = run("--format json --reencode " + (files / "capture"));
+    INFO(result.out);
+    REQUIRE(result.code == 0);
+    const auto objects = result.objects();
+    REQUIRE(objects.at(1).at("fields").at("element") ==
+            json::array({{{"command_interface_number", 1}, {"value", {{"value", 10.0}, {"raw", 255}}}}}));
+    REQUIRE(objects.at(2).at("fields").at("element") == "01ff");
+}
+
+TEST_CASE("a capture that cannot be read ends with exit code 2, after what could be") {
+    const scratch files;
+    std::ofstream{files / "text"} << "this is no capture\n";
+    write_capture(files / "cut", dump_test::link_raw, {udp_packet(status), udp_packet(status)}, 3);
+    write_capture(files / "radio", 127, {});
+
+    auto result = run(files / "none");
+    REQUIRE(result.code == 2);
+    REQUIRE(result.err.find("No such file") != std::string::npos);
+    REQUIRE(result.out.empty());
+    REQUIRE(run(files / "text").code == 2);
+    result = run(files / "radio");
+    REQUIRE(result.code == 2);
+    REQUIRE(result.err.find("is not supported") != std::string::npos);
+    result = run("--format json " + (files / "cut"));
+    REQUIRE(result.code == 2);
+    REQUIRE(result.objects().size() == 1);
+    REQUIRE(result.err.find("after packet 1") != std::string::npos);
+}

@@ -1,0 +1,118 @@
+// Messages from a UDP port, as they arrive.
+#include "program.hpp"
+#include "support/catch.hpp"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <fcntl.h>
+#include <thread>
+
+namespace {
+
+using boost::asio::ip::udp;
+using dump_test::from_hex;
+
+/// jausdump, listening at a port that the system chose.
+class listening_program {
+  public:
+    explicit listening_program(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {JAUSDUMP, "--listen", "0"});
+        pid_ = ::fork();
+        if (pid_ == 0) {
+            redirect(out_, STDOUT_FILENO);
+            redirect(err_, STDERR_FILENO);
+            std::vector<char*> words;
+            for (auto& word : arguments) words.push_back(word.data());
+            words.push_back(nullptr);
+            ::execv(JAUSDUMP, words.data());
+            ::_exit(127);
+        }
+        const std::string said = "listening on UDP port ";
+        port_ = static_cast<std::uint16_t>(std::stoi(wait_for(err_, said + "N", [&](const std::string& text) {
+            const auto at = text.find(said);
+            return at == std::string::npos || text.find(';', at) == std::string::npos ? std::string{}
+                                                                                      : text.substr(at + said.size());
+        })));
+    }
+    listening_program(const listening_program&) = delete;
+    listening_program& operator=(const listening_program&) = delete;
+    ~listening_program() {
+        if (pid_ > 0) end(SIGKILL);
+    }
+
+    void send(const std::string& hex) {
+        const auto bytes = from_hex(hex);
+        socket_.send_to(boost::asio::buffer(bytes), {boost::asio::ip::address_v4::loopback(), port_});
+    }
+    void wait_for_output(const std::string& awaited) const {
+        wait_for(out_, awaited, [&](const std::string& text) {
+            return text.find(awaited) == std::string::npos ? std::string{} : text;
+        });
+    }
+    /// The exit code.
+    int end(int signal) {
+        ::kill(pid_, signal);
+        int status = 0;
+        ::waitpid(std::exchange(pid_, -1), &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    [[nodiscard]] std::string output() const { return dump_test::content(out_); }
+
+  private:
+    static void redirect(const std::string& path, int descriptor) {
+        ::dup2(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), descriptor);
+    }
+    template <class Find> static std::string wait_for(const std::string& path, const std::string& what, Find find) {
+        for (int i = 0; i != 600; ++i) {
+            if (const auto found = find(dump_test::content(path)); !found.empty()) return found;
+            std::this_thread::sleep_for(std::chrono::milliseconds{50});
+        }
+        throw std::runtime_error{"not said within 30 seconds: " + what};
+    }
+
+    dump_test::scratch files_{};
+    std::string out_{files_ / "out"}, err_{files_ / "err"};
+    pid_t pid_{-1};
+    std::uint16_t port_{};
+    boost::asio::io_context context_{};
+    udp::socket socket_{context_, udp::v4()};
+};
+
+const std::string status = "0602 0240 01200101 01210101 0500 0700 0100000000";
+const std::string prefix = "4a41555330312e30";
+
+} // namespace
+
+TEST_CASE("messages at a port are shown as they arrive, until Ctrl-C ends with the summary") {
+    listening_program program{{}};
+    program.send(status);
+    program.wait_for_output("Report Component Status");
+    program.send("ff");
+    program.send(prefix + "0602 0748 01200101 01250101 0310 0000 01 02 aa");
+    program.send(prefix + "0602 0748 01200101 01250101 0180 0100 bb");
+    program.wait_for_output("image_data = 2 bytes: aa bb");
+    REQUIRE(program.end(SIGINT) == 0);
+    const auto text = program.output();
+    REQUIRE(text.find(
+                "4 messages: 2 decoded, 2 packets of large data sets\n1 skipped: not JAUS: shorter than a header\n") !=
+            std::string::npos);
+}
+
+TEST_CASE("messages at a port as JSON, with the sender's address; an unknown one makes the exit code 1") {
+    listening_program program{{"--format", "json"}};
+    program.send(prefix + status);
+    program.send("8602 15e0 01260598 01040182 0000 0000");
+    program.wait_for_output("0xE015");
+    REQUIRE(program.end(SIGTERM) == 1);
+    std::istringstream lines{program.output()};
+    std::string line;
+    REQUIRE(std::getline(lines, line));
+    const auto object = dump_test::json::parse(line);
+    REQUIRE(object.at("message") == "Report Component Status");
+    REQUIRE(object.at("origin").at("packet") == 1);
+    REQUIRE(object.at("origin").at("from").get<std::string>().starts_with("127.0.0.1:"));
+    REQUIRE(object.at("origin").at("time").get<std::string>().size() == 27);
+}

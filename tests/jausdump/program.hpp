@@ -1,0 +1,116 @@
+// Runs jausdump, and makes what it reads.
+#pragma once
+#include "support/hex.hpp"
+#include "support/pcap.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace dump_test {
+
+using json = nlohmann::ordered_json;
+using jauscat::test::from_hex;
+
+/// A folder of this test's own, removed with it.
+class scratch {
+  public:
+    scratch() {
+        std::string name = (std::filesystem::temp_directory_path() / "jausdump-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error{"no temporary folder"};
+        folder_ = name;
+    }
+    scratch(const scratch&) = delete;
+    scratch& operator=(const scratch&) = delete;
+    ~scratch() {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
+    }
+    [[nodiscard]] std::string operator/(const std::string& name) const { return (folder_ / name).string(); }
+
+  private:
+    std::filesystem::path folder_{};
+};
+
+inline std::string content(const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream{path, std::ios::binary}.rdbuf();
+    return text.str();
+}
+
+struct outcome {
+    int code{};
+    std::string out{}, err{};
+
+    [[nodiscard]] std::vector<std::string> lines() const {
+        std::vector<std::string> all;
+        std::istringstream text{out};
+        for (std::string line; std::getline(text, line);) all.push_back(line);
+        return all;
+    }
+    [[nodiscard]] std::vector<json> objects() const {
+        std::vector<json> all;
+        for (const auto& line : lines()) all.push_back(json::parse(line));
+        return all;
+    }
+    [[nodiscard]] bool says(const std::string& text) const { return out.find(text) != std::string::npos; }
+};
+
+/// `before` goes in front of the command: variables.
+inline outcome run(const std::string& arguments, const std::string& input = {}, const std::string& before = {}) {
+    const scratch files;
+    std::ofstream{files / "in"} << input;
+    const auto command = before + " timeout 60 '" JAUSDUMP "' " + arguments + " <" + (files / "in") + " >" +
+                         (files / "out") + " 2>" + (files / "err");
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(files / "out"), content(files / "err")};
+}
+
+/// What `run` prints for one line of hex, as JSON.
+inline json object_of(const std::string& hex, const std::string& arguments = {}) {
+    const auto objects = run("--format json " + arguments, hex + "\n").objects();
+    if (objects.size() != 1) throw std::runtime_error{"not one object"};
+    return objects[0];
+}
+
+/// A capture file of frames given in hex, a second apart. `cut` bytes are left off its end.
+inline void write_capture(const std::string& path, std::uint32_t link_type, const std::vector<std::string>& frames,
+                          std::size_t cut = 0) {
+    std::vector<std::byte> bytes;
+    const auto append = [&](const auto& header) {
+        const std::size_t at = bytes.size();
+        bytes.resize(at + jauscat::wire::encoded_size(header));
+        if (!jauscat::wire::encode(header, std::span{bytes}.subspan(at))) throw std::runtime_error{"header"};
+    };
+    append(jauscat::test::pcap_file_header{
+        .magic = 0xA1B2C3D4, .major = 2, .minor = 4, .longest = 65535, .link_type = link_type});
+    for (std::uint32_t second = 0; const auto& hex : frames) {
+        const auto frame = from_hex(hex);
+        const auto size = static_cast<std::uint32_t>(frame.size());
+        append(jauscat::test::pcap_record_header{
+            .seconds = 1000000000 + second++, .microseconds = 250, .captured = size, .original = size});
+        bytes.insert(bytes.end(), frame.begin(), frame.end());
+    }
+    std::ofstream{path, std::ios::binary}.write(reinterpret_cast<const char*>(bytes.data()),
+                                                static_cast<std::streamsize>(bytes.size() - cut));
+}
+
+/// `0a0b`: a number as two bytes, the larger first.
+inline std::string two_bytes(std::size_t number) {
+    return jauscat::test::to_hex(std::array{static_cast<std::byte>(number >> 8), static_cast<std::byte>(number)});
+}
+/// An IPv4 packet with a UDP datagram from 10.0.0.1:3794 to 10.0.0.2:3794.
+inline std::string udp_packet(const std::string& payload, const std::string& fragment = "0000") {
+    const std::size_t size = from_hex(payload).size();
+    return "45 00 " + two_bytes(28 + size) + " 0001" + fragment + "40 11 0000 0a000001 0a000002 0ed2 0ed2 " +
+           two_bytes(8 + size) + " 0000 " + payload;
+}
+inline std::string ethernet_frame(const std::string& packet) { return "020000000002 020000000001 0800 " + packet; }
+
+inline constexpr std::uint32_t link_null = 0, link_ethernet = 1, link_raw = 101, link_cooked = 113, link_cooked_2 = 276;
+
+} // namespace dump_test

@@ -1,0 +1,121 @@
+// What people read: columns, fields, colours; and how the program is called.
+#include "program.hpp"
+#include "support/catch.hpp"
+
+using dump_test::run;
+
+namespace {
+const std::string wrench = "0602 0504 01210202 01200101 0500 2200 4100 ff3f 20\n";
+}
+
+TEST_CASE("a message is a line of columns, then its fields with units and raw integers") {
+    const auto result = run("", wrench);
+    REQUIRE(result.code == 0);
+    REQUIRE(
+        result.out ==
+        " number  time (UTC)       code    message                                bytes  source          -> "
+        "destination      sequence\n"
+        "      1                   0x0405  Set Wrench Effort                          5  1.1.32.1        -> 2.2.33.1  "
+        "       34\n"
+        "         presence_vector = 0x0041\n"
+        "         propulsive_linear_effort_x = 49.998474 % (raw 16383)\n"
+        "         resistive_linear_effort_x = 12.54902 % (raw 32)\n"
+        "\n"
+        "code    message                                  count       bytes  not decoded\n"
+        "0x0405  Set Wrench Effort                            1          21\n"
+        "1 message: 1 decoded\n");
+}
+
+TEST_CASE("bytes are shown with their offsets on request, and where a message is broken") {
+    const std::string dump = "         0000  06 02 05 04 01 21 02 02 01 20 01 01 05 00 22 00\n"
+                             "         0010  41 00 ff 3f 20\n";
+    REQUIRE_FALSE(run("", wrench).says(dump));
+    REQUIRE(run("--hex", wrench).says(dump));
+
+    const auto broken = run("", "0602 0504 01210202 01200101 0300 2200 4100 ff\n");
+    REQUIRE(broken.code == 1);
+    REQUIRE(broken.says("propulsive_linear_effort_x at byte 18 needs 2 bytes, 1 left\n"));
+    REQUIRE(broken.says("         0010  41 00 ff\n"));
+    const auto unknown = run("", "0602 15e0 01210202 01200101 0100 2200 41\n");
+    REQUIRE(unknown.says("unknown: command code 0xE015 is not one of the standard's\n"));
+    REQUIRE(unknown.says("         0010  41\n"));
+}
+
+TEST_CASE("encoded and translated bytes are said in words") {
+    const auto result = run("--reencode --translate seed", wrench);
+    REQUIRE(result.says("         encoded again: 06020504012102020120010105002200"
+                        "4100ff3f20\n"));
+    REQUIRE(result.says("         SDO packet: 0200000000000000"));
+    REQUIRE(
+        run("--translate seed", "0602 15e0 01210202 01200101 0000 2200\n").says("SDO packet: unknown_command_code\n"));
+}
+
+TEST_CASE("payload data elements follow their bytes") {
+    const auto result =
+        run("--payload-types 2,21", "9002010d ffff94ff 6c218209 0b00 3f22 02 01 00000080 02 0100 ffff\n");
+    REQUIRE(result.code == 0);
+    REQUIRE(result.says("         element[0]: interface 1 = -2147483648\n"
+                        "         element[1]: interface 2 = {\"first\":1,\"second\":65535}\n"));
+}
+
+TEST_CASE("the summary counts by message") {
+    const auto result = run("--summary", wrench + wrench + "06\n");
+    REQUIRE(result.out == "\n"
+                          "code    message                                  count       bytes  not decoded\n"
+                          "-       not a message                                1           1            1\n"
+                          "0x0405  Set Wrench Effort                            2          42\n"
+                          "3 messages: 2 decoded, 1 broken\n");
+}
+
+TEST_CASE("there are colours on a terminal, and never with NO_COLOR") {
+    const dump_test::scratch files;
+    std::ofstream{files / "in"} << wrench;
+    const auto on_terminal = [&](const std::string& before) {
+        const auto command = before + " script -qec \"'" JAUSDUMP "' <" + (files / "in") + "\" /dev/null >" +
+                             (files / "out") + " 2>/dev/null";
+        REQUIRE(std::system(command.c_str()) == 0);
+        return dump_test::content(files / "out");
+    };
+    if (std::system("command -v script >/dev/null") != 0) {
+        std::puts("SKIPPED: script (package bsdutils) is missing");
+        return;
+    }
+    const std::string coloured = "\033[1mSet Wrench Effort\033[0m";
+    REQUIRE(on_terminal("NO_COLOR=").find(coloured) != std::string::npos);
+    const auto plain = on_terminal("NO_COLOR=1");
+    REQUIRE(plain.find("Set Wrench Effort") != std::string::npos);
+    REQUIRE(plain.find('\033') == std::string::npos);
+    REQUIRE(run("", wrench).out.find('\033') == std::string::npos);
+}
+
+TEST_CASE("help has examples and the exit codes") {
+    const auto result = run("--help");
+    REQUIRE(result.code == 0);
+    for (const auto* text : {"Examples:", "Exit code:", "--payload-types", "--listen", "jausdump drive.pcap"})
+        REQUIRE(result.says(text));
+}
+
+TEST_CASE("a wrong command line ends with exit code 2 and says what is wrong") {
+    const auto says = [](const std::string& arguments, const std::string& text) {
+        const auto result = run(arguments);
+        INFO(arguments << ": " << result.err);
+        REQUIRE(result.code == 2);
+        REQUIRE(result.out.empty());
+        REQUIRE(result.err.find(text) != std::string::npos);
+    };
+    says("--nonsense", "nonsense");
+    says("--format xml", "--format must be text or json, not 'xml'");
+    says("--translate paper", "--translate must be seed or self-contained, not 'paper'");
+    says("--code xyz", "'xyz' is no command code");
+    says("--code 10405", "'10405' is no command code");
+    says("--name wrnch", "no message has 'wrnch' in its name");
+    for (const auto* id : {"1.2.3.4.5", "1..3", "256", "0", "1.x", "1."})
+        says("--from " + std::string{id}, "is no JAUS ID");
+    says("--payload-types 1,23", "'23' is no payload type code");
+    says("--payload-types /nowhere", "cannot read /nowhere");
+    says("--listen 70000", "listen");
+    says("--join 224.1.0.1", "--join needs --listen");
+    says("--listen 3794 a.pcap", "either a capture or --listen");
+    says("a.pcap b.pcap", "too many positional");
+    says("--listen 0 --join 300.1.1.1", "300.1.1.1");
+}
