@@ -15,7 +15,7 @@ struct record {
     int handled{}, unknown{}, malformed{}, acknowledged{};
     std::uint16_t code{};
     wire::errc error{};
-    bytes again{}; ///< header and body, made again from what the handler got
+    bytes again{}; ///< header and body, made again from what the handler got, if it may be sent
 };
 
 template <class T> struct take_message {
@@ -25,7 +25,8 @@ template <class T> struct take_message {
         seen->code = T::command_code;
         bytes out(jaus::header_size + wire::encoded_size(message));
         const auto size = jaus::make_message(head, message, out);
-        check(size && size.size() == out.size(), "a message that was received can be made");
+        if (!size) return;
+        check(size.size() == out.size(), "a message that was received can be made");
         seen->again = std::move(out);
     }
 };
@@ -40,12 +41,12 @@ jaus::dispatched dispatch(record& seen, const jaus::split_message& m, jaus::mess
             seen.error = error;
         }),
         jaus::on_acknowledgement([&](const jaus::header&) { ++seen.acknowledged; })};
-    return handlers(m.header, m.body);
+    return handlers(m.header, m.body, fresh_arena());
 }
 
 void check_dispatch(const jaus::split_message& m) {
     record seen;
-    const auto what = dispatch(seen, m, jaus::messages{});
+    const auto what = dispatch(seen, m, one_of_each_kind{});
     check(seen.handled + seen.unknown + seen.malformed + seen.acknowledged == 1, "one handler is called");
     check((what == jaus::dispatched::handled) == (seen.handled == 1) &&
               (what == jaus::dispatched::unknown) == (seen.unknown == 1) &&
@@ -57,19 +58,22 @@ void check_dispatch(const jaus::split_message& m) {
         return;
     }
     bool known = false;
-    with_message(m.header.command_code, jaus::messages{}, [&]<class T>() {
+    with_message(m.header.command_code, one_of_each_kind{}, [&]<class T>() {
         known = true;
         T message{};
-        const wire::result decoded = wire::decode(message, m.body);
+        const wire::result decoded = wire::decode(message, m.body, fresh_arena());
         check(static_cast<bool>(decoded) == (seen.handled == 1), "a handler gets exactly what decodes");
         check(decoded || decoded.error() == seen.error, "the malformed handler gets the error of decode");
         if (!decoded) return;
         check(seen.code == m.header.command_code, "a handler gets its own message");
         auto head = m.header;
-        const bytes body = canonical<T>(m.body); // may be shorter: an open presence vector drops bytes
-        head.data_size = static_cast<std::uint16_t>(body.size());
-        bytes expected = encoded(head);
-        expected.insert(expected.end(), body.begin(), body.end());
+        const auto body = canonical<T>(m.body); // may be shorter: an open presence vector drops bytes
+        bytes expected;
+        if (body) {
+            head.data_size = static_cast<std::uint16_t>(body->size());
+            expected = encoded(head).value();
+            expected.insert(expected.end(), body->begin(), body->end());
+        }
         check(seen.again == expected, "a message made again has the same bytes");
     });
     check(known == (seen.unknown == 0), "only an unknown command code is called unknown");
@@ -82,7 +86,7 @@ void fuzz::run(std::span<const std::byte> input) {
     check(framed.message.size() + jaus::prefix(framed.how).size() == input.size(), "only the prefix is taken off");
     const bytes message = copy_of(framed.message);
     const auto m = jaus::split(message);
-    check(!text::annotate_message(message, jaus::messages{}).empty(), "there is a text for any bytes");
+    check(!text::annotate_message(message, one_of_each_kind{}).empty(), "there is a text for any bytes");
     if (message.size() < jaus::header_size) {
         check(m.error == jaus::errc::truncated, "what is shorter than a header is truncated");
         return;

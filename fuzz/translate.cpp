@@ -70,7 +70,7 @@ template <class Table> struct checked {
         packet.resize(there.size());
         // Allowed: a packet may be longer than its data count says, and state that length; it comes back without.
         fields.head.ul_len = 16 + fields.ul_data_cnt;
-        bytes expected = encoded(fields);
+        bytes expected = encoded(fields).value();
         const auto data = input.subspan(expected.size(), fields.ul_data_cnt);
         expected.insert(expected.end(), data.begin(), data.end());
         check(packet == expected, "a packet comes back byte for byte");

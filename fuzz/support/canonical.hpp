@@ -4,43 +4,67 @@
 #include "target.hpp"
 #include <jauscat/wire/wire.hpp>
 
-#include <cstdint>
-#include <tuple>
+#include <optional>
 
 namespace fuzz {
 
 namespace detail {
 
-class canonical_writer {
+/// Watches decoding and copies what it passes, byte by byte, changing only what `encode` may send otherwise.
+class canonical_trace : public jauscat::wire::detail::decode_trace {
   public:
-    explicit canonical_writer(std::span<const std::byte> in) : in_{in} {}
+    explicit canonical_trace(std::span<const std::byte> in) : decode_trace{in}, in_{in} {}
 
-    template <class Layout> bool layout() {
-        return Layout::all_items([&]<class Item>() { return item<Item>(); });
+    template <class Item> bool reach(const auto& object, const std::byte* at) {
+        if constexpr (is_presence<Item>) vectors_.push_back(out_.size());
+        return decode_trace::reach<Item>(object, at);
     }
-    [[nodiscard]] bytes written() && { return std::move(out_); }
+    template <class Item> void passed(const auto&, const std::byte* end) {
+        const std::size_t start = out_.size();
+        if constexpr (is_presence<Item>) {
+            // Allowed: an open presence vector drops the bits it does not know, with all bytes to the end of the body.
+            at_ = offset_of(end);
+            mask<typename Item::carrier_codec>(vectors_.back(), Item::known_bits);
+            vectors_.pop_back();
+            return;
+        }
+        keep_to(end);
+        // Allowed: reserved bits are ignored on receipt and sent as zero.
+        if constexpr (requires { typename Item::fields; }) mask_reserved(Item{}, start);
+        // Allowed: a string that is received in any length is sent in its own.
+        if constexpr (sent_size<Item> != 0) {
+            too_long_ = too_long_ ||
+                        std::ranges::any_of(std::span{out_}.subspan(std::min(start + sent_size<Item>, out_.size())),
+                                            [](std::byte b) { return b != std::byte{}; });
+            out_.resize(start + sent_size<Item>);
+        }
+    }
+    template <class> void passed_element(const auto&, const std::byte* end) { keep_to(end); }
+    template <class> void passed_number(std::string_view, std::uint64_t, const std::byte* end) { keep_to(end); }
+
+    [[nodiscard]] std::optional<bytes> written() && {
+        return too_long_ ? std::nullopt : std::optional{std::move(out_)};
+    }
 
   private:
-    template <class Item> bool item() {
-        if constexpr (requires { Item::known_bits; })
-            return presence<Item>();
-        else if constexpr (requires { typename Item::inner; })
-            return layout<typename Item::inner>();
-        else if constexpr (requires { typename Item::carrier_type; })
-            return bit_fields(Item{});
-        else
-            return keep<Item>();
-    }
+    template <class Item> static constexpr bool is_presence = requires { Item::known_bits; };
+    template <class> static constexpr std::size_t sent_size = 0;
+    template <auto Member, std::size_t Size>
+    static constexpr std::size_t sent_size<jauscat::wire::detail::lenient_run<Member, Size>> = Size;
 
-    template <class Item> bool keep() {
-        static_assert(jauscat::wire::fixed_item<Item>, "canonical: say here which bytes this item may change");
-        out_.insert(out_.end(), in_.begin(), in_.begin() + Item::max_size);
-        in_ = in_.subspan(Item::max_size);
-        return true;
+    void keep_to(const std::byte* end) {
+        const auto passed = in_.subspan(at_, offset_of(end) - at_);
+        out_.insert(out_.end(), passed.begin(), passed.end());
+        at_ += passed.size();
     }
-
-    // Allowed: reserved bits are ignored on receipt and sent as zero.
-    template <class Carrier, class... Fields> bool bit_fields(jauscat::wire::bits<Carrier, Fields...>) {
+    template <class Carrier> void mask(std::size_t start, std::uint64_t bits) {
+        using word_type = typename Carrier::value_type;
+        word_type word{};
+        static_cast<void>(Carrier::load(out_.data() + start, word));
+        static_cast<void>(Carrier::store(out_.data() + start, static_cast<word_type>(word & bits)));
+    }
+    template <class Carrier, class... Fields>
+    void mask_reserved(jauscat::wire::bits<Carrier, Fields...>, std::size_t start) {
         std::uint64_t named = 0;
         std::size_t at = 0;
         const auto name = [&](bool is_named, std::size_t width) {
@@ -48,51 +72,34 @@ class canonical_writer {
             at += width;
         };
         (name(Fields::keys::count != 0, Fields::width), ...);
-        keep_masked<Carrier>(named);
-        return true;
-    }
-
-    // Allowed: an open presence vector drops the bits it does not know, with all bytes to the end of the body.
-    template <class Item> bool presence() {
-        const auto announced = keep_masked<typename Item::carrier_codec>(Item::known_bits);
-        std::size_t at = 0;
-        const bool whole = Item::all_items([&]<class Sub>() {
-            if constexpr (Sub::optional) {
-                if ((announced >> at++ & 1u) == 0) return true;
-            }
-            return item<Sub>();
-        });
-        return whole && (announced & ~Item::known_bits) == 0;
-    }
-
-    template <class Carrier> std::uint64_t keep_masked(std::uint64_t mask) {
-        using word_type = typename Carrier::value_type;
-        word_type word{};
-        static_cast<void>(Carrier::load(in_.data(), word));
-        out_.resize(out_.size() + Carrier::size);
-        static_cast<void>(
-            Carrier::store(out_.data() + out_.size() - Carrier::size, static_cast<word_type>(word & mask)));
-        in_ = in_.subspan(Carrier::size);
-        return word;
+        mask<Carrier>(start, named);
     }
 
     std::span<const std::byte> in_;
+    std::size_t at_{};
     bytes out_;
+    std::vector<std::size_t> vectors_; ///< where the presence vectors stand that decoding is inside of
+    bool too_long_{};
 };
 
 } // namespace detail
 
-/// `body` as a `T` that was decoded from it encodes. `body` is one that `wire::raw<T>` decodes.
-template <jauscat::wire::message T> bytes canonical(std::span<const std::byte> body) {
-    detail::canonical_writer writer{body};
-    writer.layout<jauscat::wire::layout_of<T>>();
-    return std::move(writer).written();
+/// `body` as a `T` that was decoded from it encodes; nothing where it holds a string that is longer than may be sent.
+/// `body` is one that `wire::raw<T>` decodes.
+template <jauscat::wire::message T> std::optional<bytes> canonical(std::span<const std::byte> body) {
+    namespace wire = jauscat::wire;
+    wire::raw<T> scratch{};
+    detail::canonical_trace trace{body};
+    const wire::in_cursor end = wire::detail::decode_traced(scratch, body, trace);
+    check(end.at != nullptr || end.error() == wire::errc::ok, "a watched decode finds what decode finds");
+    return std::move(trace).written();
 }
 
-/// `message` encoded into memory of exactly its size.
-template <jauscat::wire::message T> bytes encoded(const T& message) {
+/// `message` encoded into memory of exactly its size; nothing where its string is longer than may be sent.
+template <jauscat::wire::message T> std::optional<bytes> encoded(const T& message) {
     bytes out(jauscat::wire::encoded_size(message));
     const auto size = jauscat::wire::encode(message, out);
+    if (size.error() == jauscat::wire::errc::out_of_range) return {};
     check(static_cast<bool>(size), "what decodes encodes");
     check(size.size() == out.size(), "encode writes encoded_size bytes");
     return out;

@@ -1,8 +1,10 @@
 // What a fuzz target is made of: `run` is the target, `check` states a property, `input_reader` takes an input apart.
 #pragma once
+#include <jauscat/wire/arena.hpp>
 #include <jauscat/wire/scalar.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -25,6 +27,14 @@ inline void check(bool holds, const char* sentence) {
 
 /// A copy in memory of exactly its size, so that the address sanitizer sees the first byte behind it.
 inline bytes copy_of(std::span<const std::byte> from) { return {from.begin(), from.end()}; }
+
+/// Memory for the lists of one execution: far more than most inputs can ask for.
+inline jauscat::wire::arena& fresh_arena() {
+    alignas(std::max_align_t) static std::array<std::byte, std::size_t{1} << 20> memory;
+    static jauscat::wire::arena arena{memory};
+    arena.reset();
+    return arena;
+}
 
 /// Takes values off the front of an input. Where it has ended, they are zero.
 class input_reader {
