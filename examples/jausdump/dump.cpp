@@ -149,19 +149,26 @@ void dump::decode(record& message, bool network) {
 void dump::add_packet_of_data_set(record& message) {
     message.kind = kind::part;
     std::optional<record> whole;
-    const auto result = data_sets_.on_packet(
-        *message.head, message.body(), message.origin.time.value_or(std::chrono::nanoseconds{}),
-        [&](jaus::header head, std::span<const std::byte> body) {
-            head.data_flag = jaus::data_flag::only;
-            head.data_size = static_cast<std::uint16_t>(body.size());
-            whole = record{.origin = message.origin, .head = head, .name = message.name, .data_set = "reassembled"};
-            whole->bytes.resize(jaus::header_size);
-            // A body of more than 4095 bytes has no size that fits the header: these bytes are then not of a packet.
-            static_cast<void>(wire::encode(head, whole->bytes));
-            whole->bytes.insert(whole->bytes.end(), body.begin(), body.end());
-        },
-        [&](const jaus::partial_data_set&) { summary_.lose_data_set(); });
+    const auto take = [&](jaus::header head, std::span<const std::byte> body) {
+        // The size of a body of more than 4080 bytes does not fit a header, so that there are no such bytes on a wire.
+        head.data_flag = jaus::data_flag::only;
+        head.data_size = static_cast<std::uint16_t>(body.size() <= jaus::max_body_size ? body.size() : 0);
+        whole = record{.origin = message.origin, .head = head, .name = message.name, .data_set = "reassembled"};
+        whole->bytes.resize(jaus::header_size);
+        static_cast<void>(wire::encode(head, whole->bytes)); // all of it was decoded from one
+        whole->bytes.insert(whole->bytes.end(), body.begin(), body.end());
+    };
+    const auto lost = [&](const jaus::partial_data_set&) { summary_.lose_data_set(); };
+    const auto now = message.origin.time.value_or(std::chrono::nanoseconds{});
+    const auto result = data_sets_.on_packet(*message.head, message.body(), now, take, lost);
     message.data_set = error_name(result);
+    if (result == jaus::reassembled::no_room || result == jaus::reassembled::too_large) {
+        message.kind = kind::broken;
+        message.error = fault{.error = message.data_set,
+                              .what = result == jaus::reassembled::no_room
+                                          ? "no room: too many large data sets at a time"
+                                          : "too large: a data set of more than 1 MiB or 4096 packets"};
+    }
     tell(message);
     if (!whole) return;
     decode(*whole, true);

@@ -55,7 +55,7 @@ json address_object(const jaus::address& id) {
     return {{"subsystem", id.subsystem}, {"node", id.node}, {"component", id.component}, {"instance", id.instance}};
 }
 
-json header_object(const jaus::header& head) {
+json header_object(const jaus::header& head, std::size_t data_size) {
     return {{"priority", head.priority},
             {"ack_nak", static_cast<int>(head.ack_nak)},
             {"service_connection", static_cast<int>(head.service_connection)},
@@ -65,7 +65,7 @@ json header_object(const jaus::header& head) {
             {"destination", address_object(head.destination)},
             {"source", address_object(head.source)},
             {"data_flag", static_cast<int>(head.data_flag)},
-            {"data_size", head.data_size},
+            {"data_size", data_size},
             {"sequence_number", head.sequence_number}};
 }
 
@@ -122,7 +122,9 @@ std::string to_json_line(const record& message) {
     if (message.head) {
         object["message"] = message.name;
         object["code"] = text::hex_number(message.head->command_code, 4);
-        object["header"] = header_object(*message.head);
+        // What was put together has a size that its header need not be able to say.
+        object["header"] = header_object(*message.head, message.data_set == "reassembled" ? message.body().size()
+                                                                                          : message.head->data_size);
     }
     object["presence_vector"] = message.presence_vector;
     object["fields"] = message.fields;

@@ -183,6 +183,42 @@ TEST_CASE("packets of a large data set are listed and put together, also out of 
                                     "0102aabbccdd");
 }
 
+TEST_CASE("a large data set of more bytes than a header can say is decoded, and has no bytes to encode again") {
+    const scratch files;
+    std::vector<std::string> frames;
+    const std::string body = "01 02" + std::string(2 * 3998, 'a'); // 4000 bytes, a0fh
+    for (int number = 0; number != 20; ++number) {
+        const bool first = number == 0, last = number == 19;
+        const auto packet_number = jauscat::test::to_hex(std::array{static_cast<std::byte>(number)}) + "00";
+        frames.push_back(udp_packet(image_packet(first ? "a01f" : last ? "a08f" : "a02f", packet_number, body)));
+    }
+    write_capture(files / "capture", dump_test::link_raw, frames);
+    const auto result = run("--format json --reencode " + (files / "capture"));
+    REQUIRE(result.code == 0);
+    const auto objects = result.objects();
+    REQUIRE(objects.size() == 21);
+    REQUIRE(objects[20].at("header").at("data_size") == 80000);
+    REQUIRE(objects[20].at("header").at("data_flag") == 0);
+    REQUIRE(objects[20].at("fields").at("image_data").get<std::string>().size() == 2 * 79998);
+    REQUIRE_FALSE(objects[20].contains("hex"));
+}
+
+TEST_CASE("a data set that is larger than the memory for it is shown as broken") {
+    const scratch files;
+    const std::string body(2 * 4000, 'a');
+    std::vector<std::string> frames(263); // 1 MiB is 262 packets of 4000 bytes and some more
+    for (std::size_t number = 0; number != frames.size(); ++number)
+        frames[number] = udp_packet(image_packet(
+            "a02f",
+            jauscat::test::to_hex(std::array{static_cast<std::byte>(number), static_cast<std::byte>(number >> 8)}),
+            body));
+    write_capture(files / "capture", dump_test::link_raw, frames);
+    const auto result = run("--format json " + (files / "capture"));
+    REQUIRE(result.code == 1);
+    REQUIRE(result.objects().at(261).at("data_set") == "waiting");
+    REQUIRE(result.objects().at(262).at("error").at("error") == "too_large");
+}
+
 TEST_CASE("payload data elements are decoded by the report of their payload that came before") {
     const scratch files;
     // One command interface "go": scaled byte, -10 to 10, no unit, no enumeration. Then Set Payload Data Element.

@@ -88,6 +88,22 @@ TEST_CASE("there are colours on a terminal, and never with NO_COLOR") {
     REQUIRE(run("", wrench).out.find('\033') == std::string::npos);
 }
 
+TEST_CASE("the progress of a long capture is shown on a terminal that has no messages on it") {
+    if (std::system("command -v script >/dev/null") != 0) {
+        std::puts("SKIPPED: script (package bsdutils) is missing");
+        return;
+    }
+    const dump_test::scratch files;
+    const auto seen = [&](const std::string& output) {
+        const auto command = "script -qec \"'" JAUSDUMP "' " JAUSCAT_TEST_DATA "/jaus_ra.pcap " + output +
+                             "\" /dev/null >" + (files / "terminal") + " 2>/dev/null";
+        static_cast<void>(std::system(command.c_str())); // 1: not all of this capture is of the standard
+        return dump_test::content(files / "terminal");
+    };
+    REQUIRE(seen(">" + (files / "out")).find("reading: 50 %") != std::string::npos);
+    REQUIRE(seen("").find("reading:") == std::string::npos);
+}
+
 TEST_CASE("help has examples and the exit codes") {
     const auto result = run("--help");
     REQUIRE(result.code == 0);
