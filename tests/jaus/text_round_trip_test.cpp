@@ -42,11 +42,15 @@ void check_comes_back(const messages::message& message, const json& fields, cons
     REQUIRE(to_hex(again) == to_hex(bytes));
 }
 
-/// Removes every "raw" beside a "value", and every count.
+/// The elements of payload data are bytes, which do not say how many there are.
+bool counts_bytes(std::string_view name) { return name.starts_with("number_of_payload_"); }
+
+/// Removes every "raw" beside a "value", and every count of a list that is there.
 void simplify(json& fields) {
     for (auto it = fields.begin(); it != fields.end();) {
-        if (fields.is_object() && (it.key() == "raw" || it.key().starts_with("number_of_") ||
-                                   it.key() == "enumeration_length" || it.key() == "query_message_size")) {
+        if (fields.is_object() &&
+            (it.key() == "raw" || (it.key().starts_with("number_of_") && !counts_bytes(it.key())) ||
+             it.key() == "enumeration_length" || it.key() == "query_message_size")) {
             it = fields.erase(it);
             continue;
         }
@@ -70,11 +74,13 @@ TEST_CASE("the text of every message names each of its fields") {
     for_random_messages(62, [](const messages::message& message, const messages::octets&, const void* value) {
         const std::string lines = "\n" + text::to_text(*message.structure, value);
         INFO(lines);
-        for (const auto& [name, field] : whole_json(message, value).items()) {
-            const std::size_t at = lines.find("\n  " + name);
+        const json fields = whole_json(message, value);
+        for (const auto& [name, field] : fields.items()) {
             INFO(name);
-            REQUIRE(at != std::string::npos);
-            REQUIRE(std::string_view{" [.\n"}.find(lines[at + 3 + name.size()]) != std::string_view::npos);
+            const auto named = [&](std::string_view what_follows) {
+                return lines.find("\n  " + name + std::string{what_follows}) != std::string::npos;
+            };
+            REQUIRE((named(" ") || named("[") || named(".") || named("\n")));
         }
     });
 }
