@@ -26,6 +26,12 @@ const std::map<std::uint16_t, std::string_view> to_the_end{
     {0x4D01, "the elements' sizes are known to who has seen the payload's interfaces"},
 };
 
+/// Messages that take presence bits their layouts do not define, with all bytes behind, and why.
+const std::map<std::uint16_t, std::string_view> tolerant{
+    {0x4402, "recorded senders set bit 9 and append two bytes"},
+    {0x4404, "recorded senders set bit 9 and append two bytes"},
+};
+
 /// Calls `check(message, body)` with random bodies of each message, `rounds` of each.
 void for_random_bodies(unsigned seed, int rounds, const support::odds& odds, auto check) {
     support::generator g{seed};
@@ -121,6 +127,41 @@ TEST_CASE("one byte more is reported, unless the last field takes it") {
             REQUIRE(seen.why.available == 1);
         }
     });
+}
+
+TEST_CASE("presence bits that announce nothing known are refused, or taken with what follows") {
+    int refused = 0, taken = 0;
+    for_random_bodies(10, 20, {}, [&](const messages::message& message, const messages::encoded& sample) {
+        using text_member = jauscat::text::member;
+        const auto members = message.structure->members;
+        if (members.empty() || members[0].what != text_member::role::presence_vector) return;
+        const auto known = static_cast<std::size_t>(std::ranges::count_if(members, [](const text_member& one) {
+            return one.what == text_member::role::flag || (one.optional && one.gate.owner == nullptr);
+        }));
+        if (known == std::get<jauscat::text::integer_form>(members[0].how->is).bits) return;
+
+        auto body = sample.bytes;
+        body[known / 8] |= std::byte{1} << (known % 8);
+        body.insert(body.end(), {std::byte{}, std::byte{}});
+        const auto seen = message.decode(body);
+        const auto expected = tolerant.contains(message.code) ? errc::ok : errc::unknown_presence_bit;
+        REQUIRE(seen.error == expected);
+        REQUIRE(seen.raw_error == expected);
+        REQUIRE(seen.view_error == expected);
+        REQUIRE(seen.why.error == expected);
+        if (expected == errc::ok) {
+            REQUIRE(seen.again == sample.bytes);
+            REQUIRE(seen.raw_again == sample.bytes);
+            REQUIRE(seen.view_agrees);
+            ++taken;
+        } else {
+            REQUIRE(seen.why.field == "presence_vector");
+            REQUIRE(seen.why.offset == 0);
+            ++refused;
+        }
+    });
+    CHECK(taken == 2 * 20);
+    CHECK(refused > 30 * 20);
 }
 
 TEST_CASE("bodies of any bytes decode or not, and every way of reading them agrees") {

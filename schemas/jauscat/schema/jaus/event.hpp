@@ -85,7 +85,7 @@ enum class event_response : std::uint8_t {
     connection_refused = 3,
     invalid_event_setup = 4,
     message_not_supported = 5,
-    invalid_event_id_for_update_request = 6,
+    error_invalid_event_id_for_update_request = 6,
 };
 
 /// Confirm Event Request: answers Create Event and Update Event where the event is set up.
