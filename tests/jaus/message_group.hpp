@@ -81,7 +81,7 @@ template <wire::message T> decoded decode(std::span<const std::byte> body) {
     made.raw_error = decode_into(raw, body, memory);
     if (made.raw_error == wire::errc::ok) made.raw_again = encode(raw);
     wire::arena nothing{{}};
-    made.without_arena = decode_into(value, body, nothing);
+    made.without_memory = decode_into(value, body, nothing);
     return made;
 }
 
@@ -100,7 +100,7 @@ template <wire::message T> octets build(const std::function<void(void*, wire::ar
     return encode(value);
 }
 
-template <unsigned Digit, class... Messages>
+template <class... Messages>
 jaus::dispatched dispatch(const jaus::header& head, std::span<const std::byte> body, std::vector<handled>& seen) {
     jaus::dispatcher all{jaus::on<Messages>([&](const jaus::header& header, const Messages& message) {
         seen.push_back({.code = Messages::command_code, .header = header, .body = encode(message)});
@@ -119,7 +119,7 @@ auto choose(chosen<Chosen...>, jaus::message_list<First, Rest...>) {
         return choose<Digit>(chosen<Chosen...>{}, jaus::message_list<Rest...>{});
 }
 
-template <unsigned Digit, class... Messages> const group& make_group(chosen<Messages...>) {
+template <class... Messages> const group& make_group(chosen<Messages...>) {
     static const std::array<message, sizeof...(Messages)> all{message{.name = wire::type_name<Messages>(),
                                                                       .code = Messages::command_code,
                                                                       .min_size = wire::min_size<Messages>,
@@ -131,14 +131,14 @@ template <unsigned Digit, class... Messages> const group& make_group(chosen<Mess
                                                                       .decode = &decode<Messages>,
                                                                       .show = &show<Messages>,
                                                                       .build = &build<Messages>}...};
-    static const group made{all, &dispatch<Digit, Messages...>};
+    static const group made{all, &dispatch<Messages...>};
     return made;
 }
 
 } // namespace detail
 
 template <unsigned Digit> const group& group_of() {
-    return detail::make_group<Digit>(detail::choose<Digit>(detail::chosen<>{}, jaus::messages{}));
+    return detail::make_group(detail::choose<Digit>(detail::chosen<>{}, jaus::messages{}));
 }
 
 } // namespace messages

@@ -27,13 +27,13 @@ struct encoded {
 /// What is made of some bytes.
 struct decoded {
     wire::errc error{};
-    wire::errc raw_error{};     ///< of decoding into the raw message
-    wire::errc view_error{};    ///< of the view's check
-    wire::diagnosis why{};      ///< what diagnose says of the bytes
-    octets again{};             ///< what the value encodes to; empty after an error
-    octets raw_again{};         ///< the same for the raw message
-    bool view_agrees{};         ///< the view shows all members as decode does
-    wire::errc without_arena{}; ///< of decoding into lists without memory for one element
+    wire::errc raw_error{};      ///< of decoding into the raw message
+    wire::errc view_error{};     ///< of the view's check
+    wire::diagnosis why{};       ///< what diagnose says of the bytes
+    octets again{};              ///< what the value encodes to; empty after an error
+    octets raw_again{};          ///< the same for the raw message
+    bool view_agrees{};          ///< the view shows all members as decode does
+    wire::errc without_memory{}; ///< of decoding into lists without memory for one element
 };
 
 /// One message of the standard.

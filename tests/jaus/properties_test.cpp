@@ -202,9 +202,9 @@ TEST_CASE("lists do not decode without memory for them") {
     for_random_bodies(8, 20, {.present = 0.7}, [](const messages::message& message, const messages::encoded& sample) {
         const auto seen = message.decode(sample.bytes);
         if (!message.has_lists)
-            REQUIRE(seen.without_arena == errc::ok);
+            REQUIRE(seen.without_memory == errc::ok);
         else
-            REQUIRE((seen.without_arena == errc::ok || seen.without_arena == errc::arena_full));
+            REQUIRE((seen.without_memory == errc::ok || seen.without_memory == errc::arena_full));
     });
 }
 
