@@ -1,9 +1,12 @@
-// The operator control unit: commands a wrench effort over JAUS, asks for it back, and compares.
+// The operator control unit: commands a wrench effort over JAUS, asks for it back, and compares; or sends any other
+// message that the robot knows.
 #include "support/program.hpp"
 #include "support/robot_messages.hpp"
 #include <jauscat/jaus/requested_fields.hpp>
+#include <jauscat/text/from_text.hpp>
 #include <jauscat/text/jaus.hpp>
 
+#include <functional>
 #include <random>
 
 namespace {
@@ -14,46 +17,29 @@ namespace text = jauscat::text;
 
 constexpr const char* help = R"(ocu: commands the efforts of a robot arm and asks them back.
 
-  ocu [options] [FIELD=PERCENT ...]
+  ocu [options] [FIELD=VALUE ...]
 
 Examples:
   ocu propulsive_linear_effort_x=50 resistive_linear_effort_x=12.5
   ocu --to 2.2.33.1 --random 7
   ocu --query
+  ocu --send set_travel_speed desired_speed=2.5
+  ocu --send report_component_status primary_status_code=ready secondary_status_code=0
 
-Exit code: 0 when the report equals the command, 1 when it does not or nobody answers, 2 for a wrong command line.
+Without --send the fields are those of Set Wrench Effort.
+Exit code: 0 when the report equals the command, or the message of --send was answered as it should be; 1 when not, or
+nobody answers; 2 for a wrong command line.
 )";
 
-/// Sets the fields that the command line names.
-jaus::set_wrench_effort command_from(const std::vector<std::string>& assignments) {
-    jaus::set_wrench_effort command{};
-    for (const auto& assignment : assignments) {
-        const auto equals = assignment.find('=');
-        if (equals == std::string::npos) throw example::usage_error{"'" + assignment + "' is not FIELD=PERCENT"};
-        const auto name = assignment.substr(0, equals);
-        bool known = false;
-        std::string names;
-        wire::visit(command, [&]<class Item>(Item item, auto& effort) {
-            names += "\n  " + std::string{item.name()};
-            if (item.name() != name) return;
-            known = true;
-            std::size_t used = 0;
-            try {
-                effort = std::stod(assignment.substr(equals + 1), &used);
-            } catch (const std::exception&) {
-                used = 0;
-            }
-            if (used == 0 || used != assignment.size() - equals - 1)
-                throw example::usage_error{"'" + assignment + "': no number after the ="};
-            using codec = typename Item::codec_type;
-            if (!(*effort >= codec::lowest && *effort <= codec::highest))
-                throw example::usage_error{name + " must be " + text::to_text(codec::range_type::min) + " to " +
-                                           text::to_text(codec::range_type::max) + " " +
-                                           std::string{codec::range_type::unit}};
-        });
-        if (!known) throw example::usage_error{"there is no field '" + name + "'; Set Wrench Effort has:" + names};
-    }
-    return command;
+using words = std::vector<std::string>;
+
+/// The message with the fields that the command line names.
+template <class Message> Message message_from(const words& assignments) {
+    Message message{};
+    wire::arena no_lists{{}};
+    if (const auto wrong = text::from_words(assignments, message, no_lists); !wrong.empty())
+        throw example::usage_error{wrong};
+    return message;
 }
 
 jaus::set_wrench_effort random_command(std::uint32_t seed) {
@@ -177,6 +163,27 @@ bool query(operator_console& console, std::uint16_t presence_vector, const jaus:
     return equal;
 }
 
+/// Sends the message `name` and expects its report if it is a query, an acknowledgement else.
+std::function<bool(operator_console&)> sender(const std::string& name, const words& assignments) {
+    std::uint16_t code{};
+    if (const auto wrong = text::find_message(name, code); !wrong.empty()) throw example::usage_error{wrong};
+    std::function<bool(operator_console&)> made;
+    const bool known = text::with_message(code, robot_messages{}, [&]<class Message>() {
+        made = [code, message = message_from<Message>(assignments)](operator_console& console) {
+            const bool is_query = code >> 12 == 2; // RA 3.3 part 3: the report's code is 2000h higher
+            if (!console.ask(message, is_query ? static_cast<std::uint16_t>(code + 0x2000) : std::uint16_t{})) {
+                std::cout << "ocu: FAILED: no answer\n";
+                return false;
+            }
+            const bool refused = console.answer().header.ack_nak == jaus::ack_nak::nak;
+            std::cout << (refused ? "ocu: FAILED: the message was refused (NAK)\n" : "ocu: OK\n");
+            return !refused;
+        };
+    });
+    if (!known) throw example::usage_error{"the robot does not know " + text::message_name(code)};
+    return made;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -191,26 +198,33 @@ int main(int argc, char** argv) {
             ("to", po::value<std::string>()->default_value("2.2.33.1"), "JAUS ID of the arm")
             ("random", po::value<std::uint32_t>(), "command random fields, from this seed")
             ("query", "ask for all efforts, command nothing")
+            ("send", po::value<std::string>(), "send this message instead, with the FIELD=VALUE arguments")
             ("timeout", po::value<unsigned>()->default_value(1000), "milliseconds to wait for an answer")
-            ("effort", po::value<std::vector<std::string>>(), "FIELD=PERCENT; --effort itself may be left out");
+            ("field", po::value<words>(), "FIELD=VALUE; --field itself may be left out");
         // clang-format on
         po::positional_options_description positional;
-        positional.add("effort", -1);
+        positional.add("field", -1);
         const auto values = example::parse(argc, argv, options, help, positional);
 
-        const bool query_only = values.count("query") != 0;
-        const bool has_efforts = values.count("effort") != 0, random = values.count("random") != 0;
-        if (query_only + has_efforts + random != 1)
-            throw example::usage_error{"give either FIELD=PERCENT arguments, or --random SEED, or --query"};
+        const bool query_only = values.count("query") != 0, random = values.count("random") != 0;
+        const bool send = values.count("send") != 0, has_fields = values.count("field") != 0;
+        if (query_only + random + (send || has_fields) != 1)
+            throw example::usage_error{"give either FIELD=VALUE arguments, or --random SEED, or --query, or --send"};
+        const words fields = has_fields ? values["field"].as<words>() : words{};
         jaus::set_wrench_effort efforts{};
-        if (has_efforts) efforts = command_from(values["effort"].as<std::vector<std::string>>());
+        std::function<bool(operator_console&)> sending;
+        if (send)
+            sending = sender(values["send"].as<std::string>(), fields);
+        else if (has_fields)
+            efforts = message_from<jaus::set_wrench_effort>(fields);
         if (random) efforts = random_command(values["random"].as<std::uint32_t>());
 
         const auto robot = example::parse_address(values["to"].as<std::string>());
         operator_console console{example::load_config(values), robot,
                                  std::chrono::milliseconds{values["timeout"].as<unsigned>()}};
+        if (send) return sending(console) ? example::success : example::failure;
         if (query_only) return query(console, 0x0FFF, nullptr) ? example::success : example::failure;
-        const auto fields = static_cast<std::uint16_t>(jaus::presence_vector_of(efforts));
-        return command(console, efforts) && query(console, fields, &efforts) ? example::success : example::failure;
+        const auto asked = static_cast<std::uint16_t>(jaus::presence_vector_of(efforts));
+        return command(console, efforts) && query(console, asked, &efforts) ? example::success : example::failure;
     });
 }

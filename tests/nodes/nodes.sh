@@ -138,6 +138,14 @@ random_fields() {
     start_robot
     for seed in 1 2 3 4 5; do expect_ocu 0 --random "$seed"; done
 }
+any_message() {
+    start_robot
+    expect_ocu 0 --send set_travel_speed desired_speed=2.5 # the nearest of 16 bits over 10000 m/s
+    says out "ocu: OK"
+    says arm "travel speed 2.4414435 m/s"
+    expect_ocu 0 --send query_travel_speed
+    expect_ocu 0 --send "Set Component Authority" authority_code=7
+}
 wrong_arguments() {
     expect 2 "$bin/ocu"
     expect 2 "$bin/ocu" speed=5
@@ -145,6 +153,12 @@ wrong_arguments() {
     expect 2 "$bin/ocu" propulsive_linear_effort_x=101
     says out "must be -100 to 100 %"
     expect 2 "$bin/ocu" propulsive_linear_effort_x=
+    expect 2 "$bin/ocu" --send set_travel_sped desired_speed=1
+    says out "did you mean set_travel_speed?"
+    expect 2 "$bin/ocu" --send set_travel_speed
+    says out "desired_speed is missing"
+    expect 2 "$bin/ocu" --send shutdown
+    says out "the robot does not know Shutdown"
     expect 2 "$bin/ocu" --to 1.2.3 --query
     says out "is no JAUS ID"
     expect 2 "$bin/robot_arm" --link token-ring --config "$config"
