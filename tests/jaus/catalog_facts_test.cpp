@@ -204,6 +204,20 @@ class comparison {
     void form(xml_node node, const text::packed_form& is) {
         kind(node, {"field"});
         number(node, is.bits, false, {});
+        std::string structure = node.attribute("name").value(); // "Time Stamp" is laid out by TimeStamp
+        std::erase(structure, ' ');
+        unsigned first = 0;
+        std::size_t at = 0;
+        for (const xml_node bits : named("structures", "structure", structure).children("bits")) {
+            if (at == is.of->members.size()) return differ("bits are missing");
+            const member& one = is.of->members[at++];
+            const unsigned width = std::get<text::integer_form>(one.how->is).bits;
+            equal("bits", name_of(bits), one.name);
+            equal("first bit", bits.attribute("first").as_uint(), first);
+            equal("width", bits.attribute("width").as_uint(), width);
+            first += width;
+        }
+        equal("packed members", at, is.of->members.size());
     }
     void form(xml_node node, const text::octets_form& is) {
         // Payload elements have types that do not travel with them.
