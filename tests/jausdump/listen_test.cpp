@@ -67,7 +67,7 @@ class listening_program {
     }
     template <class Find> static std::string wait_for(const std::string& path, const std::string& what, Find find) {
         for (int i = 0; i != 600; ++i) {
-            if (const auto found = find(dump_test::content(path)); !found.empty()) return found;
+            if (auto found = find(dump_test::content(path)); !found.empty()) return found;
             std::this_thread::sleep_for(std::chrono::milliseconds{50});
         }
         throw std::runtime_error{"not said within 30 seconds: " + what};
