@@ -250,6 +250,9 @@ TEST_CASE("words that are no assignments are told") {
     CHECK(body_of("set_wrench_effort fast") == "'fast' is not of the form field=value");
     CHECK(body_of("set_wrench_effort =1") == "'=1' is not of the form field=value");
     CHECK(body_of("set_joint_motion pose[0].pose_time=1 pose[0].pose_time=2") == "'pose[0].pose_time' is given twice");
+    std::string deep = "set_joint_motion pose";
+    for (int i = 0; i != 100000; ++i) deep += ".pose";
+    CHECK(body_of(deep + "=1").ends_with("' has too many dots"));
     CHECK(body_of("set_joint_motion pose[0]pose_time=1") == "'pose[0]pose_time' lacks a dot");
     CHECK(body_of("set_joint_motion pose..pose_time=1") == "'pose..pose_time' lacks a name");
     CHECK(body_of("set_joint_motion pose[0].pose_time=1 pose.pose_time=1") ==

@@ -128,6 +128,17 @@ TEST_CASE("integers of 64 bits survive JSON") {
     }
 }
 
+TEST_CASE("JSON of any depth is refused without harm") {
+    std::string deep, end;
+    for (int i = 0; i != 100000; ++i) {
+        deep += R"({"mission_tree":{"child":[)";
+        end += "]}}";
+    }
+    CHECK(wrong<jaus::spool_mission>((deep + end).c_str()) == "append_flag is missing");
+    CHECK(wrong<jaus::set_travel_speed>((std::string(100000, '[') + std::string(100000, ']')).c_str()) ==
+          "is a structure with fields");
+}
+
 TEST_CASE("JSON that contradicts itself or the message is refused") {
     using effort = jaus::set_wrench_effort;
     CHECK(wrong<effort>(R"({"propulsive_linear_effort_x":{"value":50,"raw":16384}})").empty());

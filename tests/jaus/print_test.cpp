@@ -1,6 +1,7 @@
 // Messages as people read them.
 #include "support/bytes.hpp"
 #include "support/catch.hpp"
+#include <jauscat/schema/ethercat/frame.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/jaus.hpp>
 #include <jauscat/text/print.hpp>
@@ -99,4 +100,15 @@ TEST_CASE("a value whose type code says something else is told so") {
           "data_type = none (255)\nvalue = none\n");
     CHECK(text::to_text(jaus::typed_value{.data_type = jaus::data_type::rgb, .value = jaus::rgb{1, 2, 3}}, 0) ==
           "data_type = rgb (9)\nvalue\n  red = 1\n  green = 2\n  blue = 3\n");
+}
+
+TEST_CASE("structures of other protocols are printed the same way") {
+    namespace ethercat = jauscat::ethercat;
+    ethercat::ethernet_header head{.ether_type = 0x88A4};
+    head.source[5] = std::byte{0x2A};
+    CHECK(text::to_text(head, 0) == "destination = 6 bytes: 00 00 00 00 00 00\n"
+                                    "source = 6 bytes: 00 00 00 00 00 2a\n"
+                                    "ether_type = 34980\n");
+    CHECK(text::to_text(ethercat::frame_header{.length = 44, .type = ethercat::frame_type::datagrams}, 0) ==
+          "length = 44\ntype = datagrams (1)\n");
 }

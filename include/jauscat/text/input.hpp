@@ -27,6 +27,8 @@ struct input {
 
 /// Most elements a list may have: an index beyond it is a typing error.
 inline constexpr std::size_t most_elements = 65536;
+/// Most structures and lists inside each other: no message has nearly as many.
+inline constexpr std::size_t most_levels = 128;
 
 namespace detail {
 
@@ -91,7 +93,8 @@ inline bool unescape(std::string_view line, std::size_t& at, std::string& out) {
     const std::string_view path = word.substr(0, equals);
     const auto wrong = [&](std::string_view why) { return "'" + std::string{path} + "' " + std::string{why}; };
     input* here = &tree;
-    for (std::size_t at = 0;;) {
+    for (std::size_t at = 0, level = 0;; ++level) {
+        if (level == most_levels) return wrong("has too many dots");
         const std::size_t end = std::min(path.find_first_of(".[", at), path.size());
         if (end == at) return wrong("lacks a name");
         if (here->what == input::kind::nothing) here->what = input::kind::object;

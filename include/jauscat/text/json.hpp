@@ -126,16 +126,17 @@ class json_writer {
     const scope* inner_{};
 };
 
-inline input input_of(const json& value) {
+// What lies deeper than a message can reach is left out: the stack is not the sender's.
+inline input input_of(const json& value, std::size_t level = 0) {
     input made{.what = input::kind::leaf};
-    if (value.is_null()) {
+    if (value.is_null() || level == most_levels) {
         made.what = input::kind::nothing;
     } else if (value.is_object()) {
         made.what = input::kind::object;
-        for (const auto& [name, part] : value.items()) made.parts.emplace_back(input_of(part)).name = name;
+        for (const auto& [name, part] : value.items()) made.parts.emplace_back(input_of(part, level + 1)).name = name;
     } else if (value.is_array()) {
         made.what = input::kind::array;
-        for (const auto& part : value) made.parts.push_back(input_of(part));
+        for (const auto& part : value) made.parts.push_back(input_of(part, level + 1));
     } else if (value.is_string()) {
         made.text = value.get<std::string>();
     } else if (value.is_number_float() && !std::isfinite(value.get<double>())) {
