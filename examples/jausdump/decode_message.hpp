@@ -100,7 +100,7 @@ inline void tell_payload(decoded_body& body, const payload_members& members, std
 }
 
 template <class T> decoded_body decode_as(std::span<const std::byte> bytes, const decoding& how) {
-    decoded_body body;
+    decoded_body body{};
     T message{};
     if (const wire::result result = decode(message, bytes); !result) {
         body.fault = wire::diagnose<T>(bytes);

@@ -110,16 +110,14 @@ TEST_CASE("payload data elements are decoded with the types that are given, and 
 }
 
 TEST_CASE("a line may have spaces, 0x, colons and the prefix of a datagram") {
-    const std::string plain = "06020504012102020120010105002200"
-                              "4100ff3f20";
+    const std::string plain = "060205040121020201200101050022004100ff3f20";
     const auto expected = object_of(plain, "--reencode");
     REQUIRE(expected.at("hex") == plain);
     for (const std::string line :
          {"  06 02 05 04 01 21 02 02 01 20 01 01 05 00 22 00 41 00 ff 3f 20\t\r",
           "06:02:05:04:01:21:02:02:01:20:01:01:05:00:22:00:41:00:FF:3F:20",
           "0x06 0x02 0x05 0x04 0X01 0x21 0x02 0x02 0x01 0x20 0x01 0x01 0x05 0x00 0x22 0x00 0x41 0x00 0xff 0x3f 0x20",
-          "0x0602050401210202012001010500220041"
-          "00ff3f20",
+          "0x060205040121020201200101050022004100ff3f20",
           "06,02,05,04,01,21,02,02,01,20,01,01,05,00,22,00,41,00,ff,3f,20",
           "4a41555330312e30 06020504012102020120010105002200 4100ff3f20"}) {
         INFO(line);
