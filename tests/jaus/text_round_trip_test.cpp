@@ -75,7 +75,8 @@ TEST_CASE("the text of every message names each of its fields") {
         const std::string lines = "\n" + text::to_text(*message.structure, value);
         INFO(lines);
         const json fields = whole_json(message, value);
-        for (const auto& [name, field] : fields.items()) {
+        for (const auto& field : fields.items()) {
+            const std::string& name = field.key();
             INFO(name);
             const auto named = [&](std::string_view what_follows) {
                 return lines.find("\n  " + name + std::string{what_follows}) != std::string::npos;
