@@ -9,7 +9,6 @@
 namespace {
 
 using namespace std::chrono_literals;
-using jauscat::jaus::address;
 using jauscat::jaus::data_flag;
 using jauscat::jaus::reassembled;
 using jauscat::test::from_hex;
