@@ -50,7 +50,7 @@ namespace jauscat::test {
 /// The frames of a capture in the test data folder, complete and in order. Throws when the file is not what it should
 /// be.
 inline std::vector<std::vector<std::byte>> read_pcap(const std::string& name) {
-    std::ifstream file{std::string{JAUSCAT_TEST_DATA} + "/" + name, std::ios::binary};
+    std::ifstream file{std::string{JAUSCAT_TEST_DATA "/"} + name, std::ios::binary};
     if (!file) throw std::runtime_error{"no such capture: " + name};
     std::vector<std::byte> bytes;
     for (std::istreambuf_iterator<char> at{file}, end; at != end; ++at) bytes.push_back(static_cast<std::byte>(*at));
