@@ -18,7 +18,7 @@ template <message T, class Root>
 [[gnu::always_inline]] constexpr result decode(T& value, std::span<const std::byte> in, Root root,
                                                bool to_the_end) noexcept {
     if (in.size() < min_size<T>) return errc::truncated;
-    if constexpr (max_size < T >> result::max_size) {
+    if constexpr (!never_too_long<T>) {
         if (in.size() > result::max_size) return errc::too_long;
     }
     const in_cursor end = get_message(value, in.data(), in.size() - min_size<T>, root);

@@ -155,7 +155,7 @@ template <message T> [[nodiscard]] constexpr diagnosis diagnose(std::span<const 
 template <message T>
 [[nodiscard]] constexpr diagnosis diagnose(const T& value, std::size_t space = unbounded) noexcept {
     const std::size_t needed = encoded_size(value);
-    if (needed > result::max_size && max_size < T >> result::max_size)
+    if (!never_too_long<T> && needed > result::max_size)
         return {.error = errc::too_long, .needed = needed, .available = result::max_size};
     if (space < needed) return {.error = errc::no_space, .needed = needed, .available = space};
     detail::encode_trace trace;

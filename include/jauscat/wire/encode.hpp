@@ -27,10 +27,11 @@ template <message T> [[nodiscard, gnu::noinline]] constexpr std::size_t encoded_
 /// Errors: no_space, too_long (nothing was written); out_of_range, count_above_capacity, count_mismatch, unknown_tag,
 /// presence_mismatch, too_deep (`out` is then unspecified).
 template <message T> constexpr result encode(const T& value, std::span<std::byte> out) noexcept {
-    if constexpr (max_size < T >> result::max_size) {
-        if (encoded_size(value) > result::max_size) return errc::too_long;
-    }
-    if (out.size() < max_size<T>) {
+    if constexpr (!never_too_long<T>) {
+        const std::size_t size = encoded_size(value);
+        if (size > result::max_size) return errc::too_long;
+        if (size > out.size()) return errc::no_space;
+    } else if (out.size() < max_size<T>) {
         if (fixed_message<T> || out.size() < encoded_size(value)) return errc::no_space;
     }
     const out_cursor end = detail::put_message(value, out.data());

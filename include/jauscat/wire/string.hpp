@@ -212,9 +212,8 @@ template <auto Member> struct terminated_run : octet_run<Member, zero_terminated
         return c;
     }
     [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        std::size_t size = 0;
         const std::size_t most = traced<decltype(here)> ? rest_of(c, here) : c.slack + 1;
-        while (size != most && c.at[size] != std::byte{}) ++size;
+        const std::size_t size = length(c.at, most);
         if (size == most) {
             if constexpr (traced<decltype(here)>)
                 root_of(here).tracer.template reach_octets<terminated_run>(c.at, size + 1);
@@ -226,15 +225,12 @@ template <auto Member> struct terminated_run : octet_run<Member, zero_terminated
         return c;
     }
     [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto&) noexcept {
-        std::size_t size = 0;
-        while (size != c.slack + 1 && c.at[size] != std::byte{}) ++size;
+        const std::size_t size = length(c.at, c.slack + 1);
         if (size == c.slack + 1) return in_cursor::failed(errc::truncated);
         return {c.at + size + 1, c.slack - size};
     }
     [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in, const auto&) noexcept {
-        std::size_t size = 0;
-        while (in[size] != std::byte{}) ++size;
-        return size + 1;
+        return length(in, unbounded) + 1;
     }
     template <auto, reading>
     [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
@@ -242,6 +238,14 @@ template <auto Member> struct terminated_run : octet_run<Member, zero_terminated
     }
     [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
         visitor(terminated_run{}, member_of<Member>(object));
+    }
+
+  private:
+    /// Octets before the zero, or `most` where there is none among so many.
+    [[gnu::always_inline]] static constexpr std::size_t length(const std::byte* in, std::size_t most) noexcept {
+        std::size_t size = 0;
+        while (size != most && in[size] != std::byte{}) ++size;
+        return size;
     }
 };
 template <auto Member> struct run_of<Member, zero_terminated> { using type = terminated_run<Member>; };
