@@ -9,9 +9,9 @@ namespace jauscat::wire {
 
 /// The place of a code in `Codes` (a constexpr array of std::uint16_t, in any order, without repeats), in constant
 /// time.
-// Command codes come in runs that share their high byte, so two small tables do: a page for each high byte in use, and
-// in it a run of low bytes. About 400 bytes for the 158 codes of RA 3.3, two loads and two comparisons for a lookup. A
-// list of a few codes is searched one by one, which is as fast and needs no tables.
+// Command codes come in runs that share their high byte: a row for each high byte, and in it a run of low bytes. About
+// 500 bytes for the 158 codes of RA 3.3, two loads and three comparisons for a lookup. A list of a few codes is searched
+// one by one, which is as fast and needs no tables.
 template <const auto& Codes> class code_index {
   public:
     static constexpr std::size_t npos = static_cast<std::size_t>(-1);
@@ -24,19 +24,20 @@ template <const auto& Codes> class code_index {
             return npos;
         } else {
             const std::size_t high = code >> 8;
-            if (high >= page_of.size()) return npos;
-            const page& p = pages[page_of[high]];
-            const unsigned low = code & 0xFFu;
-            if (low < p.first || low > p.last) return npos;
-            return std::size_t{places[p.start + low - p.first]} - 1u; // 0 becomes npos
+            if (high >= rows.size()) return npos;
+            const row& r = rows[high];
+            const unsigned at = (code & 0xFFu) - r.first;
+            if (at > r.span) return npos;
+            return std::size_t{places[r.start + at]} - 1u; // 0 becomes npos
         }
     }
 
   private:
     static_assert(Codes.size() < 0xFFFF, "code_index: too many codes");
-    struct page {
-        std::uint8_t first{1}, last{}; // low bytes; none
-        std::uint16_t start{};         // where they begin in `places`
+    struct row {
+        std::uint16_t start{}; // where the run begins in `places`
+        std::uint8_t first{};  // its lowest low byte
+        std::uint8_t span{};   // its highest, less the lowest
     };
     static constexpr std::size_t high_count = [] { // one more than the highest high byte
         std::size_t count = 1;
@@ -44,42 +45,36 @@ template <const auto& Codes> class code_index {
             if (code >> 8 >= static_cast<int>(count)) count = (code >> 8) + 1u;
         return count;
     }();
-    static constexpr std::array<std::uint8_t, high_count> page_of = [] { // page 0 is empty: high bytes that no code has
-        std::array<std::uint8_t, high_count> of{};
-        std::uint8_t next = 1;
-        for (const std::uint16_t code : Codes)
-            if (of[code >> 8] == 0) of[code >> 8] = next++;
-        return of;
-    }();
-    static constexpr std::size_t page_count = [] {
-        std::size_t count = 1;
-        for (const std::uint8_t number : page_of) count += number != 0;
-        return count;
-    }();
-    static_assert(page_count <= 256, "code_index: codes with all 256 high bytes are not supported");
-    static constexpr std::array<page, page_count> pages = [] {
-        std::array<page, page_count> made{};
-        for (std::size_t i = 1; i != page_count; ++i) made[i] = {255, 0, 0};
+    static constexpr std::array<row, high_count> rows = [] { // one that no code has begins at place 0, which is none
+        std::array<row, high_count> made{};
         for (const std::uint16_t code : Codes) {
             const auto low = static_cast<std::uint8_t>(code & 0xFF);
-            page& p = made[page_of[code >> 8]];
-            p.first = low < p.first ? low : p.first;
-            p.last = low > p.last ? low : p.last;
+            row& r = made[code >> 8];
+            const bool empty = r.start == 0;
+            const auto last = empty || low > r.first + r.span ? low : static_cast<std::uint8_t>(r.first + r.span);
+            r.first = empty || low < r.first ? low : r.first;
+            r.span = static_cast<std::uint8_t>(last - r.first);
+            r.start = 1;
         }
-        for (std::size_t i = 2; i < page_count; ++i) {
-            const page& before = made[i - 1];
-            made[i].start = static_cast<std::uint16_t>(before.start + before.last - before.first + 1);
-        }
+        std::uint16_t start = 1;
+        for (row& r : made)
+            if (r.start != 0) {
+                r.start = start;
+                start = static_cast<std::uint16_t>(start + r.span + 1);
+            }
         return made;
     }();
-    static constexpr std::size_t place_count =
-        pages.back().start + std::size_t{pages.back().last} - pages.back().first + 1u;
+    static constexpr std::size_t place_count = [] {
+        std::size_t count = 1;
+        for (const row& r : rows) count += r.start != 0 ? r.span + std::size_t{1} : 0;
+        return count;
+    }();
     using place = std::conditional_t<(Codes.size() < 255), std::uint8_t, std::uint16_t>;
     static constexpr std::array<place, place_count> places = [] { // the place plus 1; 0 for none
         std::array<place, place_count> made{};
         for (std::size_t i = 0; i != Codes.size(); ++i) {
-            const page& p = pages[page_of[Codes[i] >> 8]];
-            made[p.start + (Codes[i] & 0xFFu) - p.first] = static_cast<place>(i + 1);
+            const row& r = rows[Codes[i] >> 8];
+            made[r.start + (Codes[i] & 0xFFu) - r.first] = static_cast<place>(i + 1);
         }
         return made;
     }();

@@ -16,13 +16,19 @@ template <message T, class Outer> class view;
 namespace detail {
 template <class Item> concept copied_item = requires { requires Item::codec_type::as_in_memory; };
 
-// A structure whose bytes on the wire are those in memory. It is copied whole, because clang 14 would move it byte by
-// byte: a JAUS header, with its two addresses, took a third longer.
+// A small structure whose bytes on the wire are those in memory. Clang 14 moves it byte by byte unless it is copied
+// whole: a JAUS header, with its two addresses, took a third longer. GCC merges the moves by itself, and a copy would
+// keep the structure in memory: back through the seed table took a quarter longer.
+#ifdef __clang__
+inline constexpr std::size_t largest_copied_whole = 8;
+#else
+inline constexpr std::size_t largest_copied_whole = 0;
+#endif
 template <class T>
 inline constexpr bool copied_whole = [] {
     using layout = layout_of<T>;
     constexpr bool only_copies = layout::all_items([]<class Item>() { return copied_item<Item>; });
-    if constexpr (only_copies && sizeof(T) == layout::max_size && sizeof(T) <= 256 &&
+    if constexpr (only_copies && sizeof(T) == layout::max_size && sizeof(T) <= largest_copied_whole &&
                   std::has_unique_object_representations_v<T>) {
         // One pattern of distinct bytes tells whether the members lie in the order of the layout.
         std::array<std::byte, sizeof(T)> memory{}, wire{};
