@@ -86,12 +86,15 @@ TEST_CASE("names of types come without their namespaces") {
     STATIC_REQUIRE(wire::type_name<int>() == "int");
 }
 
-TEST_CASE("members of an aggregate are counted whatever their types") {
-    STATIC_REQUIRE(wire::member_count<samples::empty>() == 0);
-    STATIC_REQUIRE(wire::member_count<samples::scalars>() == 7);
-    STATIC_REQUIRE(wire::member_count<mixed>() == 5);
-    STATIC_REQUIRE(wire::member_count<samples::envelope>() == 3);
-    STATIC_REQUIRE(wire::member_count<jauscat::jaus::header>() == 12);
-    STATIC_REQUIRE(wire::member_count<jauscat::jaus::set_wrench_effort>() == 12);
-    STATIC_REQUIRE(wire::member_count<jauscat::jaus::report_global_pose>() == 9);
+template <class T, std::size_t Count>
+constexpr bool has_members = !wire::has_more_members_than<T, Count> && wire::has_more_members_than<T, Count - 1>;
+
+TEST_CASE("an aggregate is asked whether it has more members than a number, whatever their types") {
+    STATIC_REQUIRE(!wire::has_more_members_than<samples::empty, 0>);
+    STATIC_REQUIRE(has_members<samples::scalars, 7>);
+    STATIC_REQUIRE(has_members<mixed, 5>);
+    STATIC_REQUIRE(has_members<samples::envelope, 3>);
+    STATIC_REQUIRE(has_members<jauscat::jaus::header, 12>);
+    STATIC_REQUIRE(has_members<jauscat::jaus::set_wrench_effort, 12>);
+    STATIC_REQUIRE(has_members<jauscat::jaus::report_global_pose, 9>);
 }

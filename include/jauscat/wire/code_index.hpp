@@ -10,8 +10,8 @@ namespace jauscat::wire {
 /// The place of a code in `Codes` (a constexpr array of std::uint16_t, in any order, without repeats), in constant
 /// time.
 // Command codes come in runs that share their high byte: a row for each high byte, and in it a run of low bytes. About
-// 500 bytes for the 158 codes of RA 3.3, two loads and three comparisons for a lookup. A list of a few codes is searched
-// one by one, which is as fast and needs no tables.
+// 500 bytes for the 158 codes of RA 3.3, two loads and three comparisons for a lookup. A list of a few codes is
+// searched one by one, which is as fast and needs no tables.
 template <const auto& Codes> class code_index {
   public:
     static constexpr std::size_t npos = static_cast<std::size_t>(-1);

@@ -30,28 +30,26 @@ template <auto Member, class Codec> struct field {
                                          typename codec_in_mode<Codec, true>::value_type>;
     using raw_type = std::conditional_t<optional, std::optional<raw_value>, raw_value>;
 
-    [[gnu::always_inline]] static constexpr errc put(const auto& object, std::byte* out) noexcept {
+    JAUSCAT_PART static constexpr errc put(const auto& object, std::byte* out) noexcept {
         using used = codec_in_mode<Codec, raw_object<decltype(object)>>;
-        if constexpr (raw_object<decltype(object)>)
-            return used::store(out, static_cast<typename used::value_type>(held(member_of<Member>(object))));
-        else if constexpr (optional) // no call for the member: see put_item
-            return used::store(out, static_cast<typename used::value_type>(*(object.*Member)));
+        auto& value = object.*place_in<decltype(object), Member>;
+        if constexpr (optional) // not held(): a call for each type of member costs compile time
+            return used::store(out, static_cast<typename used::value_type>(*value));
         else
-            return used::store(out, static_cast<typename used::value_type>(object.*Member));
+            return used::store(out, static_cast<typename used::value_type>(value));
     }
-    [[gnu::always_inline]] static constexpr errc get(auto& object, const std::byte* in) noexcept {
+    JAUSCAT_PART static constexpr errc get(auto& object, const std::byte* in) noexcept {
         using used = codec_in_mode<Codec, raw_object<decltype(object)>>;
         typename used::value_type value{};
         if (const errc error = used::load(in, value); error != errc::ok) return error;
         if constexpr (raw_object<decltype(object)>)
-            member_of<Member>(object) = static_cast<raw_value>(value);
+            object.*place_in<decltype(object), Member> = static_cast<raw_value>(value);
         else
             object.*Member = static_cast<value_type>(value);
         return errc::ok;
     }
 
-    template <auto, reading Mode>
-    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto&) noexcept {
+    template <auto, reading Mode> JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto&) noexcept {
         using used = codec_in_mode<Codec, Mode == reading::raw>;
         using value = typename used::value_type;
         value loaded{};
@@ -63,8 +61,8 @@ template <auto Member, class Codec> struct field {
             return loaded;
     }
 
-    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(field{}, member_of<Member>(object));
+    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(field{}, object.*place_in<decltype(object), Member>);
     }
 };
 
@@ -78,10 +76,10 @@ template <auto Member> struct unsent {
     static constexpr std::size_t min_size = 0, max_size = 0;
 
     static consteval std::string_view name() { return name_of<Member>(); }
-    [[gnu::always_inline]] static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
-    [[gnu::always_inline]] static constexpr errc get(auto&, const std::byte*) noexcept { return errc::ok; }
-    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(unsent{}, member_of<Member>(object));
+    JAUSCAT_PART static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
+    JAUSCAT_PART static constexpr errc get(auto&, const std::byte*) noexcept { return errc::ok; }
+    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(unsent{}, object.*place_in<decltype(object), Member>);
     }
 };
 

@@ -50,10 +50,10 @@ template <class Bit, codec Carrier> struct flag_bits {
     static_assert(std::is_same_v<typename value_type::bits_type, typename Carrier::value_type>,
                   "flag_bits: the enumeration's underlying type must be the carrier's integer type");
 
-    [[gnu::always_inline]] static constexpr errc store(std::byte* out, value_type value) noexcept {
+    JAUSCAT_PART static constexpr errc store(std::byte* out, value_type value) noexcept {
         return Carrier::store(out, value.bits());
     }
-    [[gnu::always_inline]] static constexpr errc load(const std::byte* in, value_type& value) noexcept {
+    JAUSCAT_PART static constexpr errc load(const std::byte* in, value_type& value) noexcept {
         typename Carrier::value_type raw{};
         Carrier::load(in, raw);
         value = value_type::from_bits(raw);

@@ -82,14 +82,14 @@ inline constexpr bool takes_rest<Item> = Item::to_the_end;
 template <class Item> concept fixed_item = Item::min_size == Item::max_size && !is_contextual<Item>;
 
 /// What a std::optional member holds, or the member itself.
-[[gnu::always_inline]] constexpr auto& held(auto& member) noexcept {
+JAUSCAT_PART constexpr auto& held(auto& member) noexcept {
     if constexpr (requires { member.has_value(); })
         return *member;
     else
         return member;
 }
 /// The same for a member that is about to be decoded.
-[[gnu::always_inline]] constexpr auto& made(auto& member) noexcept {
+JAUSCAT_PART constexpr auto& made(auto& member) noexcept {
     if constexpr (requires { member.has_value(); })
         return member.emplace();
     else
@@ -98,6 +98,16 @@ template <class Item> concept fixed_item = Item::min_size == Item::max_size && !
 
 /// Marks an object whose scaled fields are raw integers.
 template <class Object> concept raw_object = requires { typename std::remove_cvref_t<Object>::raw_of; };
+
+/// The pointer to `Member` in an object of this type: itself, or one to the slot that stands for it in a `raw`.
+/// A constant, where a function for each member would be compiled for each message.
+template <class Object, auto Member> inline constexpr auto place_in = Member;
+template <raw_object Object, auto Member>
+inline constexpr auto place_in<Object, Member> = std::remove_cvref_t<Object>::template place<Member>;
+/// The member `Member` of a value, or the slot that stands for it in a `raw`.
+template <auto Member> constexpr auto& member_of(auto& object) noexcept {
+    return object.*place_in<decltype(object), Member>;
+}
 
 /// What a view reads: real values, or the integers on the wire.
 enum class reading { real, raw };

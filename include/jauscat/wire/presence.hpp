@@ -55,14 +55,14 @@ template <auto Member> struct flag {
     static_assert(std::is_same_v<member_t<Member>, bool>, "flag: the member must be a bool");
 
     static consteval std::string_view name() { return name_of<Member>(); }
-    [[gnu::always_inline]] static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
+    JAUSCAT_PART static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
     // Not called for a bit that is clear: presence_group clears the member.
-    [[gnu::always_inline]] static constexpr errc get(auto& object, const std::byte*) noexcept {
-        member_of<Member>(object) = true;
+    JAUSCAT_PART static constexpr errc get(auto& object, const std::byte*) noexcept {
+        (object.*place_in<decltype(object), Member>) = true;
         return errc::ok;
     }
-    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(flag{}, member_of<Member>(object));
+    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(flag{}, (object.*place_in<decltype(object), Member>));
     }
 };
 
@@ -94,21 +94,20 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     static constexpr mask_type known_bits = static_cast<mask_type>(detail::low_bits<optional_count>);
 
     /// The presence vector that `object` encodes with.
-    [[gnu::always_inline]] static constexpr mask_type mask(const auto& object) noexcept {
+    JAUSCAT_PART static constexpr mask_type mask(const auto& object) noexcept {
         mask_type m{};
         std::size_t at = 0;
         ((m |= present<Items>(object, at)), ...);
         return m;
     }
 
-    [[gnu::always_inline]] static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
+    JAUSCAT_PART static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
         if constexpr (all_fixed)
             return min_size + announced(mask(object));
         else
             return Carrier::size + (size_if_present<Items>(object, here) + ... + 0);
     }
-    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
-                                                           const auto& here) noexcept {
+    JAUSCAT_PART static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
         [[maybe_unused]] std::byte* const vector = c.at;
         if constexpr (traced<decltype(here)>) {
             detail::reach_number<Carrier>("presence_vector", c.at, here);
@@ -122,7 +121,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         if constexpr (!traced<decltype(here)>) Carrier::store(vector, static_cast<typename Carrier::value_type>(m));
         return c;
     }
-    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+    JAUSCAT_PART static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         if constexpr (traced<decltype(here)>) {
             if (!detail::reach_number<Carrier>("presence_vector", c.at, here))
                 return in_cursor::failed(errc::truncated);
@@ -152,7 +151,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             });
         }
     }
-    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+    JAUSCAT_PART static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         const mask_type m = loaded(c.at);
         if constexpr (all_fixed)
             return end_of(c, m);
@@ -161,7 +160,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
                 return !present || detail::measure_item<Item>(cursor, here);
             });
     }
-    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_PART static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
         const mask_type m = loaded(in);
         if constexpr (all_fixed)
             return min_size + announced(m);
@@ -170,7 +169,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
     /// A member of a presence vector is read as a std::optional.
     template <auto Member, reading Mode>
-    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         using item = std::tuple_element_t<index_of<Member>, std::tuple<Items...>>;
         const mask_type m = loaded(in);
         if constexpr (requires { item::takes_bit; }) {
@@ -191,40 +190,36 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
                                             : std::optional<value>{};
         }
     }
-    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
-        (Items::visit(object, visitor), ...);
-    }
+    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) { (Items::visit(object, visitor), ...); }
     static constexpr bool all_items(auto&& f) { return (f.template operator()<Items>() && ...); }
 
-    [[gnu::always_inline]] static constexpr mask_type loaded(const std::byte* in) noexcept {
+    JAUSCAT_PART static constexpr mask_type loaded(const std::byte* in) noexcept {
         typename Carrier::value_type carrier{};
         Carrier::load(in, carrier);
         return carrier;
     }
 
     /// Whether `Item` travels with `object`.
-    template <class Item> [[gnu::always_inline]] static constexpr bool is_present(const auto& object) noexcept {
+    template <class Item> JAUSCAT_PART static constexpr bool is_present(const auto& object) noexcept {
         if constexpr (Item::optional)
-            return member_of<Item::key>(object).has_value();
+            return (object.*place_in<decltype(object), Item::key>).has_value();
         else if constexpr (detail::takes_bit<Item>)
-            return member_of<Item::key>(object);
+            return (object.*place_in<decltype(object), Item::key>);
         else
             return true;
     }
 
   private:
     template <class Item>
-    [[gnu::always_inline]] static constexpr mask_type present(const auto& object, std::size_t& at) noexcept {
+    JAUSCAT_PART static constexpr mask_type present(const auto& object, std::size_t& at) noexcept {
         if constexpr (!detail::takes_bit<Item>)
             return 0;
-        else if constexpr (requires { object.*Item::key; }) // no call for the member: see put_item
-            return static_cast<mask_type>(static_cast<bool>(object.*Item::key)) << at++;
         else
-            return static_cast<mask_type>(static_cast<bool>(member_of<Item::key>(object))) << at++;
+            return static_cast<mask_type>(static_cast<bool>(object.*place_in<decltype(object), Item::key>)) << at++;
     }
 
     // Bytes that the set bits stand for.
-    [[gnu::always_inline]] static constexpr std::size_t announced(mask_type m) noexcept {
+    JAUSCAT_PART static constexpr std::size_t announced(mask_type m) noexcept {
         constexpr auto& sizes =
             detail::sizes_by_nibble<(detail::takes_bit<Items> ? Items::max_size : detail::always_there)...>;
         return [&]<std::size_t... Nibble>(std::index_sequence<Nibble...>) {
@@ -233,7 +228,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         (std::make_index_sequence<sizes.size()>{});
     }
 
-    [[gnu::always_inline]] static constexpr in_cursor end_of(in_cursor c, mask_type m) noexcept {
+    JAUSCAT_PART static constexpr in_cursor end_of(in_cursor c, mask_type m) noexcept {
         const std::size_t extra = announced(m);
         if (extra > c.slack) return in_cursor::failed(errc::truncated);
         if ((m & ~known_bits) != 0) {
@@ -246,19 +241,15 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
 
     template <class Item>
-    [[gnu::always_inline]] static constexpr std::size_t size_if_present(const auto& object, const auto& here) noexcept {
+    JAUSCAT_PART static constexpr std::size_t size_if_present(const auto& object, const auto& here) noexcept {
         return is_present<Item>(object) ? detail::size_of_item<Item>(object, here) : 0;
     }
     template <class Item>
-    [[gnu::always_inline]] static constexpr bool put_if_present(const auto& object, mask_type& m, std::size_t& at,
-                                                                out_cursor& c, const auto& here) noexcept {
+    JAUSCAT_PART static constexpr bool put_if_present(const auto& object, mask_type& m, std::size_t& at, out_cursor& c,
+                                                      const auto& here) noexcept {
         if constexpr (detail::takes_bit<Item>) {
             const auto bit = mask_type{1} << at++;
-            if constexpr (requires { object.*Item::key; }) {
-                if (!(object.*Item::key)) return true;
-            } else {
-                if (!member_of<Item::key>(object)) return true;
-            }
+            if (!(object.*place_in<decltype(object), Item::key>)) return true;
             m |= bit;
         }
         if constexpr (fixed_item<Item> && !traced<decltype(here)>) {
@@ -270,21 +261,18 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             return detail::put_item<Item>(object, c, here);
         }
     }
-    template <class Item> [[gnu::always_inline]] static constexpr void absent(auto& object) noexcept {
+    template <class Item> JAUSCAT_PART static constexpr void absent(auto& object) noexcept {
         if constexpr (Item::optional)
-            member_of<Item::key>(object).reset();
+            (object.*place_in<decltype(object), Item::key>).reset();
         else
-            member_of<Item::key>(object) = false;
+            (object.*place_in<decltype(object), Item::key>) = false;
     }
     template <class Item>
-    [[gnu::always_inline]] static constexpr bool get_fixed(auto& object, mask_type m, std::size_t& at,
-                                                           const std::byte*& in, errc& error) noexcept {
+    JAUSCAT_PART static constexpr bool get_fixed(auto& object, mask_type m, std::size_t& at, const std::byte*& in,
+                                                 errc& error) noexcept {
         if constexpr (detail::takes_bit<Item>) {
             if ((m >> at++ & 1u) == 0) {
-                if constexpr (requires { (object.*Item::key).reset(); })
-                    (object.*Item::key).reset();
-                else
-                    absent<Item>(object);
+                absent<Item>(object);
                 return true;
             }
         }
@@ -295,15 +283,15 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
 
     template <class Item>
-    [[gnu::always_inline]] static constexpr void set_flag([[maybe_unused]] auto& object, [[maybe_unused]] mask_type m,
-                                                          [[maybe_unused]] std::size_t& at) noexcept {
-        if constexpr (requires { Item::takes_bit; }) member_of<Item::key>(object) = (m >> at & 1u) != 0;
+    JAUSCAT_PART static constexpr void set_flag([[maybe_unused]] auto& object, [[maybe_unused]] mask_type m,
+                                                [[maybe_unused]] std::size_t& at) noexcept {
+        if constexpr (requires { Item::takes_bit; })
+            (object.*place_in<decltype(object), Item::key>) = (m >> at & 1u) != 0;
         if constexpr (detail::takes_bit<Item>) ++at;
     }
 
     // Steps over the items one by one: `step<Item>(present, cursor)`.
-    [[gnu::always_inline]] static constexpr in_cursor each(in_cursor c, mask_type m, const auto& here,
-                                                           auto&& step) noexcept {
+    JAUSCAT_PART static constexpr in_cursor each(in_cursor c, mask_type m, const auto& here, auto&& step) noexcept {
         if (Unknown == unknown_bits::refused && (m & ~known_bits) != 0)
             return in_cursor::failed(errc::unknown_presence_bit);
         c.at += Carrier::size;
@@ -313,8 +301,8 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         return c;
     }
     template <class Item>
-    [[gnu::always_inline]] static constexpr bool step_over(in_cursor& c, mask_type m, std::size_t& at,
-                                                           [[maybe_unused]] const auto& here, auto&& step) noexcept {
+    JAUSCAT_PART static constexpr bool step_over(in_cursor& c, mask_type m, std::size_t& at,
+                                                 [[maybe_unused]] const auto& here, auto&& step) noexcept {
         bool present = true;
         if constexpr (detail::takes_bit<Item>) {
             present = (m >> at++ & 1u) != 0;
@@ -324,8 +312,8 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
     // Bytes of the vector and of the first `Count` items.
     template <std::size_t Count>
-    [[gnu::always_inline]] static constexpr std::size_t extent_of_first(const std::byte* in, mask_type m,
-                                                                        const auto& here) noexcept {
+    JAUSCAT_PART static constexpr std::size_t extent_of_first(const std::byte* in, mask_type m,
+                                                              const auto& here) noexcept {
         std::size_t total = Carrier::size, at = 0, index = 0;
         const auto add = [&]<class Item>() {
             bool present = true;

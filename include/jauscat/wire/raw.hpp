@@ -39,26 +39,23 @@ template <class... Items> struct slots_of<layout<Items...>> : joined_slots<typen
 /// `r.get<&T::speed>()`, `r.set<&T::speed>(raw)`. Optional members are std::optional, nested messages are raw
 /// themselves. Encodes and decodes like `T`, but any raw value is legal.
 template <class T> class raw : detail::slots_of<layout_of<T>>::type {
+    template <auto Member, class Value> static consteval Value raw::*find(const detail::slot<Member, Value>*) {
+        return &detail::slot<Member, Value>::value;
+    }
+
   public:
     using raw_of = T;
 
-    template <auto Member> [[nodiscard]] constexpr const auto& get() const noexcept { return find<Member>(*this); }
-    template <auto Member> constexpr void set(const auto& value) noexcept { find<Member>(*this) = value; }
+    /// The pointer to the slot that stands for `Member`.
+    template <auto Member> static constexpr auto place = raw::find<Member>(static_cast<raw*>(nullptr));
+
+    template <auto Member> [[nodiscard]] constexpr const auto& get() const noexcept { return this->*place<Member>; }
+    template <auto Member> constexpr void set(const auto& value) noexcept { this->*place<Member> = value; }
     /// The stored value itself, to be changed in place.
-    template <auto Member> [[nodiscard]] constexpr auto& slot() noexcept { return find<Member>(*this); }
-    template <auto Member> [[nodiscard]] constexpr const auto& slot() const noexcept { return find<Member>(*this); }
+    template <auto Member> [[nodiscard]] constexpr auto& slot() noexcept { return this->*place<Member>; }
+    template <auto Member> [[nodiscard]] constexpr const auto& slot() const noexcept { return this->*place<Member>; }
 
     friend constexpr bool operator==(const raw&, const raw&) = default;
-
-  private:
-    template <auto Member, class Value>
-    [[gnu::always_inline]] static constexpr Value& find(detail::slot<Member, Value>& s) noexcept {
-        return s.value;
-    }
-    template <auto Member, class Value>
-    [[gnu::always_inline]] static constexpr const Value& find(const detail::slot<Member, Value>& s) noexcept {
-        return s.value;
-    }
 };
 
 template <message T> struct schema<raw<T>> { using type = layout_of<T>; };

@@ -2,6 +2,7 @@
 // A codec has `value_type`, `size` in bytes, `store(bytes, value)` and `load(bytes, value)`; both say errc::ok or why
 // not. One that says `as_in_memory` stores the value's own bytes, and takes any bytes.
 #pragma once
+#include <jauscat/wire/inlining.hpp>
 #include <jauscat/wire/result.hpp>
 
 #include <boost/endian/conversion.hpp>
@@ -29,7 +30,7 @@ template <std::integral T, boost::endian::order Order> struct integer {
     static constexpr bool as_in_memory = size == 1 || Order == boost::endian::order::native;
 
     // The loop serves constant evaluation; memcpy lets the optimiser merge neighbouring fields into one access.
-    [[gnu::always_inline]] static constexpr errc store(std::byte* out, T value) noexcept {
+    JAUSCAT_PART static constexpr errc store(std::byte* out, T value) noexcept {
         const T ordered = boost::endian::conditional_reverse<boost::endian::order::native, Order>(value);
         if (std::is_constant_evaluated()) {
             const auto bytes = std::bit_cast<std::array<std::byte, size>>(ordered);
@@ -40,7 +41,7 @@ template <std::integral T, boost::endian::order Order> struct integer {
         return errc::ok;
     }
 
-    [[gnu::always_inline]] static constexpr errc load(const std::byte* in, T& value) noexcept {
+    JAUSCAT_PART static constexpr errc load(const std::byte* in, T& value) noexcept {
         T ordered{};
         if (std::is_constant_evaluated()) {
             std::array<std::byte, size> bytes{};
@@ -66,10 +67,10 @@ template <std::floating_point T, class Bits> struct floating {
     static constexpr std::size_t size = Bits::size;
     static_assert(sizeof(T) == size, "floating: the value and its carrier differ in size");
 
-    [[gnu::always_inline]] static constexpr errc store(std::byte* out, T value) noexcept {
+    JAUSCAT_PART static constexpr errc store(std::byte* out, T value) noexcept {
         return Bits::store(out, std::bit_cast<typename Bits::value_type>(value));
     }
-    [[gnu::always_inline]] static constexpr errc load(const std::byte* in, T& value) noexcept {
+    JAUSCAT_PART static constexpr errc load(const std::byte* in, T& value) noexcept {
         typename Bits::value_type bits{};
         Bits::load(in, bits);
         value = std::bit_cast<T>(bits);
@@ -107,10 +108,10 @@ struct enumeration {
     static_assert(std::is_same_v<std::underlying_type_t<Enum>, typename Carrier::value_type>,
                   "enumeration: the enumeration's underlying type must be the carrier's integer type");
 
-    [[gnu::always_inline]] static constexpr errc store(std::byte* out, Enum value) noexcept {
+    JAUSCAT_PART static constexpr errc store(std::byte* out, Enum value) noexcept {
         return Carrier::store(out, static_cast<typename Carrier::value_type>(value));
     }
-    [[gnu::always_inline]] static constexpr errc load(const std::byte* in, Enum& value) noexcept {
+    JAUSCAT_PART static constexpr errc load(const std::byte* in, Enum& value) noexcept {
         typename Carrier::value_type raw{};
         Carrier::load(in, raw);
         value = static_cast<Enum>(raw);
@@ -124,11 +125,11 @@ template <std::size_t N> struct octets {
     static constexpr std::size_t size = N;
     static constexpr bool as_in_memory = true;
 
-    [[gnu::always_inline]] static constexpr errc store(std::byte* out, const value_type& value) noexcept {
+    JAUSCAT_PART static constexpr errc store(std::byte* out, const value_type& value) noexcept {
         for (std::size_t i = 0; i != N; ++i) out[i] = value[i];
         return errc::ok;
     }
-    [[gnu::always_inline]] static constexpr errc load(const std::byte* in, value_type& value) noexcept {
+    JAUSCAT_PART static constexpr errc load(const std::byte* in, value_type& value) noexcept {
         for (std::size_t i = 0; i != N; ++i) value[i] = in[i];
         return errc::ok;
     }

@@ -47,16 +47,18 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
 
     static consteval std::string_view name() { return name_of<Member>(); }
     /// The number of a node's children.
-    [[nodiscard]] static constexpr std::size_t children(const auto& one) noexcept { return member_of<Children>(one); }
+    [[nodiscard]] static constexpr std::size_t children(const auto& one) noexcept {
+        return (one.*place_in<decltype(one), Children>);
+    }
 
-    [[gnu::always_inline]] static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
+    JAUSCAT_PART static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
         std::size_t total = 0;
-        for (const auto& one : member_of<Member>(object)) total += inner_layout::size(one, object_scope{one, here});
+        for (const auto& one : (object.*place_in<decltype(object), Member>))
+            total += inner_layout::size(one, object_scope{one, here});
         return total;
     }
-    [[gnu::always_inline]] static constexpr out_cursor put(const auto& object, out_cursor c,
-                                                           const auto& here) noexcept {
-        const auto& nodes = member_of<Member>(object);
+    JAUSCAT_PART static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
+        const auto& nodes = (object.*place_in<decltype(object), Member>);
         tree_walk<MaxDepth> walk;
         detail::enter<tree>(here);
         for (std::size_t i = 0; i != nodes.size(); ++i) {
@@ -70,8 +72,8 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
         detail::leave(here);
         return c;
     }
-    [[gnu::always_inline]] static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        auto& nodes = member_of<Member>(object);
+    JAUSCAT_PART static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+        auto& nodes = (object.*place_in<decltype(object), Member>);
         using stored = typename std::remove_reference_t<decltype(nodes)>::value_type;
         if constexpr (traced<decltype(here)>) {
             tree_walk<MaxDepth> walk;
@@ -102,22 +104,21 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
             return c;
         }
     }
-    [[gnu::always_inline]] static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+    JAUSCAT_PART static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         std::size_t count = 0;
         return walk_bytes(c, count, here);
     }
-    [[gnu::always_inline]] static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_PART static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
         std::size_t count = 0;
         return static_cast<std::size_t>(walk_bytes({in, unbounded}, count, here).at - in);
     }
-    template <auto, reading>
-    [[gnu::always_inline]] static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+    template <auto, reading> JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         std::size_t count = 0;
         walk_bytes({in, unbounded}, count, here);
         return list_view<tree, std::remove_cvref_t<decltype(here)>>{in, count, here};
     }
-    [[gnu::always_inline]] static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(tree{}, member_of<Member>(object));
+    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(tree{}, object.*place_in<decltype(object), Member>);
     }
 
   private:

@@ -8,8 +8,7 @@ namespace jauscat::wire {
 /// that carries the member: a `field` (codec_type, optional), `bit` (width) or `nested` (visit the member in turn);
 /// each has `name()` and `key`.
 template <class Object>
-requires message<std::remove_const_t<Object>>
-[[gnu::always_inline]] constexpr void visit(Object& object, auto&& visitor) {
+requires message<std::remove_const_t<Object>> JAUSCAT_PART constexpr void visit(Object& object, auto&& visitor) {
     layout_of<std::remove_const_t<Object>>::visit(object, visitor);
 }
 

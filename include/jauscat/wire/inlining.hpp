@@ -1,0 +1,14 @@
+// How the parts of a layout fold into the message they are part of, so that offsets become constants and only whole
+// messages cost a call.
+//
+// GCC folds from the message down: measured, all messages of RA 3.3 compile in 12 s instead of 15 s than when each part
+// asks for it, and take less code. Clang's flatten reaches only one level down, so there each part asks.
+#pragma once
+
+#ifdef __clang__
+#    define JAUSCAT_WHOLE
+#    define JAUSCAT_PART [[gnu::always_inline]]
+#else
+#    define JAUSCAT_WHOLE [[gnu::flatten]]
+#    define JAUSCAT_PART
+#endif
