@@ -26,7 +26,7 @@ int count_instructions() {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (!bench::add_codec_benchmarks() || !bench::add_translate_benchmarks()) {
+    if (!bench::add_codec_benchmarks() || !bench::add_translate_benchmarks() || !bench::add_dispatch_benchmarks()) {
         std::fputs("jauscat and the hand-written code do not agree\n", stderr);
         return 1;
     }

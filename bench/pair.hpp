@@ -50,5 +50,6 @@ void pair(const std::string& name, std::span<Ours> our_items, auto jauscat, std:
 /// Each file of benchmarks adds its pairs; false when both ways of doing the work do not agree.
 bool add_codec_benchmarks();
 bool add_translate_benchmarks();
+bool add_dispatch_benchmarks();
 
 } // namespace bench

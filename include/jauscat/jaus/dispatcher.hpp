@@ -25,13 +25,15 @@ template <class H> concept is_typed = requires { typename H::message_type; };
 template <template <class> class Kind, class H> inline constexpr bool is_kind = false;
 template <template <class> class Kind, class F> inline constexpr bool is_kind<Kind, Kind<F>> = true;
 
-/// Calls `call` with each handler of a kind: none or one.
+/// Calls the handler of a kind, if there is one.
 template <template <class> class Kind, class... Handlers>
-constexpr void each_of(std::tuple<Handlers...>& handlers, auto&& call) {
-    const auto one = [&]<class H>([[maybe_unused]] H& handler) {
-        if constexpr (is_kind<Kind, H>) call(handler);
-    };
-    std::apply([&](auto&... handler) { (one(handler), ...); }, handlers);
+constexpr void tell(std::tuple<Handlers...>& handlers, const auto&... what) {
+    constexpr std::size_t place = [] {
+        std::size_t at = 0;
+        static_cast<void>((... || (is_kind<Kind, Handlers> || (++at, false))));
+        return at;
+    }();
+    if constexpr (place != sizeof...(Handlers)) std::get<place>(handlers).handle(what...);
 }
 
 template <class T>
@@ -43,22 +45,19 @@ constexpr wire::result decode_body(T& message, std::span<const std::byte> body,
         return wire::decode(message, body);
 }
 
+/// What is the same for all handlers is left to the caller, so that it is compiled once.
 template <std::size_t I, class... Handlers>
-constexpr dispatched decode_and_handle(std::tuple<Handlers...>& handlers, const header& head,
+constexpr wire::errc decode_and_handle(std::tuple<Handlers...>& handlers, const header& head,
                                        std::span<const std::byte> body, wire::arena* memory) {
-    auto& handler = std::get<I>(handlers);
     typename std::tuple_element_t<I, std::tuple<Handlers...>>::message_type message{};
-    if (const wire::result decoded = decode_body(message, body, memory); !decoded) {
-        each_of<malformed_handler>(handlers, [&](auto& h) { h.handle(head, body, decoded.error()); });
-        return dispatched::malformed;
-    }
-    handler.handle(head, std::as_const(message));
-    return dispatched::handled;
+    if (const wire::result decoded = decode_body(message, body, memory); !decoded) return decoded.error();
+    std::get<I>(handlers).handle(head, std::as_const(message));
+    return wire::errc::ok;
 }
 
 /// The command codes of the typed handlers, and beside each the function that decodes for it.
 template <class... Handlers> struct dispatch_table {
-    using step = dispatched (*)(std::tuple<Handlers...>&, const header&, std::span<const std::byte>, wire::arena*);
+    using step = wire::errc (*)(std::tuple<Handlers...>&, const header&, std::span<const std::byte>, wire::arena*);
     static constexpr std::size_t count = (std::size_t{is_typed<Handlers>} + ... + 0);
     static constexpr auto places = [] {
         constexpr std::array<bool, sizeof...(Handlers)> typed{is_typed<Handlers>...};
@@ -125,15 +124,19 @@ template <class... Handlers> class dispatcher {
 
     constexpr dispatched dispatch(const header& head, std::span<const std::byte> body, wire::arena* memory) {
         if (is_acknowledgement(head) && body.empty()) {
-            detail::each_of<detail::acknowledgement_handler>(handlers_, [&](auto& h) { h.handle(head); });
+            detail::tell<detail::acknowledgement_handler>(handlers_, head);
             return dispatched::acknowledgement;
         }
         const std::size_t place = codes::find(head.command_code);
         if (place == codes::npos) {
-            detail::each_of<detail::unknown_handler>(handlers_, [&](auto& h) { h.handle(head, body); });
+            detail::tell<detail::unknown_handler>(handlers_, head, body);
             return dispatched::unknown;
         }
-        return table::steps[place](handlers_, head, body, memory);
+        if (const wire::errc error = table::steps[place](handlers_, head, body, memory); error != wire::errc::ok) {
+            detail::tell<detail::malformed_handler>(handlers_, head, body, error);
+            return dispatched::malformed;
+        }
+        return dispatched::handled;
     }
 
     std::tuple<Handlers...> handlers_;

@@ -1,0 +1,114 @@
+// The dispatcher with a handler for every message against a switch over all codes, and against a hash map of functions.
+#include "hand_written_dispatch.hpp"
+#include "pair.hpp"
+#include <jauscat/jaus/dispatcher.hpp>
+
+#include <array>
+#include <random>
+#include <unordered_map>
+#include <vector>
+
+namespace {
+
+namespace jaus = jauscat::jaus;
+namespace wire = jauscat::wire;
+
+constexpr std::size_t item_count = 1024;
+using bytes = std::vector<std::byte>;
+
+std::array<std::byte, 65536> memory;
+wire::arena lists{memory};
+std::uint16_t last_handled; // what a handler leaves behind, so that the three ways can be compared
+
+// What every handler does with its message.
+struct taker {
+    template <class Message> void operator()(const jaus::header& head, const Message& message) const {
+        benchmark::DoNotOptimize(&head);
+        benchmark::DoNotOptimize(&message);
+        last_handled = jaus::command_code_of<Message>;
+    }
+};
+constexpr taker take{};
+
+template <class... Messages> auto dispatcher_of(jaus::message_list<Messages...>) {
+    return jaus::dispatcher{jaus::on<Messages>(take)...};
+}
+
+// The work of the dispatcher, by hand: decode what the code says, hand it over.
+template <class Message> bool decode_and_take(const jaus::header& head, std::span<const std::byte> body) {
+    Message message{};
+    if constexpr (wire::needs_memory<Message>) {
+        lists.reset();
+        if (!wire::decode(message, body, lists)) return false;
+    } else {
+        if (!wire::decode(message, body)) return false;
+    }
+    take(head, message);
+    return true;
+}
+using function = bool (*)(const jaus::header&, std::span<const std::byte>);
+template <class... Messages> std::unordered_map<std::uint16_t, function> map_of(jaus::message_list<Messages...>) {
+    return {{jaus::command_code_of<Messages>, &decode_and_take<Messages>}...};
+}
+
+jaus::header head_of(const bytes& message) {
+    jaus::header head{};
+    static_cast<void>(wire::decode_prefix(head, message)); // made here
+    return head;
+}
+std::span<const std::byte> body_of(const bytes& message) { return std::span{message}.subspan(jaus::header_size); }
+
+[[gnu::noinline]] bool by_dispatcher(const bytes& message) {
+    static auto handlers = dispatcher_of(jaus::messages{});
+    return handlers(head_of(message), body_of(message), lists) == jaus::dispatched::handled;
+}
+[[gnu::noinline]] bool by_switch(const bytes& message) {
+    const jaus::header head = head_of(message);
+    return hand_written::dispatch(head.command_code,
+                                  [&]<class Message>() { return decode_and_take<Message>(head, body_of(message)); });
+}
+[[gnu::noinline]] bool by_map(const bytes& message) {
+    static const auto functions = map_of(jaus::messages{});
+    const jaus::header head = head_of(message);
+    const auto found = functions.find(head.command_code);
+    return found != functions.end() && found->second(head, body_of(message));
+}
+
+// Every message once with all it need not have left out, where that makes a message of at most `largest` bytes.
+template <class... Messages>
+std::vector<bytes> smallest_messages(jaus::message_list<Messages...>, std::size_t largest) {
+    std::vector<bytes> all;
+    const auto add = [&]<class Message>() {
+        bytes made(jaus::header_size + 4096);
+        const auto size = jaus::make_message({.destination = {1, 2, 3, 4}, .source = {5, 6, 7, 8}}, Message{}, made);
+        if (!size || size.size() > largest) return;
+        made.resize(size.size());
+        if (by_switch(made)) all.push_back(std::move(made)); // some are not complete without a list
+    };
+    (add.template operator()<Messages>(), ...);
+    return all;
+}
+
+bool add(const std::string& name, std::size_t largest, std::vector<bytes>& messages) {
+    const auto distinct = smallest_messages(jaus::messages{}, largest);
+    std::mt19937 random{11};
+    for (std::size_t i = 0; i != item_count; ++i) messages.push_back(distinct[random() % distinct.size()]);
+    bool agree = distinct.size() > 50;
+    for (const auto& message : distinct)
+        for (const auto way : {by_dispatcher, by_switch, by_map}) {
+            last_handled = 0;
+            agree = agree && way(message) && last_handled == head_of(message).command_code;
+        }
+    const std::string label = "dispatch, " + std::to_string(distinct.size()) + " " + name;
+    bench::pair(label + " (switch)", std::span{messages}, by_dispatcher, std::span{messages}, by_switch);
+    bench::pair(label + " (map)", std::span{messages}, by_dispatcher, std::span{messages}, by_map);
+    return agree;
+}
+
+} // namespace
+
+bool bench::add_dispatch_benchmarks() {
+    static std::vector<bytes> any, short_ones;
+    return add("messages of any size", jaus::header_size + 4096, any) &&
+           add("messages of up to 4 bytes", jaus::header_size + 4, short_ones);
+}
