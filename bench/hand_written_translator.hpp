@@ -1,5 +1,4 @@
-// The seed table by hand: what a programmer with the two layouts beside the keyboard writes. The floor for the
-// translator.
+// Both tables by hand: what a programmer with the two layouts beside the keyboard writes. The floor for the translator.
 #pragma once
 #include <jauscat/schema/translation/command_ranks.hpp>
 
@@ -115,5 +114,65 @@ inline std::size_t translate_back(std::span<const std::byte> packet, std::span<s
     if (body != 0) std::memcpy(m + 16, p + 64, body);
     return 16 + body;
 }
+
+namespace self_contained {
+
+inline std::size_t translate_forth(std::span<const std::byte> message, std::span<std::byte> packet) {
+    using namespace detail;
+    const std::byte* const m = message.data();
+    std::byte* const p = packet.data();
+    if (message.size() < 16) return 0;
+    const std::size_t body = message.size() - 16, data = body + 12;
+    if (data > 1540 || packet.size() < 56 + data) return 0;
+    const unsigned rank = rank_of[u16(m + 2)];
+    if ((u16(m + 12) & 0xFFF) != body || rank == 0) return 0;
+    put32(p + 0, 0x20);
+    put32(p + 4, 0);
+    put32(p + 8, 0);
+    put32(p + 12, 0);
+    put32(p + 16, static_cast<std::uint32_t>(16 + data));
+    put32(p + 20, 0);
+    put32(p + 24, 0);
+    put32(p + 28, 0x00650008);
+    put32(p + 32, 0);
+    put32(p + 36, 0);
+    put32(p + 40, std::to_integer<std::uint32_t>(m[6]));
+    put32(p + 44, 6900 + std::to_integer<std::uint32_t>(m[5]));
+    put32(p + 48, rank);
+    put32(p + 52, static_cast<std::uint32_t>(data));
+    std::memcpy(p + 56, m, 2);
+    p[58] = m[4];
+    p[59] = m[7];
+    std::memcpy(p + 60, m + 8, 8);
+    if (body != 0) std::memcpy(p + 68, m + 16, body);
+    return 56 + data;
+}
+
+inline std::size_t translate_back(std::span<const std::byte> packet, std::span<std::byte> message) {
+    using namespace detail;
+    const std::byte* const p = packet.data();
+    std::byte* const m = message.data();
+    if (packet.size() < 56) return 0;
+    const std::size_t data = u32(p + 52);
+    if (data > packet.size() - 56 || data < 12 || data > 1540) return 0;
+    const std::size_t body = data - 12;
+    const std::uint32_t node = u32(p + 40), index = u32(p + 44), rank = u32(p + 48);
+    if (message.size() < 16 + body) return 0;
+    if (node > 255 || index < 6900 || index > 6900 + 255 || rank == 0 || rank > 158) return 0;
+    if (u32(p) != 0x20 || u32(p + 8) != 0 || u32(p + 16) < 16 + data || u32(p + 24) != 0 || u32(p + 28) != 0x00650008 ||
+        u32(p + 32) != 0 || u32(p + 36) != 0 || (u16(p + 64) & 0xFFF) != body)
+        return 0;
+    std::memcpy(m, p + 56, 2);
+    put16(m + 2, jauscat::translation::ra_command_codes[rank - 1]);
+    m[4] = p[58];
+    m[5] = static_cast<std::byte>(index - 6900);
+    m[6] = static_cast<std::byte>(node);
+    m[7] = p[59];
+    std::memcpy(m + 8, p + 60, 8);
+    if (body != 0) std::memcpy(m + 16, p + 68, body);
+    return 16 + body;
+}
+
+} // namespace self_contained
 
 } // namespace hand_written

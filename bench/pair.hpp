@@ -51,5 +51,6 @@ void pair(const std::string& name, std::span<Ours> our_items, auto jauscat, std:
 bool add_codec_benchmarks();
 bool add_translate_benchmarks();
 bool add_dispatch_benchmarks();
+bool add_path_benchmarks();
 
 } // namespace bench

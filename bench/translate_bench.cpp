@@ -1,7 +1,8 @@
-// Translation under the seed table against code written by hand.
+// Translation under both tables against code written by hand, and against copying the same bytes.
 #include "hand_written_translator.hpp"
 #include "pair.hpp"
 #include <jauscat/schema/translation/seed_table.hpp>
+#include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/translate/translator.hpp>
 
 #include <algorithm>
@@ -11,31 +12,51 @@
 namespace {
 
 namespace jaus = jauscat::jaus;
-using translator = jauscat::translate::translator<jauscat::translation::seed_table>;
+namespace translation = jauscat::translation;
 using bytes = std::vector<std::byte>;
+using in_bytes = std::span<const std::byte>;
+using out_bytes = std::span<std::byte>;
 
 constexpr std::size_t item_count = 1024;
 
-// Out of line, and nothing below them is: both sides cost one call.
-[[gnu::noinline, gnu::flatten]] std::size_t jauscat_forth(std::span<const std::byte> message,
-                                                          std::span<std::byte> packet) {
-    return translator::forth(message, packet).size();
-}
-[[gnu::noinline, gnu::flatten]] std::size_t jauscat_back(std::span<const std::byte> packet,
-                                                         std::span<std::byte> message) {
-    return translator::back(packet, message).size();
-}
-[[gnu::noinline, gnu::flatten]] std::size_t hand_written_forth(std::span<const std::byte> message,
-                                                               std::span<std::byte> packet) {
-    return hand_written::translate_forth(message, packet);
-}
-[[gnu::noinline, gnu::flatten]] std::size_t hand_written_back(std::span<const std::byte> packet,
-                                                              std::span<std::byte> message) {
-    return hand_written::translate_back(packet, message);
+// Both ways of a table, ours and by hand. Out of line, and nothing below them is: both sides cost one call.
+template <class Table> struct ours {
+    using translator = jauscat::translate::translator<Table>;
+    [[gnu::noinline, gnu::flatten]] static std::size_t forth(in_bytes message, out_bytes packet) {
+        return translator::forth(message, packet).size();
+    }
+    [[gnu::noinline, gnu::flatten]] static std::size_t back(in_bytes packet, out_bytes message) {
+        return translator::back(packet, message).size();
+    }
+};
+struct seed : ours<translation::seed_table> {
+    [[gnu::noinline, gnu::flatten]] static std::size_t forth_by_hand(in_bytes message, out_bytes packet) {
+        return hand_written::translate_forth(message, packet);
+    }
+    [[gnu::noinline, gnu::flatten]] static std::size_t back_by_hand(in_bytes packet, out_bytes message) {
+        return hand_written::translate_back(packet, message);
+    }
+};
+struct self_contained : ours<translation::self_contained_table> {
+    [[gnu::noinline, gnu::flatten]] static std::size_t forth_by_hand(in_bytes message, out_bytes packet) {
+        return hand_written::self_contained::translate_forth(message, packet);
+    }
+    [[gnu::noinline, gnu::flatten]] static std::size_t back_by_hand(in_bytes packet, out_bytes message) {
+        return hand_written::self_contained::translate_back(packet, message);
+    }
+};
+[[gnu::noinline]] std::size_t copy(in_bytes from, out_bytes to) {
+    std::memcpy(to.data(), from.data(), from.size());
+    return from.size();
 }
 
-/// Adds both directions for messages of any code with a body of `body_size` bytes. False when the two sides differ.
-bool add(const std::string& name, std::vector<bytes>& messages, std::vector<bytes>& packets, std::size_t body_size) {
+struct message_set {
+    std::vector<bytes> messages{}, packets{};
+};
+
+/// Adds both directions for messages of any code with a body of `body_size` bytes. False when the sides differ.
+template <class Table> bool add(const std::string& name, message_set& set, std::size_t body_size) {
+    using translator = typename Table::translator;
     static std::array<std::byte, translator::max_packet_size> packet, other_packet;
     static std::array<std::byte, translator::max_message_size> message;
     std::mt19937 random{7};
@@ -50,29 +71,33 @@ bool add(const std::string& name, std::vector<bytes>& messages, std::vector<byte
                                 .data_size = static_cast<std::uint16_t>(body_size),
                                 .sequence_number = static_cast<std::uint16_t>(random())};
         agree = agree && jauscat::wire::encode(head, made);
-        const auto size = jauscat_forth(made, packet);
-        agree = agree && size == hand_written_forth(made, other_packet) &&
+        const auto size = Table::forth(made, packet);
+        agree = agree && size != 0 && size == Table::forth_by_hand(made, other_packet) &&
                 std::ranges::equal(std::span{packet}.first(size), std::span{other_packet}.first(size));
-        for (const auto back : {jauscat_back, hand_written_back})
+        for (const auto back : {Table::back, Table::back_by_hand})
             agree = agree && back(std::span{packet}.first(size), message) == made.size() &&
                     std::ranges::equal(std::span{message}.first(made.size()), made);
-        packets.emplace_back(packet.begin(), packet.begin() + static_cast<std::ptrdiff_t>(size));
-        messages.push_back(std::move(made));
+        set.packets.emplace_back(packet.begin(), packet.begin() + static_cast<std::ptrdiff_t>(size));
+        set.messages.push_back(std::move(made));
     }
-    bench::pair(
-        name + ", forth", std::span{messages}, [](const bytes& m) { return jauscat_forth(m, packet); },
-        std::span{messages}, [](const bytes& m) { return hand_written_forth(m, packet); });
-    bench::pair(
-        name + ", back", std::span{packets}, [](const bytes& p) { return jauscat_back(p, message); },
-        std::span{packets}, [](const bytes& p) { return hand_written_back(p, message); });
+    const auto into_packet = [](auto way) { return [way](const bytes& m) { return way(m, packet); }; };
+    const auto into_message = [](auto way) { return [way](const bytes& p) { return way(p, message); }; };
+    const std::span messages{set.messages}, packets{set.packets};
+    bench::pair(name + ", forth", messages, into_packet(Table::forth), messages, into_packet(Table::forth_by_hand));
+    bench::pair(name + ", back", packets, into_message(Table::back), packets, into_message(Table::back_by_hand));
+    bench::pair(name + ", forth (memcpy)", messages, into_packet(Table::forth), messages, into_packet(copy));
     return agree;
+}
+
+template <class Table> bool add_sizes(const std::string& table) {
+    static message_set sets[3];
+    return add<Table>(table + ", no body", sets[0], 0) &&
+           add<Table>(table + ", Set Wrench Effort's 20 bytes", sets[1], 20) &&
+           add<Table>(table + ", largest body", sets[2], Table::translator::max_body);
 }
 
 } // namespace
 
 bool bench::add_translate_benchmarks() {
-    static std::vector<bytes> messages[3], packets[3];
-    return add("translate, no body", messages[0], packets[0], 0) &&
-           add("translate, Set Wrench Effort's 20 bytes", messages[1], packets[1], 20) &&
-           add("translate, largest body", messages[2], packets[2], translator::max_body);
+    return add_sizes<seed>("seed table") && add_sizes<self_contained>("self-contained table");
 }
