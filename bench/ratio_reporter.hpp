@@ -25,11 +25,11 @@ class ratio_reporter : public benchmark::BenchmarkReporter {
     }
 
     void Finalize() override {
-        std::printf("%-48s %10s %14s %7s\n", "", "jauscat/ns", "hand-written/ns", "ratio");
+        std::printf("%-70s %10s %14s %7s\n", "", "jauscat/ns", "hand-written/ns", "ratio");
         for (auto& [name, times] : times_) {
             if (times.jauscat.empty() || times.hand_written.empty()) continue;
             const double ours = median(times.jauscat), theirs = median(times.hand_written);
-            std::printf("%-48s %10.2f %15.2f %7.2f\n", name.c_str(), ours, theirs, ours / theirs);
+            std::printf("%-70s %10.2f %15.2f %7.2f\n", name.c_str(), ours, theirs, ours / theirs);
         }
         std::printf("Median of %zu interleaved repetitions; CPU time for one message.\n",
                     times_.empty() ? 0 : times_.begin()->second.jauscat.size());
