@@ -3,7 +3,7 @@
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/wire/code_index.hpp>
 
-#include <tuple>
+#include <utility>
 
 namespace jauscat::jaus {
 
@@ -25,15 +25,28 @@ template <class H> concept is_typed = requires { typename H::message_type; };
 template <template <class> class Kind, class H> inline constexpr bool is_kind = false;
 template <template <class> class Kind, class F> inline constexpr bool is_kind<Kind, Kind<F>> = true;
 
+/// The handlers of a dispatcher, in a flat list: all messages' handlers in a std::tuple take a minute to compile.
+template <std::size_t I, class H> struct placed_handler { H handler; };
+template <class Places, class... Handlers> struct handler_list;
+template <std::size_t... I, class... Handlers>
+struct handler_list<std::index_sequence<I...>, Handlers...> : placed_handler<I, Handlers>... {
+    static constexpr std::size_t size = sizeof...(Handlers);
+    constexpr explicit handler_list(Handlers... handlers) : placed_handler<I, Handlers>{std::move(handlers)}... {}
+};
+template <class... Handlers> using handlers_of = handler_list<std::index_sequence_for<Handlers...>, Handlers...>;
+template <std::size_t I, class H> constexpr H& handler_at(placed_handler<I, H>& place) { return place.handler; }
+template <std::size_t I, class List>
+using handler_type = std::remove_cvref_t<decltype(handler_at<I>(std::declval<List&>()))>;
+
 /// Calls the handler of a kind, if there is one.
-template <template <class> class Kind, class... Handlers>
-constexpr void tell(std::tuple<Handlers...>& handlers, const auto&... what) {
+template <template <class> class Kind, std::size_t... I, class... Handlers>
+constexpr void tell(handler_list<std::index_sequence<I...>, Handlers...>& handlers, const auto&... what) {
     constexpr std::size_t place = [] {
         std::size_t at = 0;
         static_cast<void>((... || (is_kind<Kind, Handlers> || (++at, false))));
         return at;
     }();
-    if constexpr (place != sizeof...(Handlers)) std::get<place>(handlers).handle(what...);
+    if constexpr (place != sizeof...(Handlers)) handler_at<place>(handlers).handle(what...);
 }
 
 template <class T>
@@ -46,18 +59,19 @@ constexpr wire::result decode_body(T& message, std::span<const std::byte> body,
 }
 
 /// What is the same for all handlers is left to the caller, so that it is compiled once.
-template <std::size_t I, class... Handlers>
-constexpr wire::errc decode_and_handle(std::tuple<Handlers...>& handlers, const header& head,
-                                       std::span<const std::byte> body, wire::arena* memory) {
-    typename std::tuple_element_t<I, std::tuple<Handlers...>>::message_type message{};
+template <std::size_t I, class List>
+constexpr wire::errc decode_and_handle(List& handlers, const header& head, std::span<const std::byte> body,
+                                       wire::arena* memory) {
+    typename handler_type<I, List>::message_type message{};
     if (const wire::result decoded = decode_body(message, body, memory); !decoded) return decoded.error();
-    std::get<I>(handlers).handle(head, std::as_const(message));
+    handler_at<I>(handlers).handle(head, std::as_const(message));
     return wire::errc::ok;
 }
 
 /// The command codes of the typed handlers, and beside each the function that decodes for it.
 template <class... Handlers> struct dispatch_table {
-    using step = wire::errc (*)(std::tuple<Handlers...>&, const header&, std::span<const std::byte>, wire::arena*);
+    using list = handlers_of<Handlers...>;
+    using step = wire::errc (*)(list&, const header&, std::span<const std::byte>, wire::arena*);
     static constexpr std::size_t count = (std::size_t{is_typed<Handlers>} + ... + 0);
     static constexpr auto places = [] {
         constexpr std::array<bool, sizeof...(Handlers)> typed{is_typed<Handlers>...};
@@ -66,7 +80,7 @@ template <class... Handlers> struct dispatch_table {
             if (typed[i]) found[at++] = i;
         return found;
     }();
-    template <std::size_t I> using handler = std::tuple_element_t<places[I], std::tuple<Handlers...>>;
+    template <std::size_t I> using handler = handler_type<places[I], list>;
     static constexpr bool needs_memory = []<std::size_t... I>(std::index_sequence<I...>) {
         return (wire::needs_memory<typename handler<I>::message_type> || ... || false);
     }
@@ -77,7 +91,7 @@ template <class... Handlers> struct dispatch_table {
     }
     (std::make_index_sequence<count>{});
     static constexpr auto steps = []<std::size_t... I>(std::index_sequence<I...>) {
-        return std::array<step, count>{&decode_and_handle<places[I], Handlers...>...};
+        return std::array<step, count>{&decode_and_handle<places[I], list>...};
     }
     (std::make_index_sequence<count>{});
 };
@@ -139,7 +153,7 @@ template <class... Handlers> class dispatcher {
         return dispatched::handled;
     }
 
-    std::tuple<Handlers...> handlers_;
+    detail::handlers_of<Handlers...> handlers_;
 };
 
 } // namespace jauscat::jaus
