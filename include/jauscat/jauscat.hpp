@@ -5,6 +5,8 @@
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/ethercat/loopback_link.hpp>
 #include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/packet_exchange.hpp>
+#include <jauscat/ethercat/packet_job.hpp>
 #include <jauscat/ethercat/slave.hpp>
 #include <jauscat/jaus/copy_present.hpp>
 #include <jauscat/jaus/dispatcher.hpp>

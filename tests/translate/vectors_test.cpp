@@ -1,4 +1,5 @@
 // Recorded messages of every command code, through both tables and back.
+#include "plain_translator.hpp"
 #include "samples.hpp"
 #include "support/catch.hpp"
 
@@ -9,6 +10,9 @@ using namespace jauscat;
 using namespace jauscat::test;
 
 namespace {
+
+constexpr plain_table plain_of(seed) { return plain_table::seed; }
+constexpr plain_table plain_of(self_contained) { return plain_table::self_contained; }
 
 /// The messages of the vector file: all of its "hex" members.
 std::vector<std::vector<std::byte>> golden_messages() {
@@ -30,7 +34,8 @@ unsigned command_code(std::span<const std::byte> message) {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("every golden message translates and comes back byte for byte", "", seed, self_contained) {
+TEMPLATE_TEST_CASE("every golden message translates as plain loops do, and comes back byte for byte by both", "", seed,
+                   self_contained) {
     const auto messages = golden_messages();
     REQUIRE(messages.size() == 1255);
     std::map<unsigned, int> codes;
@@ -39,7 +44,9 @@ TEMPLATE_TEST_CASE("every golden message translates and comes back byte for byte
         const auto there = forth<TestType>(message);
         REQUIRE(there.error == translate::errc::ok);
         REQUIRE(get(there.bytes, word::ul_data_cnt) == message.size() - 16 + TestType::rest_size);
+        REQUIRE(to_hex(there.bytes) == to_hex(plain_forth(plain_of(TestType{}), message)));
         REQUIRE(to_hex(back<TestType>(there.bytes).bytes) == to_hex(message));
+        REQUIRE(plain_back(plain_of(TestType{}), there.bytes) == message);
         ++codes[command_code(message)];
     }
     CHECK(codes.size() == 157); // all but Set VKS Feature Class Metadata

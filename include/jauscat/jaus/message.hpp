@@ -113,4 +113,22 @@ constexpr result make_message(header head, const T& body, std::span<std::byte> o
             .sequence_number = request.sequence_number};
 }
 
+/// Writes the 16 bytes of an ACK or NAK (`how`) of the message with the header `request` to the front of `out`. Errors:
+/// no_space, invalid_header.
+[[nodiscard]] constexpr result make_acknowledgement(const header& request, ack_nak how,
+                                                    std::span<std::byte> out) noexcept {
+    if (out.size() < header_size) return errc::no_space;
+    header head = answer_to(request);
+    head.command_code = request.command_code;
+    head.ack_nak = how;
+    if (!wire::encode(head, out)) return errc::invalid_header;
+    return header_size;
+}
+
+/// The command code of the report that answers a query, 2000h above the query's; 0 for what is no query. RA 3.3 part 3.
+[[nodiscard]] constexpr std::uint16_t report_code_of(std::uint16_t command_code) noexcept {
+    const bool is_query = command_code >= 0x2000 && command_code < 0x4000;
+    return is_query ? static_cast<std::uint16_t>(command_code + 0x2000) : std::uint16_t{};
+}
+
 } // namespace jauscat::jaus

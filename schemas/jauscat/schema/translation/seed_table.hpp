@@ -4,14 +4,12 @@
 #include <jauscat/schema/ethercat/hilscher.hpp>
 #include <jauscat/schema/jaus/header.hpp>
 #include <jauscat/schema/translation/command_ranks.hpp>
+#include <jauscat/schema/translation/index_bases.hpp>
 #include <jauscat/translate/table.hpp>
 
 namespace jauscat::translation {
 
-/// Where the index of component 0 lies. 6900 is decimal: 1AF4h, inside EtherCAT's TxPDO-mapping area 1A00h to 1BFFh,
-/// where many slaves refuse a write.
-inline constexpr std::uint32_t seed_index_base = 6900;
-
+/// The seed table for any index base (see index_bases.hpp) and list of command codes.
 // clang-format off
 template <std::uint32_t IndexBase = seed_index_base, const auto& Codes = ra_command_codes>
 struct seed_table_of {
@@ -44,6 +42,11 @@ struct seed_table_of {
 };
 // clang-format on
 
+/// With the seed's index base, 6900 decimal.
 using seed_table = seed_table_of<>::type;
+/// For slaves that refuse writes to PDO mapping objects: 2000h is manufacturer specific.
+using seed_table_at_2000h = seed_table_of<manufacturer_index_base>::type;
+/// With the seed's number read as hexadecimal.
+using seed_table_at_6900h = seed_table_of<profile_index_base>::type;
 
 } // namespace jauscat::translation

@@ -5,6 +5,7 @@
 
 namespace jauscat::translation {
 
+/// The self-contained table for any index base (see index_bases.hpp) and list of command codes.
 // clang-format off
 template <std::uint32_t IndexBase = seed_index_base, const auto& Codes = ra_command_codes>
 struct self_contained_table_of {
@@ -32,6 +33,11 @@ struct self_contained_table_of {
 };
 // clang-format on
 
+/// With the seed's index base, 6900 decimal.
 using self_contained_table = self_contained_table_of<>::type;
+/// For slaves that refuse writes to PDO mapping objects: 2000h is manufacturer specific.
+using self_contained_table_at_2000h = self_contained_table_of<manufacturer_index_base>::type;
+/// With the seed's number read as hexadecimal.
+using self_contained_table_at_6900h = self_contained_table_of<profile_index_base>::type;
 
 } // namespace jauscat::translation

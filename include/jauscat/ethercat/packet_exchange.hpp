@@ -1,0 +1,189 @@
+// The exchange of SDO packets that carries one JAUS message to a slave and, after a query, its report back. Packets in,
+// packets out: who executes them, a card or our master (packet_job.hpp), is the caller's affair.
+#pragma once
+
+#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/jaus/message.hpp>
+#include <jauscat/schema/ethercat/hilscher.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// Where an exchange stands after a step.
+enum class exchange_progress : std::uint8_t {
+    ignored, ///< not the confirmation that is waited for: nothing has changed
+    request, ///< the next request packet stands in the buffer: have it executed
+    done,    ///< the slave has taken the message; after a query its report, a JAUS message, stands in the buffer
+    failed,  ///< see `status()` and `error()`
+};
+
+/// What a step led to, and how many bytes it wrote to the front of the buffer.
+struct exchange_step {
+    exchange_progress what{};
+    std::size_t size{};
+};
+
+/// One exchange at a time, under a translation table between jaus::header and the SDO download request:
+///
+///     auto step = exchange.begin(message, buffer);
+///     while (step.what == exchange_progress::request)
+///         step = exchange.on_confirmation(execute(std::span{buffer}.first(step.size)), buffer);
+///     if (step.what == exchange_progress::done && step.size != 0) send(std::span{buffer}.first(step.size)); // report
+///     if (const auto size = exchange.acknowledgement(buffer)) send(std::span{buffer}.first(size));
+///
+/// A message becomes an SDO download. A query goes down to its own subindex, because an upload has no body to carry
+/// what is asked for; the slave prepares the report, which an SDO upload of the report's subindex then fetches.
+template <class Table> class packet_exchange {
+  public:
+    using delivery = ethercat::delivery<Table>;
+    using translator = typename delivery::translator;
+    using packet = typename delivery::packet;
+    /// Bytes of buffer that every step can do with: the largest packet or message.
+    static constexpr std::size_t buffer_size = std::max(translator::max_packet_size, translator::max_message_size);
+
+    /// `slave` stands in for octets of the destination that say "all", because nobody can answer as all.
+    constexpr explicit packet_exchange(const slave_identity& slave) noexcept : slave_{slave} {}
+
+    /// Starts to deliver a JAUS message: its download request to `buffer`, with what is the caller's own, such as a
+    /// packet number, taken from `given`. Fails with the errors of translator::forth, and of delivery:
+    /// fragment_to_slave, broadcast_names_no_slave.
+    constexpr exchange_step begin(std::span<const std::byte> message, std::span<std::byte> buffer,
+                                  const packet& given = {}) noexcept {
+        *this = packet_exchange{slave_};
+        given_ = given;
+        if (!wire::decode_prefix(head_, message)) return fail(translate::errc::truncated);
+        if (const auto error = delivery::deliverable(head_); error != translate::errc::ok) return fail(error);
+        const auto size = translator::forth(message, buffer, given_);
+        if (!size) return fail(size.error());
+        awaited_ = hilscher::packet_command::sdo_download_cnf;
+        return {exchange_progress::request, size.size()};
+    }
+
+    /// Takes a confirmation packet. What comes next is written to `buffer`, which does not overlap it and has
+    /// buffer_size bytes. Fails where the packet reports an error, and where what a slave uploads is no report: errors
+    /// of translator::back, and wrong_packet.
+    constexpr exchange_step on_confirmation(std::span<const std::byte> confirmation,
+                                            std::span<std::byte> buffer) noexcept {
+        hilscher::packet_header answer{};
+        if (!wire::decode_prefix(answer, confirmation) || !is_awaited(answer)) return {};
+        status_ = answer.ul_sta;
+        if (status_ != hilscher::packet_status::ok) return fail(translate::errc::ok);
+        if (awaited_ == hilscher::packet_command::sdo_upload_cnf) return take_report(confirmation, buffer);
+        const auto report = jaus::report_code_of(head_.command_code);
+        if (report == 0) return finish(0);
+        return ask_for(report, buffer);
+    }
+
+    /// Writes the ACK or NAK that the message asked for to `out` and returns its size, 16. 0 while the exchange goes
+    /// on, where none was asked for, and where it would have to come from "all" components.
+    [[nodiscard]] constexpr std::size_t acknowledgement(std::span<std::byte> out) const noexcept {
+        if (end_ == exchange_progress::ignored || head_.ack_nak != jaus::ack_nak::request) return 0;
+        jaus::header request = head_;
+        request.destination = asked();
+        if (!jaus::names_one_component(request.destination)) return 0;
+        const bool done = end_ == exchange_progress::done;
+        return jaus::make_acknowledgement(request, done ? jaus::ack_nak::ack : jaus::ack_nak::nak, out).size();
+    }
+
+    /// The header of the message that is being delivered.
+    [[nodiscard]] constexpr const jaus::header& message_header() const noexcept { return head_; }
+    /// ulSta of the last confirmation that was taken.
+    [[nodiscard]] constexpr hilscher::packet_status status() const noexcept { return status_; }
+    /// Why the message or the report was refused here; `ok` if the last confirmation says why.
+    [[nodiscard]] constexpr translate::errc error() const noexcept { return error_; }
+
+  private:
+    using packet_command = hilscher::packet_command;
+    static constexpr packet_command nothing{};
+
+    // A confirmation keeps what its request said of the sender.
+    [[nodiscard]] constexpr bool is_awaited(const hilscher::packet_header& answer) const noexcept {
+        return awaited_ != nothing && answer.ul_cmd == awaited_ && answer.ul_src == given_.head.ul_src &&
+               answer.ul_src_id == given_.head.ul_src_id && answer.ul_id == given_.head.ul_id;
+    }
+
+    // The upload request for the subindex of the message `code`, addressed as a download of that message would be.
+    constexpr exchange_step ask_for(std::uint16_t code, std::span<std::byte> buffer) noexcept {
+        jaus::header report = head_;
+        report.command_code = code;
+        report.data_size = 0;
+        std::array<std::byte, jaus::header_size> message{};
+        static_cast<void>(wire::encode(report, message)); // was decoded: fits
+        const auto size = translator::forth(message, buffer, given_);
+        if (!size) return fail(size.error());
+        packet download{};
+        static_cast<void>(wire::decode_prefix(download, buffer));
+        upload_.head = download.head;
+        upload_.head.ul_len = hilscher::sdo_upload_request{}.head.ul_len;
+        upload_.head.ul_cmd = packet_command::sdo_upload_req;
+        upload_.ul_node_id = download.ul_node_id;
+        upload_.ul_index = download.ul_index;
+        upload_.ul_sub_index = download.ul_sub_index;
+        awaited_ = packet_command::sdo_upload_cnf;
+        return {exchange_progress::request, wire::encode(upload_, buffer).size()};
+    }
+
+    constexpr exchange_step take_report(std::span<const std::byte> confirmation, std::span<std::byte> buffer) noexcept {
+        hilscher::sdo_upload_confirmation answer{};
+        const auto used = wire::decode_prefix(answer, confirmation);
+        if (!used || answer.ul_data_cnt > confirmation.size() - used.size()) return fail(translate::errc::truncated);
+        if (answer.ul_node_id != upload_.ul_node_id || answer.ul_index != upload_.ul_index ||
+            answer.ul_sub_index != upload_.ul_sub_index)
+            return fail(translate::errc::wrong_packet);
+        const auto size = delivery::message_of({.station = static_cast<std::uint16_t>(answer.ul_node_id),
+                                                .index = static_cast<std::uint16_t>(answer.ul_index),
+                                                .subindex = static_cast<std::uint8_t>(answer.ul_sub_index),
+                                                .data = confirmation.subspan(used.size(), answer.ul_data_cnt)},
+                                               slave_, buffer);
+        if (!size) return fail(size.error());
+
+        // The slave's object carries the slave's addresses: the answer goes from the one asked to the asker.
+        jaus::header report{};
+        static_cast<void>(wire::decode_prefix(report, buffer));
+        const auto component = report.source.component;
+        report.source = asked();
+        if (report.source.component == all) report.source.component = component;
+        if (!jaus::names_one_component(report.source)) return fail(translate::errc::out_of_range);
+        report.destination = head_.source;
+        report.sequence_number = head_.sequence_number;
+        static_cast<void>(wire::encode(report, buffer));
+        return finish(size.size());
+    }
+
+    static constexpr std::uint8_t all = 255;
+    [[nodiscard]] constexpr jaus::address asked() const noexcept {
+        jaus::address one = head_.destination;
+        if (one.subsystem == all) one.subsystem = slave_.subsystem;
+        if (one.node == all) one.node = static_cast<std::uint8_t>(slave_.station);
+        if (one.instance == all) one.instance = slave_.instance;
+        return one;
+    }
+
+    constexpr exchange_step finish(std::size_t size) noexcept {
+        awaited_ = nothing;
+        end_ = exchange_progress::done;
+        return {end_, size};
+    }
+    constexpr exchange_step fail(translate::errc error) noexcept {
+        awaited_ = nothing;
+        error_ = error;
+        end_ = exchange_progress::failed;
+        return {end_, 0};
+    }
+
+    slave_identity slave_;
+    jaus::header head_{};
+    packet given_{};
+    hilscher::sdo_upload_request upload_{};
+    packet_command awaited_{}; // the confirmation that is waited for
+    hilscher::packet_status status_{};
+    translate::errc error_{};
+    exchange_progress end_{}; // done or failed, once it is
+};
+
+} // namespace jauscat::ethercat
