@@ -33,9 +33,9 @@ wanted_write wanted(std::span<const std::byte> message) {
 
 void check_slave(std::span<const std::byte> message, std::size_t room) {
     objects source;
-    object_dictionary dictionary{source};
+    coe_server server{source};
     bytes out(room);
-    const auto answer = answer_coe(dictionary, message, out);
+    const auto answer = server.answer(message, out);
     check(answer.size <= out.size(), "an answer fits the mailbox");
     check(answer.size == 0 || answer.error == mailbox_error_code::none, "either an answer or an error");
     if (source.writes != 0) {

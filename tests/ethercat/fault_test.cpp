@@ -349,15 +349,21 @@ TEST_CASE("a slave that answers something else for good is told apart from one t
 TEST_CASE("an upload whose size and data differ is refused") {
     bench b;
     REQUIRE(b.bring_up());
-    for (const char* size : {"1b000000", "1d000000", "ffffffff"}) {
+    const auto upload_announced_as = [&](const char* size) {
         b.on_way_back(mailbox_in, [&](const auto& d) {
-            if (d.working_counter != 0) put(d, size, 12);
+            if (d.working_counter != 0 && d.data[8] == std::byte{0x41}) put(d, size, 12);
             return true;
         });
         bytes into(64);
-        CHECK(b.upload(into).error == master_errc::size_mismatch);
-        CHECK(into == bytes(64));
-    }
+        return b.upload(into);
+    };
+    CHECK(upload_announced_as("1b000000") == outcome{.error = master_errc::size_mismatch, .detail = 27});
+    // More than came: the master asks for the rest, of which the slave knows nothing.
+    CHECK(
+        upload_announced_as("1d000000") ==
+        outcome{.error = master_errc::sdo_abort, .detail = static_cast<std::uint32_t>(abort_code::command_specifier)});
+    CHECK(upload_announced_as("ffffffff") == outcome{.error = master_errc::data_too_long, .detail = 64});
+    CHECK(upload_announced_as("1c000000"));
 }
 
 TEST_CASE("a lost frame is repeated, whichever it is, and the object is written once") {

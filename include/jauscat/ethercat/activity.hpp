@@ -3,6 +3,7 @@
 
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/ethercat/master_errc.hpp>
+#include <jauscat/schema/ethercat/coe.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
 
 #include <chrono>
@@ -48,6 +49,8 @@ struct slave_record {
     std::uint8_t last_reply_counter{}; ///< of the last mailbox message received
     std::uint8_t abandoned_counter{};  ///< of a request that was given up: its answer may still come
     bool drained{};                    ///< no old message waits in the reply mailbox
+    /// Of a transfer in segments that was given up and not yet aborted: sent before the next one.
+    std::optional<sdo_abort> unfinished{};
 };
 
 /// Limits how long a state machine polls for one thing.

@@ -1,6 +1,6 @@
-// Carries one request to a slave's mailbox and waits for its answer: counter, full mailbox, polling, lost frames.
-// The read of the reply mailbox is its own poll: a working counter of 0 says that nothing is there yet, so that an
-// exchange with a slave that is quick takes two frames.
+// Carries one request to a slave's mailbox and waits for its answer, if it has one: counter, full mailbox, polling,
+// lost frames. The read of the reply mailbox is its own poll: a working counter of 0 says that nothing is there yet, so
+// that an exchange with a slave that is quick takes two frames.
 #pragma once
 
 #include <jauscat/ethercat/activity.hpp>
@@ -104,7 +104,10 @@ class mailbox_exchange {
             else
                 note_counter(datagram.data, slave);
             return go(executed ? step::drain : step::write);
-        case step::write: accepted_ = executed; return go(executed ? step::read : step::look_room);
+        case step::write:
+            accepted_ = executed;
+            if (executed && !transfer.expects_answer()) return progress::done;
+            return go(executed ? step::read : step::look_room);
         case step::read:
             if (executed) return take(datagram.data, slave, transfer);
             if (!accepted_) step_ = step::write;
@@ -163,7 +166,7 @@ class mailbox_exchange {
         if (header.type != mailbox_type::coe || transfer.take(body.first(header.length)) == mail::other)
             return progress::send;
         slave.abandoned_counter = 0; // a slave answers in order: what was given up cannot come any more
-        result_ = transfer.result();
+        result_ = transfer.result(); // ok where another request follows
         return progress::done;
     }
 

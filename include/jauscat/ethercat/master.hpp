@@ -41,6 +41,8 @@ class master {
         if (!begin()) return false;
         const auto replaced = [&](const slave_record& s) { return s.position == position || s.station == station; };
         const auto others = known();
+        const auto known_before = std::ranges::find(others, station, &slave_record::station);
+        unfinished_ = known_before == others.end() ? std::nullopt : known_before->unfinished;
         slave_count_ =
             static_cast<std::size_t>(std::remove_if(others.begin(), others.end(), replaced) - others.begin());
         if (slave_count_ == slave_capacity) {
@@ -52,26 +54,32 @@ class master {
         return true;
     }
 
-    /// Starts to write `data` to an object of the slave `station`. `data` stay in place until the job is done.
-    /// False while another job runs. Errors: wrong_station, data_too_long, mailbox_full, mailbox_timeout,
-    /// mailbox_error, sdo_abort, unexpected_reply, working_counter, and those of the link.
-    bool download(std::uint16_t station, std::uint16_t index, std::uint8_t subindex,
-                  std::span<const std::byte> data) noexcept {
-        return transfer(station, sdo_transfer::download(index, subindex, data));
+    /// Starts to write `data`, of any size, to an object of the slave `station`: in segments if they do not fit its
+    /// mailbox. `data` stay in place until the job is done. False while another job runs. Errors: wrong_station,
+    /// mailbox_full, mailbox_timeout, mailbox_error, clear_refused, sdo_abort, toggle_bit, unexpected_reply,
+    /// working_counter, and those of the link. After an error other than sdo_abort and clear_refused the object may
+    /// have been written.
+    bool download(std::uint16_t station, std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data,
+                  const download_options& options = {}) noexcept {
+        return transfer(station, sdo_transfer::download(index, subindex, data, options));
     }
 
     /// Starts to read an object of the slave `station` into `into`; `result().size` then says how many bytes. `into`
     /// stays in place until the job is done. False while another job runs.
-    /// Errors: those of `download`, size_mismatch.
+    /// After an error what `into` holds is not to be used. Errors: those of `download`, size_mismatch, data_too_long.
     bool upload(std::uint16_t station, std::uint16_t index, std::uint8_t subindex, std::span<std::byte> into) noexcept {
         return transfer(station, sdo_transfer::upload(index, subindex, into));
     }
 
-    /// Gives the job up with `error`: its deadline has passed, or the link does not take frames.
+    /// Gives the job up with `error`: its deadline has passed, or the link does not take frames. A transfer that the
+    /// slave has open is aborted before the next one.
     void cancel(master_errc error) noexcept {
         if (idle()) return;
-        if (job_ == job::sdo) mailbox_exchange::abandon(slaves_[slave_]);
-        finish({.error = error});
+        if (job_ == job::sdo) {
+            mailbox_exchange::abandon(slaves_[slave_]);
+            if (transfer_.is_open()) slaves_[slave_].unfinished = transfer_.abort_message();
+        }
+        finish(job_ == job::abort ? ended_ : outcome{.error = error});
     }
 
     [[nodiscard]] bool idle() const noexcept { return job_ == job::none; }
@@ -93,7 +101,7 @@ class master {
         if (job_ == job::bring_up)
             bring_up_.request(frame);
         else
-            exchange_.request(frame, slaves_[slave_], transfer_);
+            exchange_.request(frame, slaves_[slave_], message());
         const auto size = frame.finish();
         if (!size) {
             cancel(master_errc::no_space);
@@ -117,7 +125,7 @@ class master {
         losses_ = 0;
         const auto next = job_ == job::bring_up
                               ? bring_up_.reply(datagrams, now, config_)
-                              : exchange_.reply(datagrams.front(), now, config_, slaves_[slave_], transfer_);
+                              : exchange_.reply(datagrams.front(), now, config_, slaves_[slave_], message());
         if (next == progress::wait) not_before_ = now + config_.poll_interval;
         if (next == progress::done) complete();
         return true;
@@ -130,7 +138,7 @@ class master {
         ++statistics_.lost;
         if (++losses_ > config_.retries) {
             cancel(master_errc::no_reply);
-        } else if (job_ == job::sdo) {
+        } else if (job_ != job::bring_up) {
             exchange_.lost(slaves_[slave_]);
         }
     }
@@ -142,7 +150,13 @@ class master {
     }
 
   private:
-    enum class job : std::uint8_t { none, bring_up, sdo };
+    enum class job : std::uint8_t {
+        none,
+        bring_up,
+        abort_earlier, // a transfer given up before stands in the way of the next
+        sdo,
+        abort, // the transfer has failed, and the slave is told so
+    };
 
     [[nodiscard]] std::span<slave_record> known() noexcept { return std::span{slaves_}.first(slave_count_); }
 
@@ -157,23 +171,49 @@ class master {
         if (!begin()) return false;
         transfer_ = transfer;
         const auto slave = std::ranges::find(known(), station, &slave_record::station);
-        const std::size_t needed = wire::max_size<mailbox_header> + transfer.size();
         if (slave == known().end()) {
             finish({.error = master_errc::wrong_station, .detail = station});
-        } else if (needed > slave->mailbox.receive_size) {
-            finish({.error = master_errc::data_too_long, .detail = slave->mailbox.receive_size - sdo_overhead});
         } else {
             slave_ = static_cast<std::size_t>(slave - known().begin());
-            exchange_ = mailbox_exchange{*slave};
-            job_ = job::sdo;
+            transfer_.use_mailbox(slave->mailbox.receive_size);
+            start(slave->unfinished ? job::abort_earlier : job::sdo);
         }
         return true;
     }
 
+    // The next message of a transfer, or an abort.
+    void start(job what) noexcept {
+        auto& slave = slaves_[slave_];
+        job_ = what;
+        if (what != job::sdo) abort_ = sdo_transfer::abort(*slave.unfinished);
+        exchange_ = mailbox_exchange{slave};
+    }
+    [[nodiscard]] sdo_transfer& message() noexcept { return job_ == job::sdo ? transfer_ : abort_; }
+
     void complete() noexcept {
-        const bool was_bring_up = job_ == job::bring_up;
-        finish(was_bring_up ? bring_up_.result() : exchange_.result());
-        if (was_bring_up && result_) slaves_[slave_count_++] = bring_up_.slave();
+        if (job_ == job::bring_up) return bring_up_complete();
+        const auto result = exchange_.result();
+        auto& unfinished = slaves_[slave_].unfinished;
+        if (job_ == job::sdo) {
+            if (result && !transfer_.finished()) return start(job::sdo);
+            ended_ = result;
+            if (!transfer_.is_open()) return finish(ended_);
+            unfinished = transfer_.abort_message();
+            // A slave that was reset, or takes no mail, is told so before the next transfer.
+            const bool reachable =
+                result.error != master_errc::working_counter && result.error != master_errc::mailbox_full;
+            return reachable ? start(job::abort) : finish(ended_);
+        }
+        if (result) unfinished.reset();
+        if (job_ == job::abort) return finish(ended_);
+        return result ? start(job::sdo) : finish(result);
+    }
+
+    void bring_up_complete() noexcept {
+        finish(bring_up_.result());
+        if (!result_) return;
+        slaves_[slave_count_] = bring_up_.slave();
+        slaves_[slave_count_++].unfinished = unfinished_; // a change of state does not end it in every slave
     }
 
     void finish(const outcome& result) noexcept {
@@ -191,7 +231,10 @@ class master {
     ethercat::bring_up bring_up_{};
     std::size_t slave_{}; // whose transfer it is
     sdo_transfer transfer_{};
+    sdo_transfer abort_{};
     mailbox_exchange exchange_{};
+    outcome ended_{};                       // how the transfer ended that is being aborted
+    std::optional<sdo_abort> unfinished_{}; // of the slave that is brought up
     outcome result_{};
 
     outstanding_frame outstanding_{};

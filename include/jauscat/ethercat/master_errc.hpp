@@ -31,8 +31,10 @@ enum class master_errc : std::uint8_t {
     mailbox_error,     ///< the slave refused the message; detail: mailbox_error_code
     unexpected_reply,  ///< the answer was to something else; detail: its SDO command byte's specifier
     sdo_abort,         ///< the slave aborted the transfer; detail: abort_code
-    size_mismatch,     ///< the answer's size and its data differ; detail: the size it announced
-    data_too_long,     ///< the data do not fit the mailbox or the buffer; detail: bytes that fit
+    clear_refused,     ///< the slave refused a 0 in subindex 0, which was to come first; detail: abort_code
+    toggle_bit,        ///< the answer to a segment is not the one that is due
+    size_mismatch,     ///< the slave sent more or less data than it announced; detail: the size it announced
+    data_too_long,     ///< the data do not fit the buffer; detail: bytes that fit
     no_space,          ///< the frame buffer is smaller than 1514 bytes
 };
 
@@ -59,8 +61,10 @@ enum class master_errc : std::uint8_t {
     case master_errc::mailbox_error: return "the slave refused the mailbox message: see the mailbox error code";
     case master_errc::unexpected_reply: return "the slave answered something else: it does not follow the protocol";
     case master_errc::sdo_abort: return "the slave aborted the transfer: see the abort code";
-    case master_errc::size_mismatch: return "the answer's size and its data differ: the data were discarded";
-    case master_errc::data_too_long: return "the data do not fit the slave's mailbox or the buffer: send less";
+    case master_errc::clear_refused: return "the slave refused a 0 in subindex 0: see the abort code, or do not ask it";
+    case master_errc::toggle_bit: return "the answer to a segment is not the one that is due: transfer again";
+    case master_errc::size_mismatch: return "the size announced and the data received differ: do not use the data";
+    case master_errc::data_too_long: return "the object does not fit the buffer: give a larger one";
     case master_errc::no_space: return "the frame buffer is too small: give 1514 bytes";
     }
     return "unknown error";
@@ -81,6 +85,7 @@ struct [[nodiscard]] outcome {
     switch (result.error) {
     case master_errc::al_error: return describe(static_cast<al_status_code>(result.detail));
     case master_errc::mailbox_error: return describe(static_cast<mailbox_error_code>(result.detail));
+    case master_errc::clear_refused:
     case master_errc::sdo_abort: return describe(static_cast<abort_code>(result.detail));
     default: return {};
     }

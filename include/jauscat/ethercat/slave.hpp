@@ -22,9 +22,9 @@ namespace jauscat::ethercat {
 /// A slave with a CoE mailbox and no process data.
 class slave {
   public:
-    /// `objects` must outlive the slave.
-    slave(const slave_description& description, object_dictionary objects) noexcept
-        : description_{description}, objects_{objects}, sii_{make_sii_image(description)} {
+    /// `objects`, and the memory in `options`, must outlive the slave.
+    slave(const slave_description& description, object_dictionary objects, const coe_options& options = {}) noexcept
+        : description_{description}, coe_{objects, options}, sii_{make_sii_image(description)} {
         power_on();
     }
 
@@ -34,6 +34,7 @@ class slave {
         esc_.store(esc_registers::station_alias, esc_word{description_.station_alias});
         esc_.store(esc_registers::sii_control, sii_request{.eight_byte_reads = description_.eight_byte_sii_reads});
         forget_mailbox();
+        coe_.power_on();
     }
 
     /// A frame passes: it is changed in place, then the application works.
@@ -125,6 +126,7 @@ class slave {
     void forget_mailbox() noexcept {
         last_counter_ = 0;
         replied_ = false;
+        coe_.forget_transfer();
         for (const auto n : {mailbox_out, mailbox_in})
             if (esc_.manager(n).full) esc_.set_full(n, false);
     }
@@ -157,7 +159,7 @@ class slave {
         } else if (header.type != mailbox_type::coe) {
             answer.error = mailbox_error_code::unsupported_protocol;
         } else {
-            answer = answer_coe(objects_, body.first(header.length), room);
+            answer = coe_.answer(body.first(header.length), room);
         }
         if (answer.error != mailbox_error_code::none) {
             header.type = mailbox_type::error;
@@ -172,7 +174,7 @@ class slave {
     }
 
     slave_description description_;
-    object_dictionary objects_;
+    coe_server coe_;
     sii_image sii_;
     esc esc_{};
     std::uint8_t last_counter_{};

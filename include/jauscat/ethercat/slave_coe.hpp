@@ -1,16 +1,14 @@
-// The SDO server of an emulated slave: one request in, one response or abort out.
+// The SDO server of an emulated slave: one request in, one response or abort out. Objects larger than a message go in
+// segments.
 #pragma once
 
 #include <jauscat/ethercat/object_dictionary.hpp>
-#include <jauscat/schema/ethercat/coe.hpp>
+#include <jauscat/ethercat/sdo_segment.hpp>
+#include <jauscat/ethercat/subindex_0_rule.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
-#include <jauscat/wire/decode.hpp>
-#include <jauscat/wire/encode.hpp>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <span>
+#include <utility>
 
 namespace jauscat::ethercat {
 
@@ -20,88 +18,205 @@ struct coe_answer {
     std::size_t size{};
 };
 
-namespace detail {
+/// How a slave serves SDOs.
+struct coe_options {
+    /// Holds an object while it goes in segments; its size is that of the largest one. Each slave needs its own, which
+    /// outlives it. Without it an object has to fit one message: a larger one is aborted with 06010005h.
+    std::span<std::byte> transfer_memory{};
+    /// Subindex 0 of mapping and assignment objects is kept here, and their entries are aborted with 06010003h while it
+    /// is not 0: see subindex_0_rule.
+    bool subindex_0_rule{};
+    /// An upload in segments starts without data, as some slaves do, in place of as much as fits.
+    bool empty_start{};
+};
 
-inline constexpr std::size_t sdo_offset = wire::max_size<coe_header>;
-inline constexpr std::size_t sdo_data_offset = sdo_offset + wire::max_size<sdo_normal>;
+/// Answers CoE messages. An object is written when all of it has come, and read before the first byte goes.
+class coe_server {
+  public:
+    explicit coe_server(object_dictionary objects, const coe_options& options = {}) noexcept
+        : objects_{objects}, options_{options} {}
 
-/// CoE header and SDO message to the front of `out`, which a mailbox of at least 24 bytes makes large enough.
-template <class T> coe_answer put_sdo(std::span<std::byte> out, coe_service service, const T& sdo) noexcept {
-    static_cast<void>(wire::encode(coe_header{.service = service}, out));
-    static_cast<void>(wire::encode(sdo, out.subspan(sdo_offset)));
-    return {.size = sdo_data_offset};
-}
+    /// The transfer that is under way, if any, is forgotten.
+    void forget_transfer() noexcept { segments_ = segments::none; }
+    /// As after power-on.
+    void power_on() noexcept {
+        forget_transfer();
+        rule_ = {};
+    }
 
-inline coe_answer put_abort(std::span<std::byte> out, const sdo_header& request, abort_code code) noexcept {
-    const sdo_header header{.specifier = sdo_specifier::abort, .index = request.index, .subindex = request.subindex};
-    // Slaves abort with the service of a request: the standard's own choice, and what masters expect.
-    return put_sdo(out, coe_service::sdo_request, sdo_abort{header, code});
-}
+    /// Answers the CoE message `message` (CoE header on) with one in `out`, which has at least 18 bytes and does not
+    /// overlap it.
+    [[nodiscard]] coe_answer answer(std::span<const std::byte> message, std::span<std::byte> out) noexcept {
+        coe_header coe{};
+        const auto used = wire::decode_prefix(coe, message);
+        if (!used) return {.error = mailbox_error_code::size_too_short};
+        if (coe.service != coe_service::sdo_request) return {.error = mailbox_error_code::service_not_supported};
+        const auto sdo = message.subspan(used.size());
+        sdo_segment_header segment{};
+        if (segments_ != segments::none && wire::decode_prefix(segment, sdo)) {
+            if (segment.specifier == sdo_specifier::download_segment_request) return take_segment(segment, sdo, out);
+            if (segment.specifier == sdo_specifier::upload_segment_request) return give_segment(segment, out);
+        }
+        sdo_normal request{};
+        if (!wire::decode_prefix(request, sdo)) return {.error = mailbox_error_code::size_too_short};
+        forget_transfer(); // the master gave up, or begins another one
+        const auto& header = request.header;
+        object_ = {.index = header.index, .subindex = header.subindex};
+        if (header.specifier == sdo_specifier::abort) return {};
+        if (header.complete_access) return put_abort(out, abort_code::complete_access);
+        if (header.specifier == sdo_specifier::download_request) return download(request, sdo, out);
+        if (header.specifier == sdo_specifier::upload_request) return upload(out);
+        return put_abort(out, abort_code::command_specifier);
+    }
 
-inline coe_answer answer_upload(object_dictionary& objects, const sdo_header& request,
-                                std::span<std::byte> out) noexcept {
-    // Read to where the data of a normal response stand; the few bytes of an expedited one then move forward.
-    const auto data = out.subspan(sdo_data_offset);
-    const auto [error, size] = objects.read(request.index, request.subindex, data);
-    if (error != abort_code::none) return put_abort(out, request, error);
-    if (size > data.size()) return put_abort(out, request, abort_code::exceeds_mailbox);
-    sdo_header header{.size_indicated = true,
-                      .specifier = sdo_specifier::upload_response,
-                      .index = request.index,
-                      .subindex = request.subindex};
-    std::array<std::byte, 4> small{};
-    if (size == 0 || size > small.size()) {
+  private:
+    enum class segments : std::uint8_t { none, download, upload };
+
+    static constexpr std::size_t sdo_offset = wire::max_size<coe_header>;
+    static constexpr std::size_t data_offset = sdo_offset + wire::max_size<sdo_normal>;
+
+    /// CoE header and SDO message to the front of `out`.
+    template <class T> static coe_answer put_sdo(std::span<std::byte> out, coe_service service, const T& sdo) noexcept {
+        static_cast<void>(wire::encode(coe_header{.service = service}, out));
+        static_cast<void>(wire::encode(sdo, out.subspan(sdo_offset)));
+        return {.size = data_offset};
+    }
+    static coe_answer put_segment(std::span<std::byte> out, const sdo_segment_header& header,
+                                  std::span<const std::byte> data) noexcept {
+        static_cast<void>(wire::encode(coe_header{.service = coe_service::sdo_response}, out));
+        return {.size = sdo_offset + encode_segment(header, data, out.subspan(sdo_offset))};
+    }
+    [[nodiscard]] sdo_header response(sdo_specifier specifier) const noexcept {
+        return {.specifier = specifier, .index = object_.index, .subindex = object_.subindex};
+    }
+    coe_answer put_abort(std::span<std::byte> out, abort_code code) noexcept {
+        forget_transfer();
+        // Slaves abort with the service of a request: the standard's own choice, and what masters expect.
+        return put_sdo(out, coe_service::sdo_request, sdo_abort{response(sdo_specifier::abort), code});
+    }
+
+    coe_answer upload(std::span<std::byte> out) noexcept {
+        // Without memory the object is read to where the data of a normal response stand.
+        const auto room = out.subspan(data_offset);
+        const auto& memory = options_.transfer_memory;
+        const auto place = memory.size() > room.size() ? memory : room;
+        const auto [error, size] = read(place);
+        if (error != abort_code::none) return put_abort(out, error);
+        if (size > place.size()) return put_abort(out, abort_code::exceeds_mailbox);
+        auto header = response(sdo_specifier::upload_response);
+        header.size_indicated = true;
+        std::array<std::byte, 4> small{};
+        if (size != 0 && size <= small.size()) {
+            std::ranges::copy(place.first(size), small.begin());
+            header.expedited = true;
+            header.unused = static_cast<std::uint8_t>(small.size() - size);
+            return put_sdo(out, coe_service::sdo_response, sdo_expedited{header, small});
+        }
+        begin(segments::upload, size);
+        if (size <= room.size() || !options_.empty_start) done_ = std::min(size, room.size());
+        if (done_ == size) forget_transfer();
+        if (place.data() != room.data()) std::ranges::copy(place.first(done_), room.begin());
         put_sdo(out, coe_service::sdo_response, sdo_normal{header, static_cast<std::uint32_t>(size)});
-        return {.size = sdo_data_offset + size};
+        return {.size = data_offset + done_};
     }
-    std::ranges::copy(data.first(size), small.begin());
-    header.expedited = true;
-    header.unused = static_cast<std::uint8_t>(small.size() - size);
-    return put_sdo(out, coe_service::sdo_response, sdo_expedited{header, small});
-}
 
-inline coe_answer answer_download(object_dictionary& objects, const sdo_header& request, std::span<const std::byte> sdo,
-                                  std::span<std::byte> out) noexcept {
-    std::span<const std::byte> data;
-    sdo_expedited expedited{};
-    if (request.expedited) {
-        static_cast<void>(wire::decode_prefix(expedited, sdo));
-        data = std::span{expedited.data}.first(request.size_indicated ? 4u - request.unused : 4u);
-    } else {
-        sdo_normal normal{};
-        data = sdo.subspan(wire::decode_prefix(normal, sdo).size());
+    coe_answer download(const sdo_normal& request, std::span<const std::byte> sdo, std::span<std::byte> out) noexcept {
+        if (options_.subindex_0_rule) {
+            const auto refused = rule_.refusal(object_.index, object_.subindex);
+            if (refused != abort_code::none) return put_abort(out, refused);
+        }
+        const auto& header = request.header;
+        if (header.expedited) {
+            sdo_expedited expedited{};
+            static_cast<void>(wire::decode_prefix(expedited, sdo));
+            return store(std::span{expedited.data}.first(header.size_indicated ? 4u - header.unused : 4u), out);
+        }
+        const auto data = sdo.subspan(wire::max_size<sdo_normal>);
+        if (request.size > data.size()) { // the rest follows, and all of it if no data came
+            if (request.size > options_.transfer_memory.size()) return put_abort(out, abort_code::exceeds_mailbox);
+            begin(segments::download, request.size);
+            keep(data);
+            return put_sdo(out, coe_service::sdo_response, sdo_normal{response(sdo_specifier::download_response), 0});
+        }
         // Some masters leave the size bit clear: what came is then all there is.
-        if (request.size_indicated && normal.size > data.size())
-            return put_abort(out, request, abort_code::exceeds_mailbox);
-        if (request.size_indicated && normal.size < data.size())
-            return put_abort(out, request, abort_code::length_mismatch);
+        if (header.size_indicated && request.size < data.size()) return put_abort(out, abort_code::length_mismatch);
+        return store(data, out);
     }
-    const auto error = objects.write(request.index, request.subindex, data);
-    if (error != abort_code::none) return put_abort(out, request, error);
-    const sdo_header header{
-        .specifier = sdo_specifier::download_response, .index = request.index, .subindex = request.subindex};
-    return put_sdo(out, coe_service::sdo_response, sdo_normal{header, 0});
-}
 
-} // namespace detail
+    // All of a download that came in one message.
+    coe_answer store(std::span<const std::byte> data, std::span<std::byte> out) noexcept {
+        const auto error = write(data);
+        if (error != abort_code::none) return put_abort(out, error);
+        return put_sdo(out, coe_service::sdo_response, sdo_normal{response(sdo_specifier::download_response), 0});
+    }
 
-/// Answers the CoE message `message` (CoE header on) with one in `out`, which has at least 18 bytes and does not
-/// overlap it. Objects that do not fit one mailbox message are aborted with `exceeds_mailbox`.
-[[nodiscard]] inline coe_answer answer_coe(object_dictionary& objects, std::span<const std::byte> message,
-                                           std::span<std::byte> out) noexcept {
-    coe_header coe{};
-    const auto used = wire::decode_prefix(coe, message);
-    if (!used) return {.error = mailbox_error_code::size_too_short};
-    if (coe.service != coe_service::sdo_request) return {.error = mailbox_error_code::service_not_supported};
-    const auto sdo = message.subspan(used.size());
-    sdo_normal request{};
-    if (!wire::decode_prefix(request, sdo)) return {.error = mailbox_error_code::size_too_short};
-    const auto& header = request.header;
-    if (header.specifier == sdo_specifier::abort) return {}; // the master gave up; nothing is under way
-    if (header.complete_access) return detail::put_abort(out, header, abort_code::complete_access);
-    if (header.specifier == sdo_specifier::download_request) return detail::answer_download(objects, header, sdo, out);
-    if (header.specifier == sdo_specifier::upload_request) return detail::answer_upload(objects, header, out);
-    return detail::put_abort(out, header, abort_code::command_specifier);
-}
+    coe_answer take_segment(const sdo_segment_header& segment, std::span<const std::byte> sdo,
+                            std::span<std::byte> out) noexcept {
+        if (segments_ != segments::download) return put_abort(out, abort_code::command_specifier);
+        if (segment.toggle != toggle_) return put_abort(out, abort_code::toggle_bit);
+        const auto data = segment_data(segment, sdo);
+        if (data.size() > size_ - done_) return put_abort(out, abort_code::length_too_high);
+        keep(data);
+        if (segment.last) {
+            if (done_ != size_) return put_abort(out, abort_code::length_too_low);
+            forget_transfer();
+            const auto error = write(options_.transfer_memory.first(size_));
+            if (error != abort_code::none) return put_abort(out, error);
+        }
+        const bool toggle = std::exchange(toggle_, !toggle_);
+        return put_segment(out, {.toggle = toggle, .specifier = sdo_specifier::download_segment_response}, {});
+    }
+
+    coe_answer give_segment(const sdo_segment_header& request, std::span<std::byte> out) noexcept {
+        if (segments_ != segments::upload) return put_abort(out, abort_code::command_specifier);
+        if (request.toggle != toggle_) return put_abort(out, abort_code::toggle_bit);
+        const std::size_t count = std::min(size_ - done_, out.size() - sdo_offset - segment_overhead);
+        const auto data = options_.transfer_memory.subspan(done_, count);
+        done_ += count;
+        const bool last = done_ == size_;
+        if (last) forget_transfer();
+        const bool toggle = std::exchange(toggle_, !toggle_);
+        return put_segment(out, {.last = last, .toggle = toggle, .specifier = sdo_specifier::upload_segment_response},
+                           data);
+    }
+
+    void begin(segments direction, std::size_t size) noexcept {
+        segments_ = direction;
+        size_ = size;
+        done_ = 0;
+        toggle_ = false;
+    }
+    void keep(std::span<const std::byte> data) noexcept {
+        std::ranges::copy(data, options_.transfer_memory.subspan(done_).begin());
+        done_ += data.size();
+    }
+
+    [[nodiscard]] bool is_rules() const noexcept {
+        return options_.subindex_0_rule && object_.subindex == 0 && rule_.covers(object_.index);
+    }
+    object_read read(std::span<std::byte> out) noexcept {
+        if (!is_rules()) return objects_.read(object_.index, object_.subindex, out);
+        out[0] = static_cast<std::byte>(rule_.entries(object_.index));
+        return {.size = 1};
+    }
+    abort_code write(std::span<const std::byte> data) noexcept {
+        if (!is_rules()) return objects_.write(object_.index, object_.subindex, data);
+        if (data.size() != 1) return abort_code::length_mismatch;
+        rule_.set_entries(object_.index, std::to_integer<std::uint8_t>(data[0]));
+        return abort_code::none;
+    }
+
+    object_dictionary objects_;
+    coe_options options_;
+    subindex_0_rule rule_{};
+
+    struct {
+        std::uint16_t index{};
+        std::uint8_t subindex{};
+    } object_{}; // of the transfer
+    segments segments_{};
+    std::size_t size_{}, done_{}; // bytes of the transfer in segments: all, and those that have come or gone
+    bool toggle_{};               // of the next segment
+};
 
 } // namespace jauscat::ethercat

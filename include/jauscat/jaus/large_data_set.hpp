@@ -7,6 +7,7 @@
 #include <chrono>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace jauscat::jaus {
 
@@ -19,6 +20,19 @@ enum class reassembled : std::uint8_t {
     no_room,   ///< dropped: every place is taken by a data set that is still being received
     too_large, ///< dropped together with its data set, which has more bytes or packets than a place holds
 };
+
+/// What became of it in one line, for logs.
+[[nodiscard]] constexpr std::string_view describe(reassembled what) noexcept {
+    switch (what) {
+    case reassembled::only: return "complete in one packet";
+    case reassembled::waiting: return "part of a large data set of which packets are missing";
+    case reassembled::whole: return "the last missing part of a large data set";
+    case reassembled::repeated: return "part of a large data set that was received already";
+    case reassembled::no_room: return "too many large data sets at a time: send it again later";
+    case reassembled::too_large: return "the large data set has more bytes or packets than there is room for";
+    }
+    return "unknown";
+}
 
 /// A place for one data set of which packets are missing, and what is known of it.
 struct partial_data_set {

@@ -1,0 +1,18 @@
+// What a user can choose about an SDO download, because slaves differ.
+#pragma once
+
+namespace jauscat::ethercat {
+
+/// How a download is made.
+struct download_options {
+    /// First writes 0 (one byte) to subindex 0 of the same index. Slaves that keep the rules of PDO mapping and PDO
+    /// assignment objects (1600h to 17FFh, 1A00h to 1BFFh, 1C10h to 1C2Fh) abort a write to their other subindices with
+    /// 06010003h until that is done; the seed table's indices, from 6900 (1AF4h) on, lie there. Subindex 0 stays 0
+    /// afterwards. Costs one exchange, two frames. A refusal ends the download with master_errc::clear_refused.
+    bool clear_subindex_0{};
+    /// Starts a download that needs segments without data in its first message. By default that message is filled, as
+    /// the standard has it; some slaves (KickCAT's) take data from segments only and would store them shifted.
+    bool empty_start{};
+};
+
+} // namespace jauscat::ethercat

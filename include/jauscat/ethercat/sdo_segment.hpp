@@ -1,0 +1,46 @@
+// One segment of an SDO transfer, as both ends write and read it: downloads and uploads carry their data alike.
+#pragma once
+
+#include <jauscat/schema/ethercat/coe.hpp>
+#include <jauscat/wire/decode.hpp>
+#include <jauscat/wire/encode.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// Data bytes of the shortest segment: fewer are filled up with zeros, and the header counts those.
+inline constexpr std::size_t min_segment_data = 7;
+/// Bytes of a segment besides its data.
+inline constexpr std::size_t segment_overhead = wire::max_size<sdo_segment_header>;
+
+/// Bytes of a segment with `size` bytes of data, header included: at least 8.
+[[nodiscard]] constexpr std::size_t segment_size(std::size_t size) noexcept {
+    return segment_overhead + std::max(size, min_segment_data);
+}
+
+/// Writes a segment (or, without data, the answer to one) to the front of `out`, which holds `segment_size` bytes, and
+/// returns its size. The header's count of unused bytes is filled in where `data` are to be counted.
+inline std::size_t encode_segment(sdo_segment_header header, std::span<const std::byte> data,
+                                  std::span<std::byte> out) noexcept {
+    const std::size_t size = segment_size(data.size());
+    const bool carries_data = header.specifier == sdo_specifier::download_segment_request;
+    if (carries_data) header.unused = static_cast<std::uint8_t>(size - segment_overhead - data.size());
+    const auto room = out.subspan(wire::encode(header, out).size()).first(size - segment_overhead);
+    std::ranges::fill(std::ranges::copy(data, room.begin()).out, room.end(), std::byte{});
+    return size;
+}
+
+/// The data of the segment `segment`, whose header has been read as `header`. Segments that were not filled up, as some
+/// senders leave them, are taken too.
+[[nodiscard]] inline std::span<const std::byte> segment_data(const sdo_segment_header& header,
+                                                             std::span<const std::byte> segment) noexcept {
+    const auto data = segment.subspan(segment_overhead);
+    if (data.size() > min_segment_data) return data;
+    return data.first(std::min(data.size(), min_segment_data - header.unused));
+}
+
+} // namespace jauscat::ethercat

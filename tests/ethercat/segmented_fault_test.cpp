@@ -1,0 +1,241 @@
+// Transfers in segments that are disturbed: each ends as done with the right value, or in its own error, and the
+// other side hears of it.
+#include "ethercat/segmented_bench.hpp"
+
+#include <algorithm>
+
+using namespace jauscat::ethercat;
+using namespace std::chrono_literals;
+using jauscat::test::counting;
+using jauscat::test::from_hex;
+using jauscat::test::segmented_bench;
+using jauscat::test::simulated_link;
+
+namespace {
+
+using bytes = std::vector<std::byte>;
+using datagram = segmented_bench::datagram;
+
+void put(const datagram& d, std::string_view hex, std::size_t at = 8) {
+    std::ranges::copy(from_hex(hex), d.data.subspan(at).begin());
+}
+// Changes the answer whose command byte is `command`, once.
+auto instead_of(std::byte command, std::string_view hex) {
+    return [command, hex, done = false](const datagram& d) mutable {
+        if (done || d.data[8] != command) return;
+        put(d, hex);
+        done = true;
+    };
+}
+
+} // namespace
+
+TEST_CASE("an answer with the wrong toggle bit ends a transfer, and the slave is told") {
+    segmented_bench b{24};
+    b.set(bytes(28));
+    b.before_read = instead_of(std::byte{0x30}, "20"); // the answer to the second segment
+    const auto result = b.download(counting(28));
+    CHECK(result == outcome{.error = master_errc::toggle_bit});
+    CHECK(b.mail.back() == "0a 00 00 00 00 43 00 20 80 26 69 01 00 00 03 05");
+    b.before_read = {};
+    b.set(bytes(28));
+    REQUIRE(b.download(counting(28)));
+    CHECK(b.stored() == counting(28));
+
+    b.before_read = instead_of(std::byte{0x00}, "10");
+    bytes into(28);
+    CHECK(b.upload(into) == outcome{.error = master_errc::toggle_bit});
+    CHECK(b.mail.back().substr(18) == "00 20 80 26 69 01 00 00 03 05");
+    b.before_read = {};
+    CHECK(b.upload(into) == outcome{.size = 28});
+}
+
+TEST_CASE("a slave's abort between segments is reported and not answered") {
+    segmented_bench b{24};
+    b.set(bytes(28));
+    // As slaves send it: with the object, without it, with other bits of the command left over.
+    for (const char* abort : {"80 2669 01 22000008", "80 0000 00 22000008", "9f 2669 01 22000008"}) {
+        b.before_read = instead_of(std::byte{0x20}, abort);
+        CHECK(b.download(counting(28)) == outcome{.error = master_errc::sdo_abort, .detail = 0x08000022});
+        CHECK(b.mail.size() == 4);
+        bytes into(28);
+        b.before_read = instead_of(std::byte{0x00}, abort);
+        CHECK(b.upload(into) == outcome{.error = master_errc::sdo_abort, .detail = 0x08000022});
+        CHECK(b.mail.size() == 4);
+    }
+    b.before_read = {};
+    b.objects.entries.at({b.index, b.subindex}).write_abort = abort_code::read_only;
+    CHECK(b.download(counting(28)) == outcome{.error = master_errc::sdo_abort, .detail = 0x06010002});
+    CHECK(b.stored() == bytes(28));
+}
+
+TEST_CASE("an upload whose segments are not the size announced is refused") {
+    segmented_bench b{24};
+    b.set(counting(28));
+    const auto upload_with = [&](std::byte command, std::string_view hex) {
+        b.before_read = instead_of(command, hex);
+        bytes into(28);
+        const auto result = b.upload(into);
+        b.before_read = {};
+        return result;
+    };
+    const outcome mismatch{.error = master_errc::size_mismatch, .detail = 28};
+    CHECK(upload_with(std::byte{0x00}, "01") == mismatch); // the last one, five bytes early
+    CHECK(b.mail.size() == 4);
+    CHECK(upload_with(std::byte{0x15}, "17") == mismatch); // one byte fewer
+    CHECK(b.mail.size() == 6);
+    CHECK(upload_with(std::byte{0x15}, "13") == mismatch); // one byte more
+    CHECK(upload_with(std::byte{0x15}, "12") == mismatch); // one byte more, and another segment
+    CHECK(b.mail.size() == 7);
+    CHECK(b.mail.back().substr(18) == "00 20 80 26 69 01 10 00 07 06");
+    CHECK(upload_with(std::byte{0x15}, "1e") == mismatch); // none, and another segment: it would never end
+    CHECK(upload_with(std::byte{0x41}, "41 2669 01 1b000000") ==
+          outcome{.error = master_errc::size_mismatch, .detail = 27});
+}
+
+TEST_CASE("an upload in segments that the buffer cannot hold is aborted") {
+    segmented_bench b{24};
+    b.set(counting(28));
+    bytes small(27);
+    CHECK(b.upload(small) == outcome{.error = master_errc::data_too_long, .detail = 27});
+    CHECK(b.mail.size() == 3);
+    CHECK(b.mail.back() == "0a 00 00 00 00 23 00 20 80 26 69 01 05 00 04 05");
+}
+
+TEST_CASE("answers to segments may end after the command") {
+    segmented_bench b{24};
+    b.set(bytes(28));
+    b.before_read = [](const datagram& d) {
+        if (d.data[8] == std::byte{0x20} || d.data[8] == std::byte{0x30}) put(d, "0300", 0);
+    };
+    REQUIRE(b.download(counting(28)));
+    CHECK(b.mail.back() == "03 00 00 00 00 33 00 30 30");
+    CHECK(b.stored() == counting(28));
+}
+
+TEST_CASE("a slave that falls silent between segments is given up and hears of it when it is back") {
+    segmented_bench b{24};
+    b.set(bytes(40));
+    b.before_read = [&](const datagram& d) { b.works = d.data[8] != std::byte{0x20}; };
+    CHECK(b.download(counting(40)) == outcome{.error = master_errc::mailbox_timeout});
+    CHECK(b.objects.writes == 0);
+    // The abort stands in the mailbox, or waits for room there.
+    b.before_read = {};
+    b.works = true;
+    REQUIRE(b.download(counting(40, 5)));
+    CHECK(b.stored() == counting(40, 5));
+    CHECK(b.objects.writes == 1);
+    bytes into(40);
+    REQUIRE(b.upload(into));
+    CHECK(into == counting(40, 5));
+}
+
+TEST_CASE("a transfer that was cancelled between segments is aborted before the next one") {
+    segmented_bench b{24};
+    b.set(bytes(40));
+    const auto data = counting(40);
+    int frames = 0;
+    b.link.on_way_back = [&](bytes& frame) {
+        if (++frames > 5) frame.clear(); // drain, start and its answer, segment and its answer
+    };
+    REQUIRE(b.master.download(0x1001, b.index, b.subindex, data));
+    CHECK(b.link.run(b.master, 100ms) == outcome{.error = master_errc::timeout});
+    CHECK(b.objects.writes == 0);
+
+    const auto other = counting(28);
+    segmented_bench c{24};
+    c.set(bytes(28));
+    c.before_read = [&](const datagram& d) {
+        if (d.data[8] == std::byte{0x20}) c.link.now += 1s; // the caller's patience ends here
+    };
+    REQUIRE(c.master.download(0x1001, c.index, c.subindex, other));
+    CHECK(c.link.run(c.master, 500ms) == outcome{.error = master_errc::timeout});
+    c.before_read = {};
+    REQUIRE(c.download(counting(28, 5)));
+    REQUIRE(c.mail.size() >= 7);
+    const auto abort = std::ranges::find(c.mail, "00 20 80 26 69 01 00 00 04 05",
+                                         [](const std::string& m) { return m.size() > 18 ? m.substr(18) : m; });
+    REQUIRE(abort != c.mail.end());
+    CHECK(c.mail.end() - abort == 7); // then the whole of the next one
+    CHECK(c.stored() == counting(28, 5));
+    REQUIRE(c.download(counting(28)));
+    CHECK(c.mail.size() == 6); // once is enough
+}
+
+TEST_CASE("a slave reset between segments is noticed and takes the next transfer after it is brought up") {
+    segmented_bench b{24};
+    b.set(bytes(28));
+    b.before_read = [&](const datagram& d) {
+        if (d.data[8] == std::byte{0x20}) b.device.power_on();
+    };
+    CHECK(b.download(counting(28)) == outcome{.error = master_errc::working_counter});
+    b.before_read = {};
+    REQUIRE(b.master.bring_up(0, 0x1001));
+    REQUIRE(b.link.run(b.master));
+    REQUIRE(b.download(counting(28)));
+    CHECK(b.stored() == counting(28));
+}
+
+TEST_CASE("a frame lost anywhere in a transfer in segments is repeated and the value is right") {
+    // 40 bytes through a mailbox of 24 are 4 messages: 8 frames, and one more for the drain before the first.
+    for (int lost = 1; lost <= 9 + 8; ++lost) {
+        for (const bool on_way_out : {true, false}) {
+            segmented_bench b{24};
+            b.set(bytes(40));
+            int frames = 0;
+            simulated_link link{[&](std::span<std::byte> frame) {
+                if (++frames == lost && on_way_out) return;
+                b.device.process(frame);
+            }};
+            link.on_way_back = [&](bytes& frame) {
+                if (frames == lost) frame.clear();
+            };
+            INFO("frame " << lost << (on_way_out ? " out" : " back"));
+            const auto data = counting(40);
+            REQUIRE(b.master.download(0x1001, b.index, b.subindex, data));
+            CHECK(link.run(b.master));
+            CHECK(b.stored() == data);
+            CHECK(b.objects.writes == 1);
+            bytes into(40);
+            REQUIRE(b.master.upload(0x1001, b.index, b.subindex, into));
+            CHECK(link.run(b.master) == outcome{.size = 40});
+            CHECK(into == data);
+            CHECK(b.master.statistics().lost == 1);
+        }
+    }
+}
+
+TEST_CASE("transfers in segments over a bad wire are each done right or end in an error") {
+    segmented_bench b{24};
+    b.set(bytes(60));
+    b.link.faults = {.lose = 10, .duplicate = 10, .delay = 20};
+    std::size_t done = 0;
+    bool up = true;
+    for (unsigned i = 0; i != 500; ++i) {
+        if (!up) {
+            REQUIRE(b.master.bring_up(0, 0x1001));
+            up = static_cast<bool>(b.link.run(b.master));
+            if (!up) continue;
+        }
+        const auto before = b.stored();
+        const auto writes = b.objects.writes;
+        const auto data = counting(60, i);
+        const auto result = b.download(data);
+        INFO("download " << i << ": " << describe(result.error));
+        REQUIRE((result || result.error == master_errc::no_reply));
+        REQUIRE(b.objects.writes <= writes + 1);
+        REQUIRE((b.stored() == data || (!result && b.stored() == before)));
+        if (!result) {
+            up = false;
+            continue;
+        }
+        REQUIRE(b.objects.writes == writes + 1);
+        bytes into(60);
+        const auto read = b.upload(into);
+        REQUIRE((read || read.error == master_errc::no_reply));
+        if (read) REQUIRE(into == data);
+        done += read ? 1 : 0;
+    }
+    CHECK(done > 490);
+    CHECK(b.master.statistics().lost > 1'000);
+}
