@@ -8,8 +8,8 @@ enum class errc : std::uint8_t {
     ok,
     truncated,                ///< fewer bytes than the header, or than the packet says it has
     no_space,                 ///< the output span is smaller than the result
-    wrong_size,               ///< the size that a header states is not the size of what follows it
-    too_large,                ///< more bytes than one packet carries
+    wrong_size,               ///< the size that a header states, or that an object has, is not the size of what came
+    too_large,                ///< more bytes than one packet carries, or than the object under fixed_length has
     unknown_command_code,     ///< the code has no rank in the table's list
     unknown_index,            ///< the object index stands for no component
     unknown_subindex,         ///< the subindex stands for no command code
@@ -27,7 +27,7 @@ enum class errc : std::uint8_t {
     case errc::truncated: return "truncated: shorter than its header says";
     case errc::no_space: return "no space: the output buffer is too small";
     case errc::wrong_size: return "wrong size: the size in the header is not the size of what follows";
-    case errc::too_large: return "too large: the data does not fit one SDO packet";
+    case errc::too_large: return "too large: the data does not fit one SDO packet or its object";
     case errc::unknown_command_code: return "unknown command code: it has no rank in this table";
     case errc::unknown_index: return "unknown index: no component has this object";
     case errc::unknown_subindex: return "unknown subindex: no command code has this rank";

@@ -50,6 +50,9 @@ template <class From, class To> struct move {
 template <class From, class To, std::uint32_t Base> struct offset {
     using uses = path_list<From>;
     using writes = path_list<To>;
+    using from = From;
+    using to = To;
+    static constexpr bool gives_index = true;
     static constexpr std::uint32_t largest = Base + std::numeric_limits<typename From::type>::max();
     static_assert(largest <= 0xFFFF, "offset: base plus the largest value does not fit an object index of 16 bits");
 
@@ -68,6 +71,9 @@ template <class From, class To, std::uint32_t Base> struct offset {
 template <class From, class To, const auto& Codes> struct rank {
     using uses = path_list<From>;
     using writes = path_list<To>;
+    using from = From;
+    using to = To;
+    static constexpr bool gives_subindex = true;
     static_assert(Codes.size() <= 254, "rank: more than 254 command codes do not fit a subindex (255 is reserved)");
 
     [[gnu::always_inline]] static constexpr errc forth(const auto& header, auto& packet, sizes) noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/translate/rows.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace jauscat::translate {
@@ -56,19 +57,30 @@ template <class Used, class Within, auto Member> struct collect_rest<Used, Withi
     }
 };
 
-template <class Row> inline constexpr bool states_body_size = requires { typename Row::states_body_size; };
-template <class Row> inline constexpr bool counts_data = requires { typename Row::counts_data; };
-template <class Row> inline constexpr bool carries_rest = requires { Row::carries_rest; };
+// What a row may be for a table, beside what it does to its fields.
+struct states_body_size {
+    template <class Row> static constexpr bool is = requires { typename Row::states_body_size; };
+};
+struct counts_data {
+    template <class Row> static constexpr bool is = requires { typename Row::counts_data; };
+};
+struct carries_rest {
+    template <class Row> static constexpr bool is = requires { Row::carries_rest; };
+};
+struct gives_index {
+    template <class Row> static constexpr bool is = requires { Row::gives_index; };
+};
+struct gives_subindex {
+    template <class Row> static constexpr bool is = requires { Row::gives_subindex; };
+};
 
-// The one row among `Rows` that says something; void if there is none.
-template <class... Rows> struct body_size_row { using type = void; };
-template <class Row, class... Rows>
-struct body_size_row<Row, Rows...>
-    : std::conditional_t<states_body_size<Row>, std::type_identity<Row>, body_size_row<Rows...>> {};
-template <class... Rows> struct data_count_row { using type = void; };
-template <class Row, class... Rows>
-struct data_count_row<Row, Rows...>
-    : std::conditional_t<counts_data<Row>, std::type_identity<Row>, data_count_row<Rows...>> {};
+template <class Kind, class... Rows>
+inline constexpr std::size_t rows_of_kind = (std::size_t{Kind::template is<Rows>} + ... + 0);
+// The first row of a kind among `Rows`; void if there is none.
+template <class Kind, class... Rows> struct row_of_kind { using type = void; };
+template <class Kind, class Row, class... Rows>
+struct row_of_kind<Kind, Row, Rows...>
+    : std::conditional_t<Kind::template is<Row>, std::type_identity<Row>, row_of_kind<Kind, Rows...>> {};
 
 } // namespace detail
 
@@ -88,16 +100,19 @@ template <wire::fixed_message Header, wire::fixed_message Packet, std::size_t Ma
     static_assert(written::distinct, "table: a packet field is written by two rows");
     static_assert(!written::distinct || paths_of<Packet>::template each_once_in<written>,
                   "table: a packet field is not written by any row");
-    static_assert((std::size_t{detail::carries_rest<Rows>} + ... + 0) == 1 ||
+    static_assert(detail::rows_of_kind<detail::carries_rest, Rows...> == 1 ||
                       paths_of<Header>::template each_once_in<used>,
                   "table: a message field is used by no row, and there is no row `rest` to carry it");
-    static_assert((std::size_t{detail::states_body_size<Rows>} + ... + 0) == 1,
+    static_assert(detail::rows_of_kind<detail::states_body_size, Rows...> == 1,
                   "table: exactly one row must say which message field states the body's size");
-    static_assert((std::size_t{detail::counts_data<Rows>} + ... + 0) == 1,
+    static_assert(detail::rows_of_kind<detail::counts_data, Rows...> == 1,
                   "table: exactly one row must say which packet field counts the data");
 
-    using body_size_row = typename detail::body_size_row<Rows...>::type;
-    using data_count_row = typename detail::data_count_row<Rows...>::type;
+    using body_size_row = typename detail::row_of_kind<detail::states_body_size, Rows...>::type;
+    using data_count_row = typename detail::row_of_kind<detail::counts_data, Rows...>::type;
+    /// The rows that say at which object a message lies; void where the packet is not for an object dictionary.
+    using index_row = typename detail::row_of_kind<detail::gives_index, Rows...>::type;
+    using subindex_row = typename detail::row_of_kind<detail::gives_subindex, Rows...>::type;
 
     /// The bytes of the header that travel in the packet's data, in wire order.
     static constexpr auto rest = [] {
@@ -108,6 +123,8 @@ template <wire::fixed_message Header, wire::fixed_message Packet, std::size_t Ma
     }();
     static_assert(!rest.splits_carrier,
                   "table: rest would split an integer that bit-fields share; use all of its fields or none");
+    /// Bytes of the packet's data that are not the body.
+    static constexpr std::size_t overhead = rest.bytes;
 
     [[gnu::always_inline]] static constexpr errc forth(const Header& header, Packet& packet, sizes s) noexcept {
         errc error = errc::ok;
@@ -124,5 +141,17 @@ template <wire::fixed_message Header, wire::fixed_message Packet, std::size_t Ma
         return error;
     }
 };
+
+/// Whether the table has the option fixed_length: the data of each message have one size.
+template <class Table> inline constexpr bool has_fixed_length = requires(const typename Table::header_type& header) {
+    Table::object_size(header);
+};
+
+/// Most bytes of data that the message `T` takes where the table adds `Overhead` and a packet carries `MaxData`: all of
+/// `MaxData` for a message that has no limit, or takes what follows it.
+template <wire::message T, std::size_t Overhead, std::size_t MaxData>
+inline constexpr std::size_t largest_data = wire::layout_of<T>::to_the_end
+                                                ? MaxData
+                                                : std::min(wire::total_size(Overhead, wire::max_size<T>), MaxData);
 
 } // namespace jauscat::translate

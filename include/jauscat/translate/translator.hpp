@@ -1,5 +1,6 @@
 // The translator that a table makes: whole messages to whole packets, and back by the same rows.
 #pragma once
+#include <jauscat/translate/fixed_length.hpp>
 #include <jauscat/translate/table.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>
@@ -13,9 +14,9 @@ template <class Table> struct translator {
     using header_type = typename Table::header_type;
     using packet_type = typename Table::packet_type;
     static constexpr std::size_t header_size = wire::max_size<header_type>;
-    static constexpr std::size_t packet_size = wire::max_size<packet_type>; ///< without its data
-    static constexpr std::size_t rest_size = Table::rest.bytes;             ///< header bytes that travel in the data
-    static constexpr std::size_t max_body = Table::max_data - rest_size;    ///< largest body one packet carries
+    static constexpr std::size_t packet_size = wire::max_size<packet_type>;    ///< without its data
+    static constexpr std::size_t rest_size = Table::rest.bytes;                ///< header bytes that travel in the data
+    static constexpr std::size_t max_body = Table::max_data - Table::overhead; ///< largest body one packet carries
     static constexpr std::size_t max_packet_size = packet_size + Table::max_data;
     static constexpr std::size_t max_message_size = header_size + max_body;
 
@@ -49,35 +50,61 @@ template <class Table> struct translator {
     }
 
   private:
+    static constexpr bool fixed = has_fixed_length<Table>;
+
     // Both directions are inlined into their callers, so that a packet's fields stay in registers.
     [[gnu::always_inline]] static constexpr result fill(std::span<const std::byte> message, std::span<std::byte> packet,
                                                         packet_type fields) noexcept {
         header_type header{};
         if (!wire::decode_prefix(header, message)) return errc::truncated;
-        const sizes s{message.size() - header_size, message.size() - header_size + rest_size};
-        if (s.data > Table::max_data) return errc::too_large;
-        if (packet.size() < packet_size + s.data) return errc::no_space;
+        const std::size_t body = message.size() - header_size;
+        const std::size_t filled = body + Table::overhead;
+        std::size_t object = filled; // bytes of data
+        if constexpr (fixed) {
+            object = Table::object_size(header);
+            if (object == 0) return errc::unknown_command_code;
+        }
+        if (filled > object || object > Table::max_data) return errc::too_large;
+        if (packet.size() < packet_size + object) return errc::no_space;
 
-        if (const errc error = Table::forth(header, fields, s); error != errc::ok) return error;
+        if (const errc error = Table::forth(header, fields, {body, object}); error != errc::ok) return error;
         if (wire::detail::put_message(fields, packet.data()).error != wire::errc::ok) return errc::out_of_range;
         std::byte* data = packet.data() + packet_size;
+        if constexpr (fixed) {
+            const data_length length{static_cast<std::uint16_t>(rest_size + body)};
+            data = wire::detail::put_message(length, data).at;
+        }
         each_rest(
             [&](std::size_t offset, std::size_t size) { data = std::copy_n(message.data() + offset, size, data); });
-        copy_body(message.data() + header_size, s.body, data);
-        return packet_size + s.data;
+        copy_body(message.data() + header_size, body, data);
+        if constexpr (fixed) std::fill_n(data + body, object - filled, std::byte{});
+        return packet_size + object;
     }
 
     [[gnu::always_inline]] static constexpr result restore(const packet_type& fields, std::span<const std::byte> data,
                                                            std::span<std::byte> message) noexcept {
-        if (data.size() < rest_size) return errc::truncated;
+        auto real = data;
+        if constexpr (fixed) {
+            data_length length{};
+            const auto used = wire::decode_prefix(length, data);
+            if (!used) return errc::truncated;
+            if (length.bytes > data.size() - used.size()) return errc::wrong_size;
+            real = data.subspan(used.size(), length.bytes);
+        }
+        if (real.size() < rest_size) return errc::truncated;
         if (data.size() > Table::max_data) return errc::too_large;
-        const sizes s{data.size() - rest_size, data.size()};
+        const sizes s{real.size() - rest_size, data.size()};
         if (message.size() < header_size + s.body) return errc::no_space;
 
         header_type header{};
         if (const errc error = Table::back(fields, header, s); error != errc::ok) return error;
+        if constexpr (fixed) {
+            const std::size_t object = Table::object_size(header);
+            if (object == 0) return errc::unknown_subindex;
+            if (object != data.size()) return errc::wrong_size;
+        }
         if (wire::detail::put_message(header, message.data()).error != wire::errc::ok) return errc::out_of_range;
-        const std::byte* in = data.data();
+        const std::byte* in = real.data();
         each_rest([&](std::size_t offset, std::size_t size) {
             std::copy_n(in, size, message.data() + offset);
             in += size;

@@ -1,0 +1,80 @@
+// A slave's object dictionary made of object lists: which objects there are, how large, who may read and write them.
+// What is behind them is the application's.
+#pragma once
+#include <jauscat/ethercat/object_dictionary.hpp>
+#include <jauscat/translate/object_list.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// Which sizes an object takes and gives.
+enum class size_rule : std::uint8_t {
+    up_to_largest, ///< any up to the largest, unless its table has fixed_length
+    exact,         ///< the largest only: a strict slave, which needs a table with fixed_length
+};
+
+/// The objects of a list, in front of an application that holds what is in them. Models object_source: an access that
+/// the list does not allow is aborted, all others reach the application. Subindex 0 is the highest subindex, read only.
+class listed_objects {
+  public:
+    /// `objects` and what `application` refers to must outlive this. The application sees indices and subindices of the
+    /// list only, other than 0, with data of the sizes that `sizes` allows.
+    constexpr listed_objects(std::span<const translate::object_description> objects, object_dictionary application,
+                             size_rule sizes = size_rule::up_to_largest) noexcept
+        : objects_{objects}, application_{application}, sizes_{sizes} {}
+
+    /// Aborts: no_object, no_subindex, write_only, length_mismatch, those of the application.
+    object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
+        const auto* const object = find(index);
+        if (object == nullptr) return {.error = abort_code::no_object};
+        if (subindex == 0) {
+            if (out.empty()) return {.error = abort_code::exceeds_mailbox};
+            out.front() = static_cast<std::byte>(object->highest_subindex());
+            return {.size = 1};
+        }
+        const auto* const entry = object->find(subindex);
+        if (entry == nullptr) return {.error = abort_code::no_subindex};
+        if (!entry->readable) return {.error = abort_code::write_only};
+        const auto got = application_.read(index, subindex, out);
+        if (got.error != abort_code::none) return got;
+        if (!allows(*object, *entry, got.size)) return {.error = abort_code::length_mismatch};
+        return got;
+    }
+
+    /// Aborts: no_object, no_subindex, read_only, length_mismatch (exact sizes), length_too_high, those of the
+    /// application.
+    abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
+        const auto* const object = find(index);
+        if (object == nullptr) return abort_code::no_object;
+        if (subindex == 0) return abort_code::read_only;
+        const auto* const entry = object->find(subindex);
+        if (entry == nullptr) return abort_code::no_subindex;
+        if (!entry->writable) return abort_code::read_only;
+        if (!allows(*object, *entry, data.size()))
+            return is_exact(*object) ? abort_code::length_mismatch : abort_code::length_too_high;
+        return application_.write(index, subindex, data);
+    }
+
+  private:
+    [[nodiscard]] const translate::object_description* find(std::uint16_t index) const noexcept {
+        const auto found = std::ranges::find(objects_, index, &translate::object_description::index);
+        return found != objects_.end() ? &*found : nullptr;
+    }
+    [[nodiscard]] bool is_exact(const translate::object_description& object) const noexcept {
+        return object.exact_size || sizes_ == size_rule::exact;
+    }
+    [[nodiscard]] bool allows(const translate::object_description& object, const translate::sub_object& entry,
+                              std::size_t size) const noexcept {
+        return is_exact(object) ? size == entry.max_size : size <= entry.max_size;
+    }
+
+    std::span<const translate::object_description> objects_;
+    object_dictionary application_;
+    size_rule sizes_;
+};
+
+} // namespace jauscat::ethercat

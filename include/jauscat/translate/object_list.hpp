@@ -1,0 +1,122 @@
+// The objects that a component's messages are written to: one object for the component, one subobject for each message
+// that it accepts. Made at compile time from the message types and the table, for whatever has to create or describe
+// the objects: a slave's dictionary, creation packets, an ESI file.
+#pragma once
+#include <jauscat/translate/table.hpp>
+#include <jauscat/wire/schema.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace jauscat::translate {
+
+/// ETG data type of every subobject: OCTET_STRING.
+inline constexpr std::uint16_t octet_string_type = 0x000A;
+
+/// One accepted message as a subobject.
+struct sub_object {
+    std::uint8_t subindex{};      ///< the message's rank, 1 to 254
+    std::uint16_t command_code{}; ///< the message
+    std::string_view name{};      ///< the message type's name, such as `set_wrench_effort`
+    std::uint16_t max_size{};     ///< bytes: the most that an access carries, or all accesses where sizes are exact
+    bool readable{};              ///< an upload gives it
+    bool writable{};              ///< a download takes it
+    friend constexpr bool operator==(const sub_object&, const sub_object&) = default;
+};
+
+/// A component's object, as data.
+struct object_description {
+    std::uint16_t index{};
+    std::uint8_t component{}; ///< JAUS component ID
+    std::string_view name{};
+    bool exact_size{};                     ///< every access carries `max_size` bytes: a table with fixed_length
+    std::span<const sub_object> entries{}; ///< by ascending subindex
+
+    /// What subindex 0 holds.
+    [[nodiscard]] constexpr std::uint8_t highest_subindex() const noexcept {
+        return entries.empty() ? std::uint8_t{} : entries.back().subindex;
+    }
+    /// The subobject, or nullptr.
+    [[nodiscard]] constexpr const sub_object* find(std::uint8_t subindex) const noexcept {
+        const auto found = std::ranges::lower_bound(entries, subindex, {}, &sub_object::subindex);
+        return found != entries.end() && found->subindex == subindex ? &*found : nullptr;
+    }
+};
+
+namespace detail {
+
+/// What a row makes of one JAUS value; 0, which is no index and no rank, where it has nothing for it.
+template <class Table, class Row> constexpr std::uint32_t number_of(auto value) noexcept {
+    typename Table::header_type header{};
+    typename Table::packet_type packet{};
+    Row::from::of(header) = value;
+    return Row::forth(header, packet, {}) == errc::ok ? Row::to::of(packet) : 0;
+}
+
+// RA 3.3 part 2, command codes: below 2000h commands, below 4000h queries, below 6000h informs. A command or query is
+// written only. An inform is read after its query, and written where it comes from another component. What a message
+// beyond that is for, its user knows: it is both.
+constexpr bool is_readable(std::uint16_t command_code) noexcept { return command_code >= 0x4000; }
+
+template <class Table, class T> constexpr sub_object sub_object_of() noexcept {
+    return {.subindex = static_cast<std::uint8_t>(number_of<Table, typename Table::subindex_row>(T::command_code)),
+            .command_code = T::command_code,
+            .name = wire::type_name<T>(),
+            .max_size = static_cast<std::uint16_t>(largest_data<T, Table::overhead, Table::max_data>),
+            .readable = is_readable(T::command_code),
+            .writable = true};
+}
+
+// "component 33"
+template <std::uint8_t Component>
+inline constexpr auto component_name = [] {
+    constexpr std::string_view word = "component ";
+    constexpr std::size_t digits = Component > 99 ? 3 : Component > 9 ? 2 : 1;
+    std::array<char, word.size() + digits> text{};
+    std::ranges::copy(word, text.begin());
+    unsigned left = Component;
+    for (std::size_t i = text.size(); i != word.size(); left /= 10) text[--i] = static_cast<char>('0' + left % 10);
+    return text;
+}();
+
+template <std::size_t Size> constexpr bool distinct_subindices(const std::array<sub_object, Size>& sorted) noexcept {
+    return std::ranges::adjacent_find(sorted, {}, &sub_object::subindex) == sorted.end();
+}
+
+} // namespace detail
+
+/// The object of the component `Component` that accepts `Messages`, each with a schema and a command code, under
+/// `Table`. `Messages` may also be one list of types, such as jaus::message_list<...>.
+template <class Table, std::uint8_t Component, class... Messages> struct object_list {
+    static constexpr std::uint16_t index =
+        static_cast<std::uint16_t>(detail::number_of<Table, typename Table::index_row>(Component));
+    static constexpr std::uint8_t component = Component;
+    /// "component 33"
+    static constexpr std::string_view name{detail::component_name<Component>.data(),
+                                           detail::component_name<Component>.size()};
+    /// Every access carries the subobject's `max_size` bytes: the table has fixed lengths.
+    static constexpr bool exact_size = has_fixed_length<Table>;
+    /// By ascending subindex.
+    static constexpr std::array<sub_object, sizeof...(Messages)> entries = [] {
+        std::array<sub_object, sizeof...(Messages)> made{detail::sub_object_of<Table, Messages>()...};
+        std::ranges::sort(made, {}, &sub_object::subindex);
+        return made;
+    }();
+    static_assert(Table::max_data <= 0xFFFF, "object_list: sizes are of 16 bits");
+    static_assert(entries.empty() || entries.front().subindex != 0,
+                  "object_list: a message has no rank in the table; append its command code to the table's list");
+    static_assert(detail::distinct_subindices(entries), "object_list: a message is listed twice");
+
+    /// The same without a type.
+    static constexpr object_description description{index, component, name, exact_size, entries};
+};
+
+template <class Table, std::uint8_t Component, template <class...> class List, class... Messages>
+requires(!wire::message<List<Messages...>>) struct object_list<Table, Component, List<Messages...>>
+    : object_list<Table, Component, Messages...> {
+};
+
+} // namespace jauscat::translate

@@ -1,0 +1,183 @@
+// A slave's dictionary made of an object list: what it lets through to the application, and what it aborts.
+#include "support/catch.hpp"
+#include "support/hex.hpp"
+#include "support/simulated_link.hpp"
+#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
+#include <jauscat/schema/translation/seed_table.hpp>
+#include <jauscat/translate/fixed_length.hpp>
+
+#include <array>
+#include <vector>
+
+using namespace jauscat;
+using ethercat::abort_code;
+using jauscat::test::from_hex;
+using jauscat::test::to_hex;
+
+namespace {
+
+/// Remembers what reached it, and gives what it was told to.
+struct application {
+    std::vector<std::byte> held{};
+    std::size_t reads{}, writes{};
+
+    ethercat::object_read read(std::uint16_t, std::uint8_t, std::span<std::byte> out) noexcept {
+        ++reads;
+        if (held.size() > out.size()) return {.error = abort_code::exceeds_mailbox};
+        std::ranges::copy(held, out.begin());
+        return {.size = held.size()};
+    }
+    abort_code write(std::uint16_t, std::uint8_t, std::span<const std::byte> data) noexcept {
+        ++writes;
+        held.assign(data.begin(), data.end());
+        return abort_code::none;
+    }
+};
+
+template <class Table>
+constexpr std::array arm_objects{
+    translate::object_list<Table, 33, jaus::set_wrench_effort, jaus::report_wrench_effort>::description,
+    translate::object_list<Table, 255, jaus::set_wrench_effort>::description};
+using fixed_table =
+    translate::fixed_length<translation::seed_table, jaus::set_wrench_effort, jaus::report_wrench_effort>;
+
+template <class Table = translation::seed_table> struct dictionary {
+    application behind{};
+    ethercat::listed_objects objects;
+
+    explicit dictionary(ethercat::size_rule sizes = ethercat::size_rule::up_to_largest)
+        : objects{arm_objects<Table>, behind, sizes} {}
+
+    abort_code write(std::uint16_t index, std::uint8_t subindex, std::size_t size) {
+        return objects.write(index, subindex, std::vector<std::byte>(size));
+    }
+    abort_code read(std::uint16_t index, std::uint8_t subindex, std::size_t held) {
+        behind.held.resize(held);
+        std::array<std::byte, 100> out{};
+        const auto got = objects.read(index, subindex, out);
+        if (got.error == abort_code::none) CHECK(got.size == held);
+        return got.error;
+    }
+};
+
+} // namespace
+
+TEST_CASE("objects and subobjects that are not in the list are aborted before the application sees them") {
+    dictionary<> d;
+    CHECK(d.write(6934, 26, 28) == abort_code::no_object);
+    CHECK(d.write(6933, 27, 28) == abort_code::no_subindex);
+    CHECK(d.write(7155, 121, 28) == abort_code::no_subindex);
+    CHECK(d.read(6900, 121, 1) == abort_code::no_object);
+    CHECK(d.read(6933, 122, 1) == abort_code::no_subindex);
+    CHECK(d.behind.writes == 0);
+    CHECK(d.behind.reads == 0);
+    CHECK(d.write(6933, 26, 28) == abort_code::none);
+    CHECK(d.write(7155, 26, 28) == abort_code::none);
+    CHECK(d.behind.writes == 2);
+}
+
+TEST_CASE("commands are written only, reports are read and written") {
+    dictionary<> d;
+    CHECK(d.read(6933, 26, 10) == abort_code::write_only);
+    CHECK(d.behind.reads == 0);
+    CHECK(d.read(6933, 121, 10) == abort_code::none);
+    CHECK(d.write(6933, 121, 10) == abort_code::none);
+
+    constexpr translate::sub_object read_only[]{{.subindex = 1, .max_size = 4, .readable = true}};
+    const translate::object_description object{.index = 0x2000, .entries = read_only};
+    application behind;
+    ethercat::listed_objects objects{{&object, 1}, behind};
+    CHECK(objects.write(0x2000, 1, from_hex("00")) == abort_code::read_only);
+    CHECK(behind.writes == 0);
+}
+
+TEST_CASE("subindex 0 is the highest subindex and cannot be written") {
+    dictionary<> d;
+    std::array<std::byte, 4> out{};
+    const auto got = d.objects.read(6933, 0, out);
+    CHECK(got.error == abort_code::none);
+    CHECK(got.size == 1);
+    CHECK(out[0] == std::byte{121});
+    CHECK(d.objects.read(7155, 0, out).size == 1);
+    CHECK(out[0] == std::byte{26});
+    CHECK(d.objects.read(6933, 0, std::span{out}.first(0)).error == abort_code::exceeds_mailbox);
+    CHECK(d.write(6933, 0, 1) == abort_code::read_only);
+    CHECK(d.behind.reads + d.behind.writes == 0);
+}
+
+TEST_CASE("a message may be shorter than the largest, and no longer") {
+    dictionary<> d;
+    CHECK(d.write(6933, 26, 28) == abort_code::none);
+    CHECK(d.write(6933, 26, 10) == abort_code::none);
+    CHECK(d.write(6933, 26, 29) == abort_code::length_too_high);
+    CHECK(d.read(6933, 121, 28) == abort_code::none);
+    CHECK(d.read(6933, 121, 10) == abort_code::none);
+    CHECK(d.read(6933, 121, 29) == abort_code::length_mismatch);
+    CHECK(d.behind.writes == 2);
+}
+
+TEST_CASE("a strict slave takes and gives exact sizes only") {
+    dictionary<> d{ethercat::size_rule::exact};
+    CHECK(d.write(6933, 26, 28) == abort_code::none);
+    for (const std::size_t size : {0, 10, 27, 29, 30}) CHECK(d.write(6933, 26, size) == abort_code::length_mismatch);
+    CHECK(d.read(6933, 121, 28) == abort_code::none);
+    for (const std::size_t size : {0, 10, 27, 29}) CHECK(d.read(6933, 121, size) == abort_code::length_mismatch);
+    CHECK(d.behind.writes == 1);
+}
+
+TEST_CASE("objects of a table with fixed lengths are exact whether the slave is strict or not") {
+    for (const auto rule : {ethercat::size_rule::up_to_largest, ethercat::size_rule::exact}) {
+        dictionary<fixed_table> d{rule};
+        CHECK(d.write(6933, 26, 30) == abort_code::none);
+        CHECK(d.write(6933, 26, 28) == abort_code::length_mismatch);
+        CHECK(d.read(6933, 121, 30) == abort_code::none);
+        CHECK(d.read(6933, 121, 28) == abort_code::length_mismatch);
+    }
+}
+
+namespace {
+
+/// A message from a master to a strict slave over the wire, under `Table`.
+template <class Table> struct strict_robot {
+    application behind{};
+    ethercat::listed_objects objects{arm_objects<Table>, behind, ethercat::size_rule::exact};
+    std::array<ethercat::slave, 1> devices{ethercat::slave{{.vendor = 1}, objects}};
+    test::simulated_link link{devices};
+    ethercat::master master{};
+
+    ethercat::outcome deliver(std::span<const std::byte> message) {
+        using delivery = ethercat::delivery<Table>;
+        REQUIRE(master.bring_up(0, 2));
+        REQUIRE(link.run(master));
+        std::array<std::byte, delivery::translator::max_packet_size> packet{};
+        const auto size = delivery::translator::forth(message, packet);
+        REQUIRE(size);
+        const auto object = delivery::object_of(std::span{packet}.first(size.size()));
+        REQUIRE(master.download(object.station, object.index, object.subindex, object.data));
+        return link.run(master);
+    }
+};
+
+const auto one_effort = from_hex("0602 0504 05210201 02200304 0400 2200 0100 ff7f");
+
+} // namespace
+
+TEST_CASE("a strict slave aborts a shorter message, and the reason names the option that helps") {
+    strict_robot<translation::seed_table> robot;
+    const auto result = robot.deliver(one_effort);
+    CHECK(result.error == ethercat::master_errc::sdo_abort);
+    CHECK(result.detail == 0x06070010);
+    CHECK(describe_detail(result).find("fixed_length") != std::string_view::npos);
+    CHECK(robot.behind.writes == 0);
+}
+
+TEST_CASE("a strict slave takes a shorter message under a table with fixed lengths") {
+    strict_robot<fixed_table> robot;
+    CHECK(robot.deliver(one_effort));
+    CHECK(to_hex(robot.behind.held) == to_hex(from_hex("0c00 0602 02200304 2200 0100 ff7f"
+                                                       "0000000000000000 0000000000000000")));
+}
