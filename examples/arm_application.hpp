@@ -1,6 +1,7 @@
 // What the robot arm does: every object written to the slave becomes its JAUS message again and reaches a handler; a
-// query prepares the report that the master uploads next.
+// query prepares the report that the master uploads next. The slave's dictionary is made of the messages it accepts.
 #pragma once
+#include "support/robot_messages.hpp"
 #include <jauscat/ethercat/delivery.hpp>
 #include <jauscat/ethercat/object_dictionary.hpp>
 #include <jauscat/jaus/copy_present.hpp>
@@ -8,68 +9,35 @@
 #include <jauscat/jaus/requested_fields.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/jaus.hpp>
+#include <jauscat/translate/object_list.hpp>
 
 #include <functional>
 #include <vector>
 
 namespace example {
 
-/// The arm behind an EtherCAT slave, under one translation table.
-template <class Table> class arm_application {
+/// The arm: JAUS messages in, and the report that the last query asked for.
+class arm {
   public:
-    using delivery = jauscat::ethercat::delivery<Table>;
-
     /// `say` gets a line for each thing that happens; `moved` is called when the efforts in force have changed.
-    arm_application(std::uint8_t subsystem, std::function<void(const std::string&)> say, std::function<void()> moved)
-        : self_{.subsystem = subsystem}, say_{std::move(say)}, moved_{std::move(moved)} {}
-
-    /// The station address that the master gave the slave: the arm's JAUS node.
-    void set_station(std::uint16_t station) noexcept { self_.station = station; }
+    arm(std::function<void(const std::string&)> say, std::function<void()> moved)
+        : say_{std::move(say)}, moved_{std::move(moved)} {}
 
     /// The efforts in force; every field is there, 0 until commanded.
     [[nodiscard]] const jauscat::jaus::report_wrench_effort& efforts() const noexcept { return efforts_; }
+    /// The report that the last query asked for, as a message; empty before the first query.
+    [[nodiscard]] std::span<const std::byte> report() const noexcept { return report_; }
 
-    /// An SDO download: the object as a JAUS message.
-    jauscat::ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex,
-                                        std::span<const std::byte> data) noexcept {
-        using jauscat::ethercat::abort_code;
-        namespace translate = jauscat::translate;
-        const auto size = delivery::message_of({self_.station, index, subindex, data}, self_, message_);
-        if (!size) {
-            say_("refused an object: " + std::string{describe(size.error())});
-            switch (size.error()) {
-            case translate::errc::unknown_index: return abort_code::no_object;
-            case translate::errc::unknown_subindex: return abort_code::no_subindex;
-            case translate::errc::truncated: return abort_code::length_too_low;
-            case translate::errc::too_large:
-            case translate::errc::no_space: return abort_code::length_too_high;
-            default: return abort_code::parameter_incompatible;
-            }
-        }
-        const auto message = jauscat::jaus::split(std::span{message_}.first(size.size()));
+    void say(const std::string& line) const { say_(line); }
+
+    jauscat::jaus::dispatched receive(std::span<const std::byte> bytes) {
+        const auto message = jauscat::jaus::split(bytes);
         if (!message) {
             say_("refused a message: " + std::string{describe(message.error)});
-            return abort_code::parameter_incompatible;
+            return jauscat::jaus::dispatched::malformed;
         }
         say_("received " + jauscat::text::summary(message.header));
-        switch (dispatch(message.header, message.body)) {
-        case jauscat::jaus::dispatched::handled:
-        case jauscat::jaus::dispatched::acknowledgement: return abort_code::none;
-        case jauscat::jaus::dispatched::unknown: return abort_code::no_subindex;
-        case jauscat::jaus::dispatched::malformed: return abort_code::value_range;
-        }
-        return abort_code::general;
-    }
-
-    /// An SDO upload: the report that the last query prepared.
-    jauscat::ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
-        using jauscat::ethercat::abort_code;
-        if (prepared_.empty()) return {abort_code::no_data, 0};
-        const auto report = delivery::object_of(prepared_);
-        if (report.index != index || report.subindex != subindex) return {abort_code::no_data, 0};
-        if (report.data.size() > out.size()) return {abort_code::exceeds_mailbox, 0};
-        std::ranges::copy(report.data, out.begin());
-        return {abort_code::none, report.data.size()};
+        return dispatch(message.header, message.body);
     }
 
   private:
@@ -152,9 +120,9 @@ template <class Table> class arm_application {
         return none;
     }
 
-    // A report lies in the object of the arm's own component, at the subindex of its command code.
+    // A report lies in the object of the arm's own component, so it is a message from the arm to itself.
     void prepare(const header& query, const auto& report) {
-        prepared_.clear();
+        report_.clear();
         auto head = jauscat::jaus::answer_to(query);
         head.destination = query.destination;
         head.source = query.destination;
@@ -164,26 +132,85 @@ template <class Table> class arm_application {
             say_("cannot report: " + std::string{describe(size.error())});
             return;
         }
-        std::array<std::byte, 512> packet{};
-        const auto packed = delivery::translator::forth(std::span{message}.first(size.size()), packet);
-        if (!packed) {
-            say_("cannot report: " + std::string{describe(packed.error())});
-            return;
-        }
-        prepared_.assign(packet.begin(), packet.begin() + static_cast<std::ptrdiff_t>(packed.size()));
+        report_.assign(message.begin(), message.begin() + static_cast<std::ptrdiff_t>(size.size()));
         say_("prepared " + jauscat::text::message_name(report.command_code));
     }
 
-    jauscat::ethercat::slave_identity self_;
     std::function<void(const std::string&)> say_;
     std::function<void()> moved_;
-    std::array<std::byte, delivery::translator::max_message_size> message_{};
-    std::vector<std::byte> prepared_{};
+    std::vector<std::byte> report_{};
     jauscat::jaus::report_wrench_effort efforts_{no_effort()};
     jauscat::jaus::report_travel_speed travel_speed_{};
     jauscat::jaus::report_global_pose pose_{};
     jauscat::jaus::report_component_status status_{.primary_status_code = jauscat::jaus::primary_status_code::ready};
     std::uint8_t authority_{};
+};
+
+/// The arm behind an EtherCAT slave, under one translation table.
+template <class Table> class arm_application {
+  public:
+    /// JAUS component ID of a Primitive Driver.
+    static constexpr std::uint8_t component = 33;
+    /// The objects of the slave's dictionary, with a subobject for each message that the arm accepts: the one of its
+    /// component, and the one of all components of the node.
+    static constexpr std::array objects{jauscat::translate::object_list<Table, component, robot_messages>::description,
+                                        jauscat::translate::object_list<Table, 255, robot_messages>::description};
+
+    arm_application(std::uint8_t subsystem, arm& behind) : self_{.subsystem = subsystem}, arm_{behind} {}
+
+    /// The station address that the master gave the slave: the arm's JAUS node.
+    void set_station(std::uint16_t station) noexcept { self_.station = station; }
+
+    /// An SDO download: the object as a JAUS message.
+    jauscat::ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex,
+                                        std::span<const std::byte> data) noexcept {
+        using jauscat::ethercat::abort_code;
+        namespace translate = jauscat::translate;
+        const auto size = delivery::message_of({self_.station, index, subindex, data}, self_, message_);
+        if (!size) {
+            arm_.say("refused an object: " + std::string{describe(size.error())});
+            switch (size.error()) {
+            case translate::errc::unknown_index: return abort_code::no_object;
+            case translate::errc::unknown_subindex: return abort_code::no_subindex;
+            case translate::errc::wrong_size: return abort_code::length_mismatch;
+            case translate::errc::truncated: return abort_code::length_too_low;
+            case translate::errc::too_large:
+            case translate::errc::no_space: return abort_code::length_too_high;
+            default: return abort_code::parameter_incompatible;
+            }
+        }
+        switch (arm_.receive(std::span{message_}.first(size.size()))) {
+        case jauscat::jaus::dispatched::handled:
+        case jauscat::jaus::dispatched::acknowledgement: return abort_code::none;
+        case jauscat::jaus::dispatched::unknown: return abort_code::no_subindex;
+        case jauscat::jaus::dispatched::malformed: return abort_code::value_range;
+        }
+        return abort_code::general;
+    }
+
+    /// An SDO upload: the report that the last query prepared.
+    jauscat::ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
+        using jauscat::ethercat::abort_code;
+        if (arm_.report().empty()) return {abort_code::no_data, 0};
+        std::array<std::byte, delivery::translator::max_packet_size> packet{};
+        const auto size = delivery::translator::forth(arm_.report(), packet);
+        if (!size) {
+            arm_.say("cannot report: " + std::string{describe(size.error())});
+            return {abort_code::cannot_store, 0};
+        }
+        const auto object = delivery::object_of(std::span{packet}.first(size.size()));
+        if (object.index != index || object.subindex != subindex) return {abort_code::no_data, 0};
+        if (object.data.size() > out.size()) return {abort_code::exceeds_mailbox, 0};
+        std::ranges::copy(object.data, out.begin());
+        return {abort_code::none, object.data.size()};
+    }
+
+  private:
+    using delivery = jauscat::ethercat::delivery<Table>;
+
+    jauscat::ethercat::slave_identity self_;
+    arm& arm_;
+    std::array<std::byte, delivery::translator::max_message_size> message_{};
 };
 
 } // namespace example

@@ -1,7 +1,10 @@
 // The robot arm: an EtherCAT slave whose objects are JAUS messages, with its efforts shown as bars.
 #include "arm_application.hpp"
+#include "support/arm_slave.hpp"
 #include "support/link_options.hpp"
+#include <jauscat/ethercat/listed_objects.hpp>
 #include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/standard_objects.hpp>
 
 #include <cmath>
 #include <iomanip>
@@ -46,17 +49,17 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
     const auto config = example::load_config(values);
     const auto subsystem = config.me().jausip.subsystem;
 
-    example::arm_application<Table>* arm_of_display = nullptr;
-    example::arm_application<Table> arm{subsystem,
-                                        [](const std::string& line) { std::cout << "arm: " << line << "\n"; },
-                                        [&] { show(arm_of_display->efforts()); }};
+    example::arm* arm_of_display = nullptr;
+    example::arm arm{[](const std::string& line) { std::cout << "arm: " << line << "\n"; },
+                     [&] { show(arm_of_display->efforts()); }};
     arm_of_display = &arm;
-    ethercat::slave slave{{.vendor = 0x4A430000,
-                           .product = 0x0021,
-                           .mailbox_out_size = 1486,
-                           .mailbox_in_size = 1486,
-                           .name = "JausCat robot arm"},
-                          arm};
+    example::arm_application<Table> application{subsystem, arm};
+    ethercat::listed_objects objects{application.objects, application,
+                                     values["strict"].template as<bool>() ? ethercat::size_rule::exact
+                                                                          : ethercat::size_rule::up_to_largest};
+    ethercat::standard_objects dictionary{example::arm_slave, objects};
+    std::array<std::byte, jauscat::translate::largest_subobject(application.objects)> memory{};
+    ethercat::slave slave{example::arm_slave, dictionary, {.transfer_memory = memory}};
 
     std::cout << "arm: slave of subsystem " << int{subsystem} << ", " << where
               << ", waiting for a master (Ctrl-C ends)\n";
@@ -73,7 +76,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
             continue;
         }
         const auto received = std::span{frame}.first(size);
-        arm.set_station(slave.station_address());
+        application.set_station(slave.station_address());
         slave.process(received);
         if (!link.send(received)) std::cout << "arm: a frame did not go back: " << link.problem() << "\n";
         if (slave.state() != state) {
@@ -96,7 +99,8 @@ int main(int argc, char** argv) {
         options.add_options()
             ("help", "show this text")
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
-            ("this", po::value<std::string>(), "the system this arm belongs to, instead of the file's <thissystem>");
+            ("this", po::value<std::string>(), "the system this arm belongs to, instead of the file's <thissystem>")
+            ("strict", po::bool_switch(), "take and give objects at their exact size only, as some slaves do: needs --fixed-length");
         // clang-format on
         example::add_link_options(options);
         const auto values = example::parse(argc, argv, options, help);

@@ -1,12 +1,14 @@
 // The robot controller: JAUS messages in over UDP, SDO downloads out over EtherCAT, and reports the way back.
+#include "support/any_exchange.hpp"
 #include "support/link_options.hpp"
 #include "support/robot_messages.hpp"
 #include "support/trace.hpp"
-#include <jauscat/ethercat/delivery.hpp>
-#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/packet_job.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/text/jaus.hpp>
+#include <jauscat/text/packet_status.hpp>
 
+#include <memory>
 #include <thread>
 
 namespace {
@@ -33,13 +35,14 @@ std::string explain(const ethercat::outcome& result) {
     return why;
 }
 
-/// Carries messages between a UDP socket and one slave. `Table` is the translation table, `Link` the EtherCAT medium.
-template <class Table, class Link> class robot_controller {
+/// Carries messages between a UDP socket and one slave.
+class robot_controller {
   public:
-    robot_controller(jauscat::net::jaus_config config, Link& link, std::uint16_t station,
-                     std::chrono::milliseconds frame_timeout)
+    robot_controller(jauscat::net::jaus_config config, example::any_link& link, example::any_exchange& exchange,
+                     std::uint16_t station, std::chrono::milliseconds frame_timeout)
         : config_{std::move(config)},
           link_{link},
+          exchange_{exchange},
           station_{station},
           udp_{context_, config_.me().endpoint()},
           master_{{.frame_timeout = frame_timeout}} {}
@@ -68,8 +71,6 @@ template <class Table, class Link> class robot_controller {
     }
 
   private:
-    using delivery = ethercat::delivery<Table>;
-    using translator = typename delivery::translator;
     static constexpr auto exchange_timeout = std::chrono::seconds{2};
 
     bool try_bring_up() {
@@ -94,112 +95,92 @@ template <class Table, class Link> class robot_controller {
         std::cout << "controller: received " << text::summary(message.header) << "\n"
                   << text::annotate_message(bytes, robot_messages{});
         if (jaus::is_acknowledgement(message.header)) return;
-        const std::string problem = deliver(message.header, bytes);
-        if (!problem.empty()) std::cout << "controller: not delivered: " << problem << "\n";
-        if (message.header.ack_nak == jaus::ack_nak::request)
-            acknowledge(message.header, problem.empty() ? jaus::ack_nak::ack : jaus::ack_nak::nak);
-        if (problem.empty() && is_query(message.header)) report(message.header);
+        if (const auto problem = not_here(message.header); !problem.empty())
+            refuse(message.header, problem);
+        else
+            deliver(bytes);
     }
 
-    /// To the slave; returns why not, or nothing.
-    std::string deliver(const jaus::header& head, std::span<const std::byte> message) {
+    /// Why a message is not for the slave of this controller, or nothing.
+    [[nodiscard]] std::string not_here(const jaus::header& head) const {
+        const auto to = head.destination;
         const auto mine = config_.me().jausip.subsystem;
-        if (head.destination.subsystem != mine && head.destination.subsystem != 255)
-            return "subsystem " + std::to_string(head.destination.subsystem) + " is not this one (" +
-                   std::to_string(mine) + ")";
-        if (const auto error = delivery::deliverable(head); error != jauscat::translate::errc::ok)
-            return std::string{describe(error)};
-        if (head.destination.node != station_)
-            return "no slave has node " + std::to_string(head.destination.node) + "; the one here is " +
-                   std::to_string(station_);
-
-        std::array<std::byte, translator::max_packet_size> packet{};
-        const auto size = translator::forth(message, packet);
-        if (!size) return std::string{describe(size.error())};
-        const auto bytes = std::span{packet}.first(size.size());
-        std::cout << "controller: translated to an SDO download packet\n" << example::packet_text(bytes);
-
-        const auto object = delivery::object_of(bytes);
-        return exchange([&] { return master_.download(object.station, object.index, object.subindex, object.data); });
+        if (to.subsystem != mine && to.subsystem != 255)
+            return "subsystem " + std::to_string(to.subsystem) + " is not this one (" + std::to_string(mine) + ")";
+        if (to.node != station_ && to.node != 0 && to.node != 255) // those are refused by the exchange
+            return "no slave has node " + std::to_string(to.node) + "; the one here is " + std::to_string(station_);
+        return {};
     }
 
-    /// Fetches the report that a query has prepared in the slave, and sends it to the asker.
-    void report(const jaus::header& query) {
-        auto head = query;
-        head.command_code = static_cast<std::uint16_t>(query.command_code + report_code_offset);
-        std::array<std::byte, jaus::header_size> message{};
-        head.data_size = 0;
-        std::array<std::byte, translator::max_packet_size> packet{};
-        static_cast<void>(jauscat::wire::encode(head, message));
-        const auto size = translator::forth(message, packet);
-        if (!size) {
-            std::cout << "controller: no report: " << describe(size.error()) << "\n";
-            return;
-        }
-        auto object = delivery::object_of(std::span{packet}.first(size.size()));
-        std::array<std::byte, Table::max_data> data{};
-        const auto problem =
-            exchange([&] { return master_.upload(object.station, object.index, object.subindex, data); });
-        if (!problem.empty()) {
-            std::cout << "controller: no report: " << problem << "\n";
-            return;
-        }
-        object.data = std::span{data}.first(master_.result().size);
-
-        std::array<std::byte, translator::max_message_size> answer{};
-        const auto answered =
-            delivery::message_of(object, {.subsystem = query.destination.subsystem, .station = station_}, answer);
-        if (!answered) {
-            std::cout << "controller: the slave's report is no message: " << describe(answered.error()) << "\n";
-            return;
-        }
-        // The slave's object has the slave's address; the answer goes from the one asked to the asker.
-        auto report_head = jaus::answer_to(query);
-        report_head.command_code = head.command_code;
-        report_head.data_size = static_cast<std::uint16_t>(answered.size() - jaus::header_size);
-        static_cast<void>(jauscat::wire::encode(report_head, answer));
-        send(report_head, std::span{answer}.first(answered.size()));
+    void refuse(const jaus::header& head, const std::string& problem) {
+        std::cout << "controller: not delivered: " << problem << "\n";
+        if (head.ack_nak != jaus::ack_nak::request) return;
+        std::array<std::byte, jaus::header_size> nak{};
+        send(nak, jaus::make_acknowledgement(head, jaus::ack_nak::nak, nak).size());
     }
 
-    void acknowledge(const jaus::header& request, jaus::ack_nak how) {
-        auto head = jaus::answer_to(request);
-        head.command_code = request.command_code;
-        head.ack_nak = how;
-        std::array<std::byte, jaus::header_size> message{};
-        static_cast<void>(jauscat::wire::encode(head, message));
-        send(head, message);
+    /// To the slave, and back with the report if the message is a query; then whatever acknowledgement was asked for.
+    void deliver(std::span<const std::byte> message) {
+        using enum ethercat::exchange_progress;
+        std::array<std::byte, example::any_exchange::buffer_size> buffer{};
+        auto step = exchange_.begin(message, buffer);
+        if (step.what == request)
+            std::cout << "controller: translated to an SDO download packet\n"
+                      << example::packet_text(std::span{buffer}.first(step.size));
+        while (step.what == request) {
+            const auto confirmation = execute(std::span{buffer}.first(step.size));
+            step = exchange_.on_confirmation(confirmation, buffer);
+            if (step.what == request)
+                std::cout << "controller: asks for the report by an SDO upload packet, "
+                          << example::upload_text(std::span{buffer}.first(step.size)) << "\n";
+        }
+        if (step.what != done)
+            std::cout << "controller: not delivered: "
+                      << (exchange_.error() != jauscat::translate::errc::ok ? std::string{describe(exchange_.error())}
+                                                                            : text::explain(exchange_.status()))
+                      << "\n";
+        std::array<std::byte, jaus::header_size> acknowledgement{};
+        send(acknowledgement, exchange_.acknowledgement(acknowledgement));
+        send(buffer, step.size);
     }
 
-    void send(const jaus::header& head, std::span<const std::byte> message) {
+    /// Executes a request packet and returns its confirmation; brings the slave up again first if it was lost.
+    std::span<const std::byte> execute(std::span<const std::byte> request) {
+        ethercat::packet_job job{request, confirmation_};
+        ethercat::outcome result{};
+        if (!up_ && !try_bring_up()) {
+            result = master_.result();
+        } else if (example::traced_link traced{link_}; job.start(master_)) {
+            result = jauscat::net::run(traced, master_, exchange_timeout);
+        }
+        if (!result) {
+            using enum ethercat::master_errc;
+            if (result.error != sdo_abort && result.error != mailbox_error && result.error != data_too_long)
+                up_ = false;
+            std::cout << "controller: EtherCAT: " << explain(result) << "\n";
+        }
+        return std::span{confirmation_}.first(job.finish(result));
+    }
+
+    /// Sends the message in the first `size` bytes of `buffer`, if any.
+    void send(std::span<const std::byte> buffer, std::size_t size) {
+        if (size == 0) return;
+        const auto message = buffer.first(size);
         const auto sent = send_to_next_hop(udp_, config_, message);
-        std::cout << "controller: " << (sent ? "sent " + text::summary(head) : "cannot answer: " + sent.problem())
+        std::cout << "controller: "
+                  << (sent ? "sent " + text::summary(jaus::split(message).header) : "cannot answer: " + sent.problem())
                   << "\n";
     }
 
-    /// Runs one job of the master, brought up again first if the slave was lost; returns what went wrong, or nothing.
-    std::string exchange(auto&& start) {
-        if (!up_ && !try_bring_up()) return explain(master_.result());
-        start();
-        example::traced_link traced{link_};
-        const auto result = jauscat::net::run(traced, master_, exchange_timeout);
-        if (result) return {};
-        using enum ethercat::master_errc;
-        if (result.error != sdo_abort && result.error != mailbox_error && result.error != data_too_long) up_ = false;
-        return explain(result);
-    }
-
-    static bool is_query(const jaus::header& head) noexcept {
-        return head.command_code >= 0x2000 && head.command_code < 0x4000;
-    }
-    static constexpr std::uint16_t report_code_offset = 0x2000; // from a query's command code to its report's
-
     jauscat::net::jaus_config config_;
-    Link& link_;
+    example::any_link& link_;
+    example::any_exchange& exchange_;
     std::uint16_t station_;
     boost::asio::io_context context_{};
     jauscat::net::udp_transport udp_;
     ethercat::master master_;
     bool up_{};
+    std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation_{};
 };
 
 } // namespace
@@ -221,15 +202,19 @@ int main(int argc, char** argv) {
         const auto values = example::parse(argc, argv, options, help);
         const auto station = values["station"].as<std::uint16_t>();
         if (station < 1 || station > 254) throw example::usage_error{"--station must be 1 to 254"};
+        const auto config = example::load_config(values);
         return example::with_link(values, example::link_end::master, [&](auto& link, const std::string& where) {
-            return example::with_table(values, [&]<class Table>() {
-                std::cout << "controller: " << where << "\n";
-                const std::chrono::milliseconds frame_timeout{values["frame-timeout"].as<unsigned>()};
-                robot_controller<Table, std::remove_cvref_t<decltype(link)>> controller{example::load_config(values),
-                                                                                        link, station, frame_timeout};
-                controller.bring_up(std::chrono::milliseconds{values["wait"].as<unsigned>()});
-                return controller.serve();
+            std::cout << "controller: " << where << "\n";
+            const ethercat::slave_identity slave{.subsystem = config.me().jausip.subsystem, .station = station};
+            std::unique_ptr<example::any_exchange> exchange;
+            example::with_table(values, [&]<class Table>() {
+                exchange = std::make_unique<example::exchange_under<Table>>(slave);
+                return example::success;
             });
+            const std::chrono::milliseconds frame_timeout{values["frame-timeout"].as<unsigned>()};
+            robot_controller controller{config, link, *exchange, station, frame_timeout};
+            controller.bring_up(std::chrono::milliseconds{values["wait"].as<unsigned>()});
+            return controller.serve();
         });
     });
 }

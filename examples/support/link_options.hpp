@@ -1,9 +1,26 @@
 // Which EtherCAT medium a node uses, and which translation table.
 #pragma once
+#include "support/any_link.hpp"
 #include "support/program.hpp"
+#include "support/robot_messages.hpp"
 #include <jauscat/schema/translation/self_contained_table.hpp>
+#include <jauscat/translate/fixed_length.hpp>
 
 namespace example {
+
+/// The options that `with_table` looks at.
+inline void add_table_options(boost::program_options::options_description& options) {
+    namespace po = boost::program_options;
+    // clang-format off
+    options.add_options()
+        ("table", po::value<std::string>()->default_value("seed"), "translation table: seed or self-contained")
+        ("index-base", po::value<std::string>()->default_value("6900"),
+         "object index of component 0: 6900, 0x2000 (manufacturer specific; for slaves that refuse writes to PDO "
+         "mapping objects) or 0x6900; controller and arm must agree")
+        ("fixed-length", po::bool_switch(),
+         "pad every object to one size, for slaves that take exact sizes only; controller and arm must agree");
+    // clang-format on
+}
 
 inline void add_link_options(boost::program_options::options_description& options) {
     namespace po = boost::program_options;
@@ -13,34 +30,51 @@ inline void add_link_options(boost::program_options::options_description& option
         ("interface", po::value<std::string>(), "network interface of --link raw, for example eth0")
         ("ethercat-host", po::value<std::string>()->default_value("127.0.0.1"), "where the slave is, for --link udp")
         ("ethercat-port", po::value<std::uint16_t>()->default_value(jauscat::net::udp_link::ethercat_port),
-         "UDP port of the slave, for --link udp")
-        ("table", po::value<std::string>()->default_value("seed"), "translation table: seed or self-contained");
+         "UDP port of the slave, for --link udp");
     // clang-format on
+    add_table_options(options);
 }
 
 enum class link_end { master, slave };
 
-/// Opens the link that the options choose and hands it to `use`.
+/// Opens the link that the options choose and hands it to `use(any_link&, const std::string& where)`.
 int with_link(const boost::program_options::variables_map& values, link_end end, auto&& use) {
     const auto& kind = values["link"].as<std::string>();
     if (kind == "raw") {
         if (values.count("interface") == 0) throw usage_error{"--link raw needs --interface NAME"};
         jauscat::net::raw_link link{values["interface"].as<std::string>()};
-        return use(link, "raw Ethernet on " + values["interface"].as<std::string>());
+        link_reference chosen{link};
+        return use(static_cast<any_link&>(chosen), "raw Ethernet on " + values["interface"].as<std::string>());
     }
     if (kind != "udp") throw usage_error{"--link must be udp or raw, not '" + kind + "'"};
     const auto port = values["ethercat-port"].as<std::uint16_t>();
     const auto& host = values["ethercat-host"].as<std::string>();
     auto link = end == link_end::slave ? jauscat::net::udp_link::serve(port, host)
                                        : jauscat::net::udp_link::connect(host, port);
-    return use(link, "EtherCAT in UDP, " + host + ":" + std::to_string(port));
+    link_reference chosen{link};
+    return use(static_cast<any_link&>(chosen), "EtherCAT in UDP, " + host + ":" + std::to_string(port));
 }
 
 /// Calls `use` with the translation table that the options choose.
 int with_table(const boost::program_options::variables_map& values, auto&& use) {
+    namespace t = jauscat::translation;
+    const auto& base = values["index-base"].as<std::string>();
+    const auto with_lengths = [&]<class Table>() -> int {
+        if (!values["fixed-length"].as<bool>()) return use.template operator()<Table>();
+        return use.template operator()<jauscat::translate::fixed_length<Table, robot_messages>>();
+    };
+    const auto with_base = [&]<class Seeds, class Manufacturers, class Profiles>() -> int {
+        if (base == "6900") return with_lengths.template operator()<Seeds>();
+        if (base == "0x2000") return with_lengths.template operator()<Manufacturers>();
+        if (base == "0x6900") return with_lengths.template operator()<Profiles>();
+        throw usage_error{"--index-base must be 6900, 0x2000 or 0x6900, not '" + base + "'"};
+    };
     const auto& name = values["table"].as<std::string>();
-    if (name == "seed") return use.template operator()<jauscat::translation::seed_table>();
-    if (name == "self-contained") return use.template operator()<jauscat::translation::self_contained_table>();
+    if (name == "seed")
+        return with_base.template operator()<t::seed_table, t::seed_table_at_2000h, t::seed_table_at_6900h>();
+    if (name == "self-contained")
+        return with_base.template
+        operator()<t::self_contained_table, t::self_contained_table_at_2000h, t::self_contained_table_at_6900h>();
     throw usage_error{"--table must be seed or self-contained, not '" + name + "'"};
 }
 

@@ -32,6 +32,14 @@ inline std::string packet_text(std::span<const std::byte> bytes) {
            jauscat::text::hex(data) + "\n";
 }
 
+/// The fields of an SDO upload packet that say what is read, in decimal.
+inline std::string upload_text(std::span<const std::byte> bytes) {
+    jauscat::hilscher::sdo_upload_request fields{};
+    if (!jauscat::wire::decode_prefix(fields, bytes)) return "not a packet";
+    return "ulNodeId = " + std::to_string(fields.ul_node_id) + ", ulIndex = " + std::to_string(fields.ul_index) +
+           ", ulSubIndex = " + std::to_string(fields.ul_sub_index);
+}
+
 /// One line for the SDO that a mailbox holds, or empty if there is none.
 inline std::string sdo_text(std::span<const std::byte> mailbox) {
     namespace ethercat = jauscat::ethercat;

@@ -74,7 +74,8 @@ node() { # NAME LOG ARGUMENTS...
     pids+=($!)
     last_pid=$!
 }
-start_arm() { node robot_arm arm "${link[@]}" && wait_for arm "waiting for a master" && arm_pid=$last_pid; }
+arm_options=()
+start_arm() { node robot_arm arm "${link[@]}" "${arm_options[@]}" && wait_for arm "waiting for a master" && arm_pid=$last_pid; }
 start_controller() {
     [ ${#master_link[@]} -gt 0 ] || master_link=("${link[@]}")
     node robot_controller controller "${master_link[@]}" "${master_options[@]}" && wait_for controller "controller: ready" &&
@@ -116,6 +117,47 @@ command_and_report_self_contained() {
     the_command_arrives
     for line in "ulDest = 32" "ulIndex = 6933" "ulSubIndex = 26" "ulDataCnt = 32" "ulLen = 48" "n = 32:"; do
         says controller "$line"
+    done
+}
+other_index_bases() {
+    link+=(--index-base 0x2000)
+    start_robot
+    the_command_arrives
+    says controller "ulIndex = 8225"
+    kill "$controller_pid" "$arm_pid" && wait "$controller_pid" "$arm_pid"
+    table=self-contained
+    link=(--ethercat-port "$slave_port" --index-base 0x6900) master_link=()
+    start_robot
+    the_command_arrives
+    says controller "ulIndex = 26913"
+    expect 2 "$bin/robot_arm" --config "$config" --index-base 0x3000
+    says out "--index-base must be 6900, 0x2000 or 0x6900"
+}
+private_message() {
+    expect 0 "${wrapper[@]}" "$bin/private_message"
+    for line in "opening = 80" "ul_index = 8225" "ul_sub_index = 159" "translated back: the same 21 bytes" \
+        "slave: object 0x2021:159, 17 bytes" "confirmation: ok (ulSta 0x00000000)" "slave: finger 0, opening 80" \
+        "force 20 %" "answer: command code 0xD101 (ACK), 16 bytes, 1.2.33.1 -> 1.1.32.1, sequence 7"; do
+        says out "$line"
+    done
+}
+strict_arm() {
+    arm_options=(--strict)
+    start_robot
+    the_command_arrives # with all its fields it has the object's size
+    expect_ocu 1 propulsive_linear_effort_x=1
+    says out "was refused (NAK)"
+    wait_for controller "abort code 0x06070010"
+    says controller "needs the translation table's option fixed_length"
+    kill "$controller_pid" "$arm_pid" && wait "$controller_pid" "$arm_pid"
+    for table in seed self-contained; do
+        link=(--ethercat-port "$slave_port" --fixed-length) master_link=()
+        start_robot
+        the_command_arrives
+        expect_ocu 0 propulsive_linear_effort_y=-100
+        expect_ocu 0 --query
+        says out "propulsive_linear_effort_y = -100 % (raw -32767)"
+        kill "$controller_pid" "$arm_pid" && wait "$controller_pid" "$arm_pid"
     done
 }
 jaus01_prefix_in_front() {
@@ -218,6 +260,7 @@ garbage_on_the_sockets() {
     wait_for controller "dropped 24 bytes"
     wait_for controller "wrong size"
     wait_for arm "refused the body of Set Wrench Effort"
+    wait_for controller "not delivered: value out of range (ulSta 0xC065003B, abort code 0x06090030)"
     wait_for controller "sent Set Wrench Effort (NAK)"
     # A command code nobody knows.
     send_bytes "$controller_port" 16029999012102020120010100006300

@@ -1,0 +1,34 @@
+// An EtherCAT medium that is chosen when a program starts, so that the program is compiled once for all of them.
+#pragma once
+#include <chrono>
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace example {
+
+/// Models ethercat::link.
+class any_link {
+  public:
+    virtual ~any_link() = default;
+    virtual bool send(std::span<const std::byte> frame) = 0;
+    virtual std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) = 0;
+    /// Why frames do not pass; empty while they do.
+    [[nodiscard]] virtual const std::string& problem() const = 0;
+};
+
+/// Refers to a link, which must outlive it.
+template <class Link> class link_reference final : public any_link {
+  public:
+    explicit link_reference(Link& link) : link_{link} {}
+    bool send(std::span<const std::byte> frame) override { return link_.send(frame); }
+    std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) override {
+        return link_.receive(buffer, timeout);
+    }
+    [[nodiscard]] const std::string& problem() const override { return link_.problem(); }
+
+  private:
+    Link& link_;
+};
+
+} // namespace example
