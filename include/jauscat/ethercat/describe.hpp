@@ -40,7 +40,8 @@ inline constexpr code_text<abort_code> abort_texts[]{
     {abort_code::parameter_incompatible, "parameters are incompatible"},
     {abort_code::device_incompatible, "internal incompatibility of the device"},
     {abort_code::hardware, "access failed because of a hardware error"},
-    {abort_code::length_mismatch, "data type or length does not match the object"},
+    {abort_code::length_mismatch, "data type or length does not match the object: a slave that takes exact sizes only "
+                                  "needs the translation table's option fixed_length"},
     {abort_code::length_too_high, "data are longer than the object"},
     {abort_code::length_too_low, "data are shorter than the object"},
     {abort_code::no_subindex, "no such subindex in the object"},
