@@ -1,0 +1,23 @@
+// Encodes and decodes one message of each type: what the compiler is timed with.
+#pragma once
+#include <jauscat/wire/decode.hpp>
+#include <jauscat/wire/encode.hpp>
+
+namespace bench {
+
+namespace wire = jauscat::wire;
+
+template <class Message> bool one(std::span<std::byte> bytes, wire::arena& memory) {
+    Message message{};
+    const wire::result size = wire::encode(message, bytes);
+    if constexpr (wire::needs_memory<Message>)
+        return size && wire::decode(message, bytes.first(size.size()), memory);
+    else
+        return size && wire::decode(message, bytes.first(size.size()));
+}
+
+template <class... Messages> bool all(std::span<std::byte> bytes, wire::arena& memory) {
+    return (one<Messages>(bytes, memory) && ...);
+}
+
+} // namespace bench
