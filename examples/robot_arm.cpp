@@ -58,7 +58,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
                                      values["strict"].template as<bool>() ? ethercat::size_rule::exact
                                                                           : ethercat::size_rule::up_to_largest};
     ethercat::standard_objects dictionary{example::arm_slave, objects};
-    std::array<std::byte, jauscat::translate::largest_subobject(application.objects)> memory{};
+    std::array<std::byte, jauscat::translate::largest_subobject(example::arm_application<Table>::objects)> memory{};
     ethercat::slave slave{example::arm_slave, dictionary, {.transfer_memory = memory}};
 
     std::cout << "arm: slave of subsystem " << int{subsystem} << ", " << where

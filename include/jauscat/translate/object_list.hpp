@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -45,6 +46,14 @@ struct object_description {
         return found != entries.end() && found->subindex == subindex ? &*found : nullptr;
     }
 };
+
+/// Bytes of the largest of all subobjects: what a slave needs as memory for transfers in segments.
+[[nodiscard]] constexpr std::size_t largest_subobject(std::span<const object_description> objects) noexcept {
+    std::size_t largest = 0;
+    for (const auto& object : objects)
+        for (const auto& entry : object.entries) largest = std::max<std::size_t>(largest, entry.max_size);
+    return largest;
+}
 
 namespace detail {
 

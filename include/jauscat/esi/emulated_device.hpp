@@ -1,0 +1,134 @@
+// An emulated slave from an ESI description alone: its identity and SII, and the objects that it has.
+#pragma once
+
+#include <jauscat/esi/device.hpp>
+#include <jauscat/esi/make_device.hpp>
+#include <jauscat/esi/text_values.hpp>
+#include <jauscat/ethercat/sii_image.hpp>
+#include <jauscat/schema/ethercat/sii.hpp>
+#include <jauscat/translate/object_list.hpp>
+#include <jauscat/wire/decode.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace jauscat::esi {
+
+/// What a description says, in the form that `ethercat::slave`, `ethercat::standard_objects` and
+/// `ethercat::listed_objects` take. Must outlive them.
+///
+///     esi::emulated_device device{esi::read_esi("arm.xml")};
+///     ethercat::listed_objects listed{device.components(), application};
+///     ethercat::standard_objects objects{device.description(), listed};
+///     std::vector<std::byte> memory(device.transfer_size());
+///     ethercat::slave slave{device.description(), objects, {.transfer_memory = memory}};
+///
+/// An ESI does not say whether the slave controller gives 4 or 8 bytes in a read of the SII: the emulated one gives 4.
+class emulated_device {
+  public:
+    /// Throws `esi_error` for a device that the emulated slave cannot be: one with process data, other objects, other
+    /// features of CoE.
+    explicit emulated_device(device what) : device_{std::move(what)} {
+        read_description();
+        for (const auto& each : device_.objects)
+            if (const auto* id = find(each.properties, property_names::component)) add_component(each, id->value);
+        // The way back gives the same description, or there is something in it that an emulated slave does not have.
+        const auto emulated =
+            make_device(description_, {device_.vendor_name, device_.group_type, device_.group_name, device_.type},
+                        components_, device_.coe.segmented_sdo);
+        const auto compare = [this](bool same, const char* what_differs) {
+            if (!same) fail(std::string{what_differs} + " cannot be emulated");
+        };
+        compare(emulated.physics == device_.physics, "<Device>: its ports (Physics)");
+        compare(emulated.profile == device_.profile, "<ProfileNo>: a device profile");
+        compare(emulated.fmmus == device_.fmmus, "<Fmmu>: process data");
+        compare(emulated.sync_managers == device_.sync_managers, "<Sm>: SyncManagers that are not the mailbox alone");
+        compare(emulated.coe == device_.coe, "<CoE>: these features");
+        compare(emulated.eeprom == device_.eeprom, "<Eeprom>: this memory");
+        for (const auto& each : device_.objects)
+            compare(std::ranges::find(emulated.objects, each) != emulated.objects.end(),
+                    ("<Object>: " + hex_number(each.index, 4) + " is of a kind that").c_str());
+        for (const auto& each : emulated.objects)
+            compare(std::ranges::find(device_.objects, each) != device_.objects.end(),
+                    ("<Objects>: a device without " + hex_number(each.index, 4)).c_str());
+    }
+    emulated_device(const emulated_device&) = delete;
+    emulated_device& operator=(const emulated_device&) = delete;
+
+    [[nodiscard]] const ethercat::slave_description& description() const noexcept { return description_; }
+    /// The objects of JAUS components.
+    [[nodiscard]] std::span<const translate::object_description> components() const noexcept { return components_; }
+    /// Bytes of the largest object, for transfers in segments; 0 for a device without them.
+    [[nodiscard]] std::size_t transfer_size() const noexcept {
+        return device_.coe.segmented_sdo ? translate::largest_subobject(components_) : 0;
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& what) const { throw esi_error{'"' + device_.name + "\": " + what, 0}; }
+
+    void read_description() {
+        if (device_.sync_managers.size() != 2) fail("<Sm>: expected two, the mailbox; process data cannot be emulated");
+        if (device_.eeprom.config_data.size() != 14) fail("<ConfigData>: expected 14 bytes, words 0 to 6 of the SII");
+        std::array<std::byte, wire::max_size<ethercat::sii_configuration>> words{};
+        std::ranges::copy(device_.eeprom.config_data, words.begin());
+        ethercat::sii_configuration configuration{};
+        static_cast<void>(wire::decode(configuration, words));
+        const auto &out = device_.sync_managers[0], &in = device_.sync_managers[1];
+        description_ = {.vendor = device_.vendor_id,
+                        .product = device_.product_code,
+                        .revision = device_.revision,
+                        .serial = device_.serial,
+                        .station_alias = configuration.station_alias,
+                        .mailbox_out_offset = out.start,
+                        .mailbox_out_size = out.default_size,
+                        .mailbox_in_offset = in.start,
+                        .mailbox_in_size = in.default_size,
+                        .name = device_.name};
+    }
+
+    void add_component(const object& what, const std::string& id) {
+        const auto where = "<Object>: " + hex_number(what.index, 4) + ": ";
+        const auto component = parse_number(id, 0xFF);
+        if (!component) fail(where + "its property " + std::string{property_names::component} + " is no component ID");
+        auto& entries = entries_.emplace_back();
+        for (const auto& each : what.entries) {
+            if (each.subindex == 0) continue;
+            const auto* code = find(each.properties, property_names::command_code);
+            const auto number = code == nullptr ? std::nullopt : parse_number(code->value, 0xFFFF);
+            if (!number)
+                fail(where + "subindex " + std::to_string(each.subindex) + " has no property " +
+                     std::string{property_names::command_code} + " with a command code");
+            entries.push_back({.subindex = each.subindex,
+                               .command_code = static_cast<std::uint16_t>(*number),
+                               .name = each.name,
+                               .max_size = static_cast<std::uint16_t>(each.bit_size / 8),
+                               .readable = each.readable,
+                               .writable = each.writable});
+        }
+        const auto* exact = find(what.properties, property_names::exact_size);
+        components_.push_back({.index = what.index,
+                               .component = static_cast<std::uint8_t>(*component),
+                               .name = what.name,
+                               .exact_size = exact != nullptr && exact->value == "true",
+                               .entries = entries});
+    }
+
+    static const property* find(const std::vector<property>& properties, std::string_view name) noexcept {
+        const auto found = std::ranges::find(properties, name, &property::name);
+        return found == properties.end() ? nullptr : &*found;
+    }
+
+    device device_;
+    ethercat::slave_description description_{};
+    std::deque<std::vector<translate::sub_object>> entries_{}; // components_ refers to them
+    std::vector<translate::object_description> components_{};
+};
+
+} // namespace jauscat::esi

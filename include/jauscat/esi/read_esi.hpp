@@ -1,0 +1,225 @@
+// Reads an ESI file back: one device, its objects resolved through the file's data types.
+#pragma once
+
+#include <jauscat/esi/device.hpp>
+#include <jauscat/esi/text_values.hpp>
+#include <jauscat/esi/xml_source.hpp>
+
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace jauscat::esi {
+
+namespace detail {
+
+class esi_reader : xml_source {
+  public:
+    using xml_source::xml_source;
+
+    device read() {
+        const auto root = load();
+        const auto vendor = child(root, "Vendor");
+        const auto descriptions = child(root, "Descriptions");
+        const auto devices = child(descriptions, "Devices");
+        const auto node = child(devices, "Device");
+        if (const auto second = node.next_sibling("Device")) fail(second, "a second device, expected one in a file");
+
+        device made{};
+        made.vendor_id = number(child(vendor, "Id"));
+        made.vendor_name = text(child(vendor, "Name"));
+        made.group_type = text(child(node, "GroupType"));
+        for (const auto group : child(descriptions, "Groups").children("Group"))
+            if (text(child(group, "Type")) == made.group_type) made.group_name = text(child(group, "Name"));
+        if (made.group_name.empty())
+            fail(child(node, "GroupType"), "no <Group> has the type \"" + made.group_type + '"');
+        made.physics = attribute(node, "Physics").value();
+        const auto type = child(node, "Type");
+        made.type = text(type);
+        made.product_code = number(type, "ProductCode");
+        made.revision = number(type, "RevisionNo");
+        if (type.attribute("SerialNo")) made.serial = number(type, "SerialNo");
+        made.name = text(child(node, "Name"));
+        const auto profile = child(node, "Profile");
+        if (const auto no = profile.child("ProfileNo")) made.profile = static_cast<std::uint16_t>(number(no, 0xFFFF));
+        const auto dictionary = child(profile, "Dictionary");
+        types_ = child(dictionary, "DataTypes");
+        for (const auto each : child(dictionary, "Objects").children("Object"))
+            made.objects.push_back(read_object(each));
+        check_indices(dictionary, made.objects);
+        for (const auto each : node.children("Fmmu")) made.fmmus.emplace_back(each.text().get());
+        for (const auto each : node.children("Sm")) made.sync_managers.push_back(read_sync_manager(each));
+        made.coe = read_coe(child(child(node, "Mailbox"), "CoE"));
+        made.eeprom = read_eeprom(child(node, "Eeprom"));
+        return made;
+    }
+
+  private:
+    sync_manager read_sync_manager(pugi::xml_node node) const {
+        const std::string_view use = node.text().get();
+        const auto* const known = std::ranges::find(sync_manager_uses, use, [](const auto& u) { return u.second; });
+        if (known == sync_manager_uses.end())
+            fail(node, '"' + std::string{use} + "\", expected MBoxOut, MBoxIn, Outputs or Inputs");
+        const auto size = [&](const char* name) {
+            return static_cast<std::uint16_t>(node.attribute(name) ? number(node, name, 0xFFFF) : 0);
+        };
+        return {.use = known->first,
+                .start = static_cast<std::uint16_t>(number(node, "StartAddress", 0xFFFF)),
+                .default_size = size("DefaultSize"),
+                .min_size = size("MinSize"),
+                .max_size = size("MaxSize"),
+                .control = static_cast<std::uint8_t>(number(node, "ControlByte", 0xFF)),
+                .enabled = (number(node, "Enable", 0xFF) & 1) != 0};
+    }
+
+    coe_features read_coe(pugi::xml_node node) const {
+        return {.sdo_information = boolean(node, "SdoInfo"),
+                .pdo_assign = boolean(node, "PdoAssign"),
+                .pdo_configuration = boolean(node, "PdoConfig"),
+                .complete_access = boolean(node, "CompleteAccess"),
+                .segmented_sdo = boolean(node, "SegmentedSdo")};
+    }
+
+    esi::eeprom read_eeprom(pugi::xml_node node) const {
+        esi::eeprom made{.byte_size = number(child(node, "ByteSize")), .config_data = bytes(child(node, "ConfigData"))};
+        if (const auto bootstrap = node.child("BootStrap")) made.bootstrap = bytes(bootstrap);
+        return made;
+    }
+
+    object read_object(pugi::xml_node node) const {
+        object made{.index = static_cast<std::uint16_t>(number(child(node, "Index"), 0xFFFF)),
+                    .name = text(child(node, "Name")),
+                    .mandatory = node.child("Flags").child("Category").text().get() == std::string_view{"m"}};
+        made.properties = read_properties(node.child("Properties"));
+        const auto type = text(child(node, "Type"));
+        const auto info = node.child("Info");
+        if (const auto bits = bits_of(type)) {
+            made.code = object_code::variable;
+            made.entries.push_back({.name = made.name, .type = type, .bit_size = *bits});
+            set_access(made.entries.front(), node);
+            set_default(made.entries.front(), info);
+        } else {
+            read_items(made, named_type(node, type));
+            name_items(made, info);
+        }
+        std::uint32_t bits = made.code == object_code::variable ? 0 : 16;
+        for (const auto& each : made.entries)
+            if (made.code == object_code::variable || each.subindex != 0) bits += each.bit_size;
+        if (const auto said = child(node, "BitSize"); number(said) != bits)
+            fail(said, "expected " + std::to_string(bits) + ", the size of " + type);
+        return made;
+    }
+
+    std::vector<property> read_properties(pugi::xml_node parent) const {
+        std::vector<property> made;
+        for (const auto each : parent.children("Property"))
+            made.push_back({text(child(each, "Name")), each.child("Value").text().get()});
+        return made;
+    }
+
+    pugi::xml_node named_type(pugi::xml_node user, const std::string& name) const {
+        for (const auto each : types_.children("DataType"))
+            if (each.child("Name").text().get() == name) return each;
+        fail(user, "its type \"" + name + "\" is no base type; expected a <DataType> of that name in <DataTypes>");
+    }
+
+    void read_items(object& made, pugi::xml_node type) const {
+        made.code = object_code::record;
+        for (const auto item : type.children("SubItem")) {
+            entry each{.name = text(child(item, "Name")), .type = text(child(item, "Type"))};
+            each.properties = read_properties(item);
+            set_access(each, item);
+            if (item.child("SubIdx")) {
+                each.subindex = static_cast<std::uint8_t>(number(item.child("SubIdx"), 0xFF));
+                if (!made.entries.empty() && each.subindex <= made.entries.back().subindex)
+                    fail(item.child("SubIdx"), "expected ascending subindices");
+                append(made, each, item);
+                continue;
+            }
+            made.code = object_code::array;
+            const auto array = named_type(item, each.type);
+            const auto bounds = child(array, "ArrayInfo");
+            each.type = text(child(array, "BaseType"));
+            const auto first = number(child(bounds, "LBound"), 1), count = number(child(bounds, "Elements"), 254);
+            if (first != 1) fail(child(bounds, "LBound"), "expected 1, the first subindex");
+            for (std::uint32_t i = 0; i != count; ++i) {
+                each.subindex = static_cast<std::uint8_t>(i + 1);
+                append(made, each, item);
+            }
+        }
+        if (made.entries.empty() || made.entries.front().subindex != 0 || made.entries.front().type != "USINT")
+            fail(type, "expected a <SubItem> with <SubIdx> 0 of type USINT first");
+    }
+
+    void append(object& made, entry each, pugi::xml_node item) const {
+        const auto bits = bits_of(each.type);
+        if (!bits)
+            fail(item, "its type \"" + each.type + "\" is unknown; expected a base type such as OCTET_STRING(28)");
+        each.bit_size = *bits;
+        made.entries.push_back(std::move(each));
+    }
+
+    // The object says the names and the default values of its entries, in the order of its type.
+    void name_items(object& made, pugi::xml_node info) const {
+        auto each = made.entries.begin();
+        for (const auto item : info.children("SubItem")) {
+            if (each == made.entries.end()) fail(item, "more items than the object's type has");
+            each->name = text(child(item, "Name"));
+            set_default(*each++, item.child("Info"));
+        }
+        if (each != made.entries.begin() && each != made.entries.end())
+            fail(info,
+                 "expected " + std::to_string(made.entries.size()) + " <SubItem>, one for each of the object's type");
+    }
+
+    void set_access(entry& made, pugi::xml_node node) const {
+        const std::string_view access = node.child("Flags").child("Access").text().get();
+        if (access != "ro" && access != "wo" && access != "rw" && !access.empty())
+            fail(node, "access \"" + std::string{access} + "\", expected ro, wo or rw");
+        made.readable = access != "wo"; // ro unless said
+        made.writable = access == "wo" || access == "rw";
+    }
+
+    void set_default(entry& made, pugi::xml_node info) const {
+        if (const auto value = info.child("DefaultValue")) fail(value, "expected <DefaultData> in its place");
+        auto data = info.child("DefaultData");
+        if (data) {
+            made.default_data = bytes(data);
+        } else if ((data = info.child("DefaultString"))) {
+            for (const char c : std::string_view{data.text().get()})
+                made.default_data.push_back(static_cast<std::byte>(c));
+        }
+        if (made.default_data.size() > (made.bit_size + 7) / 8)
+            fail(data, std::to_string(made.default_data.size()) + " bytes, expected at most " +
+                           std::to_string((made.bit_size + 7) / 8));
+    }
+
+    void check_indices(pugi::xml_node dictionary, const std::vector<object>& objects) const {
+        std::set<std::uint16_t> seen;
+        for (const auto& each : objects)
+            if (!seen.insert(each.index).second)
+                fail(dictionary, "object " + hex_number(each.index, 4) + " is there twice, expected each once");
+    }
+
+    pugi::xml_node types_{};
+};
+
+} // namespace detail
+
+/// Reads an ESI document from text; `source` is the file's name in messages. Throws `esi_error`.
+inline device parse_esi(std::string_view text, std::string source) {
+    return detail::esi_reader{text, std::move(source)}.read();
+}
+
+/// Reads an ESI file. Throws `esi_error`.
+inline device read_esi(const std::filesystem::path& path) { return parse_esi(detail::text_of(path), path.string()); }
+
+} // namespace jauscat::esi

@@ -1,0 +1,124 @@
+// What configuration tools require of an ESI file, as tables: the elements and attributes, and the order of the
+// elements. Sources: the schema EtherCATInfo.xsd (version 1.19 of ETG.2000), what tools take into the SII (ETG.2010),
+// and what emulators that load the dictionary read.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace jauscat::esi {
+
+/// What has to stand in a required element or attribute.
+enum class content : std::uint8_t {
+    element,      ///< anything
+    text,         ///< any text
+    number,       ///< `#x1A` or `26`
+    boolean,      ///< `true`, `false`, `1` or `0`
+    bytes,        ///< hexadecimal digits, two a byte
+    access,       ///< `ro`, `wo` or `rw`
+    sync_manager, ///< `MBoxOut`, `MBoxIn`, `Outputs` or `Inputs`
+};
+
+/// One required element, or attribute where the last step begins with @.
+struct requirement {
+    std::string_view path{}; ///< below EtherCATInfo
+    content holds{};
+    bool if_parent{}; ///< required only in parents that are there; else one parent at least has to be there
+    std::string_view reason{};
+};
+
+// clang-format off
+inline constexpr std::array requirements{
+    requirement{"Vendor", content::element, false, "schema"},
+    requirement{"Vendor/Id", content::number, false, "schema; SII words 8 and 9, object 1018h:1"},
+    requirement{"Vendor/Name", content::text, false, "schema; shown in the list of devices"},
+    requirement{"Descriptions", content::element, false, "schema"},
+    requirement{"Descriptions/Groups", content::element, false, "schema"},
+    requirement{"Descriptions/Groups/Group", content::element, false, "schema; devices are listed by group"},
+    requirement{"Descriptions/Groups/Group/Type", content::text, false, "schema; key of the group"},
+    requirement{"Descriptions/Groups/Group/Name", content::text, false, "schema; shown in the list of devices"},
+    requirement{"Descriptions/Devices", content::element, false, "schema"},
+    requirement{"Descriptions/Devices/Device", content::element, false, "schema"},
+    requirement{"Descriptions/Devices/Device/@Physics", content::text, false, "schema; SII, kind of each port"},
+    requirement{"Descriptions/Devices/Device/Type", content::text, false, "schema; SII, order number"},
+    requirement{"Descriptions/Devices/Device/Type/@ProductCode", content::number, false, "SII words 0Ah and 0Bh; by it a tool finds the file of a device"},
+    requirement{"Descriptions/Devices/Device/Type/@RevisionNo", content::number, false, "SII words 0Ch and 0Dh; by it a tool finds the file of a device"},
+    requirement{"Descriptions/Devices/Device/Name", content::text, false, "schema; SII, name"},
+    requirement{"Descriptions/Devices/Device/GroupType", content::text, false, "schema; names a group of this file"},
+    requirement{"Descriptions/Devices/Device/Profile", content::element, false, "holds the dictionary"},
+    requirement{"Descriptions/Devices/Device/Profile/ProfileNo", content::number, false, "low word of object 1000h"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary", content::element, false, "the offline dictionary: without SDO information the only one"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/DataTypes", content::element, false, "types of the objects"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/DataTypes/DataType", content::element, false, "types of the objects"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/DataTypes/DataType/Name", content::text, false, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/DataTypes/DataType/BitSize", content::number, false, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/DataTypes/DataType/ArrayInfo/LBound", content::number, true, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/DataTypes/DataType/ArrayInfo/Elements", content::number, true, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/DataTypes/DataType/SubItem/Name", content::text, true, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/DataTypes/DataType/SubItem/Type", content::text, true, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/DataTypes/DataType/SubItem/BitSize", content::number, true, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/DataTypes/DataType/SubItem/BitOffs", content::number, true, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/DataTypes/DataType/SubItem/Flags", content::element, true, "without it an entry is read only"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/DataTypes/DataType/SubItem/Flags/Access", content::access, true, "without it an entry is read only"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/Objects", content::element, false, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/Objects/Object", content::element, false, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/Objects/Object/Index", content::number, false, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/Objects/Object/Name", content::text, false, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/Objects/Object/Type", content::text, false, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/Objects/Object/BitSize", content::number, false, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/Objects/Object/Info", content::element, false, "emulators look for default values in it"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/Objects/Object/Info/SubItem/Name", content::text, true, "schema"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/Objects/Object/Info/SubItem/Info", content::element, true, "schema; emulators look for default values in it"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/Objects/Object/Flags", content::element, false, "without it a variable is read only"},
+    requirement{"Descriptions/Devices/Device/Profile/Dictionary/Objects/Object/Flags/Access", content::access, false, "without it a variable is read only"},
+    requirement{"Descriptions/Devices/Device/Sm", content::sync_manager, false, "SII, category SyncM; object 1C00h"},
+    requirement{"Descriptions/Devices/Device/Sm/@StartAddress", content::number, false, "SII, mailbox and category SyncM"},
+    requirement{"Descriptions/Devices/Device/Sm/@DefaultSize", content::number, false, "SII, mailbox and category SyncM"},
+    requirement{"Descriptions/Devices/Device/Sm/@ControlByte", content::number, false, "SII, category SyncM"},
+    requirement{"Descriptions/Devices/Device/Sm/@Enable", content::number, false, "SII, category SyncM"},
+    requirement{"Descriptions/Devices/Device/Mailbox", content::element, false, "SII word 1Ch, mailbox protocols"},
+    requirement{"Descriptions/Devices/Device/Mailbox/CoE", content::element, false, "SII word 1Ch and category general: SDO transfers"},
+    requirement{"Descriptions/Devices/Device/Mailbox/CoE/@SdoInfo", content::boolean, false, "whether a tool asks the device or this file for the dictionary"},
+    requirement{"Descriptions/Devices/Device/Mailbox/CoE/@CompleteAccess", content::boolean, false, "how a tool writes whole objects"},
+    requirement{"Descriptions/Devices/Device/Mailbox/CoE/@SegmentedSdo", content::boolean, false, "whether an object may be larger than the mailbox"},
+    requirement{"Descriptions/Devices/Device/Eeprom", content::element, false, "a tool writes the SII from it"},
+    requirement{"Descriptions/Devices/Device/Eeprom/ByteSize", content::number, false, "SII word 3Eh"},
+    requirement{"Descriptions/Devices/Device/Eeprom/ConfigData", content::bytes, false, "SII words 0 to 6"},
+};
+
+/// The children that an element may have, in their order.
+struct element_order {
+    std::string_view element{}; ///< its name, or parent/name where that name means different things
+    std::string_view children{};
+};
+
+inline constexpr std::array element_orders{
+    element_order{"EtherCATInfo", "InfoReference Vendor Descriptions"},
+    element_order{"Vendor", "Id Name Comment URL DescriptionURL Image16x14 ImageFile16x14 ImageData16x14 VendorSpecific"},
+    element_order{"Descriptions", "Groups Devices Modules"},
+    element_order{"Groups", "Group"},
+    element_order{"Group", "Type Name Comment Image16x14 ImageFile16x14 ImageData16x14 VendorSpecific"},
+    element_order{"Devices", "Device"},
+    element_order{"Device", "Sci Type HideType AlternativeType SubDevice Name Comment URL Info GroupType Profile Fmmu Sm Su "
+                            "RxPdo TxPdo Mailbox Dc Slots ESC Eeprom Image16x14 ImageFile16x14 ImageData16x14 VendorSpecific"},
+    element_order{"Profile", "ProfileNo AddInfo SubAddInfo ChannelCount ChannelInfo DictionaryFile Dictionary DiagFile "
+                             "DiagMessages VendorSpecific"},
+    element_order{"Dictionary", "UnitTypes DataTypes Objects"},
+    element_order{"DataTypes", "DataType"},
+    element_order{"DataType", "Index Name BaseType Comment BitSize ArrayInfo SubItem EnumInfo Properties Xml"},
+    element_order{"ArrayInfo", "LBound Elements"},
+    element_order{"DataType/SubItem", "SubIdx Name DisplayName Type Comment BitSize BitOffs DefaultString DefaultData Flags "
+                                      "Property Xml"},
+    element_order{"Objects", "Object"},
+    element_order{"Object", "Index Name Comment Type BitSize Info Flags Properties Xml"},
+    element_order{"Info/SubItem", "Name Info"},
+    element_order{"Flags", "Access Category PdoMapping SafetyMapping Attribute Transition SdoAccess Backup Setting"},
+    element_order{"Properties", "Property"},
+    element_order{"Property", "Name Value Desc"},
+    element_order{"Mailbox", "AoE EoE CoE FoE SoE VoE VendorSpecific"},
+    element_order{"Eeprom", "Data ByteSize ConfigData BootStrap Category VendorSpecific"},
+};
+// clang-format on
+
+} // namespace jauscat::esi

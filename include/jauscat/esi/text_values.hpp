@@ -1,0 +1,112 @@
+// How an ESI file writes numbers, bytes, names of data types and uses of SyncManagers.
+#pragma once
+
+#include <jauscat/schema/ethercat/sii.hpp>
+
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace jauscat::esi {
+
+/// `#x1A`: a number as the schema's type HexDecValue has it, with at least `digits` digits.
+inline std::string hex_number(std::uint32_t value, std::size_t digits = 1) {
+    std::string text;
+    for (; value != 0 || text.size() < digits; value >>= 4) text.insert(text.begin(), "0123456789ABCDEF"[value & 15]);
+    return "#x" + text;
+}
+
+/// The value of `#x1A` or `26`, if it is at most `max`.
+inline std::optional<std::uint32_t> parse_number(std::string_view text, std::uint32_t max = 0xFFFFFFFF) {
+    const bool hex = text.starts_with("#x");
+    if (hex) text.remove_prefix(2);
+    std::uint32_t value{};
+    const auto* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value, hex ? 16 : 10);
+    if (error != std::errc{} || stop != end || value > max) return std::nullopt;
+    return value;
+}
+
+/// `true`, `false`, `1` or `0`.
+inline std::optional<bool> parse_boolean(std::string_view text) {
+    if (text == "true" || text == "1") return true;
+    if (text == "false" || text == "0") return false;
+    return std::nullopt;
+}
+
+/// Two digits a byte, without anything between them.
+inline std::string hex_bytes(std::span<const std::byte> bytes) {
+    std::string text;
+    for (const auto byte : bytes) {
+        text += "0123456789ABCDEF"[std::to_integer<unsigned>(byte) >> 4];
+        text += "0123456789ABCDEF"[std::to_integer<unsigned>(byte) & 15];
+    }
+    return text;
+}
+
+/// The bytes of what `hex_bytes` writes; nothing if it is anything else.
+inline std::optional<std::vector<std::byte>> parse_bytes(std::string_view text) {
+    std::vector<std::byte> bytes;
+    if (text.size() % 2 != 0) return std::nullopt;
+    for (; !text.empty(); text.remove_prefix(2)) {
+        unsigned byte{};
+        const auto [stop, error] = std::from_chars(text.data(), text.data() + 2, byte, 16);
+        if (error != std::errc{} || stop != text.data() + 2) return std::nullopt;
+        bytes.push_back(static_cast<std::byte>(byte));
+    }
+    return bytes;
+}
+
+/// Base types of ETG.1020 that have one size, in bits.
+inline constexpr std::array<std::pair<std::string_view, std::uint32_t>, 14> sized_types{{{"BOOL", 1},
+                                                                                         {"BYTE", 8},
+                                                                                         {"SINT", 8},
+                                                                                         {"USINT", 8},
+                                                                                         {"INT", 16},
+                                                                                         {"UINT", 16},
+                                                                                         {"WORD", 16},
+                                                                                         {"DINT", 32},
+                                                                                         {"UDINT", 32},
+                                                                                         {"DWORD", 32},
+                                                                                         {"REAL", 32},
+                                                                                         {"LINT", 64},
+                                                                                         {"ULINT", 64},
+                                                                                         {"LREAL", 64}}};
+
+inline std::string octet_string_type(std::size_t bytes) { return "OCTET_STRING(" + std::to_string(bytes) + ')'; }
+inline std::string string_type(std::size_t characters) { return "STRING(" + std::to_string(characters) + ')'; }
+
+/// Size in bits of a base type: one of `sized_types`, STRING(n), OCTET_STRING(n), ARRAY [0..n] OF BYTE.
+inline std::optional<std::uint32_t> bits_of(std::string_view type) {
+    for (const auto& [name, bits] : sized_types)
+        if (type == name) return bits;
+    // What stands between `before` and `after` is the length, or the last index.
+    const auto bytes = [&](std::string_view before, std::string_view after,
+                           std::uint32_t more) -> std::optional<std::uint32_t> {
+        if (!type.starts_with(before) || !type.ends_with(after) || type.size() <= before.size() + after.size())
+            return std::nullopt;
+        const auto length =
+            parse_number(type.substr(before.size(), type.size() - before.size() - after.size()), 0xFFFFFF);
+        if (!length) return std::nullopt;
+        return (*length + more) * 8;
+    };
+    if (const auto bits = bytes("STRING(", ")", 0)) return bits;
+    if (const auto bits = bytes("OCTET_STRING(", ")", 0)) return bits;
+    return bytes("ARRAY [0..", "] OF BYTE", 1);
+}
+
+/// What stands in an element Sm, by use.
+inline constexpr std::array<std::pair<ethercat::sii_sync_manager_use, std::string_view>, 4> sync_manager_uses{
+    {{ethercat::sii_sync_manager_use::mailbox_out, "MBoxOut"},
+     {ethercat::sii_sync_manager_use::mailbox_in, "MBoxIn"},
+     {ethercat::sii_sync_manager_use::outputs, "Outputs"},
+     {ethercat::sii_sync_manager_use::inputs, "Inputs"}}};
+
+} // namespace jauscat::esi

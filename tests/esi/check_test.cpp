@@ -1,0 +1,147 @@
+// The check of ESI files: what is required is found, and anything taken away or spoilt is named.
+#include "esi/sample.hpp"
+#include "support/catch.hpp"
+#include <jauscat/esi/check_esi.hpp>
+
+#include <sstream>
+
+using namespace jauscat;
+using test::replaced;
+using test::sample_esi;
+
+namespace {
+
+std::string problem(const std::string& xml, std::string_view what) {
+    for (const auto& each : esi::check_esi_text(xml, "sample.xml"))
+        if (each.what == what) return each.problem;
+    return "no such finding";
+}
+
+std::string text_of(const pugi::xml_document& document) {
+    std::ostringstream text;
+    document.save(text, "  ");
+    return text.str();
+}
+
+/// The first element that the path names, or whose attribute it names.
+pugi::xml_node element_at(const pugi::xml_document& document, std::string_view path) {
+    const auto place = path.substr(0, path.find("/@"));
+    return document.select_node(("/EtherCATInfo/" + std::string{place}).c_str()).node();
+}
+
+} // namespace
+
+TEST_CASE("everything that tools require is in the file that is written") {
+    const auto findings = esi::check_esi_text(sample_esi(), "sample.xml");
+    CHECK(findings.size() > esi::requirements.size());
+    for (const auto& each : findings) {
+        INFO(each.what);
+        CHECK(each.problem == "");
+        CHECK(!each.reason.empty());
+    }
+}
+
+TEST_CASE("each required element or attribute that is taken away is named") {
+    for (const auto& wanted : esi::requirements) {
+        INFO(wanted.path);
+        pugi::xml_document document;
+        REQUIRE(document.load_string(sample_esi().c_str()));
+        auto element = element_at(document, wanted.path);
+        REQUIRE(element);
+        if (const auto at = wanted.path.find("/@"); at != wanted.path.npos) {
+            REQUIRE(element.remove_attribute(std::string{wanted.path.substr(at + 2)}.c_str()));
+        } else {
+            // All of that name, so that where one of several is enough none is left.
+            auto parent = element.parent();
+            while (parent.remove_child(element.name())) {}
+        }
+        const auto said = problem(text_of(document), wanted.path);
+        CHECK(said != "no such finding");
+        CHECK(said != "");
+    }
+}
+
+TEST_CASE("each required text or number that is spoilt is named") {
+    for (const auto& wanted : esi::requirements) {
+        if (wanted.holds == esi::content::element) continue;
+        INFO(wanted.path);
+        pugi::xml_document document;
+        REQUIRE(document.load_string(sample_esi().c_str()));
+        auto element = element_at(document, wanted.path);
+        const char* const spoilt = wanted.holds == esi::content::text ? "" : "0x1A";
+        if (const auto at = wanted.path.find("/@"); at != wanted.path.npos) {
+            REQUIRE(element.attribute(std::string{wanted.path.substr(at + 2)}.c_str()).set_value(spoilt));
+        } else {
+            REQUIRE(element.text().set(spoilt));
+        }
+        const auto said = problem(text_of(document), wanted.path);
+        CHECK(said.starts_with("line "));
+        CHECK(said.find("expected") != said.npos);
+    }
+}
+
+TEST_CASE("a problem names line and element") {
+    const auto xml = sample_esi();
+    CHECK(problem(replaced(xml, "    <Id>#x000006A5</Id>\n", ""), "Vendor/Id") == "line 3: <Vendor>: has no <Id>");
+    CHECK(problem(replaced(xml, "#x000006A5", "0x6A5"), "Vendor/Id") ==
+          "line 4: <Id>: \"0x6A5\", expected a number such as #x1A or 26");
+    CHECK(problem(replaced(xml, " Physics=\"YY\"", ""), "Descriptions/Devices/Device/@Physics") ==
+          "line 15: <Device>: has no attribute Physics");
+    CHECK(problem(replaced(xml, "<Access>wo<", "<Access>w<"),
+                  "Descriptions/Devices/Device/Profile/Dictionary/DataTypes/DataType/SubItem/Flags/Access")
+              .ends_with("<Access>: \"w\", expected ro, wo or rw"));
+    CHECK(problem("<EtherCATInfo/>", "Vendor") == "line 1: <EtherCATInfo>: has no <Vendor>");
+    CHECK(problem("<EtherCATInfo/>", "Vendor/Id") == "its parent is missing");
+}
+
+TEST_CASE("the mailbox is the first two SyncManagers") {
+    const std::string rule = "SyncManagers 0 and 1 are the mailbox";
+    const auto xml = sample_esi();
+    CHECK(problem(xml, rule) == "");
+    CHECK(problem(replaced(xml, ">MBoxOut<", ">Outputs<"), rule).ends_with("expected the first <Sm> to be MBoxOut"));
+    CHECK(problem(replaced(xml, ">MBoxIn<", ">MBoxOut<"), rule).ends_with("expected the second <Sm> to be MBoxIn"));
+    CHECK(problem(replaced(xml, "DefaultSize=\"256\"", "DefaultSize=\"23\""), rule)
+              .ends_with("a mailbox has 24 to 1486 bytes"));
+    CHECK(problem(replaced(xml, "DefaultSize=\"256\"", "DefaultSize=\"24\""), rule) == "");
+}
+
+TEST_CASE("the memory and the mandatory objects are looked at") {
+    const auto xml = sample_esi();
+    CHECK(problem(replaced(xml, "<ByteSize>512<", "<ByteSize>127<"), "ByteSize holds the SII's fixed part")
+              .ends_with("expected 128 or more in <ByteSize>"));
+    CHECK(problem(replaced(xml, "<ConfigData>80", "<ConfigData>"), "ConfigData has the SII's words 0 to 6")
+              .ends_with("expected 14 bytes or more in <ConfigData>"));
+    CHECK(problem(replaced(xml, "<Index>#x1000<", "<Index>#x1001<"), "object #x1000, device type")
+              .ends_with("has no object #x1000"));
+    CHECK(problem(replaced(xml, "<Index>#x1018<", "<Index>4121<"), "object #x1018, identity") != "");
+    CHECK(problem(replaced(xml, "<Index>#x1018<", "<Index>4120<"), "object #x1018, identity") == "");
+}
+
+TEST_CASE("elements out of order and elements that the schema does not know are named") {
+    const std::string rule = "elements stand in the schema's order";
+    const auto xml = sample_esi();
+    pugi::xml_document document;
+    REQUIRE(document.load_string(xml.c_str()));
+    auto device = document.select_node("//Device").node();
+    device.append_move(device.child("GroupType"));
+    CHECK(problem(text_of(document), rule)
+              .find("<GroupType>: stands too late in <Device>, expected the order Sci Type") != std::string::npos);
+    device.remove_child("GroupType");
+    device.append_child("Colour");
+    CHECK(problem(text_of(document), rule).ends_with("<Colour>: not known in <Device>"));
+    CHECK(problem(replaced(xml, "<Vendor>", "<!-- a comment --><Vendor>"), rule) == "");
+}
+
+TEST_CASE("types and sizes that do not agree are found") {
+    const std::string rule = "types, sizes and references agree";
+    const auto xml = sample_esi();
+    CHECK(problem(xml, rule) == "");
+    CHECK(problem(replaced(xml, "<Type>DT1018</Type>", "<Type>DT1019</Type>"), rule).find("DT1019") !=
+          std::string::npos);
+}
+
+TEST_CASE("text that is no ESI document is an error") {
+    CHECK_THROWS_AS(esi::check_esi_text("<EtherCATInfo>", "a.xml"), esi::esi_error);
+    CHECK_THROWS_AS(esi::check_esi_text("<EtherCATConfig/>", "a.xml"), esi::esi_error);
+    CHECK_THROWS_AS(esi::check_esi("/no/such/file.xml"), esi::esi_error);
+}

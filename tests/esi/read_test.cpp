@@ -1,0 +1,144 @@
+// Reading ESI files: what is written comes back, other writers' ways are taken, and each fault is named.
+#include "esi/sample.hpp"
+#include "support/catch.hpp"
+#include <jauscat/esi/read_esi.hpp>
+
+#include <fstream>
+
+using namespace jauscat;
+using test::replaced;
+using test::sample_esi;
+
+namespace {
+
+esi::device parse(const std::string& xml) { return esi::parse_esi(xml, "sample.xml"); }
+
+/// What the reader says, without the file and line in front.
+std::string complaint(const std::string& xml) {
+    try {
+        parse(xml);
+        return "accepted";
+    } catch (const esi::esi_error& error) {
+        const std::string text = error.what(), start = "sample.xml:" + std::to_string(error.line()) + ": ";
+        CHECK(text.starts_with(start));
+        return text.substr(start.size());
+    }
+}
+
+/// What it says of the sample with one text replaced.
+std::string complaint_about(const std::string& from, const std::string& to) {
+    return complaint(replaced(sample_esi(), from, to));
+}
+
+} // namespace
+
+TEST_CASE("a device that is written and read is the same") {
+    CHECK(parse(sample_esi()) == test::sample_device());
+
+    auto device = test::sample_device();
+    device.serial = 7;
+    device.physics = "Y K";
+    device.profile = 5001;
+    device.fmmus = {"Outputs", "Inputs", "MBoxState"};
+    device.sync_managers[0].min_size = 34;
+    device.sync_managers[1].max_size = 1486;
+    device.sync_managers.push_back(
+        {.use = ethercat::sii_sync_manager_use::inputs, .start = 0x1900, .default_size = 4, .control = 0x20});
+    device.coe = {.sdo_information = true, .pdo_assign = true, .pdo_configuration = true, .complete_access = true};
+    device.eeprom = {.byte_size = 2048,
+                     .config_data = std::vector<std::byte>(14, std::byte{0xFE}),
+                     .bootstrap = std::vector<std::byte>(8, std::byte{1})};
+    device.objects[0].entries[0].writable = true;
+    device.objects[4].properties.push_back({"Colour", "<red> & \"blue\""});
+    CHECK(parse(esi::write_esi(device)) == device);
+}
+
+TEST_CASE("what other tools write in other ways is taken") {
+    const auto sample = test::sample_device();
+    CHECK(parse(replaced(sample_esi(), "#x000006A5", "1701")) == sample);
+    CHECK(parse(replaced(sample_esi(), "#x000006A5", "#x6a5")) == sample);
+    CHECK(parse(replaced(sample_esi(), "\"#x26\"", "\"38\"")) == sample);
+    CHECK(parse(replaced(sample_esi(), "SdoInfo=\"false\"", "SdoInfo=\"0\"")) == sample);
+    CHECK(parse(replaced(sample_esi(), " CompleteAccess=\"false\"", "")) == sample);
+    CHECK(parse(replaced(sample_esi(), "<Vendor>", "<!-- who -->\n<Vendor FileVersion=\"3\">")) == sample);
+    CHECK(parse(replaced(sample_esi(), "<GroupType>", "<Info/><GroupType>")) == sample);
+    CHECK(parse("\xEF\xBB\xBF" + sample_esi()) == sample); // byte order mark
+    CHECK(parse(replaced(sample_esi(), "<DefaultData>61726D203C313E</DefaultData>",
+                         "<DefaultString>arm &lt;1&gt;</DefaultString>")) == sample);
+
+    auto text = sample_esi(); // the name that IEC 61131 has for an octet string
+    for (int i = 0; i != 2; ++i) text = replaced(text, "<Type>OCTET_STRING(28)<", "<Type>ARRAY [0..27] OF BYTE<");
+    const auto octets = parse(text);
+    REQUIRE(octets.objects.size() == sample.objects.size());
+    CHECK(octets.objects[4].entries[1].type == "ARRAY [0..27] OF BYTE");
+    CHECK(octets.objects[4].entries[1].bit_size == 224);
+}
+
+TEST_CASE("text that is not an ESI document says what it is") {
+    CHECK(complaint("") == "not well-formed XML: No document element found");
+    CHECK(complaint("<EtherCATInfo><Vendor></EtherCATInfo>").starts_with("not well-formed XML: "));
+    CHECK(complaint("<EtherCATConfig/>") == "<EtherCATConfig>: the root element, expected <EtherCATInfo>");
+    CHECK(complaint("<EtherCATInfo/>") == "<EtherCATInfo>: expected a <Vendor> in it");
+    CHECK_THROWS_WITH(esi::read_esi("/no/such/file.xml"),
+                      "/no/such/file.xml: cannot be read: No such file or directory");
+    CHECK_THROWS_WITH(esi::read_esi("/"), "/: cannot be read: Is a directory");
+}
+
+TEST_CASE("an error says the line") {
+    try {
+        parse(replaced(sample_esi(), "#x000006A5", "much"));
+        FAIL("accepted");
+    } catch (const esi::esi_error& error) {
+        CHECK(error.line() == 4);
+        CHECK(std::string{error.what()} ==
+              "sample.xml:4: <Id>: \"much\", expected a number such as #x1A or 26, at most 4294967295");
+    }
+}
+
+TEST_CASE("a missing or wrong value is named with its element") {
+    CHECK(complaint_about(" Physics=\"YY\"", "") == "<Device>: expected an attribute Physics");
+    CHECK(complaint_about(" ProductCode=\"#x00000021\"", "") == "<Type>: expected an attribute ProductCode");
+    CHECK(complaint_about("RevisionNo=\"#x00010002\"", "RevisionNo=\"0x2\"") ==
+          "<Type>: RevisionNo=\"0x2\", expected a number such as #x1A or 26, at most 4294967295");
+    CHECK(complaint_about("<GroupType>arms<", "<GroupType>legs<") == "<GroupType>: no <Group> has the type \"legs\"");
+    CHECK(complaint_about(">A-1</Type>", "/>") == "<Type>: expected a text in it");
+    CHECK(complaint_about("<ByteSize>512</ByteSize>", "") == "<Eeprom>: expected a <ByteSize> in it");
+    CHECK(complaint_about("<ConfigData>80", "<ConfigData>8") ==
+          "<ConfigData>: expected hexadecimal digits, two for each byte");
+    CHECK(complaint_about(">MBoxIn<", ">MboxIn<") == "<Sm>: \"MboxIn\", expected MBoxOut, MBoxIn, Outputs or Inputs");
+    CHECK(complaint_about("StartAddress=\"#x1600\"", "StartAddress=\"#x10000\"") ==
+          "<Sm>: StartAddress=\"#x10000\", expected a number such as #x1A or 26, at most 65535");
+    CHECK(complaint_about("SdoInfo=\"false\"", "SdoInfo=\"no\"") == "<CoE>: SdoInfo=\"no\", expected true or false");
+    CHECK(complaint_about("</Devices>", "<Device/></Devices>") == "<Device>: a second device, expected one in a file");
+}
+
+TEST_CASE("objects that do not fit their types are named") {
+    CHECK(complaint_about("<Type>DT1018</Type>", "<Type>DT1019</Type>") ==
+          "<Object>: its type \"DT1019\" is no base type; expected a <DataType> of that name in <DataTypes>");
+    CHECK(complaint_about("<Type>DT1018</Type>\n                <BitSize>144<",
+                          "<Type>DT1018</Type>\n                <BitSize>143<") ==
+          "<BitSize>: expected 144, the size of DT1018");
+    CHECK(complaint_about("<Index>#x1018<", "<Index>#x1000<") ==
+          "<Dictionary>: object #x1000 is there twice, expected each once");
+    CHECK(complaint_about("<DefaultData>A5060000<", "<DefaultData>A506000000<") ==
+          "<DefaultData>: 5 bytes, expected at most 4");
+    CHECK(complaint_about("<DefaultData>A5060000</DefaultData>", "<DefaultValue>1</DefaultValue>") ==
+          "<DefaultValue>: expected <DefaultData> in its place");
+    CHECK(complaint_about("<Access>wo<", "<Access>w<") == "<SubItem>: access \"w\", expected ro, wo or rw");
+    CHECK(complaint_about("<SubIdx>26<", "<SubIdx>0<") == "<SubIdx>: expected ascending subindices");
+    CHECK(complaint_about("<SubIdx>26<", "<SubIdx>256<") ==
+          "<SubIdx>: \"256\", expected a number such as #x1A or 26, at most 255");
+    CHECK(complaint_about("<Type>OCTET_STRING(28)<", "<Type>OCTETS<") ==
+          "<SubItem>: its type \"OCTETS\" is unknown; expected a base type such as OCTET_STRING(28)");
+    CHECK(complaint_about("<LBound>1<", "<LBound>0<") == "<LBound>: expected 1, the first subindex");
+    CHECK(complaint_about("<SubIdx>0<", "<SubIdx>1<") == "<SubIdx>: expected ascending subindices");
+    CHECK(complaint_about("                  <Type>USINT<", "                  <Type>SINT<") ==
+          "<DataType>: expected a <SubItem> with <SubIdx> 0 of type USINT first");
+    CHECK(complaint_about("<SubItem>\n                    <Name>Vendor ID</Name>\n                    <Info>\n"
+                          "                      <DefaultData>A5060000</DefaultData>\n                    </Info>\n"
+                          "                  </SubItem>",
+                          "") == "<Info>: expected 5 <SubItem>, one for each of the object's type");
+    CHECK(complaint_about("<SubItem>\n                    <Name>Vendor ID<",
+                          "<SubItem><Name>a</Name></SubItem><SubItem>\n                    <Name>Vendor ID<") ==
+          "<SubItem>: more items than the object's type has");
+}

@@ -1,0 +1,248 @@
+// A slave rebuilt from an ESI file alone behaves as the one that was described: its SII byte for byte, and its answers
+// to the master for objects and subindices that are there and that are not.
+#include "esi/sample.hpp"
+#include "support/catch.hpp"
+#include "support/hex.hpp"
+#include <jauscat/esi/emulated_device.hpp>
+#include <jauscat/esi/read_esi.hpp>
+#include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/frame_view.hpp>
+#include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/ethercat/loopback_link.hpp>
+#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/net/run_master.hpp>
+#include <jauscat/translate/fixed_length.hpp>
+
+#include <map>
+#include <utility>
+#include <vector>
+
+using namespace jauscat;
+using namespace jauscat::ethercat;
+using test::sample_components;
+using test::sample_slave;
+using bytes = std::vector<std::byte>;
+
+namespace {
+
+/// Keeps what was written, and gives it back. It takes anything: what is allowed is not its business.
+class store {
+  public:
+    object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
+        const auto found = values_.find({index, subindex});
+        if (found == values_.end()) return {.error = abort_code::no_data};
+        if (found->second.size() > out.size()) return {.error = abort_code::exceeds_mailbox};
+        std::ranges::copy(found->second, out.begin());
+        return {.size = found->second.size()};
+    }
+    abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
+        values_[{index, subindex}].assign(data.begin(), data.end());
+        return abort_code::none;
+    }
+
+  private:
+    std::map<std::pair<std::uint16_t, std::uint8_t>, bytes> values_{};
+};
+
+/// A slave of that description and those objects, alone on a link with a master that has brought it up.
+class machine {
+  public:
+    machine(const slave_description& description, std::span<const translate::object_description> components,
+            std::size_t transfer_size)
+        : memory_(transfer_size),
+          listed_{components, store_},
+          objects_{description, listed_},
+          slave_{{slave{description, objects_, {.transfer_memory = memory_}}}} {
+        REQUIRE(master_.bring_up(0, 0x1001));
+        REQUIRE(net::run(link_, master_));
+    }
+
+    /// How a transfer ended, and the data of an upload.
+    struct answer {
+        outcome result{};
+        bytes data{};
+        friend bool operator==(const answer&, const answer&) = default;
+    };
+
+    answer upload(std::uint16_t index, std::uint8_t subindex) {
+        bytes data(2000);
+        REQUIRE(master_.upload(0x1001, index, subindex, data));
+        const auto result = net::run(link_, master_);
+        data.resize(result ? result.size : 0);
+        return {result, data};
+    }
+    answer download(std::uint16_t index, std::uint8_t subindex, std::size_t size) {
+        const bytes data(size, std::byte{0x5A});
+        REQUIRE(master_.download(0x1001, index, subindex, data));
+        return {net::run(link_, master_), {}};
+    }
+
+    /// What a master reads of the SII, 4 bytes at a time.
+    bytes read_sii() {
+        bytes image;
+        for (std::uint32_t word = 0; word != sii_image{}.size() / 2; word += 2) {
+            bytes frame(max_frame_size);
+            frame_builder builder{frame, 1};
+            builder.add(command::bwr, 0, esc_registers::sii_owner.address, sii_owner{.force = true});
+            builder.add(command::bwr, 0, esc_registers::sii_owner.address, sii_owner{});
+            builder.add(command::bwr, 0, esc_registers::sii_control.address,
+                        sii_request{.cmd = sii_command::read, .address = word});
+            slave_[0].process(std::span{frame}.first(builder.finish().size()));
+            frame_builder fetch{frame, 2};
+            fetch.add(command::brd, 0, esc_registers::sii_control.address, wire::max_size<sii_access>);
+            slave_[0].process(std::span{frame}.first(fetch.finish().size()));
+            frame_view view;
+            REQUIRE(view.parse(frame));
+            const auto data = (*view.begin()).data;
+            image.insert(image.end(), data.begin() + 6, data.begin() + 10);
+        }
+        return image;
+    }
+
+  private:
+    bytes memory_;
+    store store_{};
+    listed_objects listed_;
+    standard_objects objects_;
+    std::array<slave, 1> slave_;
+    loopback_link link_{slave_};
+    ethercat::master master_{};
+};
+
+/// Both machines asked the same; true if they answer the same.
+template <class Table> void compare_machines(std::size_t largest) {
+    const auto xml = test::sample_esi<Table>();
+    const esi::emulated_device device{esi::parse_esi(xml, "sample.xml")};
+    CHECK(device.transfer_size() == largest);
+    machine original{sample_slave, sample_components<Table>, largest};
+    machine rebuilt{device.description(), device.components(), device.transfer_size()};
+
+    CHECK(original.read_sii() == rebuilt.read_sii());
+
+    std::size_t there = 0;
+    for (std::uint32_t i = 0; i != 0x10000; ++i) {
+        const auto index = static_cast<std::uint16_t>(i);
+        const auto one = original.upload(index, 0);
+        if (one != rebuilt.upload(index, 0)) FAIL("object " << std::hex << index << " answers differently");
+        if (one.result.detail != static_cast<std::uint32_t>(abort_code::no_object)) ++there;
+    }
+    CHECK(there == 6);
+
+    std::map<std::uint32_t, std::size_t> seen; // how often each abort code came, 0 for success
+    const auto same = [&](const machine::answer& one, const machine::answer& other, unsigned index, unsigned sub) {
+        if (one != other) FAIL("subindex " << std::hex << index << ':' << sub << " answers differently");
+        ++seen[one.result.detail];
+    };
+    const auto own = sample_components<Table>[0].index, every = sample_components<Table>[1].index;
+    for (const std::uint16_t index : {std::uint16_t{0x1000}, std::uint16_t{0x1008}, std::uint16_t{0x1018},
+                                      std::uint16_t{0x1C00}, own, every, std::uint16_t{0x2000}}) {
+        for (unsigned sub = 0; sub != 256; ++sub) {
+            const auto subindex = static_cast<std::uint8_t>(sub);
+            same(original.upload(index, subindex), rebuilt.upload(index, subindex), index, sub);
+            for (const std::size_t size : {0, 1, 4, 5, 10, 11, 12, 13, 27, 28, 29, 30, 31, 252, 1600}) {
+                same(original.download(index, subindex, size), rebuilt.download(index, subindex, size), index, sub);
+                same(original.upload(index, subindex), rebuilt.upload(index, subindex), index, sub);
+            }
+        }
+    }
+    // The comparison has seen every kind of answer that the objects have.
+    for (const auto code :
+         {abort_code::none, abort_code::no_object, abort_code::no_subindex, abort_code::read_only,
+          abort_code::write_only, abort_code::no_data,
+          translate::has_fixed_length<Table> ? abort_code::length_mismatch : abort_code::length_too_high}) {
+        INFO(std::hex << static_cast<std::uint32_t>(code));
+        CHECK(seen[static_cast<std::uint32_t>(code)] > 0);
+    }
+}
+
+using fixed_table =
+    translate::fixed_length<translation::seed_table, jaus::query_wrench_effort, jaus::report_wrench_effort,
+                            jaus::set_wrench_effort, jaus::set_travel_speed>;
+
+} // namespace
+
+TEST_CASE("a slave rebuilt from its ESI file answers as the original") {
+    compare_machines<translation::seed_table>(28);
+}
+
+TEST_CASE("a slave of exact sizes rebuilt from its ESI file answers as the original") {
+    compare_machines<fixed_table>(30);
+}
+
+TEST_CASE("the rebuilt slave answers for its standard objects with what its SII says") {
+    const esi::emulated_device device{esi::parse_esi(test::sample_esi(), "sample.xml")};
+    machine rebuilt{device.description(), device.components(), device.transfer_size()};
+    const auto hex = [&](std::uint16_t index, std::uint8_t subindex) {
+        return test::to_hex(rebuilt.upload(index, subindex).data);
+    };
+    CHECK(hex(0x1000, 0) == "00 00 00 00");
+    CHECK(hex(0x1008, 0) == "61 72 6d 20 3c 31 3e");
+    CHECK(hex(0x1018, 0) == "04");
+    CHECK(hex(0x1018, 1) == "a5 06 00 00");
+    CHECK(hex(0x1018, 2) == "21 00 00 00");
+    CHECK(hex(0x1018, 3) == "02 00 01 00");
+    CHECK(hex(0x1018, 4) == "00 00 00 00");
+    CHECK(hex(0x1C00, 0) == "02");
+    CHECK(hex(0x1C00, 1) == "01");
+    CHECK(hex(0x1C00, 2) == "02");
+    CHECK(hex(0x1B15, 0) == "79"); // the highest rank, 121: Report Wrench Effort
+    const auto sii = rebuilt.read_sii();
+    CHECK(test::to_hex(std::span{sii}.first(32)) == "80 00 00 00 00 00 00 00 34 12 00 00 00 00 " +
+                                                        test::to_hex(std::span{sii}.subspan(14, 1)) +
+                                                        " 00 a5 06 00 00 21 00 00 00 02 00 01 00 00 00 00 00");
+    CHECK(sii_checksum(std::span{sii}.first(14)) == std::to_integer<std::uint8_t>(sii[14]));
+}
+
+TEST_CASE("the rebuilt objects say sizes, access and command codes") {
+    const esi::emulated_device device{esi::parse_esi(test::sample_esi<fixed_table>(), "sample.xml")};
+    REQUIRE(device.components().size() == 2);
+    const auto& own = device.components()[0];
+    CHECK(own.index == 0x1B15);
+    CHECK(own.component == 33);
+    CHECK(own.name == "component 33");
+    CHECK(own.exact_size);
+    REQUIRE(own.entries.size() == 3);
+    CHECK(own.entries[0] == translate::sub_object{26, 0x0405, "set_wrench_effort", 30, false, true});
+    CHECK(own.entries[1] == translate::sub_object{72, 0x2405, "query_wrench_effort", 12, false, true});
+    CHECK(own.entries[2] == translate::sub_object{121, 0x4405, "report_wrench_effort", 30, true, true});
+    CHECK(device.components()[1].index == 0x1BF3);
+}
+
+TEST_CASE("what an emulated slave cannot be is refused by name") {
+    const auto complaint = [](auto change) -> std::string {
+        auto device = test::sample_device();
+        change(device);
+        try {
+            const esi::emulated_device made{device};
+            return "accepted";
+        } catch (const esi::esi_error& error) {
+            return error.what();
+        }
+    };
+    CHECK(complaint([](esi::device&) {}) == "accepted");
+    CHECK(complaint([](esi::device& d) { d.physics = "KK"; }) ==
+          "\"arm <1>\": <Device>: its ports (Physics) cannot be emulated");
+    CHECK(complaint([](esi::device& d) { d.profile = 402; }) ==
+          "\"arm <1>\": <ProfileNo>: a device profile cannot be emulated");
+    CHECK(complaint([](esi::device& d) { d.fmmus = {"Outputs"}; }) ==
+          "\"arm <1>\": <Fmmu>: process data cannot be emulated");
+    CHECK(complaint([](esi::device& d) { d.sync_managers.emplace_back(); }) ==
+          "\"arm <1>\": <Sm>: expected two, the mailbox; process data cannot be emulated");
+    CHECK(complaint([](esi::device& d) { d.sync_managers[0].control = 0x22; }) ==
+          "\"arm <1>\": <Sm>: SyncManagers that are not the mailbox alone cannot be emulated");
+    CHECK(complaint([](esi::device& d) { d.coe.sdo_information = true; }) ==
+          "\"arm <1>\": <CoE>: these features cannot be emulated");
+    CHECK(complaint([](esi::device& d) { d.eeprom.byte_size = 2048; }) ==
+          "\"arm <1>\": <Eeprom>: this memory cannot be emulated");
+    CHECK(complaint([](esi::device& d) { d.eeprom.config_data.pop_back(); }) ==
+          "\"arm <1>\": <ConfigData>: expected 14 bytes, words 0 to 6 of the SII");
+    CHECK(complaint([](esi::device& d) { d.objects.erase(d.objects.begin()); }) ==
+          "\"arm <1>\": <Objects>: a device without #x1000 cannot be emulated");
+    CHECK(complaint([](esi::device& d) { d.objects[1].name = "other"; }) ==
+          "\"arm <1>\": <Object>: #x1008 is of a kind that cannot be emulated");
+    CHECK(complaint([](esi::device& d) { d.objects[4].properties[0].value = "256"; }) ==
+          "\"arm <1>\": <Object>: #x1B15: its property JausComponent is no component ID");
+    CHECK(complaint([](esi::device& d) { d.objects[4].entries[1].properties.clear(); }) ==
+          "\"arm <1>\": <Object>: #x1B15: subindex 26 has no property JausCommandCode with a command code");
+}

@@ -1,0 +1,43 @@
+// The slave that these tests describe, and its ESI file.
+#pragma once
+#include <jauscat/esi/make_device.hpp>
+#include <jauscat/esi/write_esi.hpp>
+#include <jauscat/schema/jaus/core.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
+#include <jauscat/schema/translation/seed_table.hpp>
+#include <jauscat/translate/object_list.hpp>
+
+#include <array>
+#include <string>
+
+namespace jauscat::test {
+
+/// Accepts a command, a query and a report.
+template <class Table>
+inline constexpr std::array sample_components{
+    translate::object_list<Table, 33, jaus::query_wrench_effort, jaus::report_wrench_effort,
+                           jaus::set_wrench_effort>::description,
+    translate::object_list<Table, 255, jaus::set_travel_speed>::description};
+
+inline constexpr ethercat::slave_description sample_slave{
+    .vendor = 0x6A5, .product = 0x21, .revision = 0x10002, .station_alias = 0x1234, .name = "arm <1>"};
+
+inline const esi::device_texts sample_texts{
+    .vendor_name = "Makers & Co", .group_type = "arms", .group_name = "Robot arms", .type = "A-1"};
+
+template <class Table = translation::seed_table> esi::device sample_device() {
+    return esi::make_device(sample_slave, sample_texts, sample_components<Table>, true);
+}
+
+template <class Table = translation::seed_table> std::string sample_esi() {
+    return esi::write_esi(sample_device<Table>());
+}
+
+/// `text` with its first `from` replaced.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    if (at == text.npos) throw std::logic_error{"the text has no " + from};
+    return text.replace(at, from.size(), to);
+}
+
+} // namespace jauscat::test
