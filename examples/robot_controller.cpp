@@ -39,11 +39,13 @@ std::string explain(const ethercat::outcome& result) {
 class robot_controller {
   public:
     robot_controller(jauscat::net::jaus_config config, example::any_link& link, example::any_exchange& exchange,
-                     std::uint16_t station, std::chrono::milliseconds frame_timeout)
+                     std::uint16_t station, std::chrono::milliseconds frame_timeout,
+                     const ethercat::download_options& options)
         : config_{std::move(config)},
           link_{link},
           exchange_{exchange},
           station_{station},
+          options_{options},
           udp_{context_, config_.me().endpoint()},
           master_{{.frame_timeout = frame_timeout}} {}
 
@@ -146,7 +148,7 @@ class robot_controller {
 
     /// Executes a request packet and returns its confirmation; brings the slave up again first if it was lost.
     std::span<const std::byte> execute(std::span<const std::byte> request) {
-        ethercat::packet_job job{request, confirmation_};
+        ethercat::packet_job job{request, confirmation_, options_};
         ethercat::outcome result{};
         if (!up_ && !try_bring_up()) {
             result = master_.result();
@@ -155,7 +157,8 @@ class robot_controller {
         }
         if (!result) {
             using enum ethercat::master_errc;
-            if (result.error != sdo_abort && result.error != mailbox_error && result.error != data_too_long)
+            if (result.error != sdo_abort && result.error != clear_refused && result.error != mailbox_error &&
+                result.error != data_too_long)
                 up_ = false;
             std::cout << "controller: EtherCAT: " << explain(result) << "\n";
         }
@@ -176,6 +179,7 @@ class robot_controller {
     example::any_link& link_;
     example::any_exchange& exchange_;
     std::uint16_t station_;
+    ethercat::download_options options_;
     boost::asio::io_context context_{};
     jauscat::net::udp_transport udp_;
     ethercat::master master_;
@@ -195,6 +199,7 @@ int main(int argc, char** argv) {
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this controller is, instead of the file's <thissystem>")
             ("station", po::value<std::uint16_t>()->default_value(2), "station address and JAUS node of the slave, 1 to 254")
+            ("clear-subindex-0", po::bool_switch(), "write 0 to subindex 0 of an object before each message, for slaves that abort with 06010003h else")
             ("wait", po::value<unsigned>()->default_value(5000), "milliseconds to wait for the slave at the start")
             ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
         // clang-format on
@@ -212,7 +217,8 @@ int main(int argc, char** argv) {
                 return example::success;
             });
             const std::chrono::milliseconds frame_timeout{values["frame-timeout"].as<unsigned>()};
-            robot_controller controller{config, link, *exchange, station, frame_timeout};
+            const ethercat::download_options download{.clear_subindex_0 = values["clear-subindex-0"].as<bool>()};
+            robot_controller controller{config, link, *exchange, station, frame_timeout, download};
             controller.bring_up(std::chrono::milliseconds{values["wait"].as<unsigned>()});
             return controller.serve();
         });

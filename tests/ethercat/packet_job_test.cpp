@@ -133,6 +133,26 @@ TEST_CASE("a packet may be longer than its data count says, and the count decide
     CHECK(b.objects.entries.at({0x2000, 1}).value.size() == 4);
 }
 
+TEST_CASE("a download clears subindex 0 first where the caller wants it") {
+    bench b;
+    b.objects.add(0x2000, 0, 1);
+    b.objects.entries.at({0x2000, 0}).value = {std::byte{5}};
+    const auto request = from_hex(download);
+    const auto status = [&](const download_options& options) {
+        bytes confirmation(packet_job::confirmation_size);
+        packet_job job{request, confirmation, options};
+        REQUIRE(job.start(b.m));
+        confirmation.resize(job.finish(net::run(b.link, b.m)));
+        return status_of(confirmation);
+    };
+    CHECK(status({}) == 0);
+    CHECK(b.objects.entries.at({0x2000, 0}).value.front() == std::byte{5});
+    CHECK(status({.clear_subindex_0 = true}) == 0);
+    CHECK(b.objects.entries.at({0x2000, 0}).value.front() == std::byte{0});
+    b.objects.entries.at({0x2000, 0}).write_abort = abort_code::read_only;
+    CHECK(status({.clear_subindex_0 = true}) == 0xC0650030);
+}
+
 TEST_CASE("what does not fit the confirmation is not read, and a confirmation without room for 40 bytes is none") {
     bench b;
     const auto upload = from_hex("20000000 00000000 00000000 00000000 0c000000 00000000 00000000 06006500"
@@ -167,5 +187,8 @@ TEST_CASE("the master's own errors have statuses") {
     CHECK(status(master_errc::mailbox_timeout) == 0xC0650015);
     CHECK(status(master_errc::mailbox_error) == 0xC0650022);
     CHECK(status(master_errc::data_too_long) == 0xC0650018);
+    CHECK(status(master_errc::toggle_bit) == 0xC0650027);
+    CHECK(static_cast<std::uint32_t>(hilscher::status_of(outcome{master_errc::clear_refused, 0x06010002})) ==
+          0xC0650030);
     CHECK(status(master_errc::sii_busy) == 0xC0000001); // no status for it: failed
 }

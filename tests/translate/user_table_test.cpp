@@ -10,12 +10,7 @@ using translate::errc;
 namespace {
 
 /// RA 3.3, and a private message behind it.
-constexpr auto codes_with_private_message = [] {
-    std::array<std::uint16_t, 159> codes{};
-    std::ranges::copy(translation::ra_command_codes, codes.begin());
-    codes[158] = 0xD123;
-    return codes;
-}();
+constexpr auto codes_with_private_message = translation::ra_command_codes_and<0xD123>;
 
 using at_2000 = translate::translator<translation::seed_table_of<0x2000, codes_with_private_message>::type>;
 using at_6900 = translate::translator<translation::self_contained_table_of<0x6900, codes_with_private_message>::type>;

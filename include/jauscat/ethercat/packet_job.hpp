@@ -24,8 +24,10 @@ class packet_job {
     static constexpr std::size_t confirmation_size =
         wire::max_size<hilscher::sdo_upload_confirmation> + hilscher::max_sdo_data;
 
-    packet_job(std::span<const std::byte> request, std::span<std::byte> confirmation) noexcept
-        : request_{request}, confirmation_{confirmation} {}
+    /// `options` are for downloads: the packets cannot say them.
+    packet_job(std::span<const std::byte> request, std::span<std::byte> confirmation,
+               const download_options& options = {}) noexcept
+        : request_{request}, confirmation_{confirmation}, options_{options} {}
 
     /// Starts what the request asks for. False if nothing runs: `finish` then says why, whatever result it is given.
     bool start(master& m) noexcept {
@@ -69,9 +71,10 @@ class packet_job {
             fields.head.ul_len < used.size() - head_size + fields.ul_data_cnt)
             return packet_status::invalid_packet_length;
         if (const auto wrong = check_target(fields); wrong != packet_status::ok) return wrong;
-        return started(m.download(
-            static_cast<std::uint16_t>(fields.ul_node_id), static_cast<std::uint16_t>(fields.ul_index),
-            static_cast<std::uint8_t>(fields.ul_sub_index), request_.subspan(used.size(), fields.ul_data_cnt)));
+        return started(m.download(static_cast<std::uint16_t>(fields.ul_node_id),
+                                  static_cast<std::uint16_t>(fields.ul_index),
+                                  static_cast<std::uint8_t>(fields.ul_sub_index),
+                                  request_.subspan(used.size(), fields.ul_data_cnt), options_));
     }
 
     packet_status begin_upload(master& m) noexcept {
@@ -115,6 +118,7 @@ class packet_job {
 
     std::span<const std::byte> request_;
     std::span<std::byte> confirmation_;
+    download_options options_{};
     hilscher::packet_status status_{};
 };
 

@@ -71,6 +71,7 @@ inline constexpr status_of_meaning<master_errc> master_statuses[]{
     {master_errc::mailbox_timeout, packet_status::coe_timeout},
     {master_errc::mailbox_error, packet_status::coe_invalid_access},
     {master_errc::unexpected_reply, packet_status::sdo_abort_command_specifier},
+    {master_errc::toggle_bit, packet_status::sdo_abort_toggle},
     {master_errc::size_mismatch, packet_status::sdo_abort_data_size},
     {master_errc::data_too_long, packet_status::coe_slave_response_too_big},
     {master_errc::no_space, packet_status::coe_internal_error},
@@ -93,7 +94,7 @@ template <class Meaning, std::size_t N>
 
 /// The status that stands for the end of a master's job.
 [[nodiscard]] constexpr packet_status status_of(const ethercat::outcome& result) noexcept {
-    if (result.error == ethercat::master_errc::sdo_abort)
+    if (result.error == ethercat::master_errc::sdo_abort || result.error == ethercat::master_errc::clear_refused)
         return status_of(static_cast<ethercat::abort_code>(result.detail));
     return detail::status_for(detail::master_statuses, result.error, packet_status::fail);
 }
