@@ -59,7 +59,10 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
                                                                           : ethercat::size_rule::up_to_largest};
     ethercat::standard_objects dictionary{example::arm_slave, objects};
     std::array<std::byte, jauscat::translate::largest_subobject(example::arm_application<Table>::objects)> memory{};
-    ethercat::slave slave{example::arm_slave, dictionary, {.transfer_memory = memory}};
+    ethercat::slave slave{
+        example::arm_slave,
+        dictionary,
+        {.transfer_memory = memory, .subindex_0_rule = values["subindex-0-rule"].template as<bool>()}};
 
     std::cout << "arm: slave of subsystem " << int{subsystem} << ", " << where
               << ", waiting for a master (Ctrl-C ends)\n";
@@ -100,7 +103,8 @@ int main(int argc, char** argv) {
             ("help", "show this text")
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this arm belongs to, instead of the file's <thissystem>")
-            ("strict", po::bool_switch(), "take and give objects at their exact size only, as some slaves do: needs --fixed-length");
+            ("strict", po::bool_switch(), "take and give objects at their exact size only, as some slaves do: needs --fixed-length")
+            ("subindex-0-rule", po::bool_switch(), "abort writes to PDO mapping objects while their subindex 0 is not 0, as some slaves do: needs the controller's --clear-subindex-0 or another --index-base");
         // clang-format on
         example::add_link_options(options);
         const auto values = example::parse(argc, argv, options, help);

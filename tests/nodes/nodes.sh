@@ -133,6 +133,23 @@ other_index_bases() {
     expect 2 "$bin/robot_arm" --config "$config" --index-base 0x3000
     says out "--index-base must be 6900, 0x2000 or 0x6900"
 }
+subindex_0_rule() {
+    arm_options=(--subindex-0-rule)
+    start_robot
+    expect_ocu 1 propulsive_linear_effort_x=1
+    says out "was refused (NAK)"
+    wait_for controller "write 0 there first (0x06010003)"
+    says controller "ulSta 0xC0650044"
+    kill "$controller_pid" "$arm_pid" && wait "$controller_pid" "$arm_pid"
+    master_options+=(--clear-subindex-0)
+    start_robot
+    the_command_arrives
+    kill "$controller_pid" "$arm_pid" && wait "$controller_pid" "$arm_pid"
+    unset 'master_options[-1]'
+    link=(--ethercat-port "$slave_port" --index-base 0x2000) master_link=() # not a mapping object
+    start_robot
+    the_command_arrives
+}
 private_message() {
     expect 0 "${wrapper[@]}" "$bin/private_message"
     for line in "opening = 80" "ul_index = 8225" "ul_sub_index = 159" "translated back: the same 21 bytes" \
