@@ -3,6 +3,7 @@
 #include "support/link_options.hpp"
 #include "support/robot_messages.hpp"
 #include "support/trace.hpp"
+#include <jauscat/ethercat/message_assembly.hpp>
 #include <jauscat/ethercat/packet_job.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/text/jaus.hpp>
@@ -100,7 +101,20 @@ class robot_controller {
         if (const auto problem = not_here(message.header); !problem.empty())
             refuse(message.header, problem);
         else
-            deliver(bytes);
+            collect(message.header, bytes);
+    }
+
+    /// Delivers a message that is complete; keeps the packets of a large data set until it is.
+    void collect(const jaus::header& head, std::span<const std::byte> message) {
+        using enum jaus::reassembled;
+        const auto now = std::chrono::steady_clock::now().time_since_epoch();
+        const auto what = assembly_.on_message(head, message, now, [this](auto complete) { deliver(complete); });
+        if (what == too_large || what == no_room) {
+            refuse(head, std::string{describe(what)});
+        } else if (what == waiting || what == repeated) {
+            std::cout << "controller: " << describe(what) << "\n";
+            acknowledge(head, jaus::ack_nak::ack);
+        }
     }
 
     /// Why a message is not for the slave of this controller, or nothing.
@@ -116,9 +130,14 @@ class robot_controller {
 
     void refuse(const jaus::header& head, const std::string& problem) {
         std::cout << "controller: not delivered: " << problem << "\n";
+        acknowledge(head, jaus::ack_nak::nak);
+    }
+
+    /// If the message asks for it.
+    void acknowledge(const jaus::header& head, jaus::ack_nak how) {
         if (head.ack_nak != jaus::ack_nak::request) return;
-        std::array<std::byte, jaus::header_size> nak{};
-        send(nak, jaus::make_acknowledgement(head, jaus::ack_nak::nak, nak).size());
+        std::array<std::byte, jaus::header_size> answer{};
+        send(answer, jaus::make_acknowledgement(head, how, answer).size());
     }
 
     /// To the slave, and back with the report if the message is a query; then whatever acknowledgement was asked for.
@@ -184,6 +203,7 @@ class robot_controller {
     jauscat::net::udp_transport udp_;
     ethercat::master master_;
     bool up_{};
+    ethercat::message_assembly<jauscat::hilscher::max_sdo_data> assembly_{std::chrono::seconds{5}};
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation_{};
 };
 

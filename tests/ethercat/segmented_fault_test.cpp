@@ -174,6 +174,9 @@ TEST_CASE("a slave reset between segments is noticed and takes the next transfer
     REQUIRE(b.link.run(b.master));
     REQUIRE(b.download(counting(28)));
     CHECK(b.stored() == counting(28));
+    // A change of state does not end a transfer in every slave, so an abort goes first.
+    CHECK(b.mail.front().substr(18) == "00 20 80 26 69 01 00 00 04 05");
+    CHECK(b.mail.size() == 1 + 6);
 }
 
 TEST_CASE("a frame lost anywhere in a transfer in segments is repeated and the value is right") {

@@ -44,7 +44,7 @@ packets large_data_set(const bytes& body, std::size_t share) {
 
 // What an assembly makes of packets, and what became of the last of them.
 template <class Table> struct assembled {
-    ethercat::message_assembly<Table> assembly{5s};
+    ethercat::message_assembly<translate::translator<Table>::max_body> assembly{5s};
     packets taken{};
     std::chrono::nanoseconds now{};
 
@@ -64,7 +64,9 @@ template <class Table> void delivers(std::size_t largest) {
     for (const std::size_t i : {1u, 0u, 3u}) CHECK(a.give(parts[i]) == reassembled::waiting);
     CHECK(a.give(parts[2]) == reassembled::whole);
     REQUIRE(a.taken.size() == 1);
-    const auto whole = message(head, body);
+    auto whole_head = head;
+    whole_head.sequence_number = 2; // of the packet that came last
+    const auto whole = message(whole_head, body);
     CHECK(a.taken[0] == whole);
 
     bytes packet(delivery::translator::max_packet_size);

@@ -297,11 +297,21 @@ other_subsystem() {
     expect_ocu 1 --to 3.2.33.1 propulsive_linear_effort_x=1
     says out "3.2.33.1"
 }
-fragment_is_refused() {
+large_data_set_is_delivered() {
     start_robot
-    send_bytes "$controller_port" 16020504012102020120010104106300010000 # wrong size: dropped
-    send_bytes "$controller_port" 160205040121020201200101041063000100ff3f
-    wait_for controller "part of a large data set"
+    local head=160205040121020201200101 # Set Wrench Effort with one field; each packet asks for an acknowledgement
+    send_bytes "$controller_port" "${head}0210000001"   # wrong size: dropped
+    send_bytes "$controller_port" "${head}021000000100" # the first packet: presence vector
+    wait_for controller "part of a large data set of which packets are missing"
+    wait_for controller "sent Set Wrench Effort (ACK)"
+    says_not controller "translated to"
+    send_bytes "$controller_port" "${head}02800100ff3f" # the last packet: the effort
+    wait_for controller "ulDataCnt = 12"
+    wait_for arm "raw 16383"
+    # More than an SDO packet holds.
+    send_bytes "$controller_port" "${head}f4110000$(printf '%01000d' 0)"
+    for i in 1 2 3; do send_bytes "$controller_port" "${head}f4210${i}00$(printf '%01000d' 0)"; done
+    wait_for controller "not delivered: the large data set has more bytes or packets than there is room for"
     wait_for controller "sent Set Wrench Effort (NAK)"
 }
 arm_restarts() {

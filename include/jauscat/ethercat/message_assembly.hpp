@@ -3,7 +3,6 @@
 #pragma once
 
 #include <jauscat/jaus/large_data_set.hpp>
-#include <jauscat/translate/translator.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,14 +12,12 @@
 
 namespace jauscat::ethercat {
 
-/// Puts large data sets together, `Places` at a time, as far as one SDO packet of `Table` carries them: `max_body`
-/// bytes. Holds its own memory, about 8 KiB for each place; cannot be copied.
-template <class Table, std::size_t Places = 4> class message_assembly {
+/// Puts large data sets together, `Places` at a time and each of at most `MaxBody` bytes of body: a translator's
+/// `max_body`, under the seed table 1532, or hilscher::max_sdo_data, which none exceeds. Holds its own memory, about 8
+/// KiB for each place; cannot be copied.
+template <std::size_t MaxBody, std::size_t Places = 4> class message_assembly {
   public:
-    using translator = translate::translator<Table>;
-    /// Bytes of body that one SDO packet carries: under the seed table 1532 of 1540 bytes of data.
-    static constexpr std::size_t max_body = translator::max_body;
-    static_assert(max_body <= jaus::max_body_size, "message_assembly: a header cannot state such a size");
+    static_assert(MaxBody <= jaus::max_body_size, "message_assembly: a header cannot state such a size");
 
     /// `patience`: a data set that has been silent so long gives its place up to another.
     explicit message_assembly(std::chrono::nanoseconds patience) noexcept
@@ -29,9 +26,10 @@ template <class Table, std::size_t Places = 4> class message_assembly {
     message_assembly& operator=(const message_assembly&) = delete;
 
     /// A message, header on, that came at `now`; `head` is its header. `take(std::span<const std::byte>)` gets a
-    /// message that is complete, before this returns: `only` as it came, `whole` as if it had come in one packet, with
-    /// sequence number and properties of packet 0. `too_large`, and `no_room`, mean that the data set cannot be
-    /// delivered.
+    /// message that is complete, before this returns: `only` as it came, `whole` as if it had come in one packet. The
+    /// header of a whole is that of packet 0, but sequence number and acknowledgement are those of the packet that
+    /// completed it: its sender waits for an answer to that one. `too_large` and `no_room` mean that the data set
+    /// cannot be delivered.
     jaus::reassembled on_message(const jaus::header& head, std::span<const std::byte> message,
                                  std::chrono::nanoseconds now, auto&& take) {
         if (head.data_flag == jaus::data_flag::only) {
@@ -40,6 +38,8 @@ template <class Table, std::size_t Places = 4> class message_assembly {
         }
         const auto join = [&](jaus::header whole, std::span<const std::byte> body) {
             whole.data_flag = jaus::data_flag::only;
+            whole.sequence_number = head.sequence_number;
+            whole.ack_nak = head.ack_nak;
             whole.data_size = static_cast<std::uint16_t>(body.size());
             static_cast<void>(wire::encode(whole, message_));
             std::ranges::copy(body, std::span{message_}.subspan(jaus::header_size).begin());
@@ -50,9 +50,9 @@ template <class Table, std::size_t Places = 4> class message_assembly {
 
   private:
     std::array<jaus::partial_data_set, Places> places_{};
-    std::array<jaus::held_packet, Places * max_body> packets_{}; // of one byte each, if a sender likes that
-    std::array<std::byte, Places * max_body> memory_{};
-    std::array<std::byte, translator::max_message_size> message_{};
+    std::array<jaus::held_packet, Places * MaxBody> packets_{}; // of one byte each, if a sender likes that
+    std::array<std::byte, Places * MaxBody> memory_{};
+    std::array<std::byte, jaus::header_size + MaxBody> message_{};
     jaus::reassembler large_;
 };
 
