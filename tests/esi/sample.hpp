@@ -25,8 +25,9 @@ inline constexpr ethercat::slave_description sample_slave{
 inline const esi::device_texts sample_texts{
     .vendor_name = "Makers & Co", .group_type = "arms", .group_name = "Robot arms", .type = "A-1"};
 
-template <class Table = translation::seed_table> esi::device sample_device() {
-    return esi::make_device(sample_slave, sample_texts, sample_components<Table>, true);
+template <class Table = translation::seed_table>
+esi::device sample_device(const ethercat::slave_description& slave = sample_slave, bool segmented_sdo = true) {
+    return esi::make_device(slave, sample_texts, sample_components<Table>, segmented_sdo);
 }
 
 template <class Table = translation::seed_table> std::string sample_esi() {
