@@ -57,10 +57,15 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
     ethercat::listed_objects objects{application.objects, application,
                                      values["strict"].template as<bool>() ? ethercat::size_rule::exact
                                                                           : ethercat::size_rule::up_to_largest};
-    ethercat::standard_objects dictionary{example::arm_slave, objects};
+    auto description = example::arm_slave;
+    description.mailbox_out_size = description.mailbox_in_size = values["mailbox-size"].template as<std::uint16_t>();
+    if (description.mailbox_in_size < ethercat::min_mailbox_size ||
+        description.mailbox_in_size > ethercat::max_mailbox_size)
+        throw example::usage_error{"--mailbox-size must be 24 to 1486"};
+    ethercat::standard_objects dictionary{description, objects};
     std::array<std::byte, jauscat::translate::largest_subobject(example::arm_application<Table>::objects)> memory{};
     ethercat::slave slave{
-        example::arm_slave,
+        description,
         dictionary,
         {.transfer_memory = memory, .subindex_0_rule = values["subindex-0-rule"].template as<bool>()}};
 
@@ -103,6 +108,7 @@ int main(int argc, char** argv) {
             ("help", "show this text")
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this arm belongs to, instead of the file's <thissystem>")
+            ("mailbox-size", po::value<std::uint16_t>()->default_value(example::arm_slave.mailbox_in_size), "bytes of each mailbox, 24 to 1486: larger objects go in segments")
             ("strict", po::bool_switch(), "take and give objects at their exact size only, as some slaves do: needs --fixed-length")
             ("subindex-0-rule", po::bool_switch(), "abort writes to PDO mapping objects while their subindex 0 is not 0, as some slaves do: needs the controller's --clear-subindex-0 or another --index-base");
         // clang-format on

@@ -314,6 +314,13 @@ large_data_set_is_delivered() {
     wait_for controller "not delivered: the large data set has more bytes or packets than there is room for"
     wait_for controller "sent Set Wrench Effort (NAK)"
 }
+small_mailbox() { # of 8 bytes of data in a first message and 15 in a segment
+    arm_options=(--mailbox-size 24)
+    start_robot
+    the_command_arrives
+    expect 2 "$bin/robot_arm" --config "$config" --mailbox-size 23
+    says out "--mailbox-size must be 24 to 1486"
+}
 arm_restarts() {
     start_robot
     the_command_arrives
