@@ -61,6 +61,14 @@ inline std::string sdo_text(std::span<const std::byte> mailbox) {
     const auto object = std::to_string(head.index) + ":" + std::to_string(head.subindex);
     if (head.specifier == ethercat::sdo_specifier::abort)
         return "SDO abort of " + object + ": " + std::string{describe(static_cast<ethercat::abort_code>(sdo.size))};
+    using enum ethercat::sdo_specifier;
+    const bool segment = request
+                             ? head.specifier == download_segment_request || head.specifier == upload_segment_request
+                             : head.specifier == upload_segment_response || head.specifier == download_segment_response;
+    if (segment) // names no object
+        return std::string{"SDO segment "} + (request ? "request" : "response") + ", mailbox length " +
+               std::to_string(mail.length) + ", counter " + std::to_string(mail.counter) + "\n    " +
+               jauscat::text::hex(body);
     const bool has_data = head.size_indicated && !head.expedited;
     return std::string{"SDO "} + (request ? "request" : "response") + " for object " + object + ", mailbox length " +
            std::to_string(mail.length) + ", counter " + std::to_string(mail.counter) +

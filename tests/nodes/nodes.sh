@@ -318,6 +318,7 @@ small_mailbox() { # of 8 bytes of data in a first message and 15 in a segment
     arm_options=(--mailbox-size 24)
     start_robot
     the_command_arrives
+    says controller "SDO segment request, mailbox length 18"
     expect 2 "$bin/robot_arm" --config "$config" --mailbox-size 23
     says out "--mailbox-size must be 24 to 1486"
 }
