@@ -148,28 +148,27 @@ class esi_checker : xml_source {
 
     void check_order() {
         auto& result = add("elements stand in the schema's order", "schema");
-        const auto walk = [&](const auto& self, pugi::xml_node node) -> void {
-            for (const auto child : node.children())
-                if (result.met() && child.type() == pugi::node_element) self(self, child);
+        for (const auto& found : root_.select_nodes("descendant-or-self::*")) {
+            const auto node = found.node();
             const std::string name = node.name(), qualified = std::string{node.parent().name()} + '/' + name;
-            for (const auto& [element, children] : element_orders) {
-                if (!result.met() || (element != name && element != qualified)) continue;
-                std::size_t last = 0;
-                for (const auto child : node.children()) {
-                    if (child.type() != pugi::node_element) continue;
-                    const auto place = (' ' + std::string{children} + ' ').find(' ' + std::string{child.name()} + ' ');
-                    if (place == std::string::npos) {
-                        result.problem = at(child) + "not known in <" + name + '>';
-                    } else if (place < last) {
-                        result.problem = at(child) + "stands too late in <" + name + ">, expected the order " +
-                                         std::string{children};
-                    }
-                    if (!result.met()) return;
-                    last = place;
-                }
-            }
-        };
-        walk(walk, root_);
+            for (const auto& [element, children] : element_orders)
+                if (result.met() && (element == name || element == qualified))
+                    result.problem = disorder_in(node, ' ' + std::string{children} + ' ');
+        }
+    }
+
+    std::string disorder_in(pugi::xml_node node, const std::string& order) const {
+        std::size_t last = 0;
+        for (const auto child : node.children()) {
+            if (child.type() != pugi::node_element) continue;
+            const auto place = order.find(' ' + std::string{child.name()} + ' ');
+            if (place == order.npos) return at(child) + "not known in <" + node.name() + '>';
+            if (place < last)
+                return at(child) + "stands too late in <" + node.name() + ">, expected the order" +
+                       order.substr(0, order.size() - 1);
+            last = place;
+        }
+        return {};
     }
 
     // What concerns several elements at once, such as types that do not fit their objects, is the reader's to find.
