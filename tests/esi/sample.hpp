@@ -8,6 +8,7 @@
 #include <jauscat/translate/object_list.hpp>
 
 #include <array>
+#include <stdexcept>
 #include <string>
 
 namespace jauscat::test {
