@@ -4,6 +4,7 @@
 #include <jauscat/ethercat/packet_exchange.hpp>
 #include <jauscat/text/packet_status.hpp>
 
+#include <random>
 #include <set>
 
 using namespace jauscat;
@@ -268,6 +269,37 @@ TEST_CASE("nobody answers as all: octets of 255 become the slave's own, the comp
     c.begin(command_to_instances);
     REQUIRE(c.confirm(download_done).what == exchange_progress::done);
     CHECK(c.acknowledgement() == to_hex(from_hex("3602 0504 02200304 05210201 0000 2200")));
+}
+
+TEST_CASE("whatever comes as a confirmation, a step ends within the buffer, and a report is a message to the asker") {
+    std::mt19937_64 random{2011};
+    int reports = 0, failures = 0, ignored = 0;
+    for (int i = 0; i != 20'000; ++i) {
+        seed_conversation c;
+        REQUIRE(c.begin(query).what == exchange_progress::request);
+        REQUIRE(c.confirm(download_done).what == exchange_progress::request);
+        auto confirmation = random() % 4 == 0 ? upload_no_data : report_uploaded;
+        for (auto changes = random() % 4; changes != 0; --changes)
+            confirmation[random() % confirmation.size()] = static_cast<std::byte>(random());
+        if (random() % 4 == 0) confirmation.resize(random() % 100, std::byte{0xA5});
+        const auto s = c.exchange.on_confirmation(confirmation, c.buffer);
+        REQUIRE(s.size <= c.buffer.size());
+        REQUIRE(s.what != exchange_progress::request);
+        failures += s.what == exchange_progress::failed;
+        ignored += s.what == exchange_progress::ignored;
+        if (s.what != exchange_progress::done) continue;
+        ++reports;
+        const auto told = jaus::split(std::span{c.buffer}.first(s.size));
+        const bool other_version = told.error == jaus::errc::wrong_version; // the slave's own word
+        REQUIRE((told || other_version));
+        REQUIRE(told.header.destination == jaus::address{2, 32, 3, 4});
+        REQUIRE(told.header.source == jaus::address{5, 33, 2, 1});
+        REQUIRE(told.header.command_code == 0x4405);
+        REQUIRE(told.header.sequence_number == 34);
+    }
+    CHECK(reports > 2000);
+    CHECK(failures > 2000);
+    CHECK(ignored > 1000);
 }
 
 TEST_CASE("abort codes and ulSta stand for each other as the manuals list them") {
