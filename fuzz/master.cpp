@@ -112,7 +112,8 @@ class session {
 
     input_reader in_;
     objects source_{};
-    slave device_{description(0), object_dictionary{source_}};
+    bytes memory_ = bytes(1020); // of the largest object
+    slave device_{description(0), object_dictionary{source_}, {.transfer_memory = memory_}};
     master master_{config};
     time_point now_{};
 };

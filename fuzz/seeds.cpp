@@ -142,6 +142,19 @@ void write_traffic(const std::filesystem::path& root) {
     master.add(lossy);
 }
 
+// Transfers in the form of fuzz/segments.cpp, which nothing disturbs, and one that is changed in the middle.
+void write_segments(const std::filesystem::path& root) {
+    seed_folder segments{root, "segments"};
+    for (int options = 0; options != 64; ++options)
+        for (const int size : {3, 20, 100})
+            segments.add(std::array{std::byte{0}, std::byte{1}, static_cast<std::byte>(options),
+                                    static_cast<std::byte>(size), std::byte{0}});
+    bytes changed{std::byte{0}, std::byte{1}, std::byte{0}, std::byte{100}, std::byte{0}};
+    append(changed, bytes(6));
+    append(changed, std::array{std::byte{6}, std::byte{2}, std::byte{0x80}});
+    segments.add(changed);
+}
+
 void write_configurations(const std::filesystem::path& root, const std::filesystem::path& example) {
     seed_folder config{root, "config"};
     std::ifstream file{example};
@@ -163,6 +176,7 @@ int main(int count, char** arguments) {
         const std::filesystem::path root{arguments[1]};
         write_messages(root);
         write_traffic(root);
+        write_segments(root);
         write_configurations(root, arguments[2]);
     } catch (const std::exception& error) {
         std::cerr << "fuzz_seeds: " << error.what() << '\n';

@@ -62,7 +62,8 @@ void check_frame(slave& device, bytes frame) {
 void fuzz::run(std::span<const std::byte> input) {
     input_reader in{input};
     objects source;
-    slave device{description(in.take()), object_dictionary{source}};
+    bytes memory(1020); // of the largest object
+    slave device{description(in.take()), object_dictionary{source}, {.transfer_memory = memory}};
     source.on_access = [&] { check(device.state() != al_state::init, "a slave in INIT has no mailbox"); };
     for (int step = 0; step != max_steps && !in.empty(); ++step)
         if (auto frame = next_frame(in); !frame.empty()) check_frame(device, std::move(frame));
