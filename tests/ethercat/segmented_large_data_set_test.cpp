@@ -59,13 +59,15 @@ template <class Table> void delivers(std::size_t largest) {
     using delivery = ethercat::delivery<Table>;
     assembled<Table> a;
     const auto body = counting(largest);
-    const auto parts = large_data_set(body, 500);
+    auto parts = large_data_set(body, 500);
+    parts[2][0] |= std::byte{0x10}; // the one that comes last asks for an acknowledgement
     REQUIRE(parts.size() == 4);
     for (const std::size_t i : {1u, 0u, 3u}) CHECK(a.give(parts[i]) == reassembled::waiting);
     CHECK(a.give(parts[2]) == reassembled::whole);
     REQUIRE(a.taken.size() == 1);
     auto whole_head = head;
-    whole_head.sequence_number = 2; // of the packet that came last
+    whole_head.sequence_number = 2;
+    whole_head.ack_nak = jaus::ack_nak::request;
     const auto whole = message(whole_head, body);
     CHECK(a.taken[0] == whole);
 
