@@ -19,7 +19,7 @@ std::size_t messages(std::size_t size, std::size_t mailbox, bool empty_start) {
 // Every size, or some of them and those where one more message begins.
 std::vector<std::size_t> sizes(bool every) {
     std::vector<std::size_t> all;
-    for (std::size_t size = 1; size <= (every ? 2000u : 130u); ++size) all.push_back(size);
+    for (std::size_t size = 1; size <= 2000; size += every || size < 130 ? 1 : 11) all.push_back(size);
     if (every) return all;
     for (const std::size_t mailbox : {128u, 1024u})
         for (const std::size_t filled : {mailbox - 16, 2 * mailbox - 25, mailbox - 9, 2 * mailbox - 18})
@@ -30,6 +30,7 @@ std::vector<std::size_t> sizes(bool every) {
 
 void transfers_whole(std::uint16_t out, std::uint16_t in, bool empty_start, bool every = false) {
     segmented_bench b{out, in, {.empty_start = empty_start}};
+    b.keeps_mail = false;
     b.set({std::byte{}});
     REQUIRE(b.download(bytes(1))); // drains the mailbox
     for (const auto size : sizes(every)) {
@@ -41,13 +42,13 @@ void transfers_whole(std::uint16_t out, std::uint16_t in, bool empty_start, bool
         REQUIRE(b.download(data, {.empty_start = empty_start}));
         CHECK(b.stored() == data);
         CHECK(b.objects.writes == writes + 1);
-        CHECK(b.mail.size() == 2 * messages(size, out, empty_start));
-        CHECK(b.master.statistics().sent - sent == b.mail.size());
+        const auto sent_by_download = b.master.statistics().sent - sent;
+        CHECK(sent_by_download == 2 * messages(size, out, empty_start)); // frames: a write and a read each
 
         bytes into(size);
         CHECK(b.upload(into) == outcome{.size = size});
         CHECK(into == data);
-        CHECK(b.mail.size() == 2 * messages(size, in, empty_start));
+        CHECK(b.master.statistics().sent - sent - sent_by_download == 2 * messages(size, in, empty_start));
     }
 }
 
@@ -55,7 +56,7 @@ void transfers_whole(std::uint16_t out, std::uint16_t in, bool empty_start, bool
 
 TEST_CASE("data of 1 to 2000 bytes pass mailboxes of every size whole") {
     for (const auto mailbox : std::initializer_list<std::uint16_t>{24, 25, 32, 48, 128, 1024}) {
-        transfers_whole(mailbox, mailbox, false, true);
+        transfers_whole(mailbox, mailbox, false, mailbox >= 48); // a small one takes many frames
         transfers_whole(mailbox, mailbox, true);
     }
     transfers_whole(24, 128, false);
