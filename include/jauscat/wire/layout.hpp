@@ -232,12 +232,16 @@ template <class... Items> struct layout {
 
 namespace detail {
 
-template <auto Member> inline constexpr char mark{}; // its address tells members apart
+// By their spelling: to compare the pointers themselves would take a template for each pair, and addresses of variables
+// made from them are no constants for g++ with -fsanitize=undefined.
+template <auto Member> inline constexpr std::string_view spelling = spelling_of<Member>();
 template <auto... Members> consteval bool listed_once(key_list<Members...>) {
-    const std::array<const char*, sizeof...(Members) + 1> marks{&mark<Members>..., nullptr};
+    const std::array<std::string_view, sizeof...(Members) + 1> spellings{spelling<Members>..., std::string_view{}};
     for (std::size_t i = 0; i != sizeof...(Members); ++i)
-        for (std::size_t j = 0; j != i; ++j)
-            if (marks[i] == marks[j]) return false;
+        for (std::size_t j = 0; j != i; ++j) {
+            const auto a = spellings[i], b = spellings[j];
+            if (a.size() == b.size() && __builtin_memcmp(a.data(), b.data(), a.size()) == 0) return false;
+        }
     return true;
 }
 template <class T, auto... Members> consteval bool owned_by(key_list<Members...>) {
