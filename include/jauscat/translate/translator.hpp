@@ -22,20 +22,22 @@ template <class Table> struct translator {
 
     /// Translates one JAUS message (header and body) into a packet; returns the packet's size.
     /// Errors: truncated, wrong_size, too_large, no_space, unknown_command_code, reserved_value.
-    static constexpr result forth(std::span<const std::byte> message, std::span<std::byte> packet) noexcept {
+    JAUSCAT_WHOLE static constexpr result forth(std::span<const std::byte> message,
+                                                std::span<std::byte> packet) noexcept {
         return fill(message, packet, {});
     }
 
     /// The same with what is the caller's own, such as a packet number, taken from `given`.
-    static constexpr result forth(std::span<const std::byte> message, std::span<std::byte> packet,
-                                  const packet_type& given) noexcept {
+    JAUSCAT_WHOLE static constexpr result forth(std::span<const std::byte> message, std::span<std::byte> packet,
+                                                const packet_type& given) noexcept {
         return fill(message, packet, given);
     }
 
     /// Translates a packet back into the JAUS message it was made of; returns the message's size.
     /// Errors: truncated, wrong_size, too_large, no_space, unknown_index, unknown_subindex, reserved_value,
     /// out_of_range, wrong_packet.
-    static constexpr result back(std::span<const std::byte> packet, std::span<std::byte> message) noexcept {
+    JAUSCAT_WHOLE static constexpr result back(std::span<const std::byte> packet,
+                                               std::span<std::byte> message) noexcept {
         packet_type fields{};
         if (!wire::decode_prefix(fields, packet)) return errc::truncated;
         const std::size_t data_size = Table::data_count_row::counts_data::of(fields);
@@ -44,8 +46,8 @@ template <class Table> struct translator {
     }
 
     /// The same for a packet whose fields and data are at hand apart.
-    static constexpr result back(const packet_type& fields, std::span<const std::byte> data,
-                                 std::span<std::byte> message) noexcept {
+    JAUSCAT_WHOLE static constexpr result back(const packet_type& fields, std::span<const std::byte> data,
+                                               std::span<std::byte> message) noexcept {
         return restore(fields, data, message);
     }
 
@@ -112,7 +114,9 @@ template <class Table> struct translator {
         copy_body(in, s.body, message.data() + header_size);
 
         if constexpr (Table::body_size_row::uses::size == 0) { // the size came with the rest: is it true?
-            wire::detail::get_message(header, message.data(), 0);
+            // Not get_message, which may be a call: only one field is looked at.
+            wire::layout_of<header_type>::get(header, {message.data(), 0},
+                                              wire::object_scope{header, wire::plain_root{}});
             if (const errc error = Table::body_size_row::forth(header, fields, s); error != errc::ok) return error;
         }
         return header_size + s.body;
