@@ -110,6 +110,20 @@ TEMPLATE_TEST_CASE("the largest body fills a packet, and one byte more is too la
     CHECK(TestType::back(swollen, out).error() == errc::too_large);
 }
 
+TEMPLATE_TEST_CASE("a table for cards of before 2011-09 takes four bytes more", "",
+                   (translation::seed_table_of<6900, translation::ra_command_codes, 1544>),
+                   (translation::self_contained_table_of<6900, translation::ra_command_codes, 1544>)) {
+    using older = translate::translator<typename TestType::type>;
+    STATIC_REQUIRE(hilscher::max_sdo_data_before_2011_09 == 1544);
+    const auto largest = message_with_body(older::max_body);
+    const auto packet = forth<older>(largest);
+    REQUIRE(packet.error == errc::ok);
+    CHECK(get(packet.bytes, word::ul_data_cnt) == 1544);
+    CHECK(get(packet.bytes, word::ul_len) == 1560);
+    CHECK(back<older>(packet.bytes).bytes == largest);
+    CHECK(forth<older>(message_with_body(older::max_body + 1)).error == errc::too_large);
+}
+
 TEMPLATE_TEST_CASE("a command code that is not in the table's list is unknown", "", seed, self_contained) {
     const auto [low, high] = GENERATE(std::pair{0x00, 0x00}, std::pair{0x12, 0x00}, std::pair{0x03, 0x04},
                                       std::pair{0x01, 0xD0}, std::pair{0xFF, 0xFF});

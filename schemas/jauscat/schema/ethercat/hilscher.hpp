@@ -135,8 +135,10 @@ struct sdo_upload_confirmation {
     friend constexpr bool operator==(const sdo_upload_confirmation&, const sdo_upload_confirmation&) = default;
 };
 
-/// Most bytes of abSdoData: the body's 1556 less 16. Cards from before 2011-09 take 1544.
+/// Most bytes of abSdoData: the body's 1556 less 16.
 inline constexpr std::size_t max_sdo_data = 1540;
+/// The same for cards from before 2011-09: the body's 1560 less 16.
+inline constexpr std::size_t max_sdo_data_before_2011_09 = 1544;
 
 } // namespace jauscat::hilscher
 

@@ -5,15 +5,16 @@
 
 namespace jauscat::translation {
 
-/// The self-contained table for any index base (see index_bases.hpp) and list of command codes.
+/// The self-contained table for any index base (see index_bases.hpp), list of command codes and largest abSdoData.
 // clang-format off
-template <std::uint32_t IndexBase = seed_index_base, const auto& Codes = ra_command_codes>
+template <std::uint32_t IndexBase = seed_index_base, const auto& Codes = ra_command_codes,
+          std::size_t MaxData = hilscher::max_sdo_data>
 struct self_contained_table_of {
     using J = jaus::header;
     using A = jaus::address;
     using P = hilscher::sdo_download_request;
     using H = hilscher::packet_header;
-    using type = translate::table<J, P, hilscher::max_sdo_data,
+    using type = translate::table<J, P, MaxData,
         translate::move<translate::at<&J::destination, &A::node>, translate::at<&P::ul_node_id>>,
         translate::offset<translate::at<&J::destination, &A::component>, translate::at<&P::ul_index>, IndexBase>,
         translate::rank<translate::at<&J::command_code>, translate::at<&P::ul_sub_index>, Codes>,
