@@ -11,6 +11,7 @@
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/text/jaus.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -88,7 +89,8 @@ bytes frame_with(const ethercat::object_access& object) {
     master.download(station, object.index, object.subindex, object.data);
     if (!jauscat::net::run(link, master)) throw std::logic_error{"the slave does not take the object"};
     for (const auto& frame : link.sent)
-        if (!std::ranges::search(frame, object.data).empty()) return frame;
+        if (std::search(frame.begin(), frame.end(), object.data.begin(), object.data.end()) != frame.end())
+            return frame;
     throw std::logic_error{"no frame carries the object whole"};
 }
 
