@@ -272,7 +272,7 @@ TEST_CASE("nobody answers as all: octets of 255 become the slave's own, the comp
 }
 
 TEST_CASE("whatever comes as a confirmation, a step ends within the buffer, and a report is a message to the asker") {
-    std::mt19937_64 random{2011};
+    std::mt19937 random{2011};
     int reports = 0, failures = 0, ignored = 0;
     for (int i = 0; i != 20'000; ++i) {
         seed_conversation c;
