@@ -170,8 +170,7 @@ std::function<bool(operator_console&)> sender(const std::string& name, const wor
     std::function<bool(operator_console&)> made;
     const bool known = text::with_message(code, robot_messages{}, [&]<class Message>() {
         made = [code, message = message_from<Message>(assignments)](operator_console& console) {
-            const bool is_query = code >> 12 == 2; // RA 3.3 part 3: the report's code is 2000h higher
-            if (!console.ask(message, is_query ? static_cast<std::uint16_t>(code + 0x2000) : std::uint16_t{})) {
+            if (!console.ask(message, jaus::report_code_of(code))) {
                 std::cout << "ocu: FAILED: no answer\n";
                 return false;
             }

@@ -30,7 +30,6 @@ template <std::size_t I, class H> struct placed_handler { H handler; };
 template <class Places, class... Handlers> struct handler_list;
 template <std::size_t... I, class... Handlers>
 struct handler_list<std::index_sequence<I...>, Handlers...> : placed_handler<I, Handlers>... {
-    static constexpr std::size_t size = sizeof...(Handlers);
     constexpr explicit handler_list(Handlers... handlers) : placed_handler<I, Handlers>{std::move(handlers)}... {}
 };
 template <class... Handlers> using handlers_of = handler_list<std::index_sequence_for<Handlers...>, Handlers...>;

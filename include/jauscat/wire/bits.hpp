@@ -24,7 +24,7 @@ template <auto Member, std::size_t Width> struct bit {
     static consteval std::string_view name() { return name_of<Member>(); }
 
     JAUSCAT_PART static constexpr std::uint64_t value(const auto& object) noexcept {
-        return static_cast<std::uint64_t>((object.*place_in<decltype(object), Member>));
+        return static_cast<std::uint64_t>(object.*place_in<decltype(object), Member>);
     }
     JAUSCAT_PART static constexpr bool fits(const auto& object) noexcept {
         if constexpr (std::is_same_v<value_type, bool> || Width >= sizeof(value_type) * 8)
@@ -33,7 +33,7 @@ template <auto Member, std::size_t Width> struct bit {
             return value(object) >> Width == 0;
     }
     JAUSCAT_PART static constexpr void assign(auto& object, std::uint64_t raw) noexcept {
-        (object.*place_in<decltype(object), Member>) = static_cast<value_type>(raw);
+        object.*place_in<decltype(object), Member> = static_cast<value_type>(raw);
     }
     JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
         visitor(bit{}, object.*place_in<decltype(object), Member>);

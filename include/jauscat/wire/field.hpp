@@ -42,10 +42,8 @@ template <auto Member, class Codec> struct field {
         using used = codec_in_mode<Codec, raw_object<decltype(object)>>;
         typename used::value_type value{};
         if (const errc error = used::load(in, value); error != errc::ok) return error;
-        if constexpr (raw_object<decltype(object)>)
-            object.*place_in<decltype(object), Member> = static_cast<raw_value>(value);
-        else
-            object.*Member = static_cast<value_type>(value);
+        using stored = std::conditional_t<raw_object<decltype(object)>, raw_value, value_type>;
+        object.*place_in<decltype(object), Member> = static_cast<stored>(value);
         return errc::ok;
     }
 

@@ -58,11 +58,11 @@ template <auto Member> struct flag {
     JAUSCAT_PART static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
     // Not called for a bit that is clear: presence_group clears the member.
     JAUSCAT_PART static constexpr errc get(auto& object, const std::byte*) noexcept {
-        (object.*place_in<decltype(object), Member>) = true;
+        object.*place_in<decltype(object), Member> = true;
         return errc::ok;
     }
     JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(flag{}, (object.*place_in<decltype(object), Member>));
+        visitor(flag{}, object.*place_in<decltype(object), Member>);
     }
 };
 
@@ -204,7 +204,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         if constexpr (Item::optional)
             return (object.*place_in<decltype(object), Item::key>).has_value();
         else if constexpr (detail::takes_bit<Item>)
-            return (object.*place_in<decltype(object), Item::key>);
+            return object.*place_in<decltype(object), Item::key>;
         else
             return true;
     }
@@ -265,7 +265,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         if constexpr (Item::optional)
             (object.*place_in<decltype(object), Item::key>).reset();
         else
-            (object.*place_in<decltype(object), Item::key>) = false;
+            object.*place_in<decltype(object), Item::key> = false;
     }
     template <class Item>
     JAUSCAT_PART static constexpr bool get_fixed(auto& object, mask_type m, std::size_t& at, const std::byte*& in,
@@ -286,7 +286,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     JAUSCAT_PART static constexpr void set_flag([[maybe_unused]] auto& object, [[maybe_unused]] mask_type m,
                                                 [[maybe_unused]] std::size_t& at) noexcept {
         if constexpr (requires { Item::takes_bit; })
-            (object.*place_in<decltype(object), Item::key>) = (m >> at & 1u) != 0;
+            object.*place_in<decltype(object), Item::key> = (m >> at & 1u) != 0;
         if constexpr (detail::takes_bit<Item>) ++at;
     }
 

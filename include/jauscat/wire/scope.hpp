@@ -55,7 +55,7 @@ template <class Object> struct owner_of { using type = std::remove_const_t<Objec
 template <raw_object Object> struct owner_of<Object> { using type = typename Object::raw_of; };
 
 template <auto First, auto... Rest> JAUSCAT_PART constexpr auto along(const auto& object) noexcept {
-    const auto& member = (object.*place_in<decltype(object), First>);
+    const auto& member = object.*place_in<decltype(object), First>;
     if constexpr (sizeof...(Rest) == 0)
         return member;
     else

@@ -53,12 +53,12 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
 
     JAUSCAT_PART static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
         std::size_t total = 0;
-        for (const auto& one : (object.*place_in<decltype(object), Member>))
+        for (const auto& one : object.*place_in<decltype(object), Member>)
             total += inner_layout::size(one, object_scope{one, here});
         return total;
     }
     JAUSCAT_PART static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        const auto& nodes = (object.*place_in<decltype(object), Member>);
+        const auto& nodes = object.*place_in<decltype(object), Member>;
         tree_walk<MaxDepth> walk;
         detail::enter<tree>(here);
         for (std::size_t i = 0; i != nodes.size(); ++i) {
@@ -73,7 +73,7 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
         return c;
     }
     JAUSCAT_PART static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        auto& nodes = (object.*place_in<decltype(object), Member>);
+        auto& nodes = object.*place_in<decltype(object), Member>;
         using stored = typename std::remove_reference_t<decltype(nodes)>::value_type;
         if constexpr (traced<decltype(here)>) {
             tree_walk<MaxDepth> walk;
