@@ -99,6 +99,19 @@ struct sync_manager_activate {
     bool repeat_request{};
 };
 
+/// FMMU (0x0600 + 16 n), 16 bytes: maps some bits of the logical address space to the slave's memory.
+struct fmmu {
+    std::uint32_t logical_start{};
+    std::uint16_t length{};         ///< bytes of the logical address space
+    std::uint8_t first_bit{};       ///< in the first byte, 0 to 7
+    std::uint8_t last_bit{};        ///< in the last byte, 0 to 7
+    std::uint16_t physical_start{}; ///< where the memory begins
+    std::uint8_t physical_bit{};    ///< in its first byte, 0 to 7
+    bool read{};                    ///< a master may read
+    bool write{};                   ///< a master may write
+    bool enable{};
+};
+
 /// SII owner (0x0500).
 struct sii_owner {
     bool pdi{};   ///< true gives the memory to the slave's application
@@ -198,6 +211,30 @@ template <> struct wire::schema<ethercat::sync_manager_activate> {
             bit<&T::enable, 1>,
             bit<&T::repeat_request, 1>,
             reserved<6>>>;
+};
+
+template <> struct wire::schema<ethercat::fmmu> {
+    using T = ethercat::fmmu;
+    using type = layout<
+        field<&T::logical_start, u32le>,
+        field<&T::length, u16le>,
+        bits<u8,
+            bit<&T::first_bit, 3>,
+            reserved<5>>,
+        bits<u8,
+            bit<&T::last_bit, 3>,
+            reserved<5>>,
+        field<&T::physical_start, u16le>,
+        bits<u8,
+            bit<&T::physical_bit, 3>,
+            reserved<5>>,
+        bits<u8,
+            bit<&T::read, 1>,
+            bit<&T::write, 1>,
+            reserved<6>>,
+        bits<u32le,
+            bit<&T::enable, 1>,
+            reserved<31>>>;
 };
 
 template <> struct wire::schema<ethercat::sii_owner> {

@@ -111,6 +111,29 @@ struct sii_sync_manager {
     sii_sync_manager_use use{};
 };
 
+/// What an FMMU of category FMMU is for: one byte each, in the order of the FMMUs.
+enum class sii_fmmu_use : std::uint8_t { none = 0, outputs = 1, inputs = 2, mailbox_state = 3 };
+
+/// Head of a category TxPDO or RxPDO, 8 bytes; its entries follow, and then the next PDO.
+struct sii_pdo {
+    std::uint16_t index{}; ///< 1600h to 17FFh outputs, 1A00h to 1BFFh inputs
+    std::uint8_t entries{};
+    std::uint8_t sync_manager{}; ///< that carries it from the start; 255: none
+    std::uint8_t synchronization{};
+    std::uint8_t name{}; ///< index of a string
+    std::uint16_t flags{};
+};
+
+/// One entry of a PDO, 8 bytes.
+struct sii_pdo_entry {
+    std::uint16_t index{}; ///< of the object; 0: a gap
+    std::uint8_t subindex{};
+    std::uint8_t name{};      ///< index of a string
+    std::uint8_t data_type{}; ///< 1 BOOLEAN, 2 INTEGER8, 3 INTEGER16, 4 INTEGER32, 5 to 7 UNSIGNED8 to 32, 8 REAL32
+    std::uint8_t bits{};
+    std::uint16_t flags{};
+};
+
 } // namespace jauscat::ethercat
 
 // One line per field, as in the standard's table.
@@ -204,6 +227,28 @@ template <> struct wire::schema<ethercat::sii_sync_manager> {
         field<&T::status, u8>,
         field<&T::enable, u8>,
         field<&T::use, enumeration<ethercat::sii_sync_manager_use, u8>>>;
+};
+
+template <> struct wire::schema<ethercat::sii_pdo> {
+    using T = ethercat::sii_pdo;
+    using type = layout<
+        field<&T::index, u16le>,
+        field<&T::entries, u8>,
+        field<&T::sync_manager, u8>,
+        field<&T::synchronization, u8>,
+        field<&T::name, u8>,
+        field<&T::flags, u16le>>;
+};
+
+template <> struct wire::schema<ethercat::sii_pdo_entry> {
+    using T = ethercat::sii_pdo_entry;
+    using type = layout<
+        field<&T::index, u16le>,
+        field<&T::subindex, u8>,
+        field<&T::name, u8>,
+        field<&T::data_type, u8>,
+        field<&T::bits, u8>,
+        field<&T::flags, u16le>>;
 };
 
 } // namespace jauscat

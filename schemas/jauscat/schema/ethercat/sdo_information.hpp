@@ -1,0 +1,162 @@
+// SDO information: what objects a slave has, and what they are. ETG.1000.6, clause 5.6.3.
+#pragma once
+
+#include <jauscat/wire/schema.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace jauscat::ethercat {
+
+/// What an SDO information message asks or answers.
+enum class sdo_information_opcode : std::uint8_t {
+    list_request = 1,
+    list_response = 2,
+    object_request = 3,
+    object_response = 4,
+    entry_request = 5,
+    entry_response = 6,
+    error = 7, ///< an abort code of 4 bytes follows
+};
+
+/// First 4 bytes of an SDO information message, after the CoE header.
+struct sdo_information_header {
+    sdo_information_opcode opcode{};
+    bool incomplete{};              ///< more fragments follow
+    std::uint16_t fragments_left{}; ///< how many
+};
+
+/// Which objects a list names.
+enum class object_list_type : std::uint16_t {
+    lengths = 0, ///< how many objects the lists 1 to 5 name: five numbers of 2 bytes
+    all = 1,
+    rx_pdo = 2, ///< that can be mapped into outputs
+    tx_pdo = 3, ///< that can be mapped into inputs
+    backup = 4,
+    settings = 5,
+};
+
+/// List request, and the first 2 bytes of its response; in the first fragment the indices follow, 2 bytes each.
+struct object_list {
+    object_list_type type{};
+};
+
+/// What an object is made of.
+enum class object_code : std::uint8_t { variable = 7, array = 8, record = 9 };
+
+/// Object description request, 2 bytes.
+struct object_query {
+    std::uint16_t index{};
+};
+
+/// Object description response, 6 bytes; the object's name follows.
+struct object_answer {
+    std::uint16_t index{};
+    std::uint16_t data_type{};
+    std::uint8_t highest_subindex{};
+    object_code code{};
+};
+
+/// Entry description request, 4 bytes.
+struct entry_query {
+    std::uint16_t index{};
+    std::uint8_t subindex{};
+    std::uint8_t value_info{}; ///< bits: 0 access, 1 category, 2 PDO mapping, 3 unit, 4 default, 5 minimum, 6 maximum
+};
+
+/// Who may access an entry in which state.
+struct entry_access {
+    bool read_pre_op{};
+    bool read_safe_op{};
+    bool read_op{};
+    bool write_pre_op{};
+    bool write_safe_op{};
+    bool write_op{};
+    bool rx_pdo{}; ///< can be mapped into outputs
+    bool tx_pdo{}; ///< can be mapped into inputs
+    bool backup{};
+    bool setting{};
+};
+
+/// Entry description response, 10 bytes; the values that `value_info` names follow, and then the entry's name.
+struct entry_answer {
+    std::uint16_t index{};
+    std::uint8_t subindex{};
+    std::uint8_t value_info{}; ///< which values are there
+    std::uint16_t data_type{};
+    std::uint16_t bits{}; ///< size of the entry
+    entry_access access{};
+};
+
+} // namespace jauscat::ethercat
+
+// One line per field, as in the standard's table.
+// clang-format off
+namespace jauscat {
+
+template <> struct wire::schema<ethercat::sdo_information_header> {
+    using T = ethercat::sdo_information_header;
+    using type = layout<
+        bits<u8,
+            bit<&T::opcode, 7>,
+            bit<&T::incomplete, 1>>,
+        bits<u8, reserved<8>>,
+        field<&T::fragments_left, u16le>>;
+};
+
+template <> struct wire::schema<ethercat::object_list> {
+    using T = ethercat::object_list;
+    using type = layout<field<&T::type, enumeration<ethercat::object_list_type, u16le>>>;
+};
+
+template <> struct wire::schema<ethercat::object_query> {
+    using T = ethercat::object_query;
+    using type = layout<field<&T::index, u16le>>;
+};
+
+template <> struct wire::schema<ethercat::object_answer> {
+    using T = ethercat::object_answer;
+    using type = layout<
+        field<&T::index, u16le>,
+        field<&T::data_type, u16le>,
+        field<&T::highest_subindex, u8>,
+        field<&T::code, enumeration<ethercat::object_code, u8>>>;
+};
+
+template <> struct wire::schema<ethercat::entry_query> {
+    using T = ethercat::entry_query;
+    using type = layout<
+        field<&T::index, u16le>,
+        field<&T::subindex, u8>,
+        field<&T::value_info, u8>>;
+};
+
+template <> struct wire::schema<ethercat::entry_access> {
+    using T = ethercat::entry_access;
+    using type = layout<
+        bits<u16le,
+            bit<&T::read_pre_op, 1>,
+            bit<&T::read_safe_op, 1>,
+            bit<&T::read_op, 1>,
+            bit<&T::write_pre_op, 1>,
+            bit<&T::write_safe_op, 1>,
+            bit<&T::write_op, 1>,
+            bit<&T::rx_pdo, 1>,
+            bit<&T::tx_pdo, 1>,
+            bit<&T::backup, 1>,
+            bit<&T::setting, 1>,
+            reserved<6>>>;
+};
+
+template <> struct wire::schema<ethercat::entry_answer> {
+    using T = ethercat::entry_answer;
+    using type = layout<
+        field<&T::index, u16le>,
+        field<&T::subindex, u8>,
+        field<&T::value_info, u8>,
+        field<&T::data_type, u16le>,
+        field<&T::bits, u16le>,
+        nested<&T::access>>;
+};
+
+} // namespace jauscat
