@@ -1,8 +1,10 @@
 // Sockets and configuration files, all of it: what stands above the I/O line.
 #pragma once
 
+#include <jauscat/net/cycle_timer.hpp>
 #include <jauscat/net/jaus_config.hpp>
 #include <jauscat/net/jausip.hpp>
+#include <jauscat/net/latency_histogram.hpp>
 #include <jauscat/net/next_hop.hpp>
 #include <jauscat/net/open_error.hpp>
 #include <jauscat/net/outcome.hpp>
