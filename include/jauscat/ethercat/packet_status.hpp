@@ -119,6 +119,7 @@ template <class Meaning, std::size_t N>
     case packet_status::invalid_packet_length: return "ulLen is not the length of such a packet";
     case packet_status::invalid_extension: return "ulExt is not valid in this packet";
     case packet_status::invalid_parameter: return "a parameter of the packet is out of range";
+    case packet_status::unknown_handle: return "no slave has this handle";
     case packet_status::command_invalid: return "the EtherCAT master does not know this command";
     case packet_status::no_link: return "no link: check cable and interface";
     case packet_status::critical_error_state: return "the EtherCAT master has failed and needs a reset";
@@ -140,6 +141,8 @@ template <class Meaning, std::size_t N>
     case packet_status::coe_invalid_access: return "the slave refuses CoE messages";
     case packet_status::coe_no_mailbox_support: return "the slave has no mailbox";
     case packet_status::coe_no_coe_support: return "the slave's mailbox does not carry CoE";
+    case packet_status::state_change_busy: return "the EtherCAT master is busy with a change of state";
+    case packet_status::invalid_target_phase: return "there is no such state";
     case packet_status::sdo_abort_unknown: return "the slave aborted with a code that has no status of its own";
     default: return "unknown status";
     }

@@ -1,6 +1,6 @@
 // Packets of the Hilscher EtherCAT master's API (netX, cifX cards; V2/V3): the common packet header and the SDO
-// services. netX Dual-Port Memory Interface manual; EtherCAT Master V3/V4 Protocol API manual. Little endian, no
-// padding.
+// services; hilscher_info.hpp and hilscher_state.hpp have the other services. netX Dual-Port Memory Interface manual;
+// EtherCAT Master V3/V4 Protocol API manual. Little endian, no padding.
 #pragma once
 #include <jauscat/wire/schema.hpp>
 
@@ -8,6 +8,8 @@ namespace jauscat::hilscher {
 
 /// ulCmd: what a packet asks for. An answer is its request plus 1.
 enum class packet_command : std::uint32_t {
+    get_slave_handles_req = 0x2F08,
+    get_slave_handles_cnf = 0x2F09,
     od_create_object_req = 0x6A80,
     od_create_object_cnf = 0x6A81,
     od_create_subobject_req = 0x6A82,
@@ -16,6 +18,22 @@ enum class packet_command : std::uint32_t {
     sdo_upload_cnf = 0x00650007,
     sdo_download_req = 0x00650008,
     sdo_download_cnf = 0x00650009,
+    get_od_list_req = 0x0065000A,
+    get_od_list_cnf = 0x0065000B,
+    get_object_description_req = 0x00650018,
+    get_object_description_cnf = 0x00650019,
+    get_entry_description_req = 0x0065001A,
+    get_entry_description_cnf = 0x0065001B,
+    read_emergencies_req = 0x0065001C,
+    read_emergencies_cnf = 0x0065001D,
+    start_bus_scan_req = 0x00650020,
+    start_bus_scan_cnf = 0x00650021,
+    get_bus_scan_info_req = 0x00650022,
+    get_bus_scan_info_cnf = 0x00650023,
+    get_state_req = 0x00650046,
+    get_state_cnf = 0x00650047,
+    set_state_req = 0x00650048,
+    set_state_cnf = 0x00650049,
 };
 
 /// ulSta of a confirmation: the result. EtherCAT Master Protocol API, status codes; other values are possible.
@@ -29,6 +47,7 @@ enum class packet_status : std::uint32_t {
     invalid_packet_length = 0xC0000007,
     invalid_extension = 0xC0000008,
     invalid_parameter = 0xC0000009,
+    unknown_handle = 0xC000000E,
     command_invalid = 0xC0650001,
     no_link = 0xC0650002,
     critical_error_state = 0xC065000A,
@@ -80,6 +99,8 @@ enum class packet_status : std::uint32_t {
     sdo_abort_device_state = 0xC0650042,
     sdo_abort_no_dictionary = 0xC0650043,
     sdo_abort_unknown = 0xC0650044, ///< any abort code that this list lacks
+    state_change_busy = 0xC0650075,
+    invalid_target_phase = 0xC0650076, ///< no such state
 };
 
 /// The header of every packet, 40 bytes. An answer keeps all of it but ulSta, ulCmd and ulLen.
@@ -135,8 +156,10 @@ struct sdo_upload_confirmation {
     friend constexpr bool operator==(const sdo_upload_confirmation&, const sdo_upload_confirmation&) = default;
 };
 
+/// Most bytes of body.
+inline constexpr std::size_t max_packet_body = 1556;
 /// Most bytes of abSdoData: the body's 1556 less 16.
-inline constexpr std::size_t max_sdo_data = 1540;
+inline constexpr std::size_t max_sdo_data = max_packet_body - 16;
 /// The same for cards from before 2011-09: the body's 1560 less 16.
 inline constexpr std::size_t max_sdo_data_before_2011_09 = 1544;
 
