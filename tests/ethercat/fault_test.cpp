@@ -155,7 +155,7 @@ TEST_CASE("an SII that stays busy or fails is reported, and one that is slow is 
     CHECK(failing.bring_up() == outcome{.error = master_errc::sii_error, .detail = 8});
 }
 
-TEST_CASE("a slave without a mailbox or without CoE cannot be used") {
+TEST_CASE("a slave with an unusable mailbox is refused, and one without CoE takes no SDO") {
     CHECK(bench{{.mailbox_out_size = 0}}.bring_up() == outcome{.error = master_errc::no_mailbox});
     CHECK(bench{{.mailbox_in_size = 1487}}.bring_up() == outcome{.error = master_errc::no_mailbox});
     bench b;
@@ -163,7 +163,8 @@ TEST_CASE("a slave without a mailbox or without CoE cannot be used") {
         if (d.header.cmd == command::fprd && d.data[2] == std::byte{0x1C}) put(d, "0800", 6);
         return true;
     });
-    CHECK(b.bring_up() == outcome{.error = master_errc::no_coe});
+    REQUIRE(b.bring_up());
+    CHECK(b.download() == outcome{.error = master_errc::no_coe});
 }
 
 TEST_CASE("a refused state is reported with the slave's reason") {
@@ -326,13 +327,16 @@ TEST_CASE("an emergency in between is kept and does not disturb the transfer") {
         return true;
     });
     CHECK(b.download());
-    REQUIRE(b.master.emergency());
-    CHECK(b.master.emergency()->error_code == 0x4230);
-    CHECK(b.master.emergency()->error_register == 8);
-    CHECK(to_hex(b.master.emergency()->data) == "01 02 03 04 05");
+    const auto emergencies = b.master.slaves()[0].emergencies.kept();
+    REQUIRE(emergencies.size() == 1);
+    CHECK(emergencies[0].error_code == 0x4230);
+    CHECK(emergencies[0].error_register == 8);
+    CHECK(to_hex(emergencies[0].data) == "01 02 03 04 05");
     b.link.on_way_back = {};
     CHECK(b.download());
-    CHECK_FALSE(b.master.emergency());
+    CHECK(b.master.slaves()[0].emergencies.kept().size() == 1);
+    b.master.clear_emergencies(0x1001);
+    CHECK(b.master.slaves()[0].emergencies.kept().empty());
 }
 
 TEST_CASE("a slave that answers something else for good is told apart from one that is silent") {

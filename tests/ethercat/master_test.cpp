@@ -255,7 +255,7 @@ TEST_CASE("a master has room for sixteen slaves") {
     std::vector<slave> devices(17, slave{{.mailbox_out_size = 24, .mailbox_in_size = 24}, objects});
     simulated_link link{devices};
     master m;
-    for (std::uint16_t i = 0; i != master::slave_capacity; ++i) {
+    for (std::uint16_t i = 0; i != slave_capacity; ++i) {
         REQUIRE(m.bring_up(i, static_cast<std::uint16_t>(i + 1)));
         REQUIRE(link.run(m));
     }

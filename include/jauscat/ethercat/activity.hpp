@@ -1,13 +1,10 @@
-// What the master's state machines share: times, results of a step, and what is known of a slave.
+// What the master's state machines share: times, and results of a step.
 #pragma once
 
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/ethercat/master_errc.hpp>
-#include <jauscat/schema/ethercat/coe.hpp>
-#include <jauscat/schema/ethercat/sii.hpp>
 
 #include <chrono>
-#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -18,9 +15,15 @@ using time_point = std::chrono::nanoseconds;
 
 /// How long a master waits, and how often it tries.
 struct master_config {
-    /// A frame that is not back by now is lost. Choose it at least as long as a frame can be under way: a mailbox
-    /// message that reaches a slave after its successor would be executed again.
+    /// A frame that is not back by now is lost, and asked for again.
     std::chrono::nanoseconds frame_timeout{std::chrono::milliseconds{20}};
+    /// The longest time that a frame can be under way. After a frame was lost, something else is sent only when it
+    /// cannot arrive any more: a slave that gets a mailbox message after its successor executes it again, because it
+    /// compares only with the last counter.
+    std::chrono::nanoseconds frame_lifetime{std::chrono::milliseconds{20}};
+    /// The link may deliver a frame twice, as an IP network may. Each frame is then given its lifetime, answered or
+    /// not, which makes a transfer slow: leave it off on a wire.
+    bool frames_may_be_copied{};
     /// How often a lost frame is repeated. With the default, a slave that is a process may be kept waiting for 0.2 s.
     unsigned retries{9};
     std::chrono::nanoseconds poll_interval{std::chrono::microseconds{50}}; ///< between two looks at what is not ready
@@ -38,20 +41,6 @@ enum class progress : std::uint8_t {
 
 /// The datagrams of a reply, in the order they were sent.
 using replies = std::span<const datagram_view>;
-
-/// What the master knows of a slave that it has brought up.
-struct slave_record {
-    std::uint16_t position{}; ///< in the ring, from 0
-    std::uint16_t station{};  ///< configured station address
-    sii_identity identity{};
-    sii_mailbox mailbox{};
-    std::uint8_t last_counter{};       ///< of the last mailbox request; 0: none yet
-    std::uint8_t last_reply_counter{}; ///< of the last mailbox message received
-    std::uint8_t abandoned_counter{};  ///< of a request that was given up: its answer may still come
-    bool drained{};                    ///< no old message waits in the reply mailbox
-    /// Of a transfer in segments that was given up and not yet aborted: sent before the next one.
-    std::optional<sdo_abort> unfinished{};
-};
 
 /// Limits how long a state machine polls for one thing.
 class patience {

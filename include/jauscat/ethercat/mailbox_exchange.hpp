@@ -5,15 +5,28 @@
 
 #include <jauscat/ethercat/activity.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
-#include <jauscat/ethercat/sdo_transfer.hpp>
+#include <jauscat/ethercat/mail.hpp>
+#include <jauscat/ethercat/slave_record.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace jauscat::ethercat {
+
+/// A protocol whose messages go through a mailbox: sdo_transfer, sdo_information.
+template <class T>
+concept mailbox_protocol = requires(T& protocol, std::span<std::byte> out, std::span<const std::byte> message) {
+    protocol.size();
+    protocol.encode(out);
+    { protocol.expects_answer() } -> std::same_as<bool>;
+    { protocol.take(message) } -> std::same_as<mail>;
+    protocol.unexpected();
+    protocol.result();
+};
 
 /// State machine: `request` adds the datagram of the present step, `reply` takes its return, `lost` its absence.
 class mailbox_exchange {
@@ -24,23 +37,36 @@ class mailbox_exchange {
         slave.last_counter = static_cast<std::uint8_t>(slave.last_counter % 7 + 1);
     }
 
-    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    /// Sends nothing: takes what waits in the slave's mailbox, and keeps its emergencies.
+    static mailbox_exchange collect() noexcept {
+        mailbox_exchange exchange;
+        exchange.step_ = step::collect;
+        return exchange;
+    }
 
-    void request(frame_builder& frame, const slave_record& slave, const sdo_transfer& transfer) const noexcept {
+    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    /// The request of the present step changes nothing if the slave gets it twice.
+    [[nodiscard]] bool is_repeatable() const noexcept {
+        return step_ != step::drain && step_ != step::collect && step_ != step::read;
+    }
+
+    void request(frame_builder& frame, const slave_record& slave,
+                 const mailbox_protocol auto& protocol) const noexcept {
         const auto read = [&](std::uint16_t address, std::size_t size) {
             frame.add(command::fprd, slave.station, address, size);
         };
         switch (step_) {
         case step::drain:
+        case step::collect:
         case step::read: read(slave.mailbox.send_offset, slave.mailbox.send_size); break;
         case step::write: {
             const auto out =
                 frame.add(command::fpwr, slave.station, slave.mailbox.receive_offset, slave.mailbox.receive_size);
             if (out.empty()) return;
-            const mailbox_header header{.length = static_cast<std::uint16_t>(transfer.size()),
+            const mailbox_header header{.length = static_cast<std::uint16_t>(protocol.size()),
                                         .type = mailbox_type::coe,
                                         .counter = slave.last_counter};
-            transfer.encode(out.subspan(wire::encode(header, out).size()));
+            protocol.encode(out.subspan(wire::encode(header, out).size()));
             break;
         }
         case step::look_room: read(handshake_of(0), wire::max_size<sync_manager_handshake>); break;
@@ -54,11 +80,11 @@ class mailbox_exchange {
     }
 
     progress reply(const datagram_view& datagram, time_point now, const master_config& config, slave_record& slave,
-                   sdo_transfer& transfer) noexcept {
-        const auto next = advance(datagram, slave, transfer);
+                   mailbox_protocol auto& protocol) noexcept {
+        const auto next = advance(datagram, slave, protocol);
         if (next == progress::done || !patience_.exhausted(now, config.mailbox_timeout)) return next;
         if (!accepted_) return fail(master_errc::mailbox_full, slave);
-        if (const auto& specifier = transfer.unexpected())
+        if (const auto specifier = protocol.unexpected())
             return fail(master_errc::unexpected_reply, slave, static_cast<std::uint32_t>(*specifier));
         return fail(master_errc::mailbox_timeout, slave);
     }
@@ -79,7 +105,8 @@ class mailbox_exchange {
 
   private:
     enum class step : std::uint8_t {
-        drain,       // empties the reply mailbox
+        drain,       // empties the reply mailbox before the first request
+        collect,     // empties it, and that is all
         write,       // posts the request
         look_room,   // it was refused: is the mailbox full?
         read,        // fetches the reply, or what keeps a slave from taking the request
@@ -94,22 +121,24 @@ class mailbox_exchange {
                                           5);
     }
 
-    progress advance(const datagram_view& datagram, slave_record& slave, sdo_transfer& transfer) noexcept {
+    progress advance(const datagram_view& datagram, slave_record& slave, mailbox_protocol auto& protocol) noexcept {
         const bool executed = datagram.working_counter != 0;
         sync_manager_handshake mailbox{};
         switch (step_) {
         case step::drain:
-            if (!executed)
-                slave.drained = true;
-            else
-                note_counter(datagram.data, slave);
-            return go(executed ? step::drain : step::write);
+        case step::collect:
+            if (executed) {
+                note_emergency(open(datagram.data, slave), slave);
+                return progress::send;
+            }
+            slave.drained = true;
+            return step_ == step::collect ? progress::done : go(step::write);
         case step::write:
             accepted_ = executed;
-            if (executed && !transfer.expects_answer()) return progress::done;
+            if (executed && !protocol.expects_answer()) return progress::done;
             return go(executed ? step::read : step::look_room);
         case step::read:
-            if (executed) return take(datagram.data, slave, transfer);
+            if (executed) return take(datagram.data, slave, protocol);
             if (!accepted_) step_ = step::write;
             return progress::wait;
         case step::ask_repeat: return executed ? go(step::wait_repeat) : fail(master_errc::working_counter, slave);
@@ -139,34 +168,53 @@ class mailbox_exchange {
         return progress::done;
     }
 
-    static mailbox_header note_counter(std::span<const std::byte> data, slave_record& slave) noexcept {
+    struct envelope {
         mailbox_header header{};
-        static_cast<void>(wire::decode_prefix(header, data));
-        slave.last_reply_counter = header.counter;
-        return header;
+        std::span<const std::byte> message{}; // empty where its length is not true
+    };
+
+    // A message from the reply mailbox.
+    static envelope open(std::span<const std::byte> data, slave_record& slave) noexcept {
+        envelope letter{};
+        static_cast<void>(wire::decode_prefix(letter.header, data));
+        slave.last_reply_counter = letter.header.counter;
+        const auto body = data.subspan(wire::max_size<mailbox_header>);
+        if (letter.header.length <= body.size()) letter.message = body.first(letter.header.length);
+        return letter;
+    }
+
+    static void note_emergency(const envelope& letter, slave_record& slave) noexcept {
+        coe_header coe{};
+        const auto used = wire::decode_prefix(coe, letter.message);
+        coe_emergency emergency{};
+        if (letter.header.type == mailbox_type::coe && used && coe.service == coe_service::emergency &&
+            wire::decode_prefix(emergency, letter.message.subspan(used.size())))
+            slave.emergencies.note(emergency);
     }
 
     // A message in the reply mailbox: the answer, or something to pass over.
-    progress take(std::span<const std::byte> data, slave_record& slave, sdo_transfer& transfer) noexcept {
+    progress take(std::span<const std::byte> data, slave_record& slave, mailbox_protocol auto& protocol) noexcept {
         const auto before = slave.last_reply_counter;
-        const auto header = note_counter(data, slave);
+        const auto letter = open(data, slave);
+        const auto& header = letter.header;
         // Slaves may count on their own, so only two counters say for sure that a message is an old one.
         const bool again = repeated_ && header.counter == before;
         const bool abandoned = header.counter == slave.abandoned_counter && header.counter != slave.last_counter;
-        if (header.counter != 0 && (again || abandoned)) return progress::send;
+        if (header.counter != 0 && again) return progress::send;
+        note_emergency(letter, slave);
+        if (header.counter != 0 && abandoned) return progress::send;
         if (!accepted_ && !unsure_) return progress::send; // nothing was asked yet
 
-        const auto body = data.subspan(wire::max_size<mailbox_header>);
-        if (header.length > body.size()) return progress::send;
         if (header.type == mailbox_type::error) {
             mailbox_error_reply error{};
-            static_cast<void>(wire::decode_prefix(error, body));
+            if (!wire::decode_prefix(error, letter.message)) return progress::send;
             return fail(master_errc::mailbox_error, slave, static_cast<std::uint32_t>(error.code));
         }
-        if (header.type != mailbox_type::coe || transfer.take(body.first(header.length)) == mail::other)
-            return progress::send;
+        const auto meaning = header.type == mailbox_type::coe ? protocol.take(letter.message) : mail::other;
+        if (meaning == mail::more) patience_.renew();
+        if (meaning == mail::other || meaning == mail::more) return progress::send;
         slave.abandoned_counter = 0; // a slave answers in order: what was given up cannot come any more
-        result_ = transfer.result(); // ok where another request follows
+        result_ = protocol.result(); // ok where another request follows
         return progress::done;
     }
 

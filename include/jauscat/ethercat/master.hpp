@@ -1,13 +1,18 @@
-// An EtherCAT master without I/O: frames out, frames and time in. Brings slaves up to PRE-OP and transfers SDOs, one
-// job at a time. `jauscat/net/run_master.hpp` drives it over a link; anything else that can send and receive frames may
-// too.
+// An EtherCAT master without I/O: frames out, frames and time in. Brings slaves up and through their states, transfers
+// SDOs, asks for objects, sets up process data, one job at a time. `jauscat/net/run_master.hpp` drives it over a link;
+// anything else that can send and receive frames may too. The cyclic exchange is process_data's.
 #pragma once
 
 #include <jauscat/ethercat/activity.hpp>
 #include <jauscat/ethercat/bring_up.hpp>
+#include <jauscat/ethercat/datagram_exchange.hpp>
 #include <jauscat/ethercat/mailbox_exchange.hpp>
 #include <jauscat/ethercat/outstanding_frame.hpp>
+#include <jauscat/ethercat/process_setup.hpp>
+#include <jauscat/ethercat/ring_scan.hpp>
+#include <jauscat/ethercat/sdo_information.hpp>
 #include <jauscat/ethercat/sdo_transfer.hpp>
+#include <jauscat/ethercat/state_change.hpp>
 
 #include <algorithm>
 #include <array>
@@ -24,61 +29,116 @@ struct master_statistics {
     std::uint64_t received{}; ///< replies that were waited for
     std::uint64_t lost{};     ///< replies that did not come in time
     std::uint64_t ignored{};  ///< late, duplicate and foreign frames
+    std::uint64_t foreign{};  ///< of those: never sent here. Another master uses this wire.
 };
 
-/// Start a job with `bring_up`, `download` or `upload`; then, until `idle()`: send what `next_frame` gives, pass what
-/// arrives to `on_frame`, and call `on_time` at `next_event()`. `result()` says how the job ended.
+/// Start a job; then, until `idle()`: send what `next_frame` gives, pass what arrives to `on_frame`, and call `on_time`
+/// at `next_event()`. `result()` says how the job ended. Every function that starts a job returns false while another
+/// one runs; what it is given by reference or as a span stays in place until the job is done. Beside the errors named
+/// there, each job can end with those of the link: not_sent, no_reply, timeout, no_space.
 class master {
   public:
-    static constexpr std::size_t slave_capacity = 16;
-
     explicit master(const master_config& config = {}) noexcept : config_{config} {}
 
-    /// Starts to bring the slave at `position` (0 is the first in the ring) to PRE-OP under the address `station`.
-    /// False while another job runs. Errors: no_slave, wrong_station, duplicate_station, working_counter, sii_busy,
-    /// sii_error, no_mailbox, no_coe, al_error, state_timeout, too_many_slaves, and those of the link.
-    bool bring_up(std::uint16_t position, std::uint16_t station) noexcept {
-        if (!begin()) return false;
-        const auto replaced = [&](const slave_record& s) { return s.position == position || s.station == station; };
-        const auto others = known();
-        const auto known_before = std::ranges::find(others, station, &slave_record::station);
-        unfinished_ = known_before == others.end() ? std::nullopt : known_before->unfinished;
-        slave_count_ =
-            static_cast<std::size_t>(std::remove_if(others.begin(), others.end(), replaced) - others.begin());
-        if (slave_count_ == slave_capacity) {
-            finish({.error = master_errc::too_many_slaves});
-        } else {
-            bring_up_ = ethercat::bring_up{position, station};
-            job_ = job::bring_up;
-        }
+    /// Counts the slaves of the ring, `result().size`, takes them to INIT, and takes station addresses, SyncManagers
+    /// and FMMUs away that an earlier master has left. Forgets all slaves. Errors: working_counter, state_timeout.
+    bool scan() noexcept {
+        if (!begin(job::scan)) return false;
+        slave_count_ = 0;
+        scan_ = {};
         return true;
     }
 
-    /// Starts to write `data`, of any size, to an object of the slave `station`: in segments if they do not fit its
-    /// mailbox. `data` stay in place until the job is done. False while another job runs. Errors: wrong_station,
-    /// mailbox_full, mailbox_timeout, mailbox_error, clear_refused, sdo_abort, toggle_bit, unexpected_reply,
-    /// working_counter, and those of the link. After an error other than sdo_abort and clear_refused the object may
-    /// have been written.
+    /// Brings the slave at `position` (0 is the first in the ring) to PRE-OP under the address `station`: for the
+    /// tables of this library, its JAUS node. Errors: no_slave, wrong_station, duplicate_station, working_counter,
+    /// sii_busy, sii_error, wrong_identity, no_mailbox, al_error, state_timeout, too_many_slaves.
+    bool bring_up(std::uint16_t position, std::uint16_t station, const identity_check& expected = {}) noexcept {
+        if (!begin(job::bring_up)) return false;
+        const auto replaced = [&](const slave_record& s) { return s.position == position || s.station == station; };
+        const auto others = known();
+        const auto before = std::ranges::find(others, station, &slave_record::station);
+        before_ = before == others.end() ? slave_record{} : *before;
+        slave_count_ =
+            static_cast<std::size_t>(std::remove_if(others.begin(), others.end(), replaced) - others.begin());
+        bring_up_ = ethercat::bring_up{position, station, expected};
+        if (slave_count_ == slave_capacity) finish({.error = master_errc::too_many_slaves});
+        return true;
+    }
+
+    /// Finds out what process data a slave in PRE-OP has and sets its SyncManagers and FMMUs up. Its place in the
+    /// process image is then in its record. Errors: those of `upload` and of SII reads, sii_malformed, no_fmmu,
+    /// too_many_managers, image_full.
+    bool configure(std::uint16_t station) noexcept {
+        if (!begin(job::configure)) return false;
+        if (!choose(station)) return true;
+        auto others = slaves_;
+        others[slave_].process_data = {};
+        setup_ = process_setup{slaves_[slave_], process_image::of(std::span{others}.first(slave_count_))};
+        return true;
+    }
+
+    /// Takes a slave to another state, step by step. OP needs the cyclic exchange to be running. Errors: wrong_station,
+    /// duplicate_station, working_counter, al_error, state_timeout.
+    bool change_state(std::uint16_t station, al_state goal) noexcept {
+        if (!begin(job::change_state)) return false;
+        if (!choose(station)) return true;
+        change_ = state_change{station, goal};
+        slaves_[slave_].drained = false;
+        return true;
+    }
+
+    /// Writes `data`, of any size, to an object: in segments if they do not fit the mailbox. Errors: wrong_station,
+    /// no_coe, mailbox_full, mailbox_timeout, mailbox_error, clear_refused, sdo_abort, toggle_bit, unexpected_reply,
+    /// working_counter. After an error other than sdo_abort and clear_refused the object may have been written.
     bool download(std::uint16_t station, std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data,
                   const download_options& options = {}) noexcept {
         return transfer(station, sdo_transfer::download(index, subindex, data, options));
     }
 
-    /// Starts to read an object of the slave `station` into `into`; `result().size` then says how many bytes. `into`
-    /// stays in place until the job is done. False while another job runs.
-    /// After an error what `into` holds is not to be used. Errors: those of `download`, size_mismatch, data_too_long.
-    bool upload(std::uint16_t station, std::uint16_t index, std::uint8_t subindex, std::span<std::byte> into) noexcept {
-        return transfer(station, sdo_transfer::upload(index, subindex, into));
+    /// Reads an object into `into`; `result().size` then says how many bytes. After an error what `into` holds is not
+    /// to be used. Errors: those of `download`, size_mismatch, data_too_long.
+    bool upload(std::uint16_t station, std::uint16_t index, std::uint8_t subindex, std::span<std::byte> into,
+                const upload_options& options = {}) noexcept {
+        return transfer(station, sdo_transfer::upload(index, subindex, into, options));
+    }
+
+    /// The indices of the slave's objects to `into`, 2 bytes each, `result().size` bytes in all. Errors: those of
+    /// `upload`, fragment_missing.
+    bool list_objects(std::uint16_t station, object_list_type list, std::span<std::byte> into) noexcept {
+        return ask(station, sdo_information::list(list, into));
+    }
+    /// What an object is: its object_answer and name to `into`. Errors: as above.
+    bool describe_object(std::uint16_t station, std::uint16_t index, std::span<std::byte> into) noexcept {
+        return ask(station, sdo_information::object(index, into));
+    }
+    /// What an entry is: its entry_answer, the values that `value_info` asks for, and name to `into`. Errors: as above.
+    bool describe_entry(std::uint16_t station, std::uint16_t index, std::uint8_t subindex, std::uint8_t value_info,
+                        std::span<std::byte> into) noexcept {
+        return ask(station, sdo_information::entry({index, subindex, value_info}, into));
+    }
+
+    /// Takes what waits in the slave's mailbox: its emergencies are in its record then. Errors: wrong_station,
+    /// no_mailbox.
+    bool collect_emergencies(std::uint16_t station) noexcept {
+        if (!begin(job::collect)) return false;
+        if (choose(station, true)) exchange_ = mailbox_exchange::collect();
+        return true;
+    }
+
+    /// Sends one datagram; what comes back is in `data` then, and `result().detail` is its working counter.
+    bool exchange(command cmd, std::uint16_t adp, std::uint16_t ado, std::span<std::byte> data) noexcept {
+        if (!begin(job::datagram)) return false;
+        datagram_ = datagram_exchange{cmd, adp, ado, data};
+        return true;
     }
 
     /// Gives the job up with `error`: its deadline has passed, or the link does not take frames. A transfer that the
     /// slave has open is aborted before the next one.
     void cancel(master_errc error) noexcept {
         if (idle()) return;
-        if (job_ == job::sdo) {
-            mailbox_exchange::abandon(slaves_[slave_]);
-            if (transfer_.is_open()) slaves_[slave_].unfinished = transfer_.abort_message();
-        }
+        if (outstanding_.waits()) unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
+        if (uses_mailbox()) mailbox_exchange::abandon(slaves_[slave_]);
+        if (job_ == job::sdo && transfer_.is_open()) slaves_[slave_].unfinished = transfer_.abort_message();
         finish(job_ == job::abort ? ended_ : outcome{.error = error});
     }
 
@@ -89,19 +149,27 @@ class master {
     [[nodiscard]] std::span<const slave_record> slaves() const noexcept {
         return std::span{slaves_}.first(slave_count_);
     }
-    /// The last emergency that a slave sent during the last transfer.
-    [[nodiscard]] const std::optional<coe_emergency>& emergency() const noexcept { return transfer_.emergency(); }
+    /// The record of a slave; none if it has not been brought up.
+    [[nodiscard]] const slave_record* find(std::uint16_t station) const noexcept {
+        const auto found = std::ranges::find(slaves(), station, &slave_record::station);
+        return found == slaves().end() ? nullptr : &*found;
+    }
+    /// Forgets a slave's emergencies.
+    void clear_emergencies(std::uint16_t station) noexcept {
+        for (auto& slave : known())
+            if (slave.station == station) slave.emergencies.clear();
+    }
     [[nodiscard]] const master_statistics& statistics() const noexcept { return statistics_; }
 
     /// Writes the next frame to `out`, which holds 1514 bytes, and returns its size; 0 when there is nothing to send
     /// now.
     std::size_t next_frame(std::span<std::byte> out, time_point now) noexcept {
-        if (idle() || outstanding_.waits() || now < not_before_) return 0;
+        if (idle() || outstanding_.waits() || now < next_send()) return 0;
         frame_builder frame{out, ++index_};
-        if (job_ == job::bring_up)
-            bring_up_.request(frame);
+        if (uses_mailbox())
+            with_protocol([&](auto& protocol) { exchange_.request(frame, slaves_[slave_], protocol); });
         else
-            exchange_.request(frame, slaves_[slave_], message());
+            with_steps([&](auto& steps) { steps.request(frame); });
         const auto size = frame.finish();
         if (!size) {
             cancel(master_errc::no_space);
@@ -115,105 +183,189 @@ class master {
     /// Takes a frame that arrived. False if it was not the reply that is waited for: it then changed nothing.
     bool on_frame(std::span<const std::byte> frame, time_point now) noexcept {
         frame_view view;
-        const auto datagrams = outstanding_.waits() && view.parse(frame) ? outstanding_.match(view) : replies{};
+        const bool parsed = static_cast<bool>(view.parse(frame));
+        const auto datagrams = outstanding_.waits() && parsed ? outstanding_.match(view) : replies{};
         if (datagrams.empty()) {
             ++statistics_.ignored;
+            if (parsed && !outstanding_.may_be_own(view)) ++statistics_.foreign;
             return false;
         }
         ++statistics_.received;
+        if (config_.frames_may_be_copied) unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
         outstanding_.forget();
         losses_ = 0;
-        const auto next = job_ == job::bring_up
-                              ? bring_up_.reply(datagrams, now, config_)
-                              : exchange_.reply(datagrams.front(), now, config_, slaves_[slave_], message());
+        repeats_ = false;
+        progress next{};
+        if (uses_mailbox()) {
+            with_protocol([&](auto& protocol) {
+                next = exchange_.reply(datagrams.front(), now, config_, slaves_[slave_], protocol);
+            });
+        } else {
+            with_steps([&](auto& steps) { next = steps.reply(datagrams, now, config_); });
+        }
         if (next == progress::wait) not_before_ = now + config_.poll_interval;
         if (next == progress::done) complete();
+        if (job_ == job::configure && setup_.wants_upload()) {
+            configuring_ = true;
+            start(setup_.upload());
+        }
         return true;
     }
 
     /// Time has passed: a frame that is not back after `frame_timeout` is lost and asked for again, then given up.
     void on_time(time_point now) noexcept {
         if (!outstanding_.waits() || now - outstanding_.sent_at() < config_.frame_timeout) return;
-        outstanding_.forget();
         ++statistics_.lost;
-        if (++losses_ > config_.retries) {
-            cancel(master_errc::no_reply);
-        } else if (job_ != job::bring_up) {
-            exchange_.lost(slaves_[slave_]);
-        }
+        if (++losses_ > config_.retries) return cancel(master_errc::no_reply);
+        unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
+        outstanding_.forget();
+        // The same request may go at once if it does no harm twice; all else waits until the lost one cannot arrive.
+        repeats_ = job_ != job::datagram && (!uses_mailbox() || exchange_.is_repeatable());
+        if (uses_mailbox()) exchange_.lost(slaves_[slave_]);
     }
 
     /// When `on_time` or `next_frame` will next have something to do, if no frame arrives first; none while idle.
     [[nodiscard]] std::optional<time_point> next_event() const noexcept {
         if (idle()) return std::nullopt;
-        return outstanding_.waits() ? outstanding_.sent_at() + config_.frame_timeout : not_before_;
+        return outstanding_.waits() ? outstanding_.sent_at() + config_.frame_timeout : next_send();
     }
 
   private:
     enum class job : std::uint8_t {
         none,
+        scan,
         bring_up,
-        abort_earlier, // a transfer given up before stands in the way of the next
+        configure,
+        change_state,
+        datagram,
+        // From here on by mailbox.
+        collect,
+        information,
         sdo,
-        abort, // the transfer has failed, and the slave is told so
+        abort_earlier, // a transfer given up before stands in the way of the next
+        abort,         // the transfer has failed, and the slave is told so
     };
+    [[nodiscard]] bool uses_mailbox() const noexcept { return job_ >= job::collect; }
 
     [[nodiscard]] std::span<slave_record> known() noexcept { return std::span{slaves_}.first(slave_count_); }
+    [[nodiscard]] time_point next_send() const noexcept {
+        return repeats_ ? not_before_ : std::max(not_before_, unsettled_until_);
+    }
 
-    bool begin() noexcept {
+    bool begin(job what) noexcept {
         if (!idle()) return false;
+        job_ = what;
         result_ = {};
         losses_ = 0;
+        repeats_ = configuring_ = false;
         return true;
+    }
+
+    /// The slave that the job is about. False where the job has ended because there is none.
+    bool choose(std::uint16_t station, bool mailbox = false) noexcept {
+        const auto slave = std::ranges::find(known(), station, &slave_record::station);
+        slave_ = static_cast<std::size_t>(slave - known().begin());
+        if (slave == known().end())
+            finish({.error = master_errc::wrong_station, .detail = station});
+        else if (mailbox && slave->mailbox.receive_size == 0)
+            finish({.error = master_errc::no_mailbox});
+        else if (mailbox && !slave->mailbox.coe)
+            finish({.error = master_errc::no_coe});
+        return !idle();
     }
 
     bool transfer(std::uint16_t station, const sdo_transfer& transfer) noexcept {
-        if (!begin()) return false;
+        if (!begin(job::sdo)) return false;
+        if (choose(station, true)) start(transfer);
+        return true;
+    }
+    void start(const sdo_transfer& transfer) noexcept {
         transfer_ = transfer;
-        const auto slave = std::ranges::find(known(), station, &slave_record::station);
-        if (slave == known().end()) {
-            finish({.error = master_errc::wrong_station, .detail = station});
-        } else {
-            slave_ = static_cast<std::size_t>(slave - known().begin());
-            transfer_.use_mailbox(slave->mailbox.receive_size);
-            start(slave->unfinished ? job::abort_earlier : job::sdo);
-        }
+        transfer_.use_mailbox(slaves_[slave_].mailbox.receive_size);
+        start(slaves_[slave_].unfinished ? job::abort_earlier : job::sdo);
+    }
+    bool ask(std::uint16_t station, const sdo_information& question) noexcept {
+        if (!begin(job::information)) return false;
+        information_ = question;
+        if (choose(station, true)) start(job::information);
         return true;
     }
 
-    // The next message of a transfer, or an abort.
+    // The next message of a mailbox job, or an abort.
     void start(job what) noexcept {
         auto& slave = slaves_[slave_];
         job_ = what;
-        if (what != job::sdo) abort_ = sdo_transfer::abort(*slave.unfinished);
+        if (what == job::abort || what == job::abort_earlier) abort_ = sdo_transfer::abort(*slave.unfinished);
         exchange_ = mailbox_exchange{slave};
     }
-    [[nodiscard]] sdo_transfer& message() noexcept { return job_ == job::sdo ? transfer_ : abort_; }
+
+    void with_protocol(auto&& use) noexcept {
+        if (job_ == job::information)
+            use(information_);
+        else
+            use(job_ == job::sdo ? transfer_ : abort_);
+    }
+    void with_steps(auto&& use) noexcept {
+        switch (job_) {
+        case job::scan: return use(scan_);
+        case job::bring_up: return use(bring_up_);
+        case job::configure: return use(setup_);
+        case job::change_state: return use(change_);
+        default: return use(datagram_);
+        }
+    }
 
     void complete() noexcept {
-        if (job_ == job::bring_up) return bring_up_complete();
+        switch (job_) {
+        case job::bring_up: return bring_up_complete();
+        case job::configure: return configured();
+        case job::sdo:
+        case job::abort_earlier:
+        case job::abort: return message_complete();
+        case job::collect:
+        case job::information: return finish(exchange_.result());
+        default: return with_steps([this](auto& steps) { finish(steps.result()); });
+        }
+    }
+
+    void message_complete() noexcept {
         const auto result = exchange_.result();
         auto& unfinished = slaves_[slave_].unfinished;
         if (job_ == job::sdo) {
             if (result && !transfer_.finished()) return start(job::sdo);
             ended_ = result;
-            if (!transfer_.is_open()) return finish(ended_);
+            if (!transfer_.is_open()) return transfer_complete();
             unfinished = transfer_.abort_message();
             // A slave that was reset, or takes no mail, is told so before the next transfer.
             const bool reachable =
                 result.error != master_errc::working_counter && result.error != master_errc::mailbox_full;
-            return reachable ? start(job::abort) : finish(ended_);
+            return reachable ? start(job::abort) : transfer_complete();
         }
         if (result) unfinished.reset();
-        if (job_ == job::abort) return finish(ended_);
-        return result ? start(job::sdo) : finish(result);
+        if (job_ == job::abort) return transfer_complete();
+        if (result) return start(job::sdo);
+        ended_ = result;
+        transfer_complete();
     }
 
+    void transfer_complete() noexcept {
+        if (!configuring_) return finish(ended_);
+        job_ = job::configure;
+        if (setup_.uploaded(ended_) == progress::done) return configured();
+        if (setup_.wants_upload()) start(setup_.upload());
+    }
+
+    void configured() noexcept {
+        if (setup_.result()) slaves_[slave_].process_data = setup_.place();
+        finish(setup_.result());
+    }
     void bring_up_complete() noexcept {
         finish(bring_up_.result());
         if (!result_) return;
-        slaves_[slave_count_] = bring_up_.slave();
-        slaves_[slave_count_++].unfinished = unfinished_; // a change of state does not end it in every slave
+        auto& slave = slaves_[slave_count_++];
+        slave = bring_up_.slave();
+        slave.process_data = before_.process_data; // it keeps its place in the image
+        slave.unfinished = before_.unfinished;     // a change of state does not end it in every slave
     }
 
     void finish(const outcome& result) noexcept {
@@ -228,19 +380,28 @@ class master {
     std::size_t slave_count_{};
 
     job job_{};
+    outcome result_{};
+    ring_scan scan_{};
     ethercat::bring_up bring_up_{};
-    std::size_t slave_{}; // whose transfer it is
+    slave_record before_{}; // of the slave that is brought up
+    process_setup setup_{};
+    state_change change_{};
+    datagram_exchange datagram_{};
+
+    std::size_t slave_{}; // whose mailbox or state it is
+    mailbox_exchange exchange_{};
+    sdo_information information_{};
     sdo_transfer transfer_{};
     sdo_transfer abort_{};
-    mailbox_exchange exchange_{};
-    outcome ended_{};                       // how the transfer ended that is being aborted
-    std::optional<sdo_abort> unfinished_{}; // of the slave that is brought up
-    outcome result_{};
+    outcome ended_{};    // how the transfer ended that is being aborted
+    bool configuring_{}; // the transfer is a part of `configure`
 
     outstanding_frame outstanding_{};
     std::uint8_t index_{};
     unsigned losses_{}; // in a row
+    bool repeats_{};    // the next frame asks again what the lost one asked
     time_point not_before_ = time_point::min();
+    time_point unsettled_until_ = time_point::min(); // a lost frame may arrive until then
     master_statistics statistics_{};
 };
 

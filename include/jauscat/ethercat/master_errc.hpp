@@ -21,11 +21,16 @@ enum class master_errc : std::uint8_t {
     working_counter,   ///< the slave did not execute a command; detail: the working counter
     sii_busy,          ///< the SII memory did not get ready
     sii_error,         ///< the SII memory did not execute a read; detail: word address
+    sii_malformed,     ///< the categories of the SII do not end, or a length is not true; detail: word address
+    wrong_identity,    ///< the slave is not the one that was expected; detail: its product code
     no_mailbox,        ///< the slave has no mailbox a master could use
     no_coe,            ///< the slave's mailbox carries no CoE
     al_error,          ///< the slave refused a state; detail: al_status_code
     state_timeout,     ///< the slave did not reach a state; detail: the state it is in
     too_many_slaves,   ///< the master has no room for another slave
+    no_fmmu,           ///< the slave has fewer FMMUs than it has process data; detail: how many
+    too_many_managers, ///< more than four SyncManagers carry process data
+    image_full,        ///< the process image has no room for the slave's data; detail: their bytes
     mailbox_full,      ///< the slave does not take its mail
     mailbox_timeout,   ///< the slave took the request and did not answer
     mailbox_error,     ///< the slave refused the message; detail: mailbox_error_code
@@ -35,6 +40,7 @@ enum class master_errc : std::uint8_t {
     toggle_bit,        ///< the answer to a segment is not the one that is due
     size_mismatch,     ///< the slave sent more or less data than it announced; detail: the size it announced
     data_too_long,     ///< the data do not fit the buffer; detail: bytes that fit
+    fragment_missing,  ///< a part of an answer in fragments did not come; detail: how many should have been left
     no_space,          ///< the frame buffer is smaller than 1514 bytes
 };
 
@@ -51,11 +57,16 @@ enum class master_errc : std::uint8_t {
     case master_errc::working_counter: return "the slave did not execute a command: it was reset, bring it up again";
     case master_errc::sii_busy: return "the slave's SII memory stays busy: power-cycle the slave";
     case master_errc::sii_error: return "the slave's SII memory cannot be read: check its EEPROM";
+    case master_errc::sii_malformed: return "the slave's SII describes no end: check its EEPROM";
+    case master_errc::wrong_identity: return "the slave is not the one that was expected: check order and wiring";
     case master_errc::no_mailbox: return "the SII describes no usable mailbox: this slave cannot take SDOs";
     case master_errc::no_coe: return "the slave's mailbox does not carry CoE: this slave cannot take SDOs";
     case master_errc::al_error: return "the slave refused the state: see its AL status code";
     case master_errc::state_timeout: return "the slave did not reach the state in time: allow more time or reset it";
     case master_errc::too_many_slaves: return "the master has no room for another slave: use a second master";
+    case master_errc::no_fmmu: return "the slave has too few FMMUs for its process data: it cannot be mapped";
+    case master_errc::too_many_managers: return "the slave spreads its process data over more than four SyncManagers";
+    case master_errc::image_full: return "the process image is full at 1486 bytes: use a second master";
     case master_errc::mailbox_full: return "the slave does not take its mail: it hangs or is not in PRE-OP";
     case master_errc::mailbox_timeout: return "the slave took the request and did not answer: allow more time";
     case master_errc::mailbox_error: return "the slave refused the mailbox message: see the mailbox error code";
@@ -65,16 +76,17 @@ enum class master_errc : std::uint8_t {
     case master_errc::toggle_bit: return "the answer to a segment is not the one that is due: transfer again";
     case master_errc::size_mismatch: return "the size announced and the data received differ: do not use the data";
     case master_errc::data_too_long: return "the object does not fit the buffer: give a larger one";
+    case master_errc::fragment_missing: return "a part of the slave's answer is missing: ask again";
     case master_errc::no_space: return "the frame buffer is too small: give 1514 bytes";
     }
     return "unknown error";
 }
 
-/// How a bring-up, a download or an upload ended.
+/// How a job of the master ended.
 struct [[nodiscard]] outcome {
     master_errc error{};
-    std::uint32_t detail{}; ///< see master_errc
-    std::size_t size{};     ///< upload: bytes received
+    std::uint32_t detail{}; ///< see master_errc; of a datagram without error, its working counter
+    std::size_t size{};     ///< upload, list, description: bytes received; scan: slaves
 
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return error == master_errc::ok; }
     friend constexpr bool operator==(const outcome&, const outcome&) = default;

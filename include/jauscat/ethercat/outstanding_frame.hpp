@@ -6,11 +6,12 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace jauscat::ethercat {
 
-/// At most one frame of up to 15 datagrams that is under way.
+/// At most one frame of up to 15 datagrams that is under way; and what was last sent under each index.
 class outstanding_frame {
   public:
     static constexpr std::size_t capacity = 15;
@@ -26,7 +27,14 @@ class outstanding_frame {
         count_ = 0;
         for (const auto datagram : view)
             if (count_ != capacity) sent_[count_++] = datagram.header;
+        if (count_ != 0) marks_[sent_.front().index] = mark_of(sent_.front());
         sent_at_ = now;
+    }
+
+    /// Whether `frame` may be one that was sent here: a late or a second reply. If not, another master uses this wire.
+    [[nodiscard]] bool may_be_own(const frame_view& frame) const noexcept {
+        const auto first = frame.begin();
+        return first != frame.end() && marks_[(*first).header.index] == mark_of((*first).header);
     }
 
     /// The datagrams of `frame` if it is the reply that is waited for, else none. A slave changes data, counters, event
@@ -48,6 +56,12 @@ class outstanding_frame {
                (!station || back.adp == sent.adp);
     }
 
+    // Never 0, which stands for an index that was not used.
+    static std::uint16_t mark_of(const datagram_header& sent) noexcept {
+        return static_cast<std::uint16_t>((sent.ado * 31u + sent.length * 7u + static_cast<unsigned>(sent.cmd)) | 1u);
+    }
+
+    std::array<std::uint16_t, 256> marks_{};
     std::array<datagram_header, capacity> sent_{};
     std::array<datagram_view, capacity> replies_{};
     std::size_t count_{};

@@ -2,21 +2,19 @@
 // several messages. The mailbox around it is mailbox_exchange's.
 #pragma once
 
-#include <jauscat/ethercat/activity.hpp>
-#include <jauscat/ethercat/download_options.hpp>
+#include <jauscat/ethercat/mail.hpp>
+#include <jauscat/ethercat/sdo_options.hpp>
 #include <jauscat/ethercat/sdo_segment.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
 
 namespace jauscat::ethercat {
-
-/// What a mailbox message meant to the protocol that waits for it.
-enum class mail : std::uint8_t {
-    other, ///< not the answer: keep waiting
-    next,  ///< the answer; the transfer goes on with another request
-    final, ///< the last answer: see the outcome
-};
 
 /// Transfer of one object: expedited, normal or in segments, as size and mailbox require. The data stay the caller's
 /// until the transfer is done; what an upload that fails leaves in its buffer is not to be used.
@@ -29,12 +27,15 @@ class sdo_transfer {
         sdo_transfer transfer{sdo_specifier::download_request, index, subindex};
         transfer.data_ = data;
         transfer.empty_start_ = options.empty_start;
+        transfer.complete_access_ = options.complete_access;
         if (options.clear_subindex_0 && subindex != 0) transfer.phase_ = phase::clear;
         return transfer;
     }
-    static sdo_transfer upload(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> into) noexcept {
+    static sdo_transfer upload(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> into,
+                               const upload_options& options = {}) noexcept {
         sdo_transfer transfer{sdo_specifier::upload_request, index, subindex};
         transfer.into_ = into;
+        transfer.complete_access_ = options.complete_access;
         return transfer;
     }
     /// The message that tells a slave that a transfer will not be completed. Nothing answers it.
@@ -63,8 +64,6 @@ class sdo_transfer {
                                                                         : abort_code::timeout;
         return {{.specifier = sdo_specifier::abort, .index = index_, .subindex = subindex_}, code};
     }
-    /// The last emergency that arrived in between.
-    [[nodiscard]] const std::optional<coe_emergency>& emergency() const noexcept { return emergency_; }
     /// The command specifier of an answer to this object that did not answer the last request.
     [[nodiscard]] const std::optional<sdo_specifier>& unexpected() const noexcept { return unexpected_; }
 
@@ -80,6 +79,7 @@ class sdo_transfer {
         const auto data = initial_data();
         sdo_header header{.specifier = request_, .index = index_, .subindex = subindex()};
         header.size_indicated = is_download();
+        header.complete_access = complete_access_ && phase_ == phase::initiate;
         if (phase_ == phase::segments) {
             static_cast<void>(encode_segment(segment_header(), next_segment(), out));
         } else if (!expects_answer()) {
@@ -100,11 +100,6 @@ class sdo_transfer {
     mail take(std::span<const std::byte> message) noexcept {
         coe_header coe{};
         const auto sdo = message.subspan(wire::decode_prefix(coe, message).size());
-        if (coe.service == coe_service::emergency) {
-            coe_emergency emergency{};
-            if (wire::decode_prefix(emergency, sdo)) emergency_ = emergency;
-            return mail::other;
-        }
         sdo_segment_header segment{}; // its specifier is where the one of any SDO message is
         const bool is_sdo = coe.service == coe_service::sdo_response || coe.service == coe_service::sdo_request;
         if (!expects_answer() || !is_sdo || !wire::decode_prefix(segment, sdo)) return mail::other;
@@ -115,7 +110,7 @@ class sdo_transfer {
         if (!wire::decode_prefix(abort, sdo)) return mail::other;
         const auto& header = abort.header;
         // In an answer to a segment, where requests name no object, some slaves' aborts do not name it either.
-        const bool is_ours = header.index == index_ && header.subindex == subindex();
+        const bool is_ours = header.index == index_ && (header.subindex == subindex() || complete_access_);
         if (!is_ours && (phase_ != phase::segments || header.specifier != sdo_specifier::abort)) return mail::other;
         // Slaves abort with the service of a request or of a response, and leave other bits of the command as they are.
         if (header.specifier == sdo_specifier::abort) {
@@ -230,6 +225,7 @@ class sdo_transfer {
     std::uint16_t index_{};
     std::uint8_t subindex_{};
     bool empty_start_{};
+    bool complete_access_{};
     abort_code code_{}; // of a request to abort
     std::span<const std::byte> data_{};
     std::span<std::byte> into_{};
@@ -240,7 +236,6 @@ class sdo_transfer {
     bool toggle_{};             // of the next segment
     std::size_t done_{};        // bytes of data that have been confirmed or received
     std::uint32_t announced_{}; // by the slave: bytes of an upload in segments
-    std::optional<coe_emergency> emergency_{};
     std::optional<sdo_specifier> unexpected_{};
     outcome result_{};
 };

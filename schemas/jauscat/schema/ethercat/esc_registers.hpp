@@ -51,6 +51,23 @@ struct esc_word {
     std::uint16_t value{};
 };
 
+/// What a slave controller can do (0x0000 to 0x0009), 10 bytes.
+struct esc_description {
+    std::uint8_t type{};
+    std::uint8_t revision{};
+    std::uint16_t build{};
+    std::uint8_t fmmus{};
+    std::uint8_t sync_managers{};
+    std::uint8_t ram{};   ///< KiB
+    std::uint8_t ports{}; ///< 2 bits per port: 0 none, 1 not configured, 2 EBUS, 3 MII
+    bool byte_fmmu{};     ///< FMMUs map whole bytes only
+    bool dc{};
+    bool dc_64{};
+    bool no_lrw{};        ///< LRW is not supported
+    bool no_read_write{}; ///< BRW, APRW and FPRW are not supported
+    bool fixed{};         ///< FMMUs and SyncManagers cannot be changed
+};
+
 /// How a SyncManager hands memory over.
 enum class sync_manager_mode : std::uint8_t { buffered = 0, mailbox = 2 };
 
@@ -148,6 +165,28 @@ struct sii_access {
 namespace jauscat {
 
 template <> struct wire::schema<ethercat::esc_word> { using type = layout<field<&ethercat::esc_word::value, u16le>>; };
+
+template <> struct wire::schema<ethercat::esc_description> {
+    using T = ethercat::esc_description;
+    using type = layout<
+        field<&T::type, u8>,
+        field<&T::revision, u8>,
+        field<&T::build, u16le>,
+        field<&T::fmmus, u8>,
+        field<&T::sync_managers, u8>,
+        field<&T::ram, u8>,
+        field<&T::ports, u8>,
+        bits<u16le,
+            bit<&T::byte_fmmu, 1>,
+            reserved<1>,
+            bit<&T::dc, 1>,
+            bit<&T::dc_64, 1>,
+            reserved<5>,
+            bit<&T::no_lrw, 1>,
+            bit<&T::no_read_write, 1>,
+            bit<&T::fixed, 1>,
+            reserved<4>>>;
+};
 
 template <> struct wire::schema<ethercat::sync_manager> {
     using T = ethercat::sync_manager;

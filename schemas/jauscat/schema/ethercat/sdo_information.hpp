@@ -1,6 +1,7 @@
 // SDO information: what objects a slave has, and what they are. ETG.1000.6, clause 5.6.3.
 #pragma once
 
+#include <jauscat/schema/ethercat/coe.hpp>
 #include <jauscat/wire/schema.hpp>
 
 #include <cstddef>
@@ -24,6 +25,11 @@ struct sdo_information_header {
     sdo_information_opcode opcode{};
     bool incomplete{};              ///< more fragments follow
     std::uint16_t fragments_left{}; ///< how many
+};
+
+/// What follows the header where the slave refuses to answer, 4 bytes.
+struct sdo_information_error {
+    abort_code code{};
 };
 
 /// Which objects a list names.
@@ -102,6 +108,11 @@ template <> struct wire::schema<ethercat::sdo_information_header> {
             bit<&T::incomplete, 1>>,
         bits<u8, reserved<8>>,
         field<&T::fragments_left, u16le>>;
+};
+
+template <> struct wire::schema<ethercat::sdo_information_error> {
+    using T = ethercat::sdo_information_error;
+    using type = layout<field<&T::code, enumeration<ethercat::abort_code, u32le>>>;
 };
 
 template <> struct wire::schema<ethercat::object_list> {

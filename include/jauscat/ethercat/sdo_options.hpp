@@ -1,4 +1,4 @@
-// What a user can choose about an SDO download, because slaves differ.
+// What a user can choose about an SDO transfer, because slaves differ.
 #pragma once
 
 namespace jauscat::ethercat {
@@ -13,6 +13,15 @@ struct download_options {
     /// Starts a download that needs segments without data in its first message. By default that message is filled, as
     /// the standard has it; some slaves (KickCAT's) take data from segments only and would store them shifted.
     bool empty_start{};
+    /// The data are all entries of the object, one after the other, from the subindex on, which is 0 or 1. From 0 on,
+    /// subindex 0 takes 2 bytes. Not with `clear_subindex_0`.
+    bool complete_access{};
+};
+
+/// How an upload is made.
+struct upload_options {
+    /// All entries of the object, as in a download.
+    bool complete_access{};
 };
 
 } // namespace jauscat::ethercat

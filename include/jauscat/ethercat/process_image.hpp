@@ -1,0 +1,44 @@
+// Where the process data of all slaves lie in one piece of the logical address space, and what working counter says
+// that every slave has taken part.
+#pragma once
+
+#include <jauscat/ethercat/slave_record.hpp>
+#include <jauscat/schema/ethercat/datagram.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// Bytes of process data that one datagram carries, and so a cycle: outputs and inputs of all slaves together.
+inline constexpr std::size_t max_process_image = 1486;
+/// The same where a frame carries them in two datagrams, LWR and LRD, because a slave cannot do LRW.
+inline constexpr std::size_t max_process_image_without_lrw = 737;
+
+/// The process image begins at logical address 0. Each slave has a place of its own: its outputs, then its inputs.
+struct process_image {
+    std::size_t size{};         ///< bytes
+    std::uint16_t read_write{}; ///< working counter of a complete LRW: 1 for inputs, 2 for outputs of each slave
+    std::uint16_t write{};      ///< of a complete LWR
+    std::uint16_t read{};       ///< of a complete LRD
+    bool no_lrw{};              ///< one slave cannot do LRW: the image goes by LWR and LRD
+
+    [[nodiscard]] static constexpr process_image of(std::span<const slave_record> slaves) noexcept {
+        process_image image{};
+        for (const auto& slave : slaves) {
+            const auto& place = slave.process_data;
+            if (place.size() == 0) continue;
+            image.size = std::max(image.size, place.output_address + place.size());
+            const bool outputs = place.output_size != 0, inputs = place.input_size != 0;
+            image.write = static_cast<std::uint16_t>(image.write + outputs);
+            image.read = static_cast<std::uint16_t>(image.read + inputs);
+            image.no_lrw = image.no_lrw || place.no_lrw;
+        }
+        image.read_write = static_cast<std::uint16_t>(image.read + 2 * image.write);
+        return image;
+    }
+};
+
+} // namespace jauscat::ethercat

@@ -1,0 +1,89 @@
+// What a master knows of a slave that it has brought up.
+#pragma once
+
+#include <jauscat/schema/ethercat/coe.hpp>
+#include <jauscat/schema/ethercat/sii.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// How many slaves a master has room for.
+inline constexpr std::size_t slave_capacity = 16;
+
+/// The last emergencies of a slave, the oldest first.
+class emergency_log {
+  public:
+    static constexpr std::size_t capacity = 5;
+
+    /// Keeps `emergency`; where there is no room, the oldest one goes.
+    constexpr void note(const coe_emergency& emergency) noexcept {
+        if (count_ == capacity) {
+            std::ranges::copy(std::span{kept_}.subspan(1), kept_.begin());
+            --count_;
+            overflow_ = true;
+        }
+        kept_[count_++] = emergency;
+    }
+    constexpr void clear() noexcept { *this = {}; }
+
+    [[nodiscard]] constexpr std::span<const coe_emergency> kept() const noexcept {
+        return std::span{kept_}.first(count_);
+    }
+    /// Emergencies have been dropped since the last `clear`.
+    [[nodiscard]] constexpr bool overflow() const noexcept { return overflow_; }
+
+  private:
+    std::array<coe_emergency, capacity> kept_{};
+    std::size_t count_{};
+    bool overflow_{};
+};
+
+/// What a slave has to be; parts that are not given may be anything.
+struct identity_check {
+    std::optional<std::uint32_t> vendor{};
+    std::optional<std::uint32_t> product{};
+    std::optional<std::uint32_t> revision{};
+    std::optional<std::uint32_t> serial{};
+
+    [[nodiscard]] constexpr bool accepts(const sii_identity& found) const noexcept {
+        const auto same = [](const auto& wanted, std::uint32_t value) { return !wanted || *wanted == value; };
+        return same(vendor, found.vendor) && same(product, found.product) && same(revision, found.revision) &&
+               same(serial, found.serial);
+    }
+};
+
+/// A slave's place in the logical address space. Its outputs come first, its inputs follow.
+struct process_place {
+    std::uint32_t output_address{};
+    std::uint32_t input_address{};
+    std::uint16_t output_size{};    ///< bytes; 0: none
+    std::uint16_t input_size{};     ///< bytes; 0: none
+    std::uint8_t output_managers{}; ///< SyncManagers with outputs
+    std::uint8_t input_managers{};  ///< SyncManagers with inputs
+    bool no_lrw{};                  ///< the slave cannot read and write in one datagram
+
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return std::size_t{output_size} + input_size; }
+};
+
+struct slave_record {
+    std::uint16_t position{}; ///< in the ring, from 0
+    std::uint16_t station{};  ///< configured station address
+    sii_identity identity{};
+    sii_mailbox mailbox{};             ///< sizes 0: the slave has none
+    process_place process_data{};      ///< after `configure`
+    std::uint8_t last_counter{};       ///< of the last mailbox request; 0: none yet
+    std::uint8_t last_reply_counter{}; ///< of the last mailbox message received
+    std::uint8_t abandoned_counter{};  ///< of a request that was given up: its answer may still come
+    bool drained{};                    ///< no old message waits in the reply mailbox
+    /// Of a transfer in segments that was given up and not yet aborted: sent before the next one.
+    std::optional<sdo_abort> unfinished{};
+    emergency_log emergencies{}; ///< since it was brought up, or since they were cleared
+};
+
+} // namespace jauscat::ethercat
