@@ -19,6 +19,7 @@ namespace jauscat::test {
 struct link_faults {
     unsigned lose{};
     unsigned duplicate{}; ///< on the way back only: no wire doubles what a master sends
+    unsigned copy{};      ///< on the way out: an IP network may do that
     unsigned delay{};
     unsigned corrupt{};                                             ///< one byte, delivered all the same
     std::chrono::nanoseconds longest{std::chrono::milliseconds{1}}; ///< of a delay
@@ -75,7 +76,7 @@ class simulated_link {
 
     void travel(bytes frame, bool outwards) {
         if (happens(faults.lose)) return;
-        const unsigned copies = !outwards && happens(faults.duplicate) ? 2 : 1;
+        const unsigned copies = happens(outwards ? faults.copy : faults.duplicate) ? 2 : 1;
         for (unsigned copy = 0; copy != copies; ++copy) {
             auto at = now + trip;
             if (happens(faults.delay))
