@@ -81,7 +81,7 @@ std::size_t execute(std::span<const std::byte> request, std::span<std::byte> con
     master.bring_up(0, gripper_slave::station);
     auto result = net::run(link, master);
     ethercat::packet_job job{request, confirmation};
-    if (result && job.start(master)) result = net::run(link, master);
+    for (bool runs = result && job.start(master); runs; runs = job.next(master)) result = net::run(link, master);
     return job.finish(result);
 }
 

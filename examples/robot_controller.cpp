@@ -167,12 +167,14 @@ class robot_controller {
 
     /// Executes a request packet and returns its confirmation; brings the slave up again first if it was lost.
     std::span<const std::byte> execute(std::span<const std::byte> request) {
-        ethercat::packet_job job{request, confirmation_, options_};
+        ethercat::packet_job job{request, confirmation_, {.download = options_}};
         ethercat::outcome result{};
         if (!up_ && !try_bring_up()) {
             result = master_.result();
-        } else if (example::traced_link traced{link_}; job.start(master_)) {
-            result = jauscat::net::run(traced, master_, exchange_timeout);
+        } else {
+            example::traced_link traced{link_};
+            for (bool runs = job.start(master_); runs; runs = job.next(master_))
+                result = jauscat::net::run(traced, master_, exchange_timeout);
         }
         if (!result) {
             using enum ethercat::master_errc;

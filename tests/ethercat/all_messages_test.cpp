@@ -78,7 +78,9 @@ template <class Table> class robot {
         bytes confirmation(ethercat::packet_job::confirmation_size);
         ethercat::packet_job job{request, confirmation};
         REQUIRE(job.start(master_));
-        confirmation.resize(job.finish(net::run(link_, master_)));
+        const auto result = net::run(link_, master_);
+        CHECK_FALSE(job.next(master_));
+        confirmation.resize(job.finish(result));
         return confirmation;
     }
 

@@ -108,7 +108,7 @@ TEST_CASE("a packet that asks for nothing possible is confirmed with the reason,
     bench b;
     const auto sent = b.m.statistics().sent;
     const auto request = from_hex(download);
-    CHECK(status_of(b.execute(with(request, 28, 0x0065000A))) == 0xC0000004); // no such command here
+    CHECK(status_of(b.execute(with(request, 28, 0x0065001E))) == 0xC0000004); // no such command here
     CHECK(status_of(b.execute(with(request, 16, 19))) == 0xC0000007);         // ulLen shorter than the data
     CHECK(status_of(b.execute(with(request, 52, 5))) == 0xC0000007);          // ulDataCnt beyond the packet
     CHECK(status_of(b.execute(with(request, 52, 0xFFFFFFF8))) == 0xC0000007);
@@ -140,7 +140,7 @@ TEST_CASE("a download clears subindex 0 first where the caller wants it") {
     const auto request = from_hex(download);
     const auto status = [&](const download_options& options) {
         bytes confirmation(packet_job::confirmation_size);
-        packet_job job{request, confirmation, options};
+        packet_job job{request, confirmation, {.download = options}};
         REQUIRE(job.start(b.m));
         confirmation.resize(job.finish(net::run(b.link, b.m)));
         return status_of(confirmation);

@@ -1,125 +1,155 @@
-// One SDO request packet executed by the master instead of by the card that the packet is made for.
+// One request packet executed by the master instead of by the card that the packet is made for.
 #pragma once
 
-#include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/packet_status.hpp>
-#include <jauscat/wire/decode.hpp>
-#include <jauscat/wire/encode.hpp>
+#include <jauscat/ethercat/packet_emergencies.hpp>
+#include <jauscat/ethercat/packet_info.hpp>
+#include <jauscat/ethercat/packet_scan.hpp>
+#include <jauscat/ethercat/packet_sdo.hpp>
+#include <jauscat/ethercat/packet_state.hpp>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <span>
+#include <variant>
 
 namespace jauscat::ethercat {
 
-/// A packet in, its confirmation out. Both spans stay in place until `finish`.
+/// A packet in, its confirmation out. Both spans and the job itself stay in place until `finish`, and do not overlap.
 ///
 ///     packet_job job{request, confirmation};
-///     if (job.start(master)) ...;                       // drive the master until it is idle
+///     for (bool runs = job.start(master); runs; runs = job.next(master)) ...; // drive the master until it is idle
 ///     const auto size = job.finish(master.result());
+///
+/// Services: SDO download and upload, OD list, object and entry description, get and set state, bus scan and its
+/// results, slave handles and emergencies. Any other command is confirmed with unknown_command.
 class packet_job {
   public:
     /// Bytes of confirmation that any request can do with.
     static constexpr std::size_t confirmation_size =
-        wire::max_size<hilscher::sdo_upload_confirmation> + hilscher::max_sdo_data;
+        wire::max_size<hilscher::packet_header> + hilscher::max_packet_body;
 
-    /// `options` are for downloads: the packets cannot say them.
     packet_job(std::span<const std::byte> request, std::span<std::byte> confirmation,
-               const download_options& options = {}) noexcept
-        : request_{request}, confirmation_{confirmation}, options_{options} {}
+               const packet_options& options = {}) noexcept
+        : io_{request, confirmation.first(std::min(confirmation.size(), confirmation_size)), options} {}
 
-    /// Starts what the request asks for. False if nothing runs: `finish` then says why, whatever result it is given.
+    /// Starts what the request asks for. False if no job of the master runs: `finish` then.
     bool start(master& m) noexcept {
-        status_ = begin(m);
-        return status_ == hilscher::packet_status::ok;
+        if (!wire::decode_prefix(head_, io_.request) || is_answer(head_)) return false;
+        status_ = check_header();
+        if (status_ != packet_status::ok) return false;
+        switch (head_.ul_cmd) {
+        case packet_command::sdo_download_req: return begin<packet_download>(m);
+        case packet_command::sdo_upload_req: return begin<packet_upload>(m);
+        case packet_command::get_od_list_req: return begin<packet_od_list>(m);
+        case packet_command::get_object_description_req: return begin<packet_object>(m);
+        case packet_command::get_entry_description_req: return begin<packet_entry>(m);
+        case packet_command::get_state_req: return begin<packet_get_state>(m);
+        case packet_command::set_state_req: return begin<packet_set_state>(m);
+        case packet_command::start_bus_scan_req: return begin<packet_start_scan>(m);
+        case packet_command::get_bus_scan_info_req: return begin<packet_scan_info>(m);
+        case packet_command::get_slave_handles_req: return begin<packet_slave_handles>(m);
+        case packet_command::read_emergencies_req: return begin<packet_emergencies>(m);
+        default: status_ = packet_status::unknown_command; return false;
+        }
     }
 
-    /// Writes the confirmation and returns its size, 40 to 1596 bytes; 0 where the request is no packet or the
-    /// confirmation has no room. `result` is how the master's job ended.
+    /// The master's job has ended. True if another one runs now.
+    bool next(master& m) noexcept {
+        if (!runs_) return false;
+        return std::visit([&](auto& service) { return take(next_of(service, m)); }, service_);
+    }
+
+    /// Writes the confirmation and returns its size, 40 to 1596 bytes; 0 where the request is no request packet or the
+    /// confirmation has no room. `result` is how the master's last job ended, or why none could be started. A service
+    /// of several jobs that `next` has not seen through has failed.
     std::size_t finish(const outcome& result) noexcept {
-        hilscher::packet_header head{};
-        if (!wire::decode_prefix(head, request_)) return 0;
-        if (status_ == hilscher::packet_status::ok) status_ = hilscher::status_of(result);
-        head.ul_sta = status_;
-        head.ul_cmd = static_cast<hilscher::packet_command>(static_cast<std::uint32_t>(head.ul_cmd) + 1);
-        if (head.ul_cmd == hilscher::packet_command::sdo_upload_cnf) return finish_upload(head, result.size);
-        head.ul_len = 0;
-        return wire::encode(head, confirmation_).size();
+        if (!wire::decode_prefix(head_, io_.request) || is_answer(head_)) return 0;
+        head_.ul_cmd = static_cast<packet_command>(static_cast<std::uint32_t>(head_.ul_cmd) + 1);
+        if (status_ == packet_status::ok) status_ = hilscher::status_of(result);
+        return std::visit([&](auto& service) { return confirm(service, result); }, service_);
     }
 
   private:
     using packet_status = hilscher::packet_status;
     using packet_command = hilscher::packet_command;
     static constexpr std::size_t head_size = wire::max_size<hilscher::packet_header>;
-    static constexpr std::size_t upload_size = wire::max_size<hilscher::sdo_upload_confirmation>;
 
-    packet_status begin(master& m) noexcept {
-        hilscher::packet_header head{};
-        if (!wire::decode_prefix(head, request_)) return packet_status::invalid_packet_length;
-        switch (head.ul_cmd) {
-        case packet_command::sdo_download_req: return begin_download(m);
-        case packet_command::sdo_upload_req: return begin_upload(m);
-        default: return packet_status::unknown_command;
+    [[nodiscard]] static bool is_answer(const hilscher::packet_header& head) noexcept {
+        return (static_cast<std::uint32_t>(head.ul_cmd) & 1u) != 0;
+    }
+
+    [[nodiscard]] packet_status check_header() const noexcept {
+        if (head_.ul_len > io_.request.size() - head_size) return packet_status::invalid_packet_length;
+        if (!io_.options.check_header) return packet_status::ok;
+        if (head_.ul_dest != channel_in_use && (head_.ul_dest == 0 || head_.ul_dest > last_channel))
+            return packet_status::unknown_destination;
+        if (head_.ul_dest_id != 0) return packet_status::unknown_destination_id;
+        return (head_.ul_ext & sequence_bits) != 0 ? packet_status::invalid_extension : packet_status::ok;
+    }
+
+    template <class Service> bool begin(master& m) noexcept {
+        auto& service = service_.emplace<Service>();
+        const auto fields = wire::decode_prefix(service.asked, io_.request);
+        if (head_.ul_len < Service::least_length || (!fields && Service::least_length != 0))
+            status_ = packet_status::invalid_packet_length;
+        else if (io_.confirmation.size() < Service::fields_size)
+            status_ = packet_status::out_of_memory;
+        else
+            return take(service.begin(m, io_));
+        return false;
+    }
+
+    bool take(const service_step& step) noexcept {
+        runs_ = step.runs;
+        status_ = step.status;
+        return runs_;
+    }
+
+    template <class Service> service_step next_of(Service& service, master& m) noexcept {
+        if constexpr (std::is_same_v<Service, std::monostate>)
+            return {};
+        else
+            return service.next(m, m.result(), io_);
+    }
+
+    template <class Service> std::size_t confirm(Service& service, const outcome& result) noexcept {
+        if constexpr (std::is_same_v<Service, std::monostate>) {
+            return refuse(0);
+        } else {
+            if (runs_ && !Service::one_job && status_ == packet_status::ok)
+                status_ = packet_status::fail; // not driven on
+            if (status_ != packet_status::ok) return refuse(Service::repeated);
+            typename Service::confirmation out{};
+            const auto answer = service.answer(out, result, io_);
+            status_ = answer.status;
+            if (status_ != packet_status::ok) return refuse(Service::repeated);
+            out.head = head_;
+            out.head.ul_sta = status_;
+            out.head.ul_len = static_cast<std::uint32_t>(Service::fields_size - head_size + answer.size);
+            return wire::encode(out, io_.confirmation).size() + answer.size;
         }
     }
 
-    packet_status begin_download(master& m) noexcept {
-        hilscher::sdo_download_request fields{};
-        const auto used = wire::decode_prefix(fields, request_);
-        if (!used || fields.ul_data_cnt > request_.size() - used.size() ||
-            fields.head.ul_len < used.size() - head_size + fields.ul_data_cnt)
-            return packet_status::invalid_packet_length;
-        if (const auto wrong = check_target(fields); wrong != packet_status::ok) return wrong;
-        return started(m.download(static_cast<std::uint16_t>(fields.ul_node_id),
-                                  static_cast<std::uint16_t>(fields.ul_index),
-                                  static_cast<std::uint8_t>(fields.ul_sub_index),
-                                  request_.subspan(used.size(), fields.ul_data_cnt), options_));
+    // A confirmation with an error: the header and the front of the request's body, zeros where the request has none.
+    std::size_t refuse(std::size_t repeated) noexcept {
+        if (io_.confirmation.size() < head_size + repeated) return 0;
+        head_.ul_sta = status_;
+        head_.ul_len = static_cast<std::uint32_t>(repeated);
+        static_cast<void>(wire::encode(head_, io_.confirmation));
+        const auto body = io_.request.subspan(head_size);
+        const auto out = io_.confirmation.subspan(head_size, repeated);
+        std::ranges::fill(out, std::byte{});
+        std::ranges::copy(body.first(std::min(body.size(), repeated)), out.begin());
+        return head_size + repeated;
     }
 
-    packet_status begin_upload(master& m) noexcept {
-        hilscher::sdo_upload_request fields{};
-        const auto used = wire::decode_prefix(fields, request_);
-        if (!used || fields.head.ul_len < used.size() - head_size) return packet_status::invalid_packet_length;
-        if (const auto wrong = check_target(fields); wrong != packet_status::ok) return wrong;
-        if (confirmation_.size() < upload_size) return packet_status::out_of_memory;
-        const auto room = confirmation_.subspan(upload_size);
-        return started(m.upload(
-            static_cast<std::uint16_t>(fields.ul_node_id), static_cast<std::uint16_t>(fields.ul_index),
-            static_cast<std::uint8_t>(fields.ul_sub_index), room.first(std::min(room.size(), hilscher::max_sdo_data))));
-    }
+    static constexpr std::uint32_t channel_in_use = 0x20, last_channel = 4, sequence_bits = 0xC0;
 
-    [[nodiscard]] static packet_status check_target(const auto& fields) noexcept {
-        if (fields.ul_node_id > 0xFFFF) return packet_status::coe_invalid_slave_id;
-        return fields.ul_index > 0xFFFF || fields.ul_sub_index > 0xFF ? packet_status::invalid_parameter
-                                                                      : packet_status::ok;
-    }
-    [[nodiscard]] static packet_status started(bool yes) noexcept {
-        return yes ? packet_status::ok : packet_status::service_in_use;
-    }
-
-    // The data are there already. After an error the packet ends with the fields that repeat the request's.
-    std::size_t finish_upload(const hilscher::packet_header& head, std::size_t size) noexcept {
-        hilscher::sdo_upload_request asked{};
-        static_cast<void>(wire::decode_prefix(asked, request_));
-        if (head.ul_sta != packet_status::ok) {
-            asked.head = head;
-            asked.head.ul_len = static_cast<std::uint32_t>(wire::max_size<hilscher::sdo_upload_request> - head_size);
-            return wire::encode(asked, confirmation_).size();
-        }
-        hilscher::sdo_upload_confirmation answer{.head = head,
-                                                 .ul_node_id = asked.ul_node_id,
-                                                 .ul_index = asked.ul_index,
-                                                 .ul_sub_index = asked.ul_sub_index,
-                                                 .ul_data_cnt = static_cast<std::uint32_t>(size)};
-        answer.head.ul_len = static_cast<std::uint32_t>(upload_size - head_size + size);
-        return wire::encode(answer, confirmation_).size() + size;
-    }
-
-    std::span<const std::byte> request_;
-    std::span<std::byte> confirmation_;
-    download_options options_{};
-    hilscher::packet_status status_{};
+    packet_io io_;
+    hilscher::packet_header head_{};
+    std::variant<std::monostate, packet_download, packet_upload, packet_od_list, packet_object, packet_entry,
+                 packet_get_state, packet_set_state, packet_start_scan, packet_scan_info, packet_slave_handles,
+                 packet_emergencies>
+        service_{};
+    packet_status status_{};
+    bool runs_{}; // a job of the master whose end `next` has not been told
 };
 
 } // namespace jauscat::ethercat

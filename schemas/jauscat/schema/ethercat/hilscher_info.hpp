@@ -88,6 +88,11 @@ struct get_entry_description_confirmation {
     std::uint32_t ul_data_len{};           ///< n, bytes of abObjData, 0 to 1512
 };
 
+/// The unit in a slave's entry description, in front of the values; 4 bytes.
+struct entry_unit {
+    std::uint32_t ul_unit_type{};
+};
+
 } // namespace jauscat::hilscher
 
 // One line per field, as in the manual's table.
@@ -158,6 +163,11 @@ template <> struct wire::schema<hilscher::get_entry_description_confirmation> {
         field<&T::f_tx_pdo_mapping, u32le>,
         field<&T::ul_unit_type, u32le>,
         field<&T::ul_data_len, u32le>>;
+};
+
+template <> struct wire::schema<hilscher::entry_unit> {
+    using T = hilscher::entry_unit;
+    using type = layout<field<&T::ul_unit_type, u32le>>;
 };
 
 } // namespace jauscat
