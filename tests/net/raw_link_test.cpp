@@ -4,6 +4,10 @@
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/net/raw_link.hpp>
 
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/generic/raw_protocol.hpp>
+#include <boost/asio/io_context.hpp>
+
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -102,16 +106,34 @@ TEST_CASE("a link hears every destination address, and no other EtherType", "[ve
     CHECK(buffer.receive_from(slave, 0ns) == 0);
 }
 
+TEST_CASE("a frame of the EtherType that holds no datagrams is not heard", "[veth]") {
+    raw_link slave{"jc1"};
+    frame_buffer buffer;
+    for (const int type : {0, 2, 3, 4, 5, 9, 15}) {
+        auto other = support::frame(1);
+        other[15] = static_cast<std::byte>(type << 4);
+        inject("jc0", other);
+    }
+    auto longest = support::frame(1);
+    longest[15] = std::byte{0x1F}; // type 1, and all bits of the length that share the byte
+    inject("jc0", longest);
+    REQUIRE(buffer.receive_from(slave) == 60);
+    CHECK(buffer.frame() == longest);
+    CHECK(buffer.receive_from(slave, 0ns) == 0);
+}
+
 TEST_CASE("a VLAN tag is taken off", "[veth]") {
     raw_link slave{"jc1"};
     frame_buffer buffer;
     const auto plain = support::frame(1);
-    auto tagged = plain;
-    const auto tag = bytes(0x81, 0x00, 0x20, 0x05);
-    tagged.insert(tagged.begin() + 12, tag.begin(), tag.end());
-    inject("jc0", tagged);
-    REQUIRE(buffer.receive_from(slave) == 60);
-    CHECK(buffer.frame() == plain);
+    for (const auto& tag : {bytes(0x81, 0x00, 0x00, 0x00), bytes(0x81, 0x00, 0x20, 0x05), bytes(0x81, 0x00, 0xEF, 0xFE),
+                            bytes(0x88, 0xA8, 0x00, 0x05)}) {
+        auto tagged = plain;
+        tagged.insert(tagged.begin() + 12, tag.begin(), tag.end());
+        inject("jc0", tagged);
+        REQUIRE(buffer.receive_from(slave) == 60);
+        CHECK(buffer.frame() == plain);
+    }
 }
 
 TEST_CASE("a frame larger than the buffer is passed over", "[veth]") {
@@ -152,27 +174,66 @@ TEST_CASE("an interface that goes down is reported, and works again when it is u
     raw_link master{"jc0"};
     raw_link slave{"jc1"};
     frame_buffer buffer;
+    const std::string down = "interface jc0 is down; run: sudo ip link set jc0 up";
     ip("link set jc0 down");
-    CHECK(buffer.receive_from(master) == 0);
-    CHECK(master.problem() == "interface jc0: Network is down");
+    for (int look = 0; look != 3; ++look) {
+        CHECK(buffer.receive_from(master, 1ms) == 0);
+        CHECK(master.problem() == down);
+    }
     CHECK_FALSE(master.send(support::frame(1)));
-    CHECK(master.problem() == "interface jc0: Network is down");
+    CHECK(master.problem() == down);
+    CHECK(buffer.receive_from(slave, 1ms) == 0);
+    CHECK(slave.problem() == "no link on jc1: is the cable in, and the other end on?");
     ip("link set jc0 up");
-    CHECK(buffer.receive_from(slave, 0ns) == 0);
+    CHECK(buffer.receive_from(slave, 1ms) == 0);
+    CHECK(slave.problem().empty());
     CHECK(master.send(support::frame(1)));
     CHECK(buffer.receive_from(slave) == 60);
 }
 
-TEST_CASE("an interface that vanishes is reported", "[veth]") {
-    ip("link add jc2 type veth peer name jc3");
-    ip("link set jc2 up");
+TEST_CASE("a link may be opened before the cable is in", "[veth]") {
+    ip("link set jc1 down");
+    raw_link master{"jc0"};
+    const std::string no_link = "no link on jc0: is the cable in, and the other end on?";
+    CHECK(master.problem() == no_link);
+    frame_buffer buffer;
+    CHECK(buffer.receive_from(master, 1ms) == 0);
+    CHECK(master.problem() == no_link);
+    ip("link set jc1 up");
+    raw_link slave{"jc1"};
+    CHECK(slave.problem().empty());
+    CHECK(master.send(support::frame(1)));
+    CHECK(buffer.receive_from(slave) == 60);
+}
+
+TEST_CASE("an interface that vanishes is reported, and taken again when it is back", "[veth]") {
+    const auto plug_in = [] {
+        ip("link add jc2 type veth peer name jc3");
+        ip("link set jc3 up");
+        ip("link set jc2 up");
+    };
+    plug_in();
     raw_link link{"jc2"};
     ip("link delete jc2");
     frame_buffer buffer;
-    CHECK(buffer.receive_from(link) == 0);
-    CHECK(link.problem() == "interface jc2: Network is down");
+    for (int look = 0; look != 2; ++look) {
+        CHECK(buffer.receive_from(link, 1ms) == 0);
+        CHECK(link.problem() == "interface jc2 is gone");
+    }
     CHECK_FALSE(link.send(support::frame(1)));
-    CHECK(link.problem() == "interface jc2: No such device or address");
+    CHECK(link.problem() == "interface jc2 is gone");
+    plug_in();
+    ip("-details link show jc2 | grep -q 'promiscuity 0'");
+    CHECK(buffer.receive_from(link, 1ms) == 0);
+    CHECK(link.problem().empty());
+    ip("-details link show jc2 | grep -q 'promiscuity 1'");
+    raw_link peer{"jc3"};
+    CHECK(link.send(support::frame(1)));
+    REQUIRE(buffer.receive_from(peer) == 60);
+    CHECK(buffer.frame() == from(link, support::frame(1)));
+    CHECK(peer.send(support::frame(1)));
+    CHECK(buffer.receive_from(link) == 60);
+    ip("link delete jc2");
 }
 
 TEST_CASE("an interface that cannot be used is refused with the reason", "[veth]") {

@@ -9,15 +9,15 @@
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>
 
-#include <boost/asio/buffer.hpp>
-#include <boost/asio/error.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <span>
@@ -43,7 +43,7 @@ class udp_link {
         if (error) throw open_error{'"' + address + "\" is not an IP address, such as 127.0.0.1"};
         udp_link link;
         detail::bind_udp(link.socket_, {ip, port});
-        link.socket_.non_blocking(true);
+        detail::limit_blocking(link.socket_.native_handle());
         return link;
     }
 
@@ -60,13 +60,14 @@ class udp_link {
         }
         if (error)
             throw open_error{"no way to a slave at " + host + ':' + std::to_string(port) + ": " + error.message()};
-        link.socket_.non_blocking(true);
+        detail::limit_blocking(link.socket_.native_handle());
         return link;
     }
 
     /// Sends what the frame's EtherCAT header announces. False when the frame is shorter than that, when a serving end
     /// has heard from nobody yet, and when the network refuses; `problem()` says which.
     bool send(std::span<const std::byte> frame) {
+        problem_.clear();
         ethercat::frame_header header;
         const auto payload = frame.subspan(std::min(frame.size(), header_size));
         const auto read = wire::decode_prefix(header, payload);
@@ -78,16 +79,16 @@ class udp_link {
             problem_ = "no master has sent anything yet, so there is nobody to answer";
             return false;
         }
-        boost::system::error_code error;
-        socket_.send_to(boost::asio::buffer(payload.data(), read.size() + header.length), peer_, 0, error);
-        return !failed(error);
+        const auto sent = ::sendto(socket_.native_handle(), payload.data(), read.size() + header.length, MSG_DONTWAIT,
+                                   peer_.data(), static_cast<socklen_t>(peer_.size()));
+        if (sent < 0) explain(errno);
+        return sent >= 0;
     }
 
     /// The next frame, padded to 60 bytes. `buffer` takes at least 60 bytes, or nothing is received; 1514 take all.
     std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
         problem_.clear();
-        return detail::receive_frame(socket_.native_handle(), buffer, timeout, busy_poll_,
-                                     [&] { return take(buffer); });
+        return wait_.receive(socket_.native_handle(), buffer, timeout, [&](int flags) { return take(buffer, flags); });
     }
 
     /// Why the last `send` or `receive` failed, in one line; empty if it did not, or if nothing came in time.
@@ -97,23 +98,28 @@ class udp_link {
     std::uint16_t port() const { return socket_.local_endpoint().port(); }
 
     /// How long `receive` polls before it sleeps; not at all unless set, since the other end often shares a processor.
-    void busy_poll(std::chrono::nanoseconds time) noexcept { busy_poll_ = time; }
+    void busy_poll(std::chrono::nanoseconds time) noexcept { wait_.busy_poll(time); }
 
   private:
     static constexpr std::size_t header_size = wire::max_size<ethercat::ethernet_header>;
 
     udp_link() = default;
 
-    std::optional<std::size_t> take(std::span<std::byte> buffer) {
+    std::optional<std::size_t> take(std::span<std::byte> buffer, int flags) {
         const auto payload = buffer.subspan(header_size);
         boost::asio::ip::udp::endpoint from;
-        boost::system::error_code error;
-        const auto size = socket_.receive_from(boost::asio::buffer(payload.data(), payload.size()), from, MSG_TRUNC,
-                                               error); // MSG_TRUNC: the true size of a larger datagram
-        if (error == boost::asio::error::would_block) return {};
-        if (failed(error)) return 0;
+        auto address_size = static_cast<socklen_t>(from.capacity());
+        const auto result = ::recvfrom(socket_.native_handle(), payload.data(), payload.size(), flags | MSG_TRUNC,
+                                       from.data(), &address_size); // MSG_TRUNC: the true size of a larger datagram
+        if (result < 0 && (errno == EAGAIN || errno == EINTR)) return {};
+        if (result < 0) {
+            explain(errno);
+            return 0;
+        }
+        const auto size = static_cast<std::size_t>(result);
         if (size < wire::max_size<ethercat::frame_header> || size > payload.size()) return {};
 
+        from.resize(address_size);
         peer_ = from;
         ethercat::ethernet_header header{.ether_type = ethercat::ether_type_ethercat};
         header.destination.fill(std::byte{0xFF});
@@ -121,19 +127,15 @@ class udp_link {
         return header_size + size;
     }
 
-    bool failed(boost::system::error_code error) {
-        problem_.clear();
-        if (error == boost::asio::error::connection_refused)
-            problem_ = "no slave receives at UDP " + detail::text(peer_);
-        else if (error)
-            problem_ = "EtherCAT in UDP with " + detail::text(peer_) + ": " + error.message();
-        return static_cast<bool>(error);
+    void explain(int error) {
+        problem_ = error == ECONNREFUSED ? "no slave receives at UDP " + detail::text(peer_)
+                                         : "EtherCAT in UDP with " + detail::text(peer_) + ": " + std::strerror(error);
     }
 
     std::unique_ptr<boost::asio::io_context> context_{std::make_unique<boost::asio::io_context>()};
     boost::asio::ip::udp::socket socket_{*context_};
     boost::asio::ip::udp::endpoint peer_{}; ///< port 0 until a serving end has heard from a master
-    std::chrono::nanoseconds busy_poll_{};
+    detail::frame_wait wait_{std::chrono::nanoseconds{}};
     std::string problem_{};
 };
 

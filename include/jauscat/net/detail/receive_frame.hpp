@@ -1,6 +1,4 @@
-// Waiting for a frame with a precision below a millisecond: a short busy poll first, since an answer that is a few
-// microseconds away costs less than being put to sleep and woken; then ppoll, which takes nanoseconds.
-// Where the other end is a program that needs the same processor, the busy poll only holds it up.
+// Waiting for a frame at a socket, with as little between its arrival and its receiver as a process can do about it.
 #pragma once
 
 #include <jauscat/schema/ethercat/frame.hpp>
@@ -12,38 +10,74 @@
 #include <optional>
 #include <poll.h>
 #include <span>
+#include <sys/socket.h>
 
 namespace jauscat::net::detail {
 
-/// Repeats `attempt` until it gives the size of a frame in `buffer`, which is then padded to 60 bytes, or until
-/// `timeout` is over, then 0. `attempt` does not wait; it returns nothing when there is nothing to receive, and 0 when
-/// the medium failed. A buffer below 60 bytes receives nothing.
-template <class Attempt>
-std::size_t receive_frame(int socket, std::span<std::byte> buffer, std::chrono::nanoseconds timeout,
-                          std::chrono::nanoseconds busy_poll, Attempt attempt) {
-    constexpr auto shortest = ethercat::min_frame_size;
-    if (buffer.size() < shortest) return 0;
-    using clock = std::chrono::steady_clock;
-    const auto start = clock::now();
-    const auto longest = std::chrono::nanoseconds{clock::time_point::max() - start};
-    const auto deadline = start + std::min(timeout, longest);
-    const auto sleep_from = start + std::min(timeout, busy_poll);
-    for (;;) {
-        if (const std::optional<std::size_t> size = attempt()) {
-            if (*size == 0 || *size >= shortest) return *size;
-            std::ranges::fill(buffer.first(shortest).subspan(*size), std::byte{});
-            return shortest;
+/// Makes a blocking receive at `socket` return after 10 ms without anything; the kernel rounds up, to 20 ms at most.
+inline void limit_blocking(int socket) noexcept {
+    const timeval slice{.tv_sec = 0, .tv_usec = 10'000};
+    ::setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &slice, sizeof slice);
+}
+
+/// How one end of a link waits: it polls for a while, then sleeps.
+///
+/// An answer that is a few microseconds away costs less than being put to sleep and woken. But where the sender is a
+/// process that the system has given the same processor, the poll only holds it up; so a poll in vain, after which a
+/// frame did come, makes the next 200 receives sleep at once. docs/performance.md has the measurements.
+class frame_wait {
+  public:
+    explicit frame_wait(std::chrono::nanoseconds busy_poll) noexcept : busy_poll_{busy_poll} {}
+
+    void busy_poll(std::chrono::nanoseconds time) noexcept {
+        busy_poll_ = time;
+        without_poll_ = 0;
+    }
+
+    /// Repeats `attempt(flags)`, a receive at `socket` that was prepared by `limit_blocking`, until it gives the size
+    /// of a frame in `buffer`, which is then padded to 60 bytes, or until `timeout` is over, then 0. It gives nothing
+    /// when there was nothing to receive, and 0 when the medium failed. A buffer below 60 bytes receives nothing.
+    template <class Attempt>
+    std::size_t receive(int socket, std::span<std::byte> buffer, std::chrono::nanoseconds timeout, Attempt attempt) {
+        constexpr auto shortest = ethercat::min_frame_size;
+        if (buffer.size() < shortest) return 0;
+        auto now = clock::now();
+        const auto longest = std::chrono::nanoseconds{clock::time_point::max() - now};
+        const auto deadline = now + std::min(timeout, longest);
+        const auto poll_end = without_poll_ == 0 ? now + std::min(timeout, busy_poll_) : now;
+        if (without_poll_ != 0) --without_poll_;
+        const bool polls = now < poll_end;
+        for (;;) {
+            const bool sleeps = now >= poll_end;
+            // A blocking receive needs one system call where ppoll and a receive are two; but only ppoll is exact.
+            const bool blocks = sleeps && deadline - now > longest_block;
+            if (sleeps && !blocks && now < deadline) sleep(socket, deadline - now);
+            if (const std::optional<std::size_t> size = attempt(blocks ? 0 : MSG_DONTWAIT)) {
+                if (polls && sleeps) without_poll_ = receives_without_poll;
+                if (*size == 0 || *size >= shortest) return *size;
+                std::ranges::fill(buffer.first(shortest).subspan(*size), std::byte{});
+                return shortest;
+            }
+            now = clock::now();
+            if (now >= deadline) return 0;
         }
-        const auto now = clock::now();
-        if (now >= deadline) return 0;
-        if (now < sleep_from) continue;
-        const std::chrono::nanoseconds left = deadline - now;
-        const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
+    }
+
+  private:
+    using clock = std::chrono::steady_clock;
+    static constexpr std::chrono::milliseconds longest_block{18}; // so that the master's 20 ms still begin with it
+    static constexpr unsigned receives_without_poll = 200;
+
+    static void sleep(int socket, std::chrono::nanoseconds time) noexcept {
+        const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
         const timespec wait{.tv_sec = static_cast<std::time_t>(seconds.count()),
-                            .tv_nsec = static_cast<long>((left - seconds).count())};
+                            .tv_nsec = static_cast<long>((time - seconds).count())};
         pollfd readable{.fd = socket, .events = POLLIN, .revents = 0};
         ::ppoll(&readable, 1, &wait, nullptr); // whatever ends it, a signal included, the next attempt finds out
     }
-}
+
+    std::chrono::nanoseconds busy_poll_;
+    unsigned without_poll_{};
+};
 
 } // namespace jauscat::net::detail
