@@ -52,5 +52,6 @@ bool add_codec_benchmarks();
 bool add_translate_benchmarks();
 bool add_dispatch_benchmarks();
 bool add_path_benchmarks();
+bool add_image_benchmarks();
 
 } // namespace bench

@@ -4,16 +4,21 @@
 
 namespace jauscat::translate {
 
-/// `at<&header::destination, &address::node>`: the field that these member pointers lead to, outermost first.
+/// `at<&header::destination, &address::node>`: the field that these member pointers lead to, outermost first, in a
+/// message or in its raw.
 template <auto First, auto... Rest> struct at {
     using type = typename at<Rest...>::type;
     template <auto Outer> using within = at<Outer, First, Rest...>;
-    [[gnu::always_inline]] static constexpr auto& of(auto& object) noexcept { return at<Rest...>::of(object.*First); }
+    [[gnu::always_inline]] static constexpr auto& of(auto& object) noexcept {
+        return at<Rest...>::of(object.*wire::place_in<decltype(object), First>);
+    }
 };
 template <auto Member> struct at<Member> {
     using type = wire::member_t<Member>;
     template <auto Outer> using within = at<Outer, Member>;
-    [[gnu::always_inline]] static constexpr auto& of(auto& object) noexcept { return object.*Member; }
+    [[gnu::always_inline]] static constexpr auto& of(auto& object) noexcept {
+        return object.*wire::place_in<decltype(object), Member>;
+    }
 };
 
 template <class... Paths> struct path_list {
@@ -36,7 +41,7 @@ template <class... A> struct joined<path_list<A...>> { using type = path_list<A.
 template <class... A, class... B, class... More>
 struct joined<path_list<A...>, path_list<B...>, More...> : joined<path_list<A..., B...>, More...> {};
 
-template <class Item> struct leaves; // no specialisation: a table works on headers of fixed size only
+template <class Item> struct leaves; // no specialisation: a table does not reach into lists, strings and variants
 template <auto Member, class Codec> struct leaves<wire::field<Member, Codec>> { using type = path_list<at<Member>>; };
 template <auto Member, std::size_t Width> struct leaves<wire::bit<Member, Width>> {
     using type = path_list<at<Member>>;
@@ -44,6 +49,8 @@ template <auto Member, std::size_t Width> struct leaves<wire::bit<Member, Width>
 template <std::size_t Width> struct leaves<wire::reserved<Width>> { using type = path_list<>; };
 template <class Carrier, class... Fields>
 struct leaves<wire::bits<Carrier, Fields...>> : joined<typename leaves<Fields>::type...> {};
+template <wire::unknown_bits Unknown, class Carrier, class... Items>
+struct leaves<wire::presence_group<Unknown, Carrier, Items...>> : joined<typename leaves<Items>::type...> {};
 template <class... Items> struct leaves<wire::layout<Items...>> : joined<typename leaves<Items>::type...> {};
 template <auto Member> struct leaves<wire::nested<Member>> {
     using type = typename leaves<typename wire::nested<Member>::inner>::type::template within<Member>;

@@ -31,6 +31,22 @@ template <class T> [[gnu::always_inline]] constexpr errc from_word(std::uint32_t
     return to_word(value) == word ? errc::ok : errc::out_of_range;
 }
 
+template <class T> consteval auto integer_of() noexcept {
+    if constexpr (std::is_enum_v<T>)
+        return std::underlying_type_t<T>{};
+    else
+        return T{};
+}
+/// Whether every value of a `From` comes back from a `To` through a word.
+template <class From, class To> consteval bool keeps_values() noexcept {
+    using from = decltype(integer_of<From>());
+    using to = decltype(integer_of<To>());
+    constexpr bool whole = std::is_integral_v<from> && std::is_integral_v<to>;
+    constexpr bool same_sign = std::is_signed_v<from> == std::is_signed_v<to>;
+    constexpr std::size_t word = sizeof(std::uint32_t);
+    return whole && sizeof(from) <= sizeof(to) && sizeof(to) <= word && (same_sign || sizeof(to) == word);
+}
+
 } // namespace detail
 
 /// The same value on both sides.
@@ -38,11 +54,13 @@ template <class From, class To> struct move {
     using uses = path_list<From>;
     using writes = path_list<To>;
     [[gnu::always_inline]] static constexpr errc forth(const auto& header, auto& packet, sizes) noexcept {
-        To::of(packet) = detail::to_word(From::of(header));
+        static_assert(detail::keeps_values<std::remove_cvref_t<decltype(From::of(header))>, typename To::type>(),
+                      "move: not every value of the message's field comes back from the packet's field");
+        To::of(packet) = static_cast<typename To::type>(From::of(header));
         return errc::ok;
     }
     [[gnu::always_inline]] static constexpr errc back(const auto& packet, auto& header, sizes) noexcept {
-        return detail::from_word(To::of(packet), From::of(header));
+        return detail::from_word(detail::to_word(To::of(packet)), From::of(header));
     }
 };
 
@@ -101,13 +119,13 @@ template <class From, class To, class... Pairs> struct relabel {
     using uses = path_list<From>;
     using writes = path_list<To>;
     [[gnu::always_inline]] static constexpr errc forth(const auto& header, auto& packet, sizes) noexcept {
-        const bool known =
-            (... || (From::of(header) == Pairs::jaus_value && (To::of(packet) = Pairs::packet_value, true)));
+        const bool known = (... || (From::of(header) == Pairs::jaus_value &&
+                                    (To::of(packet) = static_cast<typename To::type>(Pairs::packet_value), true)));
         return known ? errc::ok : errc::reserved_value;
     }
     [[gnu::always_inline]] static constexpr errc back(const auto& packet, auto& header, sizes) noexcept {
-        const bool known =
-            (... || (To::of(packet) == Pairs::packet_value && (From::of(header) = Pairs::jaus_value, true)));
+        const bool known = (... || (detail::to_word(To::of(packet)) == Pairs::packet_value &&
+                                    (From::of(header) = Pairs::jaus_value, true)));
         return known ? errc::ok : errc::reserved_value;
     }
 };

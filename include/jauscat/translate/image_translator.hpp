@@ -1,0 +1,105 @@
+// The translator that an image table makes: a message's body into the bytes of a process image, and back by the same
+// rows. Integers all the way; no byte of the image changes unless the whole message is good.
+#pragma once
+#include <jauscat/translate/image_table.hpp>
+#include <jauscat/wire/decode.hpp>
+#include <jauscat/wire/encode.hpp>
+
+namespace jauscat::translate {
+
+namespace detail {
+
+// A signed scaled field's lowest integer stands for no value; a raw decode lets it pass, an actuator must not get it.
+template <class Item> inline constexpr bool is_signed_scaled = false;
+template <class Item>
+requires requires { typename Item::codec_type::raw_codec; }
+inline constexpr bool is_signed_scaled<Item> = std::is_signed_v<typename Item::codec_type::raw_type>;
+
+template <class T>
+[[gnu::always_inline]] constexpr bool all_values_are_legal(const image_message<T>& message) noexcept {
+    bool legal = true;
+    wire::visit(message, [&]<class Item>(Item, const auto& member) {
+        if constexpr (is_signed_scaled<Item>) {
+            constexpr auto lowest = std::numeric_limits<typename Item::codec_type::raw_type>::min();
+            if constexpr (Item::optional)
+                legal &= member.last() != lowest;
+            else
+                legal &= member != lowest;
+        }
+    });
+    return legal;
+}
+
+constexpr errc errc_of(wire::errc error) noexcept {
+    switch (error) {
+    case wire::errc::ok: return errc::ok;
+    case wire::errc::truncated: return errc::truncated;
+    case wire::errc::trailing_bytes: return errc::wrong_size;
+    case wire::errc::unknown_presence_bit: return errc::reserved_value;
+    case wire::errc::no_space: return errc::no_space;
+    default: return errc::out_of_range;
+    }
+}
+
+} // namespace detail
+
+/// Translates by the rows of `Table`, an image_table.
+template <class Table> struct image_translator {
+    using message_type = typename Table::message_type;
+    using image_type = typename Table::image_type;
+    static constexpr std::size_t image_size = wire::max_size<image_type>;
+
+    /// Puts the message with this body into `image`, the first `image_size` bytes of which hold what was there before:
+    /// elements that the message does not have keep it. Errors: truncated, wrong_size (more bytes than the message
+    /// has), no_space, out_of_range, reserved_value (also a presence bit without an element); the image is then
+    /// unchanged.
+    JAUSCAT_WHOLE static constexpr errc forth(std::span<const std::byte> body, std::span<std::byte> image) noexcept {
+        return fill<false>(body, image);
+    }
+
+    /// The same, where the message before it may not have been seen: its presence bits stay set beside the new ones, so
+    /// that the image says both commands.
+    JAUSCAT_WHOLE static constexpr errc merge(std::span<const std::byte> body, std::span<std::byte> image) noexcept {
+        static_assert(!std::is_void_v<typename Table::presence_row>, "merge: the table has no row presence_bits");
+        return fill<true>(body, image);
+    }
+
+    /// Makes the body of the message that `image` says; returns its size. Errors: truncated, no_space, out_of_range,
+    /// reserved_value, wrong_packet (a constant has another value).
+    JAUSCAT_WHOLE static constexpr result back(std::span<const std::byte> image, std::span<std::byte> body) noexcept {
+        image_message<message_type> message{};
+        if (const errc error = read(image, message); error != errc::ok) return error;
+        const auto size = wire::encode(message, body);
+        if (!size) return detail::errc_of(size.error());
+        return size.size();
+    }
+
+    /// The same, to go on with the message itself.
+    static constexpr errc read(std::span<const std::byte> image, image_message<message_type>& message) noexcept {
+        image_type values{};
+        if (!wire::decode_prefix(values, image)) return errc::truncated;
+        return Table::back(values, message);
+    }
+
+  private:
+    template <bool Merge>
+    [[gnu::always_inline]] static constexpr errc fill(std::span<const std::byte> body,
+                                                      std::span<std::byte> image) noexcept {
+        image_type values{};
+        if (!wire::decode_prefix(values, image)) return errc::no_space;
+        image_message<message_type> message{};
+        Table::keep(values, message);
+        if (const auto used = wire::decode(message, body); !used) return detail::errc_of(used.error());
+        message.presence = detail::presence_in<wire::layout_of<message_type>>::of(message, body);
+        if (!detail::all_values_are_legal(message)) return errc::out_of_range;
+        [[maybe_unused]] const image_type before = values;
+        if (const errc error = Table::forth(message, values); error != errc::ok) return error;
+        if constexpr (Merge) {
+            using presence = typename Table::presence_row::says_presence;
+            presence::of(values) |= presence::of(before);
+        }
+        return detail::errc_of(wire::encode(values, image).error());
+    }
+};
+
+} // namespace jauscat::translate

@@ -1,0 +1,161 @@
+// A message into a process image, and out of one.
+#include "image_samples.hpp"
+
+using namespace jauscat;
+using namespace jauscat::test;
+
+namespace {
+
+constexpr auto full_body = hex_literal<20>("ff0f ff7f 0180 0000 0040 01c0 0020 00ff80 336699");
+constexpr auto full_image = hex_literal<22>("0100"                          // the first command
+                                            "ff0f"                          // all twelve elements
+                                            "ff7f 0180 0000 0040 01c0 0020" // propulsive
+                                            "00ff80 336699");               // resistive
+
+constexpr image after(image before, auto... bodies) {
+    const auto ok = [&](auto body) { return command::forth(body, before) == translate::errc::ok; };
+    return (ok(bodies) && ...) ? before : image{};
+}
+template <class Translator, std::size_t Size> constexpr auto body_of(image from) {
+    std::array<std::byte, Size> out{};
+    const auto size = Translator::back(from, out);
+    return size && size.size() == Size ? out : decltype(out){};
+}
+image bytes_of(const wrench_effort_image& values) {
+    image bytes{};
+    REQUIRE(wire::encode(values, bytes));
+    return bytes;
+}
+
+} // namespace
+
+TEST_CASE("Set Wrench Effort becomes the image's bytes in a constant expression, and comes back") {
+    STATIC_REQUIRE(command::image_size == 22);
+    STATIC_REQUIRE(after(image{}, full_body) == full_image);
+    STATIC_REQUIRE(body_of<command, 20>(full_image) == full_body);
+    STATIC_REQUIRE(body_of<report, 20>(full_image) == full_body);
+}
+
+TEST_CASE("an absent element keeps the image's last value, and its presence bit is clear") {
+    constexpr auto one = hex_literal<4>("0200 3412"); // y alone
+    constexpr auto none = hex_literal<2>("0000");
+    STATIC_REQUIRE(after(full_image, one) == hex_literal<22>("0200 0200 ff7f 3412 0000 0040 01c0 0020 00ff80 336699"));
+    STATIC_REQUIRE(after(full_image, one, none) ==
+                   hex_literal<22>("0300 0000 ff7f 3412 0000 0040 01c0 0020 00ff80 336699"));
+    STATIC_REQUIRE(body_of<command, 4>(after(full_image, one)) == one);
+}
+
+TEST_CASE("a merged message leaves the presence bits of the one before it set") {
+    auto bytes = full_image;
+    REQUIRE(command::forth(from_hex("0200 3412"), bytes) == translate::errc::ok);
+    REQUIRE(command::merge(from_hex("0108 7856 aa"), bytes) == translate::errc::ok);
+    CHECK(to_hex(bytes) == to_hex(from_hex("0300 0308 7856 3412 0000 0040 01c0 0020 00ff80 3366aa")));
+    std::array<std::byte, 20> both{};
+    const auto size = command::back(bytes, both);
+    REQUIRE(size);
+    CHECK(to_hex(std::span{both}.first(size.size())) == to_hex(from_hex("0308 7856 3412 aa")));
+}
+
+TEST_CASE("the command counter leaves 0 out when it starts over") {
+    auto bytes = bytes_of({.command_count = 0xFFFE});
+    for (const unsigned expected : {0xFFFFu, 1u, 2u}) {
+        REQUIRE(command::forth(full_body, bytes) == translate::errc::ok);
+        CHECK(values_of(bytes).command_count == expected);
+    }
+}
+
+TEST_CASE("the report's counter is the slave's own") {
+    auto bytes = bytes_of({.command_count = 77});
+    REQUIRE(report::forth(full_body, bytes) == translate::errc::ok);
+    CHECK(values_of(bytes).command_count == 77);
+}
+
+TEST_CASE("a message that is refused changes no byte of the image") {
+    const auto [body, error] = GENERATE(table<std::string, translate::errc>({
+        {"", translate::errc::truncated},
+        {"ff", translate::errc::truncated},
+        {"0300 ff7f 01", translate::errc::truncated},
+        {"0100 ff7f 00", translate::errc::wrong_size},
+        {"0110 ff7f", translate::errc::reserved_value},    // bit 12 stands for nothing
+        {"0100 0080", translate::errc::out_of_range},      // -32768 is no effort
+        {"2100 0000 0080", translate::errc::out_of_range}, // nor as the second element
+    }));
+    auto bytes = full_image;
+    CHECK(command::forth(from_hex(body), bytes) == error);
+    CHECK(bytes == full_image);
+    CHECK(command::merge(from_hex(body), bytes) == error);
+    CHECK(bytes == full_image);
+}
+
+TEST_CASE("an image or a body without room is refused") {
+    std::array<std::byte, 21> short_image{};
+    CHECK(command::forth(full_body, short_image) == translate::errc::no_space);
+    std::array<std::byte, 20> body{};
+    CHECK(command::back(short_image, body).error() == translate::errc::truncated);
+    CHECK(command::back(full_image, std::span{body}.first(19)).error() == translate::errc::no_space);
+}
+
+TEST_CASE("a presence bit of the image that stands for nothing is refused") {
+    std::array<std::byte, 20> body{};
+    CHECK(command::back(bytes_of({.presence_vector = 0x1000}), body).error() == translate::errc::reserved_value);
+}
+
+// The rows that tables into packets have, in a table of a user's own.
+namespace {
+
+enum class gear : std::uint8_t { park, forward, reverse };
+struct drive {
+    gear direction{};
+    double speed{};
+    std::uint8_t lamps{};
+};
+struct speed_range {
+    static constexpr double min = 0, max = 10;
+};
+struct drive_image {
+    std::uint8_t sign{};
+    std::uint8_t version{};
+    std::uint16_t speed{};
+    std::uint32_t lamps{};
+};
+
+} // namespace
+
+template <> struct jauscat::wire::schema<drive> {
+    using T = drive;
+    using type = layout<field<&T::direction, enumeration<gear, u8>>, field<&T::speed, scaled<u16le, speed_range>>,
+                        field<&T::lamps, u8>>;
+};
+template <> struct jauscat::wire::schema<drive_image> {
+    using T = drive_image;
+    using type =
+        layout<bits<u8, bit<&T::sign, 4>, bit<&T::version, 4>>, field<&T::speed, u16be>, field<&T::lamps, u32le>>;
+};
+
+namespace {
+
+using translate::at;
+using drive_table = translate::image_table<
+    drive, drive_image,
+    translate::relabel<at<&drive::direction>, at<&drive_image::sign>, translate::same<gear::park, 0>,
+                       translate::same<gear::forward, 1>, translate::same<gear::reverse, 15>>,
+    translate::constant<at<&drive_image::version>, 3>, translate::move<at<&drive::speed>, at<&drive_image::speed>>,
+    translate::move<at<&drive::lamps>, at<&drive_image::lamps>>>;
+using drive_translator = translate::image_translator<drive_table>;
+
+} // namespace
+
+TEST_CASE("relabel, constant and move go into an image as into a packet") {
+    std::array<std::byte, 7> bytes{};
+    REQUIRE(drive_translator::forth(from_hex("02 3412 81"), bytes) == translate::errc::ok);
+    CHECK(to_hex(bytes) == "3f 12 34 81 00 00 00");
+    std::array<std::byte, 4> body{};
+    REQUIRE(drive_translator::back(bytes, body));
+    CHECK(to_hex(body) == "02 34 12 81");
+
+    CHECK(drive_translator::forth(from_hex("03 3412 81"), bytes) == translate::errc::reserved_value);
+    CHECK(to_hex(bytes) == "3f 12 34 81 00 00 00");
+    CHECK(drive_translator::back(from_hex("4f 12 34 81 00 00 00"), body).error() == translate::errc::wrong_packet);
+    CHECK(drive_translator::back(from_hex("32 12 34 81 00 00 00"), body).error() == translate::errc::reserved_value);
+    CHECK(drive_translator::back(from_hex("3f 12 34 81 01 00 00"), body).error() == translate::errc::out_of_range);
+}

@@ -1,0 +1,56 @@
+// The golden wrench effort messages into the process image and back.
+#include "image_samples.hpp"
+#include "jaus/vectors.hpp"
+
+using namespace jauscat;
+using namespace jauscat::test;
+
+TEST_CASE("every golden Set Wrench Effort goes into the image and comes back to the byte") {
+    std::size_t seen = 0;
+    image bytes{};
+    wrench_effort_image expected{};
+    for (const auto& vector : golden::vectors()) {
+        if (vector.code != jaus::set_wrench_effort::command_code) continue;
+        const auto body = std::span{vector.bytes}.subspan(16);
+        INFO("body " << to_hex(body));
+        REQUIRE(command::forth(body, bytes) == translate::errc::ok);
+        ++seen;
+
+        // The expectation comes from the vector's own names and numbers.
+        expected.command_count = static_cast<std::uint16_t>(seen);
+        expected.presence_vector =
+            static_cast<std::uint16_t>(std::stoul(vector.object.at("presence_vector").get<std::string>(), nullptr, 16));
+        std::size_t found = 0;
+        wire::visit(expected, [&]<class Item>(Item item, auto& value) {
+            for (const auto& [name, field] : vector.object.at("fields").items()) {
+                if (golden::snake_case(name) != item.name()) continue;
+                value = static_cast<typename Item::value_type>(field.at("raw").template get<int>());
+                ++found;
+            }
+        });
+        CHECK(found == vector.object.at("fields").size());
+        CHECK(values_of(bytes) == expected);
+
+        std::array<std::byte, 20> back{};
+        const auto size = command::back(bytes, back);
+        REQUIRE(size);
+        CHECK(to_hex(std::span{back}.first(size.size())) == to_hex(body));
+    }
+    CHECK(seen > 2);
+}
+
+TEST_CASE("every golden Report Wrench Effort comes out of the image that it was put into") {
+    std::size_t seen = 0;
+    for (const auto& vector : golden::vectors()) {
+        if (vector.code != jaus::report_wrench_effort::command_code) continue;
+        const auto body = std::span{vector.bytes}.subspan(16);
+        image bytes{};
+        REQUIRE(report::forth(body, bytes) == translate::errc::ok);
+        std::array<std::byte, 20> back{};
+        const auto size = report::back(bytes, back);
+        REQUIRE(size);
+        CHECK(to_hex(std::span{back}.first(size.size())) == to_hex(body));
+        ++seen;
+    }
+    CHECK(seen > 2);
+}
