@@ -16,7 +16,9 @@ namespace jauscat::ethercat {
 class loopback_link {
   public:
     /// `slaves`, in ring order, outlive the link. None at all returns frames as they are.
-    explicit loopback_link(std::span<slave> slaves) noexcept : slaves_{slaves} {}
+    explicit loopback_link(std::span<slave> slaves) noexcept : slaves_{slaves} {
+        for (auto& each : slaves) each.set_downstream(&each != &slaves.back());
+    }
 
     bool send(std::span<const std::byte> frame) noexcept {
         if (size_ != 0 || frame.size() > frame_.size()) return false;

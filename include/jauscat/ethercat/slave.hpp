@@ -1,11 +1,12 @@
-// An emulated EtherCAT slave: a slave controller and the application behind it (states, SII, mailbox, CoE).
-// Follows the standard rather than one master's habits, so that any master can bring it up.
+// An emulated EtherCAT slave: a slave controller and the application behind it (states, SII, mailbox, CoE, process
+// data). Follows the standard rather than one master's habits, so that any master can bring it up.
 #pragma once
 
 #include <jauscat/ethercat/esc.hpp>
 #include <jauscat/ethercat/object_dictionary.hpp>
 #include <jauscat/ethercat/sii_image.hpp>
 #include <jauscat/ethercat/slave_coe.hpp>
+#include <jauscat/ethercat/slave_process_data.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
@@ -13,18 +14,22 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace jauscat::ethercat {
 
-/// A slave with a CoE mailbox and no process data.
+/// A slave with a CoE mailbox and, if its description has any, process data.
 class slave {
   public:
-    /// `objects`, and the memory in `options`, must outlive the slave.
+    /// `objects`, what `description` refers to, and the memory in `options` must outlive the slave.
     slave(const slave_description& description, object_dictionary objects, const coe_options& options = {}) noexcept
-        : description_{description}, coe_{objects, options}, sii_{make_sii_image(description)} {
+        : description_{description},
+          coe_{objects, options},
+          sii_{make_sii_image(description)},
+          process_data_{description} {
         power_on();
     }
 
@@ -32,10 +37,14 @@ class slave {
     void power_on() noexcept {
         esc_.reset();
         esc_.store(esc_registers::station_alias, esc_word{description_.station_alias});
-        esc_.store(esc_registers::sii_control, sii_request{.eight_byte_reads = description_.eight_byte_sii_reads});
+        esc_.store(esc_registers::sii_control, sii_request{.eight_byte_reads = description_.eight_byte_sii_reads,
+                                                           .two_address_bytes = sii_.size() > 2048});
         forget_mailbox();
         coe_.power_on();
+        process_data_.power_on(esc_);
     }
+    /// Whether another slave is connected behind this one, for masters that look at the wiring. Kept at power-on.
+    void set_downstream(bool connected) noexcept { esc_.set_downstream(connected); }
 
     /// A frame passes: it is changed in place, then the application works.
     void process(std::span<std::byte> frame) noexcept {
@@ -46,11 +55,31 @@ class slave {
     /// The controller's part of `process`: the application does not get to run.
     void pass(std::span<std::byte> frame) noexcept { esc_.pass(frame); }
 
-    /// The application's part of `process`: states, SII and mailbox.
+    /// The application's part of `process`: states, SII, process data and mailbox.
     void work() noexcept {
         if (esc_.take_al_control()) change_state();
         if (esc_.take_sii_command()) access_sii();
+        process_data_.work(esc_, state());
         if (state() != al_state::init) serve_mailbox();
+    }
+
+    /// The SyncManager watchdog: a slave in OP that has a master's outputs no longer goes to SAFE-OP with an error
+    /// (001Bh). To be called every few milliseconds; a host that never does has no watchdog. Time is any that does not
+    /// go back.
+    void on_time(std::chrono::nanoseconds now) noexcept {
+        if (state() != al_state::op || !process_data_.expired(esc_, now)) return;
+        const al_status lost{.state = al_state::safe_op, .error = true, .code = al_status_code::sync_manager_watchdog};
+        esc_.store(esc_registers::al_status, lost);
+    }
+
+    /// The outputs that are in force: what a master wrote last in OP. What is safe without a master, the application
+    /// knows: see `state`.
+    [[nodiscard]] std::span<const std::byte> outputs() const noexcept { return process_data_.outputs(); }
+    /// True once after each write of the outputs in OP.
+    bool take_outputs() noexcept { return process_data_.take_outputs(); }
+    /// What a master reads from SAFE-OP on; the application writes it.
+    [[nodiscard]] std::span<std::byte> inputs() noexcept {
+        return esc_.bytes(process_memory::inputs, description_.input_size());
     }
 
     [[nodiscard]] al_state state() const noexcept { return esc_.load<al_status>(esc_registers::al_status).state; }
@@ -60,7 +89,7 @@ class slave {
     }
 
   private:
-    static constexpr std::size_t mailbox_out = 0, mailbox_in = 1; // their SyncManagers
+    static constexpr auto mailbox_out = manager_numbers::mailbox_out, mailbox_in = manager_numbers::mailbox_in;
 
     void change_state() noexcept {
         const auto control = esc_.load<al_control>(esc_registers::al_control);
@@ -76,6 +105,7 @@ class slave {
         }
         if (from_init || status.state == al_state::init) forget_mailbox();
         esc_.store(esc_registers::al_status, status);
+        process_data_.enter(esc_, status.state);
     }
 
     // ETG.1000.6, table 106: one step up at a time, any step down.
@@ -87,10 +117,11 @@ class slave {
             if (from != al_state::init) return al_status_code::none;
             return mailbox_is_configured() ? al_status_code::none : al_status_code::mailbox_pre_op;
         case al_state::safe_op:
-            return from == al_state::init ? al_status_code::invalid_state_change : al_status_code::none;
+            if (from == al_state::init) return al_status_code::invalid_state_change;
+            return process_data_.refusal(esc_);
         case al_state::op:
-            return from == al_state::safe_op || from == al_state::op ? al_status_code::none
-                                                                     : al_status_code::invalid_state_change;
+            if (from != al_state::safe_op && from != al_state::op) return al_status_code::invalid_state_change;
+            return process_data_.refusal(esc_);
         }
         return al_status_code::unknown_state;
     }
@@ -176,6 +207,7 @@ class slave {
     slave_description description_;
     coe_server coe_;
     sii_image sii_;
+    slave_process_data process_data_;
     esc esc_{};
     std::uint8_t last_counter_{};
     bool replied_{}; // the memory of the reply mailbox holds a message of ours

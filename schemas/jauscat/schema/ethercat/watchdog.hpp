@@ -1,0 +1,26 @@
+// The process data watchdog of an EtherCAT slave controller: registers and their times. ET1100 data sheet, section II.
+#pragma once
+
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+
+#include <chrono>
+#include <cstdint>
+
+namespace jauscat::ethercat {
+
+namespace esc_registers {
+inline constexpr esc_register watchdog_divider{0x0400, 2};
+inline constexpr esc_register pdi_watchdog{0x0410, 2};
+inline constexpr esc_register process_data_watchdog{0x0420, 2}; ///< time, in units by `watchdog_divider`; 0: off
+inline constexpr esc_register watchdog_status{0x0440, 2};       ///< bit 0: not expired
+} // namespace esc_registers
+
+inline constexpr std::uint16_t default_watchdog_divider = 2498; ///< units of 100 us
+inline constexpr std::uint16_t default_watchdog_time = 1000;    ///< of these units: 100 ms
+
+/// What the registers' values mean: (divider + 2) x 40 ns is one unit.
+[[nodiscard]] constexpr std::chrono::nanoseconds watchdog_time(std::uint16_t divider, std::uint16_t units) noexcept {
+    return (std::int64_t{divider} + 2) * units * std::chrono::nanoseconds{40};
+}
+
+} // namespace jauscat::ethercat
