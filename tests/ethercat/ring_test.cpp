@@ -1,0 +1,339 @@
+// Several slaves in a ring, from the scan to the cyclic exchange of their process data.
+#include "ethercat/objects.hpp"
+#include "support/catch.hpp"
+#include "support/hex.hpp"
+#include "support/simulated_link.hpp"
+#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/process_data.hpp>
+#include <jauscat/ethercat/standard_objects.hpp>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+using namespace jauscat::ethercat;
+using namespace std::chrono_literals;
+using jauscat::test::from_hex;
+using jauscat::test::simulated_link;
+using jauscat::test::to_hex;
+namespace test = jauscat::test;
+namespace wire = jauscat::wire;
+
+namespace {
+
+using bytes = std::vector<std::byte>;
+
+constexpr std::array<pdo_entry, 2> two_words{pdo_entry{0x7000, 1, 16, 6, "left"}, pdo_entry{0x7000, 2, 16, 6, "right"}};
+constexpr std::array<pdo_entry, 1> one_byte{pdo_entry{0x6000, 1, 8, 5, "state"}};
+constexpr std::array<pdo_entry, 3> ten_bits{pdo_entry{0x7010, 1, 1, 1, "on"}, pdo_entry{0x7010, 2, 1, 1, "fast"},
+                                            pdo_entry{0x7010, 3, 8, 5, "level"}};
+
+// A slave with its objects.
+struct device {
+    slave_description description;
+    test::objects objects{};
+    standard_objects standard;
+    slave here;
+    explicit device(const slave_description& d) : description{d}, standard{description, objects}, here{d, standard} {}
+    device(const device&) = delete;
+    device& operator=(const device&) = delete;
+};
+
+struct bench {
+    std::vector<std::unique_ptr<device>> devices{};
+    bool works{true};
+    simulated_link link{[this](std::span<std::byte> frame) {
+        for (auto& each : devices) each->here.pass(frame);
+        for (auto& each : devices)
+            if (works) each->here.work();
+    }};
+    class master master {};
+
+    explicit bench(std::initializer_list<slave_description> descriptions) {
+        for (const auto& each : descriptions) devices.push_back(std::make_unique<device>(each));
+    }
+
+    slave& at(std::size_t i) { return devices[i]->here; }
+    outcome run(bool started) {
+        REQUIRE(started);
+        return link.run(master);
+    }
+    outcome up(std::uint16_t position, std::uint16_t station) { return run(master.bring_up(position, station)); }
+    /// All slaves, under the stations 1, 2 ..., to SAFE-OP.
+    void safe_op() {
+        for (std::uint16_t i = 0; i != devices.size(); ++i) {
+            REQUIRE(up(i, static_cast<std::uint16_t>(i + 1)));
+            REQUIRE(run(master.configure(static_cast<std::uint16_t>(i + 1))));
+            REQUIRE(run(master.change_state(static_cast<std::uint16_t>(i + 1), al_state::safe_op)));
+        }
+    }
+    void op() {
+        safe_op();
+        for (std::uint16_t i = 0; i != devices.size(); ++i)
+            REQUIRE(run(master.change_state(static_cast<std::uint16_t>(i + 1), al_state::op)));
+    }
+    /// One cycle: out, through all slaves, back.
+    bool cycle(process_data& data, bytes* sent = nullptr) {
+        bytes frame(max_frame_size);
+        frame.resize(data.next_frame(frame, link.now));
+        if (sent != nullptr) *sent = frame;
+        for (auto& each : devices) each->here.process(frame);
+        return data.on_frame(frame);
+    }
+};
+
+const slave_description motors{.vendor = 1, .product = 0x11, .serial = 7, .outputs = two_words, .inputs = one_byte};
+const slave_description lamps{.vendor = 1, .product = 0x22, .outputs = ten_bits};
+const slave_description sensor{.vendor = 1, .product = 0x33, .inputs = one_byte};
+const slave_description plain{.vendor = 1, .product = 0x44};
+
+} // namespace
+
+TEST_CASE("a scan counts the slaves and takes away what an earlier master has left") {
+    bench b{motors, lamps, plain};
+    REQUIRE(b.up(0, 7));
+    REQUIRE(b.up(1, 8));
+    const auto result = b.run(b.master.scan());
+    REQUIRE(result);
+    CHECK(result.size == 3);
+    CHECK(b.master.slaves().empty());
+    for (std::size_t i = 0; i != 3; ++i) {
+        CHECK(b.at(i).state() == al_state::init);
+        CHECK(b.at(i).station_address() == 0);
+    }
+
+    bench empty{};
+    CHECK(empty.run(empty.master.scan()) == outcome{});
+
+    bench stubborn{plain};
+    stubborn.works = false;
+    stubborn.link.on_way_back = [](bytes& frame) {
+        mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto d : view)
+            if (d.header.ado == 0x0130) d.data[0] = std::byte{0x12};
+    };
+    CHECK(stubborn.run(stubborn.master.scan()) == outcome{.error = master_errc::state_timeout, .detail = 2});
+}
+
+TEST_CASE("a slave that is not the expected one is refused before it is configured") {
+    bench b{motors};
+    CHECK(b.run(b.master.bring_up(0, 1, {.vendor = 1, .product = 0x11, .serial = 7})));
+    CHECK(b.run(b.master.bring_up(0, 1, {.vendor = 2})) ==
+          outcome{.error = master_errc::wrong_identity, .detail = 0x11});
+    CHECK(b.run(b.master.bring_up(0, 1, {.product = 0x12})).error == master_errc::wrong_identity);
+    CHECK(b.run(b.master.bring_up(0, 1, {.revision = 9})).error == master_errc::wrong_identity);
+    CHECK(b.run(b.master.bring_up(0, 1, {.serial = 8})).error == master_errc::wrong_identity);
+    CHECK(b.master.slaves().empty());
+    CHECK(b.at(0).state() == al_state::init);
+}
+
+TEST_CASE("a slave goes up step by step and down at once") {
+    bench b{motors};
+    REQUIRE(b.up(0, 1));
+    REQUIRE(b.run(b.master.configure(1)));
+    REQUIRE(b.run(b.master.change_state(1, al_state::op)));
+    CHECK(b.at(0).state() == al_state::op);
+    REQUIRE(b.run(b.master.change_state(1, al_state::op)));
+    REQUIRE(b.run(b.master.change_state(1, al_state::pre_op)));
+    CHECK(b.at(0).state() == al_state::pre_op);
+    REQUIRE(b.run(b.master.change_state(1, al_state::init)));
+    CHECK(b.at(0).state() == al_state::init);
+    REQUIRE(b.run(b.master.change_state(1, al_state::safe_op)));
+    CHECK(b.at(0).state() == al_state::safe_op);
+}
+
+TEST_CASE("a refused state is explained, and the error does not stand in the way of the next try") {
+    bench b{motors};
+    REQUIRE(b.up(0, 1));
+    const auto result = b.run(b.master.change_state(1, al_state::safe_op)); // nothing is configured
+    REQUIRE(result.error == master_errc::al_error);
+    CHECK((result.detail == 0x1D || result.detail == 0x1E || result.detail == 0x17));
+    CHECK_FALSE(describe_detail(result).empty());
+    REQUIRE(b.run(b.master.configure(1)));
+    CHECK(b.run(b.master.change_state(1, al_state::safe_op)));
+    CHECK(b.run(b.master.change_state(2, al_state::op)) == outcome{.error = master_errc::wrong_station, .detail = 2});
+}
+
+TEST_CASE("each slave gets a place for its process data, and keeps it when it comes back") {
+    bench b{motors, lamps, plain, sensor};
+    b.safe_op();
+    const auto place = [&](std::uint16_t station) { return b.master.find(station)->process_data; };
+    CHECK(place(1).output_address == 0);
+    CHECK(place(1).output_size == 4);
+    CHECK(place(1).input_address == 4);
+    CHECK(place(1).input_size == 1);
+    CHECK(place(2).output_address == 5);
+    CHECK(place(2).output_size == 2);
+    CHECK(place(2).input_size == 0);
+    CHECK(place(3).size() == 0);
+    CHECK(place(4).input_address == 7);
+    CHECK(place(4).input_size == 1);
+    const auto image = process_image::of(b.master.slaves());
+    CHECK(image.size == 8);
+    CHECK(image.write == 2);
+    CHECK(image.read == 2);
+    CHECK(image.read_write == 6);
+
+    REQUIRE(b.up(0, 1));
+    REQUIRE(b.run(b.master.configure(1)));
+    CHECK(place(1).output_address == 0);
+    CHECK(process_image::of(b.master.slaves()).size == 8);
+}
+
+TEST_CASE("a cycle carries outputs to every slave and inputs back, byte for byte") {
+    bench b{motors, lamps, plain, sensor};
+    b.op();
+    process_data data{b.master.slaves()};
+    std::ranges::copy(from_hex("11223344"), data.outputs(*b.master.find(1)).begin());
+    std::ranges::copy(from_hex("fd03"), data.outputs(*b.master.find(2)).begin());
+    b.at(0).inputs()[0] = std::byte{0x55};
+    b.at(3).inputs()[0] = std::byte{0x66};
+    bytes sent;
+    REQUIRE(b.cycle(data, &sent));
+    CHECK(data.is_complete());
+    CHECK(data.working_counter() == 6);
+    CHECK(to_hex(std::span{sent}.subspan(16, 20)) == "0c 01 00 00 00 00 08 00 00 00 11 22 33 44 00 fd 03 00 00 00");
+    CHECK(to_hex(b.at(0).outputs()) == "11 22 33 44");
+    CHECK(to_hex(b.at(1).outputs()) == "fd 03");
+    CHECK(b.at(0).take_outputs());
+    CHECK_FALSE(b.at(0).take_outputs());
+    CHECK(to_hex(data.inputs(*b.master.find(1))) == "55");
+    CHECK(to_hex(data.inputs(*b.master.find(4))) == "66");
+    CHECK(data.inputs(*b.master.find(3)).empty());
+    CHECK(data.statistics().complete == 1);
+}
+
+TEST_CASE("a slave that drops out is seen in the working counter, and its old inputs stand") {
+    bench b{motors, sensor};
+    b.op();
+    process_data data{b.master.slaves()};
+    b.at(0).inputs()[0] = std::byte{1};
+    REQUIRE(b.cycle(data));
+    REQUIRE(data.is_complete());
+    b.at(1).power_on();
+    b.at(0).inputs()[0] = std::byte{2};
+    REQUIRE(b.cycle(data));
+    CHECK_FALSE(data.is_complete());
+    CHECK(data.working_counter() == 3);
+    CHECK(data.statistics().incomplete == 1);
+    CHECK(to_hex(data.inputs(*b.master.find(1))) == "01");
+}
+
+TEST_CASE("a cycle that does not come back is lost, and a late one is not taken for the next") {
+    bench b{motors};
+    b.op();
+    process_data data{b.master.slaves()};
+    bytes first(max_frame_size), second(max_frame_size);
+    first.resize(data.next_frame(first, 0ms));
+    second.resize(data.next_frame(second, 1ms));
+    CHECK(data.statistics().lost == 1);
+    b.at(0).process(first);
+    CHECK(data.on_frame(first)); // ours, but late
+    CHECK(data.waits());
+    CHECK(data.statistics().complete == 0);
+    b.at(0).process(second);
+    CHECK(data.on_frame(second));
+    CHECK(data.statistics().complete == 1);
+    // What the master sent is not this one's, and the other way round.
+    bytes frame(max_frame_size);
+    REQUIRE(b.master.change_state(1, al_state::op));
+    frame.resize(b.master.next_frame(frame, 2ms));
+    b.at(0).process(frame);
+    CHECK_FALSE(data.on_frame(frame));
+    CHECK(b.master.on_frame(frame, 2ms));
+}
+
+TEST_CASE("mail goes on between the cycles") {
+    bench b{motors};
+    b.devices[0]->objects.add(0x2002, 0, 28);
+    b.op();
+    process_data data{b.master.slaves()};
+    bytes frame(max_frame_size);
+    const bytes value(28, std::byte{0x5A});
+    for (int cycles = 0; cycles != 100; ++cycles) {
+        REQUIRE(b.cycle(data));
+        REQUIRE(data.is_complete());
+        if (b.master.idle()) {
+            if (cycles != 0) REQUIRE(b.master.result());
+            REQUIRE(b.master.download(1, 0x2002, 0, value));
+        }
+        if (const auto size = b.master.next_frame(frame, b.link.now += 1ms); size != 0) {
+            b.at(0).process(std::span{frame}.first(size));
+            REQUIRE(b.master.on_frame(std::span{frame}.first(size), b.link.now));
+        }
+    }
+    CHECK(b.devices[0]->objects.writes >= 45);
+}
+
+TEST_CASE("where a slave cannot read and write in one datagram, a cycle has two") {
+    bench b{motors, sensor};
+    b.link.on_way_back = [](bytes& frame) {
+        mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto d : view)
+            if (d.header.ado == 0 && d.header.cmd == command::fprd) d.data[9] |= std::byte{0x02};
+    };
+    b.op();
+    process_data data{b.master.slaves()};
+    REQUIRE(data.image().no_lrw);
+    data.outputs(*b.master.find(1))[0] = std::byte{0x77};
+    b.at(1).inputs()[0] = std::byte{0x88};
+    bytes sent;
+    REQUIRE(b.cycle(data, &sent));
+    CHECK(data.is_complete());
+    CHECK(to_hex(std::span{sent}.subspan(16, 11)) == "0b 01 00 00 00 00 06 80 00 00 77");
+    CHECK(b.at(0).outputs()[0] == std::byte{0x77});
+    CHECK(data.inputs(*b.master.find(2))[0] == std::byte{0x88});
+}
+
+TEST_CASE("process data that do not fit the image are refused") {
+    static std::array<pdo_entry, 128> many{};
+    many.fill(pdo_entry{0x7000, 1, 32, 7, "word"});
+    const slave_description large{.outputs = many, .inputs = many};
+    bench b{large, large};
+    REQUIRE(b.up(0, 1));
+    REQUIRE(b.run(b.master.configure(1)));
+    CHECK(b.master.find(1)->process_data.size() == 1024);
+    REQUIRE(b.up(1, 2));
+    CHECK(b.run(b.master.configure(2)) == outcome{.error = master_errc::image_full, .detail = 1024});
+    CHECK(b.master.find(2)->process_data.size() == 0);
+}
+
+TEST_CASE("without mapping objects, and without a mailbox, the SII says what process data there are") {
+    bench b{motors};
+    b.link.on_way_back = [](bytes& frame) { // as if no object were known
+        mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto d : view)
+            if (d.header.ado == 0x1600 && d.working_counter != 0)
+                std::ranges::copy(from_hex("0a00 0000 00 03 0020 80"), d.data.begin()),
+                    std::ranges::copy(from_hex("00000206"), d.data.subspan(12).begin());
+    };
+    REQUIRE(b.up(0, 1));
+    REQUIRE(b.run(b.master.configure(1)));
+    CHECK(b.master.find(1)->process_data.output_size == 4);
+    CHECK(b.master.find(1)->process_data.input_size == 1);
+}
+
+TEST_CASE("a ring is brought to OP and its process data exchanged over a bad wire") {
+    bench b{motors, lamps, sensor};
+    b.master = jauscat::ethercat::master{{.frame_timeout = 1ms, .frame_lifetime = 3ms}};
+    b.link.faults = {.lose = 10, .duplicate = 10, .delay = 20};
+    unsigned good = 0;
+    for (int i = 0; i != 200; ++i) {
+        bool up = true;
+        for (std::uint16_t station = 1; up && station != 4; ++station) {
+            up = b.up(static_cast<std::uint16_t>(station - 1), station) && b.run(b.master.configure(station)) &&
+                 b.run(b.master.change_state(station, al_state::op));
+            if (!up) CHECK(b.master.result().error == master_errc::no_reply);
+        }
+        good += up;
+        if (!up) continue;
+        for (std::size_t at = 0; at != 3; ++at) REQUIRE(b.at(at).state() == al_state::op);
+        CHECK(process_image::of(b.master.slaves()).size == 8);
+    }
+    CHECK(good > 190);
+}
