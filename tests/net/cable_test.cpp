@@ -1,0 +1,150 @@
+// A master and a slave on a pair of virtual Ethernet interfaces, jc0 and jc1, whose cable is pulled and put back: see
+// support/in_veth.sh. And what else a wire does to frames.
+#include "ethercat/objects.hpp"
+#include "support/bytes.hpp"
+#include "support/catch.hpp"
+#include "support/slave_thread.hpp"
+#include <jauscat/ethercat/master.hpp>
+#include <jauscat/net/raw_link.hpp>
+#include <jauscat/net/run_master.hpp>
+
+#include <atomic>
+#include <cstdlib>
+#include <string>
+
+using namespace jauscat;
+using namespace std::chrono_literals;
+using ethercat::master_errc;
+
+namespace {
+
+constexpr std::uint16_t station = 2;
+
+/// Changes the namespace's interfaces. True when that was done.
+bool ip(const std::string& arguments) { return std::system(("ip " + arguments).c_str()) == 0; }
+
+std::vector<std::byte> numbered(std::size_t size) {
+    std::vector<std::byte> data(size);
+    for (std::size_t i = 0; i != size; ++i) data[i] = static_cast<std::byte>(i * 7 + 1);
+    return data;
+}
+
+/// One slave with one object of 1000 bytes, which takes 10 messages, and a master at the other end.
+struct bench {
+    test::objects objects{};
+    std::array<std::byte, 1000> memory{};
+    std::array<ethercat::slave, 1> slaves{
+        ethercat::slave{ethercat::slave_description{}, objects, {.transfer_memory = memory}}};
+    net::raw_link link{"jc0"};
+    ethercat::master master{};
+    std::vector<std::byte> data = numbered(1000);
+
+    bench() { objects.add(0x2000, 1, 1000); }
+
+    ethercat::outcome bring_up() {
+        REQUIRE(master.bring_up(0, station));
+        return net::run(link, master);
+    }
+    ethercat::outcome download() {
+        REQUIRE(master.download(station, 0x2000, 1, data));
+        return net::run(link, master);
+    }
+    ethercat::outcome upload(std::span<std::byte> into) {
+        REQUIRE(master.upload(station, 0x2000, 1, into));
+        return net::run(link, master);
+    }
+
+    /// Brings the slave up, writes the object and reads it back.
+    void works() {
+        REQUIRE(bring_up().error == master_errc::ok);
+        REQUIRE(download().error == master_errc::ok);
+        std::vector<std::byte> read(data.size());
+        const auto result = upload(read);
+        REQUIRE(result.error == master_errc::ok);
+        CHECK(result.size == data.size());
+        CHECK(read == data);
+    }
+};
+
+} // namespace
+
+TEST_CASE("the interface goes down in the middle of a transfer and comes back", "[veth]") {
+    bench b;
+    std::atomic<unsigned> until_down = ~0u;
+    test::slave_thread slave{"jc1", b.slaves, [&](auto&) {
+                                 if (--until_down == 0) ip("link set jc0 down");
+                             }};
+    b.works();
+    std::ranges::reverse(b.data);
+    until_down = 6;
+    CHECK(b.download().error == master_errc::not_sent);
+    CHECK(b.link.problem() == "interface jc0 is down; run: sudo ip link set jc0 up");
+    CHECK(b.bring_up().error == master_errc::not_sent);
+    REQUIRE(ip("link set jc0 up"));
+    b.works();
+}
+
+TEST_CASE("the cable is pulled in the middle of a transfer and put back", "[veth]") {
+    bench b;
+    std::atomic<unsigned> until_down = ~0u;
+    test::slave_thread slave{"jc1", b.slaves, [&](auto&) {
+                                 if (--until_down == 0) ip("link set jc1 down");
+                             }};
+    b.works();
+    std::ranges::reverse(b.data);
+    until_down = 6;
+    CHECK(b.download().error == master_errc::no_reply);
+    CHECK(b.link.problem() == "no link on jc0: is the cable in, and the other end on?");
+    CHECK(b.bring_up().error == master_errc::no_reply);
+    CHECK(b.link.problem() == "no link on jc0: is the cable in, and the other end on?");
+    REQUIRE(ip("link set jc1 up"));
+    b.works();
+}
+
+TEST_CASE("a cable that is out for a moment costs nothing but time", "[veth]") {
+    bench b;
+    std::atomic<unsigned> until_down = ~0u;
+    test::slave_thread slave{"jc1", b.slaves, [&](auto&) {
+                                 if (--until_down == 0) ip("link set jc1 down && sleep 0.05 && ip link set jc1 up");
+                             }};
+    b.works();
+    std::ranges::reverse(b.data);
+    until_down = 6;
+    const auto lost = b.master.statistics().lost;
+    CHECK(b.download().error == master_errc::ok);
+    CHECK(b.master.statistics().lost > lost);
+    CHECK(b.objects.entries.at({0x2000, 1}).value == b.data);
+}
+
+TEST_CASE("a slave's replies may carry a VLAN tag and another source address", "[veth]") {
+    bench b;
+    using support::bytes;
+    for (const auto& tag : {bytes(0x81, 0x00, 0x00, 0x00), bytes(0x81, 0x00, 0xA0, 0x05)}) {
+        test::slave_thread slave{"jc1", b.slaves, [&](auto& frame) {
+                                     frame[6] |= std::byte{0x02}; // as a slave controller does
+                                     frame.insert(frame.begin() + 12, tag.begin(), tag.end());
+                                 }};
+        b.works();
+        CHECK(slave.frames() == b.master.statistics().sent);
+        CHECK(b.master.statistics().ignored == 0);
+        b.master = ethercat::master{};
+    }
+}
+
+TEST_CASE("late and duplicate replies are taken for nobody's", "[veth]") {
+    bench b;
+    std::vector<std::byte> before;
+    unsigned frame_number = 0;
+    net::raw_link injector{"jc1"};
+    test::slave_thread slave{"jc1", b.slaves, [&](auto& frame) {
+                                 // In front of each reply the one before, once more; each tenth comes in that way only.
+                                 if (!before.empty()) static_cast<void>(injector.send(before));
+                                 before = frame;
+                                 if (++frame_number % 10 == 0) frame.clear();
+                             }};
+    b.works();
+    const auto& seen = b.master.statistics();
+    CHECK(seen.lost >= 5);
+    CHECK(seen.ignored >= slave.frames() - 1);
+    CHECK(seen.foreign == 0);
+}
