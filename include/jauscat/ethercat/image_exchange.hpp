@@ -1,0 +1,155 @@
+// JAUS on the cyclic path: commands go into a slave's outputs and so reach it in the next cycle, queries are answered
+// from its inputs. No mailbox, no I/O.
+//
+// The slave says in its inputs which command it has taken last (the command counter of the outputs). That is the only
+// proof that a command has arrived: a frame that comes back says that the outputs were written, not that the slave has
+// looked at them. Until then the next command is merged with the one before.
+#pragma once
+#include <jauscat/ethercat/activity.hpp>
+#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/jaus/requested_fields.hpp>
+#include <jauscat/translate/image_translator.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// One component of a slave with `CommandTable`, an image_table into its outputs that counts commands, and
+/// `ReportTable`, one for its inputs, whose field at `CountIn` repeats the counter; by default the same as in the
+/// outputs.
+template <class CommandTable, class ReportTable, class CountIn = typename CommandTable::counter_row::counts_messages>
+class image_exchange {
+  public:
+    using command = translate::image_translator<CommandTable>;
+    using report = translate::image_translator<ReportTable>;
+    static constexpr std::uint16_t command_code = CommandTable::message_type::command_code;
+    static constexpr std::uint16_t report_code = ReportTable::message_type::command_code;
+    static constexpr std::uint16_t query_code = report_code - 0x2000; // RA 3.3 part 3
+    static_assert(jaus::report_code_of(query_code) == report_code, "image_exchange: the inputs must be a report");
+    /// Commands that wait for their acknowledgement at one time.
+    static constexpr std::size_t capacity = 16;
+
+    /// `timeout`: after which a command that the slave has not taken is answered with NAK.
+    constexpr image_exchange(const slave_identity& slave, std::uint8_t component,
+                             std::chrono::nanoseconds timeout = std::chrono::seconds{1}) noexcept
+        : slave_{slave}, component_{component}, timeout_{timeout} {}
+
+    /// Before the first command, and after the slave was away: commands are counted on from what it has taken, so that
+    /// it does not take what stands in `outputs` for a new one. False where outputs or inputs are of another slave.
+    constexpr bool start(std::span<std::byte> outputs, std::span<const std::byte> inputs) noexcept {
+        typename CommandTable::image_type image{};
+        if (outputs.size() != command::image_size || inputs.size() != report::image_size ||
+            !wire::decode(image, outputs))
+            return false;
+        count_field::of(image) = taken(inputs);
+        if constexpr (!std::is_void_v<typename CommandTable::presence_row>)
+            CommandTable::presence_row::says_presence::of(image) = {};
+        return static_cast<bool>(wire::encode(image, outputs));
+    }
+
+    /// Whether the message is for the process image. All others are for the mailbox.
+    [[nodiscard]] constexpr bool takes(const jaus::header& head) const noexcept {
+        return (head.command_code == command_code || head.command_code == query_code) &&
+               (head.destination.component == component_ || head.destination.component == all) &&
+               head.destination.node == slave_.station && head.data_flag == jaus::data_flag::only &&
+               !jaus::is_acknowledgement(head);
+    }
+
+    /// A command into `outputs`. What is refused here the caller answers. Errors: those of image_translator::forth, and
+    /// too_large where `capacity` commands wait for their acknowledgement already; the outputs are then unchanged.
+    constexpr translate::errc on_command(const jaus::header& head, std::span<const std::byte> body,
+                                         std::span<std::byte> outputs, std::span<const std::byte> inputs,
+                                         time_point now) noexcept {
+        const bool wanted = head.ack_nak == jaus::ack_nak::request;
+        if (wanted && waiting_ == capacity) return translate::errc::too_large;
+        const bool seen = given(outputs) == taken(inputs);
+        const auto error = seen ? command::forth(body, outputs) : command::merge(body, outputs);
+        if (wanted && error == translate::errc::ok) wait_[waiting_++] = {head, now + timeout_, given(outputs)};
+        return error;
+    }
+
+    /// Writes the report that the query with this header and body asks for to `out`; returns its size, or 0 where the
+    /// query is malformed or `out` too small.
+    template <class Query>
+    constexpr std::size_t on_query(const jaus::header& head, std::span<const std::byte> body,
+                                   std::span<const std::byte> inputs, std::span<std::byte> out) const noexcept {
+        static_assert(Query::command_code == query_code, "on_query: not the query of this report");
+        Query query{};
+        translate::image_message<typename ReportTable::message_type> values{};
+        if (!wire::decode(query, body) || report::read(inputs, values) != translate::errc::ok) return 0;
+        jaus::keep_requested(values, query.presence_vector);
+        if (out.size() < jaus::header_size) return 0;
+        const auto size = wire::encode(values, out.subspan(jaus::header_size));
+        if (!size) return 0;
+        jaus::header answer = jaus::answer_to(addressed(head));
+        answer.command_code = report_code;
+        answer.data_size = static_cast<std::uint16_t>(size.size());
+        return wire::encode(answer, out) ? jaus::header_size + size.size() : 0;
+    }
+
+    /// After each cycle, until it returns 0: writes the next acknowledgement to `out`, which holds 16 bytes. ACK for a
+    /// command that the slave says it has taken, NAK for one that it has not in time.
+    constexpr std::size_t acknowledgement(std::span<const std::byte> inputs, time_point now,
+                                          std::span<std::byte> out) noexcept {
+        const auto last = taken(inputs);
+        const auto waits = std::span{wait_}.first(waiting_);
+        const auto over = [&](const waiting& each) { return reached(each.count, last) || now >= each.deadline; };
+        const auto first = std::ranges::find_if(waits, over);
+        if (first == waits.end()) return 0;
+        const auto how = reached(first->count, last) ? jaus::ack_nak::ack : jaus::ack_nak::nak;
+        const auto size = jaus::make_acknowledgement(addressed(first->head), how, out);
+        std::copy(first + 1, waits.end(), first);
+        --waiting_;
+        return size ? size.size() : 0;
+    }
+
+    /// The counter in the outputs: the last command given; 0 for none.
+    [[nodiscard]] static constexpr auto given(std::span<const std::byte> outputs) noexcept {
+        typename CommandTable::image_type image{};
+        static_cast<void>(wire::decode_prefix(image, outputs));
+        return count_field::of(image);
+    }
+    /// The counter in the inputs: the last command that the slave has taken; 0 for none.
+    [[nodiscard]] static constexpr auto taken(std::span<const std::byte> inputs) noexcept {
+        typename ReportTable::image_type image{};
+        static_cast<void>(wire::decode_prefix(image, inputs));
+        return CountIn::of(image);
+    }
+
+  private:
+    using count_field = typename CommandTable::counter_row::counts_messages;
+    using counter = typename count_field::type;
+    static constexpr std::uint8_t all = 255;
+
+    struct waiting {
+        jaus::header head{};
+        time_point deadline{};
+        counter count{};
+    };
+
+    // Counters go round: one is later than another if it is less than half a round ahead.
+    [[nodiscard]] static constexpr bool reached(counter wanted, counter now) noexcept {
+        return static_cast<counter>(now - wanted) <= std::numeric_limits<counter>::max() / 2;
+    }
+    [[nodiscard]] constexpr jaus::header addressed(jaus::header head) const noexcept {
+        auto& to = head.destination;
+        if (to.subsystem == all) to.subsystem = slave_.subsystem;
+        if (to.component == all) to.component = component_;
+        if (to.instance == all) to.instance = slave_.instance;
+        return head;
+    }
+
+    slave_identity slave_;
+    std::uint8_t component_;
+    std::chrono::nanoseconds timeout_;
+    std::array<waiting, capacity> wait_{};
+    std::size_t waiting_{};
+};
+
+} // namespace jauscat::ethercat
