@@ -2,6 +2,7 @@
 #include "support/objects.hpp"
 #include "support/steps.hpp"
 #include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/process_data.hpp>
 #include <jauscat/ethercat/slave.hpp>
 
 #include <chrono>
@@ -32,9 +33,49 @@ class session {
             job([&] { return master_.upload(station, index, subindex, into); });
             check(master_.result().size <= into.size(), "an upload fits its buffer");
         }
+        for (int i = 0; i != 4 && !in_.empty(); ++i) any_job(into);
     }
 
   private:
+    void any_job(bytes& into) {
+        const auto question = [&](auto start) {
+            job(start);
+            check(master_.result().size <= into.size(), "an answer fits its buffer");
+        };
+        switch (in_.take() % 8) {
+        case 0:
+            job([&] { return master_.scan(); });
+            job([&] { return master_.bring_up(0, station, {.vendor = description(0).vendor}); });
+            break;
+        case 1: job([&] { return master_.configure(station); }); break;
+        case 2: job([&] { return master_.change_state(station, static_cast<al_state>(1u << in_.take() % 4)); }); break;
+        case 3: question([&] { return master_.list_objects(station, object_list_type::all, into); }); break;
+        case 4: question([&] { return master_.describe_entry(station, 0x1018, in_.take(), 7, into); }); break;
+        case 5: job([&] { return master_.collect_emergencies(station); }); break;
+        case 6: question([&] { return master_.upload(station, 0x1018, 0, into, {.complete_access = true}); }); break;
+        default: cycles();
+        }
+    }
+
+    // Forged process data never leave a slave's place.
+    void cycles() {
+        process_data data{master_.slaves()};
+        bytes frame(max_frame_size);
+        for (int i = 0; i != 4; ++i) {
+            const auto size = data.next_frame(frame, now_);
+            if (size == 0) return;
+            bytes back(frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size));
+            device_.process(back);
+            for (auto left = in_.take() % 4; left != 0; --left)
+                back[in_.take<wire::u16le>() % back.size()] = std::byte{in_.take()};
+            static_cast<void>(data.on_frame(back));
+        }
+        for (const auto& slave : master_.slaves())
+            check(data.outputs(slave).size() == slave.process_data.output_size &&
+                      data.inputs(slave).size() == slave.process_data.input_size,
+                  "a slave's place is whole");
+    }
+
     static constexpr std::uint16_t station = 2;
     // Short times: each job ends after a bounded number of frames.
     static constexpr master_config config{

@@ -5,11 +5,15 @@
 #include <jauscat/ethercat/sii_image.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 
+#include <array>
 #include <functional>
 
 namespace fuzz {
 
-/// A slave like the one of the captures, with some things changed.
+inline constexpr std::array process_entries{jauscat::ethercat::pdo_entry{0x7000, 1, 16, 6, "word"},
+                                            jauscat::ethercat::pdo_entry{0x7000, 2, 3, 5, "bits"}};
+
+/// A slave like the one of the captures, with process data and some things changed.
 inline jauscat::ethercat::slave_description description(std::uint8_t options) {
     using namespace jauscat::ethercat;
     return {.vendor = 1,
@@ -18,7 +22,9 @@ inline jauscat::ethercat::slave_description description(std::uint8_t options) {
             .mailbox_out_size = 128,
             .mailbox_in_offset = 0x1400,
             .mailbox_in_size = static_cast<std::uint16_t>((options & 2) != 0 ? min_mailbox_size : 128),
-            .eight_byte_sii_reads = (options & 4) != 0};
+            .eight_byte_sii_reads = (options & 4) != 0,
+            .outputs = process_entries,
+            .inputs = process_entries};
 }
 
 /// Object `index`:`subindex` has 4 * subindex bytes. Odd indices cannot be written, and none above 8000h exists.
@@ -34,6 +40,7 @@ class objects {
         on_access();
         const std::size_t size = std::size_t{subindex} * 4;
         if (index > 0x8000) return {.error = abort_code::no_object};
+        if (index >= 0x1C10 && index < 0x1C30) return {.error = abort_code::no_object}; // the SII has the process data
         if (size > out.size()) return {.error = abort_code::exceeds_mailbox};
         std::ranges::fill(out.first(size), static_cast<std::byte>(index));
         return {.size = size};
