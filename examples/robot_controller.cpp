@@ -174,7 +174,8 @@ class robot_controller {
         } else {
             example::traced_link traced{link_};
             for (bool runs = job.start(master_); runs; runs = job.next(master_))
-                result = jauscat::net::run(traced, master_, exchange_timeout);
+                static_cast<void>(jauscat::net::run(traced, master_, exchange_timeout));
+            result = job.result();
         }
         if (!result) {
             using enum ethercat::master_errc;

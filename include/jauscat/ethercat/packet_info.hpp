@@ -7,7 +7,7 @@
 
 namespace jauscat::ethercat {
 
-class packet_od_list : public packet_service<hilscher::get_od_list_request, hilscher::get_od_list_confirmation, 8> {
+class packet_od_list : public packet_coe_service<hilscher::get_od_list_request, hilscher::get_od_list_confirmation, 8> {
   public:
     service_step begin(master& m, const packet_io& io) noexcept {
         if (const auto wrong = check_target(); wrong != hilscher::packet_status::ok) return service_step::done(wrong);
@@ -29,8 +29,8 @@ class packet_od_list : public packet_service<hilscher::get_od_list_request, hils
     static constexpr std::size_t index_size = 2;
 };
 
-class packet_object : public packet_service<hilscher::get_object_description_request,
-                                            hilscher::get_object_description_confirmation, 8> {
+class packet_object : public packet_coe_service<hilscher::get_object_description_request,
+                                                hilscher::get_object_description_confirmation, 8> {
   public:
     service_step begin(master& m, const packet_io& io) noexcept {
         if (const auto wrong = check_target(); wrong != hilscher::packet_status::ok) return service_step::done(wrong);
@@ -58,8 +58,8 @@ class packet_object : public packet_service<hilscher::get_object_description_req
     }
 };
 
-class packet_entry
-    : public packet_service<hilscher::get_entry_description_request, hilscher::get_entry_description_confirmation, 12> {
+class packet_entry : public packet_coe_service<hilscher::get_entry_description_request,
+                                               hilscher::get_entry_description_confirmation, 12> {
   public:
     service_step begin(master& m, const packet_io& io) noexcept {
         if (const auto wrong = check_target(); wrong != hilscher::packet_status::ok) return service_step::done(wrong);

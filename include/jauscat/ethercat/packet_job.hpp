@@ -53,6 +53,7 @@ class packet_job {
     /// The master's job has ended. True if another one runs now.
     bool next(master& m) noexcept {
         if (!runs_) return false;
+        if (result_) result_ = m.result();
         return std::visit([&](auto& service) { return take(next_of(service, m)); }, service_);
     }
 
@@ -65,6 +66,9 @@ class packet_job {
         if (status_ == packet_status::ok) status_ = hilscher::status_of(result);
         return std::visit([&](auto& service) { return confirm(service, result); }, service_);
     }
+
+    /// The first of the master's jobs that failed, or the last one, as `next` has been told: a status says less.
+    [[nodiscard]] const outcome& result() const noexcept { return result_; }
 
   private:
     using packet_status = hilscher::packet_status;
@@ -149,6 +153,7 @@ class packet_job {
                  packet_emergencies>
         service_{};
     packet_status status_{};
+    outcome result_{};
     bool runs_{}; // a job of the master whose end `next` has not been told
 };
 

@@ -5,7 +5,7 @@
 
 namespace jauscat::ethercat {
 
-class packet_download : public packet_service<hilscher::sdo_download_request, hilscher::sdo_download_confirmation> {
+class packet_download : public packet_coe_service<hilscher::sdo_download_request, hilscher::sdo_download_confirmation> {
   public:
     service_step begin(master& m, const packet_io& io) noexcept {
         // ulLen may say more than there are data: a client may send packets of one size.
@@ -19,7 +19,7 @@ class packet_download : public packet_service<hilscher::sdo_download_request, hi
     static service_answer answer(confirmation&, const outcome&, const packet_io&) noexcept { return {}; }
 };
 
-class packet_upload : public packet_service<hilscher::sdo_upload_request, hilscher::sdo_upload_confirmation, 12> {
+class packet_upload : public packet_coe_service<hilscher::sdo_upload_request, hilscher::sdo_upload_confirmation, 12> {
   public:
     service_step begin(master& m, const packet_io& io) noexcept {
         if (const auto wrong = check_target(); wrong != hilscher::packet_status::ok) return service_step::done(wrong);

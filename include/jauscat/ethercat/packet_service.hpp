@@ -4,10 +4,13 @@
 #include <jauscat/ethercat/master.hpp>
 #include <jauscat/ethercat/packet_options.hpp>
 #include <jauscat/ethercat/packet_status.hpp>
+#include <jauscat/schema/ethercat/al_state.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -65,6 +68,31 @@ template <class Request, class Confirmation, std::size_t Repeated = 0> struct pa
     static service_step next(master&, const outcome& result, const packet_io&) noexcept {
         return service_step::done(hilscher::status_of(result));
     }
+};
+
+/// A service that asks a slave something over its mailbox. Where the slave does not answer, its state says why.
+template <class Request, class Confirmation, std::size_t Repeated = 0>
+struct packet_coe_service : packet_service<Request, Confirmation, Repeated> {
+    using base = packet_service<Request, Confirmation, Repeated>;
+    using base::asked;
+
+    service_step next(master& m, const outcome& result, const packet_io&) noexcept {
+        using hilscher::packet_status;
+        if (failed_ == packet_status::ok) {
+            failed_ = hilscher::status_of(result);
+            const bool silent = result.error == master_errc::working_counter ||
+                                result.error == master_errc::mailbox_full ||
+                                result.error == master_errc::mailbox_timeout;
+            if (!silent) return service_step::done(failed_);
+            return service_step::started(m.exchange(command::fprd, station(), esc_registers::al_status.address, read_));
+        }
+        if (!result) return service_step::done(failed_);
+        if (result.detail == 0) return service_step::done(packet_status::coe_slave_not_addressable);
+        al_status status{};
+        static_cast<void>(wire::decode(status, read_));
+        return service_step::done(status.state == al_state::init ? packet_status::coe_invalid_communication_state
+                                                                 : failed_);
+    }
 
   protected:
     /// What is wrong with the address that a request names; `ok` if nothing is.
@@ -81,6 +109,10 @@ template <class Request, class Confirmation, std::size_t Repeated = 0> struct pa
     [[nodiscard]] std::uint16_t station() const noexcept { return static_cast<std::uint16_t>(asked.ul_node_id); }
     [[nodiscard]] std::uint16_t index() const noexcept { return static_cast<std::uint16_t>(asked.ul_index); }
     [[nodiscard]] std::uint8_t subindex() const noexcept { return static_cast<std::uint8_t>(asked.ul_sub_index); }
+
+  private:
+    hilscher::packet_status failed_{}; // what the state of the slave is to explain
+    std::array<std::byte, wire::max_size<al_status>> read_{};
 };
 
 } // namespace jauscat::ethercat

@@ -100,14 +100,19 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
         const auto state = member.status.state;
         const bool error = member.status.error;
         switch (stage_) {
-        case stage::clear: return goal_ == al_state::init && m.find(member.slave.station) == nullptr;
-        case stage::look: return m.find(member.slave.station) != nullptr;
+        case stage::clear: return goal_ == al_state::init && !is_known(m, member.slave);
+        case stage::look: return is_known(m, member.slave);
         case stage::bring_up: return goal_ != al_state::init && (state < al_state::pre_op || state == al_state::boot);
         case stage::lower: return state > goal_ || (state == goal_ && error);
         case stage::configure: return goal_ > al_state::pre_op && state == al_state::pre_op;
         case stage::safe_op: return goal_ > al_state::pre_op && state == al_state::pre_op;
         default: return goal_ == al_state::op && state != al_state::op;
         }
+    }
+
+    [[nodiscard]] static bool is_known(const master& m, const bus_slave& slave) noexcept {
+        const auto* record = m.find(slave.station);
+        return record != nullptr && record->position == slave.position && slave.identity.accepts(record->identity);
     }
 
     bool start(master& m, const bus_slave& slave) noexcept {
