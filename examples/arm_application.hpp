@@ -40,6 +40,21 @@ class arm {
         return dispatch(message.header, message.body);
     }
 
+    /// Obeys the body of a Set Wrench Effort that came without a message around it.
+    void drive_by(std::span<const std::byte> body) {
+        jauscat::jaus::set_wrench_effort command{};
+        if (const auto size = jauscat::wire::decode(command, body); !size)
+            say_("refused efforts: " + std::string{describe(size.error())});
+        else
+            drive(command);
+    }
+    /// Takes all efforts away.
+    void halt(const std::string& why) {
+        efforts_ = no_effort();
+        say_(why + ": all efforts to zero");
+        moved_();
+    }
+
   private:
     using header = jauscat::jaus::header;
 
@@ -109,9 +124,7 @@ class arm {
     }
     void enter_emergency() {
         status_.primary_status_code = jauscat::jaus::primary_status_code::emergency;
-        efforts_ = no_effort();
-        say_("EMERGENCY: all efforts to zero");
-        moved_();
+        halt("EMERGENCY");
     }
 
     static jauscat::jaus::report_wrench_effort no_effort() {

@@ -1,5 +1,6 @@
 // The robot arm: an EtherCAT slave whose objects are JAUS messages, with its efforts shown as bars.
 #include "arm_application.hpp"
+#include "arm_process_data.hpp"
 #include "support/arm_slave.hpp"
 #include "support/link_options.hpp"
 #include <jauscat/ethercat/listed_objects.hpp>
@@ -59,6 +60,8 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
                                                                           : ethercat::size_rule::up_to_largest};
     auto description = example::arm_slave;
     description.mailbox_out_size = description.mailbox_in_size = values["mailbox-size"].template as<std::uint16_t>();
+    description.outputs = example::arm_process_data::outputs;
+    description.inputs = example::arm_process_data::inputs;
     if (description.mailbox_in_size < ethercat::min_mailbox_size ||
         description.mailbox_in_size > ethercat::max_mailbox_size)
         throw example::usage_error{"--mailbox-size must be 24 to 1486"};
@@ -68,15 +71,25 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
         description,
         dictionary,
         {.transfer_memory = memory, .subindex_0_rule = values["subindex-0-rule"].template as<bool>()}};
+    example::arm_process_data process_data{arm};
 
     std::cout << "arm: slave of subsystem " << int{subsystem} << ", " << where
               << ", waiting for a master (Ctrl-C ends)\n";
     std::array<std::byte, 1600> frame{};
     auto state = slave.state();
+    const auto show_state = [&] {
+        if (slave.state() == state) return;
+        state = slave.state();
+        std::cout << "arm: state " << jauscat::text::to_text(state) << ", station address " << slave.station_address()
+                  << "\n";
+    };
     std::string problem;
     while (!example::stop_requested) {
-        const auto size = link.receive(frame, std::chrono::milliseconds{100});
+        const auto size = link.receive(frame, std::chrono::milliseconds{20});
+        slave.on_time(std::chrono::steady_clock::now().time_since_epoch());
         if (size == 0) {
+            process_data.work(slave);
+            show_state();
             if (link.problem() != problem) {
                 problem = link.problem();
                 if (!problem.empty()) std::cout << "arm: " << problem << "\n";
@@ -87,11 +100,8 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
         application.set_station(slave.station_address());
         slave.process(received);
         if (!link.send(received)) std::cout << "arm: a frame did not go back: " << link.problem() << "\n";
-        if (slave.state() != state) {
-            state = slave.state();
-            std::cout << "arm: state " << jauscat::text::to_text(state) << ", station address "
-                      << slave.station_address() << "\n";
-        }
+        process_data.work(slave);
+        show_state();
     }
     std::cout << "arm: stopped\n";
     return example::success;

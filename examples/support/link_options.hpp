@@ -22,7 +22,8 @@ inline void add_table_options(boost::program_options::options_description& optio
     // clang-format on
 }
 
-inline void add_link_options(boost::program_options::options_description& options) {
+/// The options that `with_link` looks at.
+inline void add_medium_options(boost::program_options::options_description& options) {
     namespace po = boost::program_options;
     // clang-format off
     options.add_options()
@@ -32,6 +33,10 @@ inline void add_link_options(boost::program_options::options_description& option
         ("ethercat-port", po::value<std::uint16_t>()->default_value(jauscat::net::udp_link::ethercat_port),
          "UDP port of the slave, for --link udp");
     // clang-format on
+}
+
+inline void add_link_options(boost::program_options::options_description& options) {
+    add_medium_options(options);
     add_table_options(options);
 }
 

@@ -10,6 +10,7 @@
 #include <jauscat/net/outcome.hpp>
 #include <jauscat/net/raw_link.hpp>
 #include <jauscat/net/read_jaus_config.hpp>
+#include <jauscat/net/run_cycle.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/net/run_until.hpp>
 #include <jauscat/net/udp_link.hpp>

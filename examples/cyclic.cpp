@@ -1,0 +1,177 @@
+// Process data with every slave on the wire, and what became of the cycles: how late they began, how long they took,
+// what was lost, and that mailbox traffic does not disturb them.
+#include "support/explain.hpp"
+#include "support/link_options.hpp"
+#include <jauscat/ethercat/process_data.hpp>
+#include <jauscat/net/latency_histogram.hpp>
+#include <jauscat/net/run_cycle.hpp>
+#include <jauscat/net/run_master.hpp>
+
+#include <iomanip>
+#include <sched.h>
+#include <sys/mman.h>
+
+namespace {
+
+namespace ethercat = jauscat::ethercat;
+using std::chrono::microseconds, std::chrono::milliseconds, std::chrono::nanoseconds, std::chrono::seconds;
+
+constexpr const char* help = R"(cyclic: exchanges process data with all slaves, once every period, and measures it.
+
+It brings each slave from INIT to OP, runs for --seconds or until Ctrl-C, and uploads an object of each slave in turn
+meanwhile. Outputs are all 0.
+
+Examples:
+  cyclic                                     EtherCAT in UDP to 127.0.0.1, port 34980: robot_arm
+  cyclic --link raw --interface eth0 --period 250 --priority 80
+)";
+
+struct measurement {
+    jauscat::net::latency_histogram late{}, round_trip{};
+    std::uint64_t uploads{}, failed_uploads{};
+
+    void add(const jauscat::net::cycle_report& cycle) {
+        late.add(cycle.late);
+        if (cycle.back) round_trip.add(cycle.round_trip);
+    }
+};
+
+/// Real-time priority, and no page is fetched from a disk while a cycle waits.
+void become_real_time(int priority) {
+    const sched_param parameters{.sched_priority = priority};
+    if (::sched_setscheduler(0, SCHED_FIFO, &parameters) != 0)
+        throw std::runtime_error{"--priority needs CAP_SYS_NICE: sudo setcap cap_sys_nice,cap_net_raw+ep cyclic"};
+    if (::mlockall(MCL_CURRENT | MCL_FUTURE) != 0) std::cout << "cyclic: memory is not locked (CAP_IPC_LOCK)\n";
+}
+
+void print(const std::string& name, const jauscat::net::latency_histogram& times) {
+    const auto us = [&](nanoseconds time) { return static_cast<double>(time.count()) / 1000; };
+    std::cout << "\n"
+              << name << ", microseconds: median " << std::fixed << std::setprecision(1) << us(times.quantile(0.5))
+              << ", 99 % " << us(times.quantile(0.99)) << ", 99.9 % " << us(times.quantile(0.999)) << ", max "
+              << us(times.max()) << "\n";
+    times.print(std::cout);
+}
+
+/// Every slave to SAFE-OP under the stations `first` and up.
+std::vector<std::uint16_t> set_up(example::any_link& link, ethercat::master& master, std::uint16_t first) {
+    const auto run = [&](bool, const std::string& what) {
+        const auto result = jauscat::net::run(link, master);
+        example::require(result, what);
+        return result.size;
+    };
+    const auto count = run(master.scan(), "no slaves");
+    std::vector<std::uint16_t> stations;
+    for (std::size_t i = 0; i != count; ++i) {
+        const auto station = static_cast<std::uint16_t>(first + i);
+        const auto name = "slave " + std::to_string(station);
+        run(master.bring_up(static_cast<std::uint16_t>(i), station), name + " to PRE-OP");
+        run(master.configure(station), name + ", process data");
+        run(master.change_state(station, ethercat::al_state::safe_op), name + " to SAFE-OP");
+        const auto& place = master.find(station)->process_data;
+        std::cout << "cyclic: " << name << ": " << place.output_size << " bytes of outputs, " << place.input_size
+                  << " of inputs\n";
+        stations.push_back(station);
+    }
+    return stations;
+}
+
+/// Uploads an object of one slave after the other.
+class uploads {
+  public:
+    uploads(std::vector<std::uint16_t> stations, milliseconds every) : stations_{std::move(stations)}, every_{every} {}
+
+    void work(ethercat::master& master, measurement& counts) {
+        if (runs_ && master.idle()) {
+            ++(master.result() ? counts.uploads : counts.failed_uploads);
+            if (!master.result()) std::cout << "cyclic: upload: " << example::explain(master.result()) << "\n";
+            runs_ = false;
+        }
+        const auto now = std::chrono::steady_clock::now();
+        if (runs_ || every_ == milliseconds{} || now < due_) return;
+        due_ = now + every_;
+        const auto station = stations_[next_++ % stations_.size()];
+        if (!master.find(station)->mailbox.coe) return;
+        runs_ = master.upload(station, identity_object, vendor, value_);
+    }
+
+  private:
+    static constexpr std::uint16_t identity_object = 0x1018;
+    static constexpr std::uint8_t vendor = 1;
+
+    std::vector<std::uint16_t> stations_;
+    milliseconds every_;
+    std::chrono::steady_clock::time_point due_{};
+    std::size_t next_{};
+    bool runs_{};
+    std::array<std::byte, 4> value_{};
+};
+
+int measure(example::any_link& link, const auto& values) {
+    ethercat::master master{{.frame_timeout = milliseconds{values["frame-timeout"].template as<unsigned>()}}};
+    const auto stations = set_up(link, master, values["station"].template as<std::uint16_t>());
+    ethercat::process_data data{master.slaves()};
+    if (data.image().size == 0) throw std::runtime_error{"no slave has process data"};
+
+    const microseconds period{values["period"].template as<unsigned>()};
+    jauscat::net::cycle_runner cycles{
+        link, data, master, {.period = period, .spin = microseconds{values["spin"].template as<unsigned>()}}};
+    const auto nothing = [](auto&&...) {};
+    for (const auto station : stations) { // outputs have to flow while a slave goes to OP
+        master.change_state(station, ethercat::al_state::op);
+        example::require(cycles.run_job(seconds{10}, nothing, nothing), "slave " + std::to_string(station) + " to OP");
+    }
+    std::cout << "cyclic: " << stations.size() << " in OP, a cycle every " << period.count() << " us (Ctrl-C ends)"
+              << std::endl;
+
+    const auto before = data.statistics();
+    const auto overruns_before = cycles.overruns();
+    const auto end = std::chrono::steady_clock::now() + seconds{values["seconds"].template as<unsigned>()};
+    uploads mailbox{stations, milliseconds{values["upload-every"].template as<unsigned>()}};
+    const auto result = std::make_unique<measurement>();
+    while (!example::stop_requested && std::chrono::steady_clock::now() < end) {
+        result->add(cycles.run(nothing));
+        mailbox.work(master, *result);
+    }
+
+    const auto& after = data.statistics();
+    print("wake-up after the instant it was due", result->late);
+    print("round trip of the process data", result->round_trip);
+    std::cout << "\ncycles " << after.sent - before.sent << ", complete " << after.complete - before.complete
+              << ", with another working counter " << after.incomplete - before.incomplete << ", lost "
+              << after.lost - before.lost << ", left out " << cycles.overruns() - overruns_before
+              << "\nuploads meanwhile " << result->uploads << ", failed " << result->failed_uploads << "\n";
+    for (const auto station : stations) {
+        master.change_state(station, ethercat::al_state::pre_op);
+        static_cast<void>(jauscat::net::run(link, master));
+    }
+    return after.complete != before.complete ? example::success : example::failure;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return example::run("cyclic", [&] {
+        namespace po = boost::program_options;
+        po::options_description options{"Options"};
+        // clang-format off
+        options.add_options()
+            ("help", "show this text")
+            ("period", po::value<unsigned>()->default_value(1000), "microseconds from one cycle to the next")
+            ("seconds", po::value<unsigned>()->default_value(10), "how long to run")
+            ("spin", po::value<unsigned>()->default_value(0), "the last microseconds of each wait are spent awake: more exact, and costs processor time")
+            ("priority", po::value<int>()->default_value(0), "real-time priority, 1 to 99; 0: none")
+            ("upload-every", po::value<unsigned>()->default_value(1000), "milliseconds between two SDO uploads; 0: none")
+            ("station", po::value<std::uint16_t>()->default_value(1), "station address of the first slave; the others follow")
+            ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
+        // clang-format on
+        example::add_medium_options(options);
+        const auto values = example::parse(argc, argv, options, help);
+        if (values["period"].as<unsigned>() == 0) throw example::usage_error{"--period must be 1 or more"};
+        if (const auto priority = values["priority"].as<int>(); priority != 0) become_real_time(priority);
+        return example::with_link(values, example::link_end::master, [&](auto& link, const std::string& where) {
+            std::cout << "cyclic: " << where << "\n";
+            return measure(link, values);
+        });
+    });
+}

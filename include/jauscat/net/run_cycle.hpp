@@ -1,0 +1,114 @@
+// Runs process data over a link, one cycle at a time on this thread, and a master's job in the time that a cycle
+// leaves.
+#pragma once
+
+#include <jauscat/ethercat/link.hpp>
+#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/process_data.hpp>
+#include <jauscat/net/cycle_timer.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::net {
+
+/// What one cycle was like.
+struct cycle_report {
+    std::chrono::nanoseconds late{};       ///< by how much it began after its instant
+    std::chrono::nanoseconds round_trip{}; ///< from sending the process data to having them back; only if `back`
+    bool sent{};                           ///< the link took the frame
+    bool back{};                           ///< the frame came back before the cycle was over
+};
+
+struct cycle_config {
+    std::chrono::nanoseconds period{std::chrono::milliseconds{1}};
+    /// The end of each wait that is spent awake: see cycle_timer.
+    std::chrono::nanoseconds spin{};
+    /// In the last part of a cycle, 1 / `reserve` of it, no frame of the master's begins: the next cycle's must not
+    /// wait behind it.
+    unsigned reserve{4};
+};
+
+/// Everything given here must outlive the runner. Between cycles the master is free for a new job.
+template <ethercat::link Link> class cycle_runner {
+  public:
+    cycle_runner(Link& link, ethercat::process_data& data, ethercat::master& master,
+                 const cycle_config& config = {}) noexcept
+        : link_{link}, data_{data}, master_{master}, config_{config}, timer_{config.period, config.spin} {}
+
+    /// Waits for the next cycle, calls `prepare()`, which writes the outputs, and sends them at once; then takes frames
+    /// until the process data are back and the master has nothing to do, at most until the cycle is over.
+    template <class Prepare> cycle_report run(Prepare&& prepare) {
+        cycle_report report{.late = timer_.wait()};
+        const auto end = to_time(timer_.due()) + config_.period;
+        prepare();
+        const auto begun = now();
+        const auto size = data_.next_frame(frame_, begun);
+        report.sent = size != 0 && link_.send(std::span{frame_}.first(size));
+        while (true) {
+            const auto at = now();
+            if (at >= end || (!waits(report) && master_.idle())) return report;
+            auto wake = end;
+            if (!waits(report)) wake = std::min(wake, work(at, end));
+            const auto received = link_.receive(frame_, std::max(wake - now(), std::chrono::nanoseconds{}));
+            if (received == 0) continue;
+            const auto bytes = std::span{frame_}.first(received);
+            if (!data_.on_frame(bytes)) {
+                master_.on_frame(bytes, now());
+            } else if (waits(report) && !data_.waits()) {
+                report.back = true;
+                report.round_trip = now() - begun;
+            }
+        }
+    }
+
+    /// Runs cycles until the master's job is done, and gives it up after `limit`; `each(report)` is called after every
+    /// cycle. Returns how the job ended.
+    template <class Prepare, class Each>
+    ethercat::outcome run_job(std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
+        const auto deadline = now() + limit;
+        while (!master_.idle()) {
+            if (now() >= deadline) master_.cancel(ethercat::master_errc::timeout);
+            each(run(prepare));
+        }
+        return master_.result();
+    }
+
+    /// Cycles that were left out because one before took too long.
+    [[nodiscard]] std::uint64_t overruns() const noexcept { return timer_.overruns(); }
+
+  private:
+    using time = ethercat::time_point;
+    static time to_time(cycle_timer::clock::time_point instant) noexcept {
+        return std::chrono::duration_cast<time>(instant.time_since_epoch());
+    }
+    static time now() noexcept { return to_time(cycle_timer::clock::now()); }
+
+    // The process data are under way. The master waits for them: they have come, or are lost, within the cycle.
+    static bool waits(const cycle_report& report) noexcept { return report.sent && !report.back; }
+
+    // The master's turn; returns when it has something to do again.
+    time work(time at, time end) noexcept {
+        master_.on_time(at);
+        if (end - at > config_.period / std::max(config_.reserve, 1u)) {
+            const auto size = master_.next_frame(frame_, at);
+            if (size != 0 && !link_.send(std::span{frame_}.first(size)))
+                master_.cancel(ethercat::master_errc::not_sent);
+        }
+        const auto event = master_.next_event();
+        return event && *event > at ? *event : end;
+    }
+
+    Link& link_;
+    ethercat::process_data& data_;
+    ethercat::master& master_;
+    cycle_config config_;
+    cycle_timer timer_;
+    std::array<std::byte, ethercat::max_frame_size> frame_{};
+};
+
+} // namespace jauscat::net
