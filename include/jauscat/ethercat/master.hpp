@@ -12,6 +12,7 @@
 #include <jauscat/ethercat/ring_scan.hpp>
 #include <jauscat/ethercat/sdo_information.hpp>
 #include <jauscat/ethercat/sdo_transfer.hpp>
+#include <jauscat/ethercat/slave_list.hpp>
 #include <jauscat/ethercat/state_change.hpp>
 
 #include <algorithm>
@@ -33,9 +34,9 @@ struct master_statistics {
 };
 
 /// Start a job; then, until `idle()`: send what `next_frame` gives, pass what arrives to `on_frame`, and call `on_time`
-/// at `next_event()`. `result()` says how the job ended. Every function that starts a job returns false while another
-/// one runs; what it is given by reference or as a span stays in place until the job is done. Beside the errors named
-/// there, each job can end with those of the link: not_sent, no_reply, timeout, no_space.
+/// at `next_event()`. `result()` says how the job ended. Not copied while one runs. Every function that starts a job
+/// returns false while another one runs; what it is given by reference or as a span stays in place until the job is
+/// done. Beside the errors named there, each job can end with those of the link: not_sent, no_reply, timeout, no_space.
 class master {
   public:
     explicit master(const master_config& config = {}) noexcept : config_{config} {}
@@ -44,7 +45,7 @@ class master {
     /// and FMMUs away that an earlier master has left. Forgets all slaves. Errors: working_counter, state_timeout.
     bool scan() noexcept {
         if (!begin(job::scan)) return false;
-        slave_count_ = 0;
+        slaves_.clear();
         scan_ = {};
         return true;
     }
@@ -54,14 +55,11 @@ class master {
     /// sii_busy, sii_error, wrong_identity, no_mailbox, al_error, state_timeout, too_many_slaves.
     bool bring_up(std::uint16_t position, std::uint16_t station, const identity_check& expected = {}) noexcept {
         if (!begin(job::bring_up)) return false;
-        const auto replaced = [&](const slave_record& s) { return s.position == position || s.station == station; };
-        const auto others = known();
-        const auto before = std::ranges::find(others, station, &slave_record::station);
-        before_ = before == others.end() ? slave_record{} : *before;
-        slave_count_ =
-            static_cast<std::size_t>(std::remove_if(others.begin(), others.end(), replaced) - others.begin());
+        const auto* const before = slaves_.find(station);
+        before_ = before != nullptr ? *before : slave_record{};
+        slaves_.remove(position, station);
         bring_up_ = ethercat::bring_up{position, station, expected};
-        if (slave_count_ == slave_capacity) finish({.error = master_errc::too_many_slaves});
+        if (slaves_.full()) finish({.error = master_errc::too_many_slaves});
         return true;
     }
 
@@ -71,9 +69,7 @@ class master {
     bool configure(std::uint16_t station) noexcept {
         if (!begin(job::configure)) return false;
         if (!choose(station)) return true;
-        auto others = slaves_;
-        others[slave_].process_data = {};
-        setup_ = process_setup{slaves_[slave_], process_image::of(std::span{others}.first(slave_count_))};
+        setup_ = process_setup{*slave_, slaves_.image_without(*slave_)};
         return true;
     }
 
@@ -83,7 +79,7 @@ class master {
         if (!begin(job::change_state)) return false;
         if (!choose(station)) return true;
         change_ = state_change{station, goal};
-        slaves_[slave_].drained = false;
+        slave_->drained = false;
         return true;
     }
 
@@ -137,8 +133,8 @@ class master {
     void cancel(master_errc error) noexcept {
         if (idle()) return;
         if (outstanding_.waits()) unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
-        if (uses_mailbox()) mailbox_exchange::abandon(slaves_[slave_]);
-        if (job_ == job::sdo && transfer_.is_open()) slaves_[slave_].unfinished = transfer_.abort_message();
+        if (uses_mailbox()) mailbox_exchange::abandon(*slave_);
+        if (job_ == job::sdo && transfer_.is_open()) slave_->unfinished = transfer_.abort_message();
         finish(job_ == job::abort ? ended_ : outcome{.error = error});
     }
 
@@ -146,18 +142,12 @@ class master {
     /// How the last job ended.
     [[nodiscard]] const outcome& result() const noexcept { return result_; }
     /// The slaves that have been brought up.
-    [[nodiscard]] std::span<const slave_record> slaves() const noexcept {
-        return std::span{slaves_}.first(slave_count_);
-    }
+    [[nodiscard]] std::span<const slave_record> slaves() const noexcept { return slaves_.all(); }
     /// The record of a slave; none if it has not been brought up.
-    [[nodiscard]] const slave_record* find(std::uint16_t station) const noexcept {
-        const auto found = std::ranges::find(slaves(), station, &slave_record::station);
-        return found == slaves().end() ? nullptr : &*found;
-    }
+    [[nodiscard]] const slave_record* find(std::uint16_t station) const noexcept { return slaves_.find(station); }
     /// Forgets a slave's emergencies.
     void clear_emergencies(std::uint16_t station) noexcept {
-        for (auto& slave : known())
-            if (slave.station == station) slave.emergencies.clear();
+        if (auto* const slave = slaves_.find(station)) slave->emergencies.clear();
     }
     [[nodiscard]] const master_statistics& statistics() const noexcept { return statistics_; }
 
@@ -167,7 +157,7 @@ class master {
         if (idle() || outstanding_.waits() || now < next_send()) return 0;
         frame_builder frame{out, ++index_};
         if (uses_mailbox())
-            with_protocol([&](auto& protocol) { exchange_.request(frame, slaves_[slave_], protocol); });
+            with_protocol([&](auto& protocol) { exchange_.request(frame, *slave_, protocol); });
         else
             with_steps([&](auto& steps) { steps.request(frame); });
         const auto size = frame.finish();
@@ -197,9 +187,8 @@ class master {
         repeats_ = false;
         progress next{};
         if (uses_mailbox()) {
-            with_protocol([&](auto& protocol) {
-                next = exchange_.reply(datagrams.front(), now, config_, slaves_[slave_], protocol);
-            });
+            with_protocol(
+                [&](auto& protocol) { next = exchange_.reply(datagrams.front(), now, config_, *slave_, protocol); });
         } else {
             with_steps([&](auto& steps) { next = steps.reply(datagrams, now, config_); });
         }
@@ -221,7 +210,7 @@ class master {
         outstanding_.forget();
         // The same request may go at once if it does no harm twice; all else waits until the lost one cannot arrive.
         repeats_ = job_ != job::datagram && (!uses_mailbox() || exchange_.is_repeatable());
-        if (uses_mailbox()) exchange_.lost(slaves_[slave_]);
+        if (uses_mailbox()) exchange_.lost(*slave_);
     }
 
     /// When `on_time` or `next_frame` will next have something to do, if no frame arrives first; none while idle.
@@ -247,7 +236,6 @@ class master {
     };
     [[nodiscard]] bool uses_mailbox() const noexcept { return job_ >= job::collect; }
 
-    [[nodiscard]] std::span<slave_record> known() noexcept { return std::span{slaves_}.first(slave_count_); }
     [[nodiscard]] time_point next_send() const noexcept {
         return repeats_ ? not_before_ : std::max(not_before_, unsettled_until_);
     }
@@ -263,13 +251,12 @@ class master {
 
     /// The slave that the job is about. False where the job has ended because there is none.
     bool choose(std::uint16_t station, bool mailbox = false) noexcept {
-        const auto slave = std::ranges::find(known(), station, &slave_record::station);
-        slave_ = static_cast<std::size_t>(slave - known().begin());
-        if (slave == known().end())
+        slave_ = slaves_.find(station);
+        if (slave_ == nullptr)
             finish({.error = master_errc::wrong_station, .detail = station});
-        else if (mailbox && slave->mailbox.receive_size == 0)
+        else if (mailbox && slave_->mailbox.receive_size == 0)
             finish({.error = master_errc::no_mailbox});
-        else if (mailbox && !slave->mailbox.coe)
+        else if (mailbox && !slave_->mailbox.coe)
             finish({.error = master_errc::no_coe});
         return !idle();
     }
@@ -281,8 +268,8 @@ class master {
     }
     void start(const sdo_transfer& transfer) noexcept {
         transfer_ = transfer;
-        transfer_.use_mailbox(slaves_[slave_].mailbox.receive_size);
-        start(slaves_[slave_].unfinished ? job::abort_earlier : job::sdo);
+        transfer_.use_mailbox(slave_->mailbox.receive_size);
+        start(slave_->unfinished ? job::abort_earlier : job::sdo);
     }
     bool ask(std::uint16_t station, const sdo_information& question) noexcept {
         if (!begin(job::information)) return false;
@@ -293,7 +280,7 @@ class master {
 
     // The next message of a mailbox job, or an abort.
     void start(job what) noexcept {
-        auto& slave = slaves_[slave_];
+        auto& slave = *slave_;
         job_ = what;
         if (what == job::abort || what == job::abort_earlier) abort_ = sdo_transfer::abort(*slave.unfinished);
         exchange_ = mailbox_exchange{slave};
@@ -330,7 +317,7 @@ class master {
 
     void message_complete() noexcept {
         const auto result = exchange_.result();
-        auto& unfinished = slaves_[slave_].unfinished;
+        auto& unfinished = slave_->unfinished;
         if (job_ == job::sdo) {
             if (result && !transfer_.finished()) return start(job::sdo);
             ended_ = result;
@@ -356,16 +343,16 @@ class master {
     }
 
     void configured() noexcept {
-        if (setup_.result()) slaves_[slave_].process_data = setup_.place();
+        if (setup_.result()) slave_->process_data = setup_.place();
         finish(setup_.result());
     }
     void bring_up_complete() noexcept {
         finish(bring_up_.result());
         if (!result_) return;
-        auto& slave = slaves_[slave_count_++];
-        slave = bring_up_.slave();
+        auto slave = bring_up_.slave();
         slave.process_data = before_.process_data; // it keeps its place in the image
         slave.unfinished = before_.unfinished;     // a change of state does not end it in every slave
+        slaves_.add(slave);
     }
 
     void finish(const outcome& result) noexcept {
@@ -376,8 +363,7 @@ class master {
     }
 
     master_config config_;
-    std::array<slave_record, slave_capacity> slaves_{};
-    std::size_t slave_count_{};
+    slave_list slaves_{};
 
     job job_{};
     outcome result_{};
@@ -388,7 +374,7 @@ class master {
     state_change change_{};
     datagram_exchange datagram_{};
 
-    std::size_t slave_{}; // whose mailbox or state it is
+    slave_record* slave_{}; // whose mailbox or state it is
     mailbox_exchange exchange_{};
     sdo_information information_{};
     sdo_transfer transfer_{};
