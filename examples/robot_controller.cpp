@@ -1,5 +1,7 @@
 // The robot controller: JAUS messages in over UDP, SDO downloads out over EtherCAT, and reports the way back.
 #include "support/any_exchange.hpp"
+#include "support/cyclic_path.hpp"
+#include "support/explain.hpp"
 #include "support/link_options.hpp"
 #include "support/robot_messages.hpp"
 #include "support/trace.hpp"
@@ -9,8 +11,11 @@
 #include <jauscat/text/jaus.hpp>
 #include <jauscat/text/packet_status.hpp>
 
+#include <deque>
 #include <memory>
+#include <optional>
 #include <thread>
+#include <vector>
 
 namespace {
 
@@ -23,39 +28,39 @@ constexpr const char* help = R"(robot_controller: carries JAUS messages to an Et
 It brings the slave to PRE-OP with the station address --station, which is the slave's JAUS node, and then translates each
 message for that node into an SDO download. After a query it uploads the report and sends it to the asker.
 
+With --cycle the slave runs in OP, and wrench efforts take the cyclic path: a Set Wrench Effort is in the slave's outputs
+in the next cycle, and Query Wrench Effort is answered from its inputs. All other messages go by the mailbox, in between.
+
 Examples:
   robot_controller --this b                   EtherCAT in UDP to 127.0.0.1, port 34980
   robot_controller --this b --table self-contained
   robot_controller --this b --link raw --interface eth0
+  robot_controller --this b --link raw --interface eth0 --cycle 1000
 )";
-
-std::string explain(const ethercat::outcome& result) {
-    std::string why{describe(result.error)};
-    if (const auto detail = describe_detail(result); !detail.empty())
-        why += ": " + std::string{detail} + " (" + text::hex_number(result.detail, 8) + ")";
-    return why;
-}
 
 /// Carries messages between a UDP socket and one slave.
 class robot_controller {
   public:
     robot_controller(jauscat::net::jaus_config config, example::any_link& link, example::any_exchange& exchange,
                      std::uint16_t station, std::chrono::milliseconds frame_timeout,
-                     const ethercat::download_options& options)
+                     const ethercat::download_options& options, std::chrono::nanoseconds period)
         : config_{std::move(config)},
           link_{link},
           exchange_{exchange},
           station_{station},
           options_{options},
           udp_{context_, config_.me().endpoint()},
-          master_{{.frame_timeout = frame_timeout}} {}
+          master_{{.frame_timeout = frame_timeout}} {
+        const ethercat::slave_identity slave{.subsystem = config_.me().jausip.subsystem, .station = station};
+        if (period > std::chrono::nanoseconds{}) cyclic_.emplace(link_, master_, slave, period);
+    }
 
-    /// Brings the slave to PRE-OP; tries again until `patience` is over.
+    /// Brings the slave to PRE-OP, or to OP for the cyclic path; tries again until `patience` is over.
     void bring_up(std::chrono::milliseconds patience) {
         const auto deadline = std::chrono::steady_clock::now() + patience;
         while (!try_bring_up()) {
             if (std::chrono::steady_clock::now() >= deadline || example::stop_requested)
-                throw std::runtime_error{"no slave to work with: " + explain(master_.result())};
+                throw std::runtime_error{"no slave to work with: " + example::explain(master_.result())};
             std::this_thread::sleep_for(std::chrono::milliseconds{100});
         }
     }
@@ -65,16 +70,20 @@ class robot_controller {
         udp_.start([this](auto bytes, const auto& from, auto) { this->received(bytes, from); },
                    [](std::string_view problem) { std::cout << "controller: " << problem << "\n"; });
         std::cout << "controller: ready: JAUS on " << udp_.local() << ", slave " << station_
-                  << " in PRE-OP (Ctrl-C ends)\n";
+                  << (cyclic_ ? " in OP" : " in PRE-OP") << " (Ctrl-C ends)\n";
         while (!example::stop_requested)
-            jauscat::net::run_until(context_, std::chrono::milliseconds{100},
-                                    [] { return example::stop_requested.load(); });
+            if (cyclic_)
+                serve_cycle();
+            else
+                jauscat::net::run_until(context_, std::chrono::milliseconds{100},
+                                        [] { return example::stop_requested.load(); });
         std::cout << "controller: stopped\n";
         return example::success;
     }
 
   private:
     static constexpr auto exchange_timeout = std::chrono::seconds{2};
+    static constexpr std::size_t longest_queue = 64;
 
     bool try_bring_up() {
         master_.bring_up(0, station_);
@@ -84,9 +93,67 @@ class robot_controller {
             std::cout << "controller: slave " << station_ << " is in PRE-OP: vendor "
                       << text::hex_number(slave.identity.vendor, 8) << ", product "
                       << text::hex_number(slave.identity.product, 8) << "\n";
+            if (cyclic_) return start_cycles();
         }
         return up_;
     }
+
+    bool start_cycles() {
+        const auto result = cyclic_->start([] {});
+        up_ = static_cast<bool>(result);
+        std::cout << "controller: "
+                  << (up_ ? "slave " + std::to_string(station_) + " is in OP"
+                          : "no process data: " + example::explain(result))
+                  << "\n";
+        return up_;
+    }
+
+    /// One cycle: messages that have come go out with it, those for the mailbox after it.
+    void serve_cycle() {
+        if (!up_) {
+            context_.poll();
+            if (!try_bring_up()) std::this_thread::sleep_for(std::chrono::milliseconds{100});
+            return;
+        }
+        cyclic_->cycle([this] { context_.poll(); });
+        acknowledge_commands();
+        if (!for_mailbox_.empty()) {
+            const auto message = std::move(for_mailbox_.front());
+            for_mailbox_.pop_front();
+            deliver(message);
+        }
+        if (up_ && !cyclic_->runs()) {
+            std::cout << "controller: slave " << station_ << " no longer takes process data\n";
+            up_ = false;
+        }
+    }
+
+    void acknowledge_commands() {
+        std::array<std::byte, jaus::header_size> answer{};
+        while (const auto size = cyclic_->exchange().acknowledgement(cyclic_->inputs(), now(), answer))
+            send(answer, size);
+    }
+
+    /// A message into the outputs or out of the inputs.
+    void exchange_image(const jaus::header& head, std::span<const std::byte> body) {
+        auto& exchange = cyclic_->exchange();
+        if (!up_) return refuse(head, "the slave is not in OP");
+        if (head.command_code == exchange.command_code) {
+            const auto error = exchange.on_command(head, body, cyclic_->outputs(), cyclic_->inputs(), now());
+            if (error != jauscat::translate::errc::ok) return refuse(head, std::string{describe(error)});
+            std::cout << "controller: into the process image, command " << exchange.given(cyclic_->outputs()) << ": "
+                      << text::hex(cyclic_->outputs()) << "\n";
+        } else {
+            std::array<std::byte, example::any_exchange::buffer_size> report{};
+            const auto size = exchange.on_query<jaus::query_wrench_effort>(head, body, cyclic_->inputs(), report);
+            if (size == 0) return refuse(head, "the query is malformed");
+            std::cout << "controller: answers from the process image: " << text::hex(cyclic_->inputs()) << "\n";
+            acknowledge(head, jaus::ack_nak::ack);
+            send(report, size);
+        }
+    }
+
+    static ethercat::time_point now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
     void received(std::span<const std::byte> bytes, const auto& from) {
         const auto message = jaus::split(bytes);
@@ -107,14 +174,22 @@ class robot_controller {
     /// Delivers a message that is complete; keeps the packets of a large data set until it is.
     void collect(const jaus::header& head, std::span<const std::byte> message) {
         using enum jaus::reassembled;
-        const auto now = std::chrono::steady_clock::now().time_since_epoch();
-        const auto what = assembly_.on_message(head, message, now, [this](auto complete) { deliver(complete); });
+        const auto what = assembly_.on_message(head, message, now(), [this](auto complete) { direct(complete); });
         if (what == too_large || what == no_room) {
             refuse(head, std::string{describe(what)});
         } else if (what == waiting || what == repeated) {
             std::cout << "controller: " << describe(what) << "\n";
             acknowledge(head, jaus::ack_nak::ack);
         }
+    }
+
+    /// Decides by which path a whole message goes.
+    void direct(std::span<const std::byte> message) {
+        if (!cyclic_) return deliver(message);
+        const auto parts = jaus::split(message);
+        if (cyclic_->exchange().takes(parts.header)) return exchange_image(parts.header, parts.body);
+        if (for_mailbox_.size() == longest_queue) return refuse(parts.header, "too many messages wait for the mailbox");
+        for_mailbox_.emplace_back(message.begin(), message.end());
     }
 
     /// Why a message is not for the slave of this controller, or nothing.
@@ -174,7 +249,8 @@ class robot_controller {
         } else {
             example::traced_link traced{link_};
             for (bool runs = job.start(master_); runs; runs = job.next(master_))
-                static_cast<void>(jauscat::net::run(traced, master_, exchange_timeout));
+                static_cast<void>(cyclic_ ? cyclic_->run_job(exchange_timeout, [this] { context_.poll(); })
+                                          : jauscat::net::run(traced, master_, exchange_timeout));
             result = job.result();
         }
         if (!result) {
@@ -182,7 +258,7 @@ class robot_controller {
             if (result.error != sdo_abort && result.error != clear_refused && result.error != mailbox_error &&
                 result.error != data_too_long)
                 up_ = false;
-            std::cout << "controller: EtherCAT: " << explain(result) << "\n";
+            std::cout << "controller: EtherCAT: " << example::explain(result) << "\n";
         }
         return std::span{confirmation_}.first(job.finish(result));
     }
@@ -205,6 +281,8 @@ class robot_controller {
     boost::asio::io_context context_{};
     jauscat::net::udp_transport udp_;
     ethercat::master master_;
+    std::optional<example::cyclic_path> cyclic_{};
+    std::deque<std::vector<std::byte>> for_mailbox_{}; // with cycles: the mailbox works between them
     bool up_{};
     ethercat::message_assembly<jauscat::hilscher::max_sdo_data> assembly_{std::chrono::seconds{5}};
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation_{};
@@ -223,6 +301,7 @@ int main(int argc, char** argv) {
             ("this", po::value<std::string>(), "the system this controller is, instead of the file's <thissystem>")
             ("station", po::value<std::uint16_t>()->default_value(2), "station address and JAUS node of the slave, 1 to 254")
             ("clear-subindex-0", po::bool_switch(), "write 0 to subindex 0 of an object before each message, for slaves that abort with 06010003h else")
+            ("cycle", po::value<unsigned>()->default_value(0), "microseconds from one cycle of process data to the next: wrench efforts then go without the mailbox; 0: no cycles")
             ("wait", po::value<unsigned>()->default_value(5000), "milliseconds to wait for the slave at the start")
             ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
         // clang-format on
@@ -241,7 +320,13 @@ int main(int argc, char** argv) {
             });
             const std::chrono::milliseconds frame_timeout{values["frame-timeout"].as<unsigned>()};
             const ethercat::download_options download{.clear_subindex_0 = values["clear-subindex-0"].as<bool>()};
-            robot_controller controller{config, link, *exchange, station, frame_timeout, download};
+            robot_controller controller{config,
+                                        link,
+                                        *exchange,
+                                        station,
+                                        frame_timeout,
+                                        download,
+                                        std::chrono::microseconds{values["cycle"].as<unsigned>()}};
             controller.bring_up(std::chrono::milliseconds{values["wait"].as<unsigned>()});
             return controller.serve();
         });

@@ -322,6 +322,84 @@ small_mailbox() { # of 8 bytes of data in a first message and 15 in a segment
     expect 2 "$bin/robot_arm" --config "$config" --mailbox-size 23
     says out "--mailbox-size must be 24 to 1486"
 }
+command_by_process_data() {
+    master_options+=(--cycle 2000)
+    start_robot
+    wait_for arm "state op, station address 2"
+    the_command_arrives
+    says controller "in OP (Ctrl-C ends)"
+    says controller "into the process image, command 1: 01 00 ff 0f 00 40 00 40 00 40 01 c0 01 c0 01 c0 80 80 80 ff ff ff"
+    says controller "answers from the process image: 01 00 ff 0f 00 40"
+    says controller "sent Set Wrench Effort (ACK)"
+    says arm "efforts by process data, command 1"
+    says_not controller "translated to an SDO download packet" # nothing has gone by the mailbox yet
+    says_not arm "received Set Wrench Effort"
+    # Fields that a command leaves out keep their effort; a query gets what it asks for.
+    expect_ocu 0 propulsive_linear_effort_y=-100
+    says controller "command 2: 02 00 02 00 00 40 01 80"
+    expect_ocu 0 --query
+    says out "propulsive_linear_effort_x = 50.001526 % (raw 16384)"
+    says out "propulsive_linear_effort_y = -100 % (raw -32767)"
+    for seed in 1 2 3 4 5; do expect_ocu 0 --random "$seed"; done
+    # -32768 stands for no effort.
+    send_bytes "$controller_port" 1602050401210202012001010400090001000080
+    wait_for controller "not delivered: out of range"
+    wait_for controller "sent Set Wrench Effort (NAK)"
+}
+other_messages_between_cycles() {
+    master_options+=(--cycle 2000)
+    start_robot
+    expect_ocu 0 --send set_travel_speed desired_speed=2.5
+    says arm "travel speed 2.4414435 m/s"
+    says controller "ulDataCnt"
+    expect_ocu 0 --send query_travel_speed
+    the_command_arrives
+    says controller "into the process image"
+    # An emergency comes by the mailbox, and process data do not bring the efforts back.
+    expect_ocu 0 --send set_emergency emergency_code=transition_to_emergency
+    wait_for arm "EMERGENCY: all efforts to zero"
+    expect_ocu 0 --query
+    says out "propulsive_linear_effort_x = 0 % (raw 0)"
+    expect_ocu 1 propulsive_linear_effort_x=1
+    wait_for arm "in emergency: efforts ignored"
+}
+arm_restarts_between_cycles() {
+    master_options+=(--cycle 2000)
+    start_robot
+    the_command_arrives
+    kill "$arm_pid" && wait "$arm_pid" 2>/dev/null
+    wait_for controller "slave 2 no longer takes process data"
+    expect_ocu 1 --timeout 5000 propulsive_linear_effort_x=1
+    says out "was refused (NAK)"
+    start_arm
+    wait_for arm "state op, station address 2"
+    says_not arm "efforts by process data" # what stood in the outputs is no new command
+    sleep 0.2
+    the_command_arrives
+}
+controller_restarts_between_cycles() {
+    master_options+=(--cycle 2000)
+    start_robot
+    the_command_arrives
+    kill "$controller_pid" && wait "$controller_pid"
+    wait_for arm "no process data any more: all efforts to zero"
+    start_controller
+    expect_ocu 0 --query
+    says out "propulsive_linear_effort_x = 0 % (raw 0)"
+    the_command_arrives
+}
+cycles_are_measured() {
+    start_arm
+    expect 0 "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period 2000 --seconds 2 --upload-every 100
+    says out "22 bytes of outputs, 22 of inputs"
+    says out "wake-up after the instant it was due"
+    says out "round trip of the process data"
+    says out "with another working counter 0"
+    grep -Eq "^uploads meanwhile ([5-9]|1[0-9]|2[01]), failed 0$" "$work/out.log" || fail "uploads do not get through"
+    says arm "state op, station address 1"
+    says arm "state pre_op, station address 1"
+    expect 2 "$bin/cyclic" --period 0
+}
 arm_restarts() {
     start_robot
     the_command_arrives

@@ -1,0 +1,93 @@
+// The cyclic path to the robot arm: its process data, kept running, and JAUS messages in and out of them.
+#pragma once
+#include "support/any_link.hpp"
+#include "support/trace.hpp"
+#include <jauscat/ethercat/image_exchange.hpp>
+#include <jauscat/ethercat/process_data.hpp>
+#include <jauscat/net/run_cycle.hpp>
+#include <jauscat/net/run_master.hpp>
+#include <jauscat/schema/translation/wrench_effort_image.hpp>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace example {
+
+/// Wrench efforts through the process data of one slave in OP.
+class cyclic_path {
+  public:
+    /// JAUS component ID of a Primitive Driver.
+    static constexpr std::uint8_t component = 33;
+
+    cyclic_path(any_link& link, jauscat::ethercat::master& master, const jauscat::ethercat::slave_identity& slave,
+                std::chrono::nanoseconds period)
+        : link_{link}, master_{master}, station_{slave.station}, exchange_{slave, component}, period_{period} {}
+
+    /// From PRE-OP to OP. `prepare()` is called before each cycle, here and in the functions below.
+    template <class Prepare> jauscat::ethercat::outcome start(Prepare&& prepare) {
+        runs_ = false;
+        using jauscat::ethercat::al_state;
+        master_.configure(station_);
+        if (const auto result = jauscat::net::run(link_, master_, patience); !result) return result;
+        master_.change_state(station_, al_state::safe_op);
+        if (const auto result = jauscat::net::run(link_, master_, patience); !result) return result;
+        data_ = jauscat::ethercat::process_data{master_.slaves()};
+        cycles_.emplace(link_, data_, master_, jauscat::net::cycle_config{.period = period_});
+        master_.change_state(station_, al_state::op); // outputs have to flow meanwhile
+        auto result = cycles_->run_job(patience, prepare, [](const auto&) {});
+        if (!result) return result;
+        for (int tries = 0; tries != 100 && !data_.is_complete(); ++tries) cycles_->run(prepare);
+        if (!data_.is_complete()) return {.error = jauscat::ethercat::master_errc::working_counter};
+        // A slave with other process data cannot be commanded by these tables.
+        if (!exchange_.start(outputs(), inputs())) return {.error = jauscat::ethercat::master_errc::size_mismatch};
+        runs_ = true;
+        good_ = std::chrono::steady_clock::now();
+        return result;
+    }
+
+    /// One cycle.
+    void cycle(auto&& prepare) { note(cycles_->run(prepare)); }
+    /// Cycles until the master's job is done.
+    jauscat::ethercat::outcome run_job(std::chrono::nanoseconds limit, auto&& prepare) {
+        return cycles_->run_job(limit, prepare, [this](const auto& report) { note(report); });
+    }
+
+    /// The slave is in OP, has answered lately, and takes commands.
+    [[nodiscard]] bool runs() const noexcept { return runs_; }
+    /// Bytes of the slave's in the process image.
+    [[nodiscard]] std::span<std::byte> outputs() { return data_.outputs(*master_.find(station_)); }
+    [[nodiscard]] std::span<const std::byte> inputs() { return data_.inputs(*master_.find(station_)); }
+    [[nodiscard]] auto& exchange() noexcept { return exchange_; }
+    [[nodiscard]] const auto& statistics() const noexcept { return data_.statistics(); }
+
+  private:
+    static constexpr auto patience = std::chrono::seconds{2};
+    static constexpr auto longest_silence = std::chrono::milliseconds{300};
+
+    // A slave that has left OP may still take part in the exchange: then it takes no command.
+    void note(const jauscat::net::cycle_report&) {
+        const auto now = std::chrono::steady_clock::now();
+        const auto taken = exchange_.taken(inputs());
+        if (data_.is_complete() && (taken == exchange_.given(outputs()) || taken != taken_)) good_ = now;
+        taken_ = taken;
+        if (now - good_ > longest_silence) runs_ = false;
+    }
+
+    traced_link<any_link> link_;
+    jauscat::ethercat::master& master_;
+    std::uint16_t station_;
+    jauscat::ethercat::image_exchange<jauscat::translation::set_wrench_effort_table,
+                                      jauscat::translation::report_wrench_effort_table>
+        exchange_;
+    std::chrono::nanoseconds period_;
+    jauscat::ethercat::process_data data_{};
+    std::optional<jauscat::net::cycle_runner<traced_link<any_link>>> cycles_{};
+    bool runs_{};
+    std::chrono::steady_clock::time_point good_{}; ///< when the slave last was as it should be
+    std::uint16_t taken_{};                        ///< the last command that it says it has taken
+};
+
+} // namespace example
