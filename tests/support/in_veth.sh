@@ -1,24 +1,31 @@
 #!/bin/sh
 # Runs a command where two virtual Ethernet interfaces, jc0 and jc1, are joined by a cable: in a network namespace of its
 # own, which ends with it. Root makes one directly, others inside a user namespace, where the machine permits that.
-# Otherwise the command is skipped; as root with CI=true that is a failure.
+# Where that or a tool is missing the command is skipped; as root with CI=true that is a failure.
 #
-#   in_veth.sh COMMAND...
+#   in_veth.sh [--needs TOOL]... COMMAND...
 set -eu
+
+skip() {
+    if [ "$(id -u)" -eq 0 ] && [ "${CI:-}" = true ]; then
+        echo "FAILED: $*" >&2
+        exit 1
+    fi
+    echo "SKIPPED: $*"
+    exit 0
+}
+while [ "${1:-}" = --needs ]; do
+    command -v "$2" >/dev/null || skip "$2 is missing"
+    shift 2
+done
 
 if [ "${1:-}" != --inside ]; then
     if [ "$(id -u)" -eq 0 ]; then options=--net; else options='--net --map-root-user'; fi
     # shellcheck disable=SC2086 # two options in one word
-    if reason=$(unshare $options ip link add jc0 type veth peer name jc1 2>&1); then
-        # shellcheck disable=SC2086
-        exec unshare $options "$0" --inside "$@"
-    fi
-    if [ "$(id -u)" -eq 0 ] && [ "${CI:-}" = true ]; then
-        echo "no network namespace with a veth pair: $reason" >&2
-        exit 1
-    fi
-    echo "SKIPPED: no network namespace with a veth pair here: $reason"
-    exit 0
+    reason=$(unshare $options ip link add jc0 type veth peer name jc1 2>&1) ||
+        skip "no network namespace with a veth pair here: $reason"
+    # shellcheck disable=SC2086
+    exec unshare $options "$0" --inside "$@"
 fi
 
 shift
