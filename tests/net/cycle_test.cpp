@@ -1,0 +1,169 @@
+// Process data and a master on one link, over slaves in memory: what a cycle carries, loses and leaves time for.
+#include "ethercat/objects.hpp"
+#include "support/catch.hpp"
+#include "support/hex.hpp"
+#include <jauscat/ethercat/image_entries.hpp>
+#include <jauscat/ethercat/image_exchange.hpp>
+#include <jauscat/ethercat/loopback_link.hpp>
+#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/net/run_cycle.hpp>
+#include <jauscat/net/run_master.hpp>
+#include <jauscat/schema/translation/wrench_effort_image.hpp>
+
+#include <functional>
+#include <thread>
+
+using namespace jauscat;
+using namespace std::chrono_literals;
+
+namespace {
+
+using translation::wrench_effort_image;
+constexpr std::uint16_t station = 7;
+
+/// A loopback that can lose frames, and waits where a real link would.
+class lossy_link {
+  public:
+    explicit lossy_link(std::span<ethercat::slave> slaves) : wire_{slaves} {}
+    std::function<bool(ethercat::command)> loses = [](auto) { return false; };
+    std::size_t process_frames{}, other_frames{};
+
+    bool send(std::span<const std::byte> frame) {
+        ethercat::frame_view view;
+        REQUIRE(view.parse(frame));
+        const auto cmd = (*view.begin()).header.cmd;
+        ++(cmd == ethercat::command::lrw ? process_frames : other_frames);
+        if (!wire_.send(frame)) return false;
+        if (!loses(cmd)) return true;
+        std::array<std::byte, ethercat::max_frame_size> lost{};
+        wire_.receive(lost, {});
+        return true;
+    }
+    std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
+        const auto size = wire_.receive(buffer, timeout);
+        if (size == 0) std::this_thread::sleep_for(timeout);
+        return size;
+    }
+
+  private:
+    ethercat::loopback_link wire_;
+};
+static_assert(ethercat::link<lossy_link>);
+
+/// One slave with the process data of a robot arm, in OP.
+struct robot {
+    static constexpr ethercat::slave_description description{
+        .outputs = ethercat::image_entries<wrench_effort_image, ethercat::image_objects::outputs>,
+        .inputs = ethercat::image_entries<wrench_effort_image, ethercat::image_objects::inputs>};
+    test::objects objects{};
+    ethercat::standard_objects dictionary{description, objects};
+    std::array<ethercat::slave, 1> slaves{ethercat::slave{description, dictionary}};
+    lossy_link link{slaves};
+    ethercat::master master{{.frame_timeout = 5ms, .frame_lifetime = 5ms, .retries = 3}};
+    ethercat::process_data data{};
+    net::cycle_runner<lossy_link> cycles;
+
+    explicit robot(const net::cycle_config& config = {.period = 2ms}) : cycles{link, data, master, config} {
+        done(master.bring_up(0, station));
+        done(master.configure(station));
+        done(master.change_state(station, ethercat::al_state::safe_op));
+        data = ethercat::process_data{master.slaves()};
+        done(master.change_state(station, ethercat::al_state::op));
+        link.process_frames = link.other_frames = 0;
+    }
+    void done(bool started) {
+        REQUIRE(started);
+        REQUIRE(net::run(link, master));
+    }
+    ethercat::slave& slave() { return slaves.front(); }
+    const ethercat::slave_record& record() { return *master.find(station); }
+};
+
+const auto nothing = [](auto&&...) {};
+
+} // namespace
+
+TEST_CASE("a JAUS command is in the slave's outputs one cycle after it came, and its report in the inputs") {
+    using exchange =
+        ethercat::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
+    robot r;
+    exchange jaus{{.subsystem = 2, .station = station}, 33};
+    const auto outputs = [&] { return r.data.outputs(r.record()); };
+    const auto inputs = [&] { return r.data.inputs(r.record()); };
+    r.cycles.run(nothing);
+    REQUIRE(r.data.is_complete());
+    REQUIRE(jaus.start(outputs(), inputs()));
+
+    const jaus::header head{.ack_nak = jaus::ack_nak::request,
+                            .command_code = exchange::command_code,
+                            .destination = {.instance = 1, .component = 33, .node = station, .subsystem = 2},
+                            .source = {.instance = 1, .component = 32, .node = 1, .subsystem = 1}};
+    REQUIRE(jaus.takes(head));
+    const auto report = r.cycles.run([&] { // what comes before the cycle's frame goes with it
+        REQUIRE(jaus.on_command(head, test::from_hex("0200 0180"), outputs(), inputs(), {}) == translate::errc::ok);
+    });
+    CHECK(report.sent);
+    CHECK(report.back);
+    CHECK(report.round_trip > 0ns);
+    REQUIRE(r.slave().take_outputs());
+    CHECK(test::to_hex(r.slave().outputs()) == "01 00 02 00 00 00 01 80 00 00 00 00 00 00 00 00 00 00 00 00 00 00");
+
+    std::ranges::copy(r.slave().outputs(), r.slave().inputs().begin()); // the slave has it in force
+    std::array<std::byte, 16> answer{};
+    CHECK(jaus.acknowledgement(inputs(), {}, answer) == 0);
+    r.cycles.run(nothing);
+    CHECK(jaus.acknowledgement(inputs(), {}, answer) == 16);
+    CHECK(jaus::split(answer).header.ack_nak == jaus::ack_nak::ack);
+}
+
+TEST_CASE("process data that do not come back are lost, and the next cycle goes all the same") {
+    robot r;
+    bool lose = false;
+    r.link.loses = [&](auto) { return lose; };
+    for (int i = 0; i != 9; ++i) {
+        lose = i % 3 == 1;
+        const auto report = r.cycles.run(nothing);
+        CHECK(report.sent);
+        CHECK(report.back == !lose);
+    }
+    r.cycles.run(nothing);
+    CHECK(r.data.statistics().sent == 10);
+    CHECK(r.data.statistics().complete == 7);
+    CHECK(r.data.statistics().lost == 3);
+}
+
+TEST_CASE("an upload goes on in the time that cycles leave, and costs none of them") {
+    robot r;
+    std::array<std::byte, 4> vendor{};
+    std::size_t cycles = 0;
+    for (int i = 0; i != 5; ++i) {
+        REQUIRE(r.master.upload(station, 0x1018, 1, vendor));
+        REQUIRE(r.cycles.run_job(1s, nothing, [&](const auto& report) {
+            ++cycles;
+            CHECK(report.back);
+        }));
+    }
+    CHECK(r.data.statistics().complete == cycles);
+    CHECK(r.link.process_frames == cycles);
+    CHECK(r.link.other_frames >= 10);
+}
+
+TEST_CASE("a job without answers is given up while cycles go on") {
+    robot r;
+    r.link.loses = [](ethercat::command cmd) { return cmd != ethercat::command::lrw; };
+    std::array<std::byte, 4> vendor{};
+    REQUIRE(r.master.upload(station, 0x1018, 1, vendor));
+    CHECK(r.cycles.run_job(10s, nothing, nothing).error == ethercat::master_errc::no_reply);
+    REQUIRE(r.master.upload(station, 0x1018, 1, vendor));
+    CHECK(r.cycles.run_job(6ms, nothing, nothing).error == ethercat::master_errc::timeout);
+    CHECK(r.data.statistics().complete == r.data.statistics().sent);
+}
+
+TEST_CASE("no frame of the master's begins in the part of a cycle that is kept for the next") {
+    robot r{{.period = 2ms, .reserve = 1}}; // all of it
+    std::array<std::byte, 4> vendor{};
+    REQUIRE(r.master.upload(station, 0x1018, 1, vendor));
+    CHECK(r.cycles.run_job(20ms, nothing, nothing).error == ethercat::master_errc::timeout);
+    CHECK(r.link.other_frames == 0);
+    CHECK(r.data.statistics().complete > 2);
+}
