@@ -56,12 +56,11 @@ class outstanding_frame {
                (!station || back.adp == sent.adp);
     }
 
-    // Never 0, which stands for an index that was not used.
-    static std::uint16_t mark_of(const datagram_header& sent) noexcept {
-        return static_cast<std::uint16_t>((sent.ado * 31u + sent.length * 7u + static_cast<unsigned>(sent.cmd)) | 1u);
+    static std::uint32_t mark_of(const datagram_header& sent) noexcept {
+        return std::uint32_t{sent.ado} << 16 | std::uint32_t{sent.length} << 5 | static_cast<std::uint32_t>(sent.cmd);
     }
 
-    std::array<std::uint16_t, 256> marks_{};
+    std::array<std::uint32_t, 256> marks_{}; // 0, a command that does nothing, where an index was not used
     std::array<datagram_header, capacity> sent_{};
     std::array<datagram_view, capacity> replies_{};
     std::size_t count_{};
