@@ -552,6 +552,23 @@ TEST_CASE("a repeat goes at once, and what follows it waits until the lost frame
     CHECK(b.objects.writes == 2);
 }
 
+TEST_CASE("a broken ring is noticed by the mark that its frames bring back") {
+    bench b;
+    REQUIRE(b.bring_up());
+    CHECK(b.master.statistics().circulated == 0);
+    b.link.on_way_back = [](bytes& frame) {
+        mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto datagram : view) {
+            auto header = datagram.header;
+            header.circulating = true;
+            REQUIRE(wire::encode(header, datagram.bytes));
+        }
+    };
+    CHECK(b.download());
+    CHECK(b.master.statistics().circulated == 3);
+}
+
 TEST_CASE("a second master on the wire is noticed, and a late reply is not taken for one") {
     bench b;
     REQUIRE(b.bring_up());

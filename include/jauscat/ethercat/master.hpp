@@ -27,10 +27,11 @@ namespace jauscat::ethercat {
 /// What a master has seen on its link, in frames.
 struct master_statistics {
     std::uint64_t sent{};
-    std::uint64_t received{}; ///< replies that were waited for
-    std::uint64_t lost{};     ///< replies that did not come in time
-    std::uint64_t ignored{};  ///< late, duplicate and foreign frames
-    std::uint64_t foreign{};  ///< of those: never sent here. Another master uses this wire.
+    std::uint64_t received{};   ///< replies that were waited for
+    std::uint64_t lost{};       ///< replies that did not come in time
+    std::uint64_t ignored{};    ///< late, duplicate and foreign frames
+    std::uint64_t foreign{};    ///< of those: never sent here. Another master uses this wire.
+    std::uint64_t circulated{}; ///< replies that a slave without a link to the master has marked: the ring is broken
 };
 
 /// Start a job; then, until `idle()`: send what `next_frame` gives, pass what arrives to `on_frame`, and call `on_time`
@@ -181,6 +182,7 @@ class master {
             return false;
         }
         ++statistics_.received;
+        if (datagrams.front().header.circulating) ++statistics_.circulated;
         if (config_.frames_may_be_copied) unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
         outstanding_.forget();
         losses_ = 0;
