@@ -158,6 +158,15 @@ private_message() {
         says out "$line"
     done
 }
+card_packets() {
+    expect 0 "${wrapper[@]}" "$bin/card_packets"
+    for line in "scan: ok (ulSta 0x00000000)" "2 slaves" "vendor 0x00001A2B, product 0x00000002" \
+        "0x1018:1 is 2b 1a 00 00" "state 4"; do
+        says out "$line"
+    done
+    expect 1 "${wrapper[@]}" "$bin/card_packets" no_such_link
+    says out "card_packets: "
+}
 strict_arm() {
     arm_options=(--strict)
     start_robot

@@ -1,0 +1,148 @@
+// Code made for a Hilscher EtherCAT master card (netX, cifX) on a plain network interface: it sends packets and takes
+// their confirmations, as it would through the card's driver. Without an argument the slaves are emulated in this
+// process; with one, "card_packets eth0", they are those on that interface.
+#include <jauscat/ethercat/loopback_link.hpp>
+#include <jauscat/ethercat/packet_job.hpp>
+#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/net/raw_link.hpp>
+#include <jauscat/net/run_master.hpp>
+#include <jauscat/schema/ethercat/hilscher_info.hpp>
+#include <jauscat/schema/ethercat/hilscher_state.hpp>
+#include <jauscat/text/packet_status.hpp>
+
+#include <array>
+#include <iostream>
+#include <stdexcept>
+#include <string_view>
+
+namespace {
+
+using namespace jauscat;
+
+/// Stands where the card's driver was: takes a packet, has our master execute it and keeps the confirmation.
+template <ethercat::link Link> class channel {
+  public:
+    explicit channel(Link& link) : link_{link} {}
+
+    void put_packet(std::span<const std::byte> request) {
+        ethercat::packet_job job{request, confirmation_};
+        for (bool runs = job.start(master_); runs; runs = job.next(master_))
+            static_cast<void>(net::run(link_, master_));
+        size_ = job.finish(master_.result());
+    }
+    [[nodiscard]] std::span<const std::byte> get_packet() const { return std::span{confirmation_}.first(size_); }
+
+  private:
+    Link& link_;
+    ethercat::master master_{};
+    std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation_{};
+    std::size_t size_{};
+};
+
+// From here on it is code for the card.
+
+class failed : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+template <class Channel> class host {
+  public:
+    explicit host(Channel& channel) : channel_{channel} {}
+
+    /// Sends a packet, with data behind its fields, and returns the confirmation's fields; what stands behind them is
+    /// `data`.
+    template <class Confirmation, class Request>
+    Confirmation ask(std::string_view service, Request request, std::span<const std::byte> with = {}) {
+        request.head.ul_dest = 0x20; // the channel in use
+        request.head.ul_id = ++id_;
+        request.head.ul_len = static_cast<std::uint32_t>(wire::max_size<Request> - header_size + with.size());
+        std::array<std::byte, ethercat::packet_job::confirmation_size> packet{};
+        const auto size = wire::encode(request, packet).size();
+        std::ranges::copy(with, packet.begin() + size);
+        channel_.put_packet(std::span{packet}.first(size + with.size()));
+
+        const auto answer = channel_.get_packet();
+        hilscher::packet_header head{};
+        Confirmation confirmation{};
+        if (!wire::decode_prefix(head, answer) || head.ul_id != id_) throw failed{"no confirmation"};
+        std::cout << service << ": " << text::explain(head.ul_sta) << "\n";
+        if (head.ul_sta != hilscher::packet_status::ok) throw failed{std::string{service} + " failed"};
+        const auto used = wire::decode_prefix(confirmation, answer);
+        if (!used) throw failed{"a confirmation that is too short"};
+        data = answer.subspan(used.size());
+        return confirmation;
+    }
+
+    std::span<const std::byte> data{}; ///< behind the fields of the last confirmation
+
+  private:
+    static constexpr std::size_t header_size = wire::max_size<hilscher::packet_header>;
+    Channel& channel_;
+    std::uint32_t id_{};
+};
+
+/// Finds the slaves, looks at the first one's identity object, and takes all of them to SAFE-OP.
+template <class Channel> void talk(Channel& channel) {
+    host card{channel};
+    const auto found = card.template ask<hilscher::start_bus_scan_confirmation>(
+        "scan", hilscher::start_bus_scan_request{.ul_timeout = 1000});
+    std::cout << "  " << found.ul_found_slaves << " slaves\n";
+    for (std::uint32_t i = 0; i != found.ul_found_slaves; ++i) {
+        const auto slave = card.template ask<hilscher::get_bus_scan_info_confirmation>(
+            "scan info", hilscher::get_bus_scan_info_request{.us_auto_inc_addr = static_cast<std::uint16_t>(0u - i)});
+        std::cout << "  vendor " << text::hex_number(slave.ul_vendor_id, 8) << ", product "
+                  << text::hex_number(slave.ul_product_code, 8) << "\n";
+    }
+
+    constexpr std::uint32_t first = 1; // stations in the order of the ring
+    const auto identity = card.template ask<hilscher::sdo_upload_confirmation>(
+        "upload", hilscher::sdo_upload_request{.ul_node_id = first, .ul_index = 0x1018, .ul_sub_index = 1});
+    std::cout << "  0x1018:1 is " << text::hex(card.data.first(identity.ul_data_cnt)) << "\n";
+
+    card.template ask<hilscher::set_state_confirmation>(
+        "set state", hilscher::set_state_request{.us_new_ec_state = hilscher::bus_state::safe_op});
+    const auto state = card.template ask<hilscher::get_state_confirmation>("state", hilscher::get_state_request{});
+    std::cout << "  state " << static_cast<unsigned>(state.us_current_ec_state) << "\n";
+}
+
+/// Two slaves that have nothing but what every slave has.
+class emulated_ring {
+  public:
+    ethercat::loopback_link& link() { return link_; }
+
+  private:
+    struct no_objects {
+        ethercat::object_read read(std::uint16_t, std::uint8_t, std::span<std::byte>) noexcept {
+            return {.error = ethercat::abort_code::no_object};
+        }
+        ethercat::abort_code write(std::uint16_t, std::uint8_t, std::span<const std::byte>) noexcept {
+            return ethercat::abort_code::no_object;
+        }
+    };
+    static constexpr ethercat::slave_description first{.vendor = 0x1A2B, .product = 1},
+        second{.vendor = 0x1A2B, .product = 2};
+    no_objects own_{};
+    ethercat::standard_objects first_{first, own_}, second_{second, own_};
+    std::array<ethercat::slave, 2> slaves_{ethercat::slave{first, first_}, ethercat::slave{second, second_}};
+    ethercat::loopback_link link_{slaves_};
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        if (argc > 1) {
+            net::raw_link link{argv[1]};
+            channel wire{link};
+            talk(wire);
+        } else {
+            emulated_ring ring;
+            channel wire{ring.link()};
+            talk(wire);
+        }
+    } catch (const std::exception& problem) {
+        std::cerr << "card_packets: " << problem.what() << "\n";
+        return 1;
+    }
+    return 0;
+}
