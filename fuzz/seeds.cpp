@@ -7,6 +7,7 @@
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
+#include <jauscat/schema/translation/wrench_effort_image.hpp>
 #include <jauscat/translate/translator.hpp>
 
 #include <filesystem>
@@ -43,7 +44,7 @@ template <class Table> void add_packet(seed_folder& folder, std::span<const std:
 
 void write_messages(const std::filesystem::path& root) {
     seed_folder message{root, "message"}, view{root, "view"}, dispatch{root, "dispatch"};
-    seed_folder translation{root, "translate"}, stream{root, "stream"};
+    seed_folder translation{root, "translate"}, stream{root, "stream"}, image{root, "image"};
     bytes line(2);
     for (const auto& golden : golden::vectors()) {
         const std::span<const std::byte> whole{golden.bytes};
@@ -55,6 +56,11 @@ void write_messages(const std::filesystem::path& root) {
         translation.add(whole);
         add_packet<translation::seed_table>(translation, whole);
         add_packet<translation::self_contained_table>(translation, whole);
+        if (golden.code == jaus::set_wrench_effort::command_code) {
+            bytes image_and_body(wire::max_size<translation::wrench_effort_image>);
+            append(image_and_body, whole.subspan(16));
+            image.add(image_and_body);
+        }
         append(line, whole);
         if (line.size() > 200) {
             stream.add(line);
