@@ -5,6 +5,7 @@
 #include <jauscat/net/jaus_config.hpp>
 #include <jauscat/net/jausip.hpp>
 #include <jauscat/net/latency_histogram.hpp>
+#include <jauscat/net/multicast.hpp>
 #include <jauscat/net/next_hop.hpp>
 #include <jauscat/net/open_error.hpp>
 #include <jauscat/net/outcome.hpp>
@@ -13,5 +14,8 @@
 #include <jauscat/net/run_cycle.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/net/run_until.hpp>
+#include <jauscat/net/udp_counters.hpp>
 #include <jauscat/net/udp_link.hpp>
+#include <jauscat/net/udp_options.hpp>
 #include <jauscat/net/udp_transport.hpp>
+#include <jauscat/net/verdict.hpp>

@@ -4,13 +4,17 @@
 #include <jauscat/jaus/framing.hpp>
 #include <jauscat/net/detail/bind_udp.hpp>
 #include <jauscat/net/detail/icmp_errors.hpp>
+#include <jauscat/net/detail/receive_batch.hpp>
+#include <jauscat/net/detail/send_parts.hpp>
+#include <jauscat/net/multicast.hpp>
 #include <jauscat/net/outcome.hpp>
+#include <jauscat/net/udp_counters.hpp>
+#include <jauscat/net/verdict.hpp>
 
-#include <boost/asio/buffer.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>
 
-#include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -18,8 +22,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
-#include <vector>
 
 namespace jauscat::net {
 
@@ -40,33 +44,44 @@ class udp_transport {
     /// a datagram that holds no message, a failed receive. The transport goes on receiving.
     using error_handler = std::function<void(std::string_view text)>;
 
-    struct counters {
-        std::uint64_t received{}; ///< messages given to the handler
-        std::uint64_t sent{};     ///< messages the network took
-        std::uint64_t refused{};  ///< messages that a peer's machine or a router sent back: closed port, no way
-        std::uint64_t errors{};   ///< everything else that failed, either way
-    };
+    /// Called with each datagram's content, framing removed, before anything is done with it; it may be empty.
+    using filter = std::function<verdict(std::span<const std::byte> message, const endpoint& from)>;
 
-    /// Opens and binds the socket; port 0 lets the system choose. Throws `open_error`.
-    udp_transport(boost::asio::io_context& context, const endpoint& local)
-        : socket_{context}, buffer_(max_datagram_size + 1) {
-        detail::bind_udp(socket_, local);
+    using counters = udp_counters;
+
+    /// Opens and binds the socket; port 0 lets the system choose. Throws `open_error`. A socket bound to `::` receives
+    /// and sends IPv4 too; the endpoints that it shows and takes are then those of IPv4.
+    udp_transport(boost::asio::io_context& context, const endpoint& local, const udp_options& options = {})
+        : socket_{context}, v6_{local.protocol() == boost::asio::ip::udp::v6()} {
+        detail::bind_udp(socket_, local, options);
         detail::want_icmp_errors(socket_, local.protocol());
+        detail::want_drop_count(socket_);
     }
 
     udp_transport(const udp_transport&) = delete;
     udp_transport& operator=(const udp_transport&) = delete;
 
-    /// Receives from now on, while the io_context runs. An exception from a handler leaves the io_context's `run` and
-    /// ends receiving; `start` again to go on.
+    /// Receives from now on, while the io_context runs, up to `detail::receive_batch::capacity` datagrams between two
+    /// other handlers of the io_context. An exception from a handler leaves the io_context's `run` and ends receiving;
+    /// `start` again to go on with the datagram behind.
     void start(message_handler on_message, error_handler on_error) {
         on_message_ = std::move(on_message);
         on_error_ = std::move(on_error);
         receive();
     }
 
-    /// Sends one message with the given framing. Fails for an empty message, one that does not fit a datagram, and
-    /// when the network refuses at once; a closed port at the peer is told later, to the error handler.
+    /// Hands on what `accept` takes, and counts the rest without a report: a flood of datagrams from strangers is not
+    /// to become a flood of lines in a log.
+    void set_filter(filter accept) { filter_ = std::move(accept); }
+
+    /// Also receives what is sent to a group; see net::join_group for what that takes. Throws `open_error`.
+    void join(const multicast_options& options) { join_group(socket_, options); }
+
+    /// Interface, reach and echo of what is sent to a group from here. Throws `open_error`.
+    void send_multicast_by(const multicast_options& options) { set_multicast_sending(socket_, options); }
+
+    /// Sends one message with the given framing; does not wait. Fails for an empty message, one that does not fit a
+    /// datagram, and when the network refuses at once; a closed port at the peer is told later, to the error handler.
     outcome send(std::span<const std::byte> message, const endpoint& to, jaus::framing framing = jaus::framing::bare) {
         const auto prefix = jaus::prefix(framing);
         if (message.empty()) return failure("an empty message is not sent");
@@ -74,18 +89,23 @@ class udp_transport {
             return failure("a message of " + std::to_string(message.size()) + " bytes does not fit a datagram of " +
                            std::to_string(max_datagram_size) + " bytes; send it in several packets");
 
-        const std::array parts{boost::asio::const_buffer{prefix.data(), prefix.size()},
-                               boost::asio::const_buffer{message.data(), message.size()}};
-        boost::system::error_code error;
-        socket_.send_to(parts, to, 0, error);
+        const auto target = in_family(to);
+        int error = detail::send_parts(socket_, prefix, message, target);
         // An earlier datagram's refusal, perhaps another peer's, is reported in place of sending: take it and repeat.
-        if (error && take_refusals() > 0) socket_.send_to(parts, to, 0, error);
-        if (error) return failure("cannot send to " + detail::text(to) + ": " + error.message());
-        ++counters_.sent;
-        return {};
+        if (error != 0 && take_refusals() > 0) error = detail::send_parts(socket_, prefix, message, target);
+        if (error == 0) {
+            ++counters_.sent;
+            return {};
+        }
+        auto problem = "cannot send to " + detail::text(to) + ": " + std::generic_category().message(error);
+        if (!detail::is_back_pressure(error)) return failure(std::move(problem));
+        ++counters_.would_block;
+        return outcome{problem +
+                       "; the network takes less than is sent: send more slowly, or set a larger send_buffer"};
     }
 
-    /// Closes the socket; no handler is called afterwards.
+    /// Closes the socket and leaves its groups; what was sent goes out, what was received is dropped, and no handler is
+    /// called afterwards.
     void stop() {
         boost::system::error_code ignored;
         socket_.close(ignored);
@@ -99,50 +119,76 @@ class udp_transport {
   private:
     void receive() {
         // The token outlives nothing: it tells a completion that was already queued that the transport is gone.
-        const auto complete = [this, token = std::weak_ptr<char>{alive_}](boost::system::error_code error,
-                                                                          std::size_t size) {
+        const auto complete = [this, token = std::weak_ptr<char>{alive_}](boost::system::error_code error) {
             if (token.expired() || !socket_.is_open()) return;
             if (error)
-                receive_failed(error);
+                report("waiting for datagrams failed: " + error.message());
             else
-                received(std::span<const std::byte>{buffer_}.first(size));
+                receive_batch();
             if (socket_.is_open()) receive();
         };
-        socket_.async_receive_from(boost::asio::buffer(buffer_), from_, complete);
+        socket_.async_wait(boost::asio::ip::udp::socket::wait_read, complete);
     }
 
-    void received(std::span<const std::byte> datagram) {
-        const auto [framing, message] = jaus::remove_framing(datagram);
-        if (datagram.size() > max_datagram_size)
-            report("a datagram from " + detail::text(from_) + " is larger than " + std::to_string(max_datagram_size) +
-                   " bytes and was dropped");
-        else if (message.empty())
-            report("a datagram from " + detail::text(from_) + " holds no message");
-        else {
-            ++counters_.received;
-            on_message_(message, from_, framing);
+    void receive_batch() {
+        // After an exception there are some left.
+        const int error = batch_.empty() ? batch_.receive(socket_.native_handle()) : 0;
+        if (error != 0) return receive_failed(error);
+        while (socket_.is_open() && !batch_.empty()) {
+            const auto datagram = batch_.bytes();
+            const auto from = shown(batch_.from());
+            const bool truncated = batch_.truncated();
+            count_drops(batch_.dropped_before());
+            batch_.pop(); // before a handler may throw; the bytes stay until the next batch
+            received(datagram, from, truncated);
         }
     }
 
-    void receive_failed(boost::system::error_code error) {
+    void received(std::span<const std::byte> datagram, const endpoint& from, bool truncated) {
+        const auto [framing, message] = jaus::remove_framing(datagram);
+        if (truncated) {
+            ++counters_.oversize;
+            if (!filter_)
+                tell("a datagram from " + detail::text(from) + " is larger than " + std::to_string(max_datagram_size) +
+                     " bytes and was dropped");
+        } else if (const auto decision = filter_ ? filter_(message, from) : verdict::taken; decision != verdict::taken)
+            counters_.count(decision);
+        else if (message.empty())
+            report("a datagram from " + detail::text(from) + " holds no message");
+        else {
+            ++counters_.received;
+            on_message_(message, from, framing);
+        }
+    }
+
+    void receive_failed(int error) {
         // A refusal that `send` took from the queue in the meantime has been reported there.
-        if (take_refusals() == 0 && error != boost::asio::error::connection_refused)
-            report("receiving failed: " + error.message());
+        if (take_refusals() == 0 && error != ECONNREFUSED && error != EAGAIN && error != EINTR)
+            report("receiving failed: " + std::generic_category().message(error));
+    }
+
+    void count_drops(std::uint32_t dropped) noexcept {
+        if (dropped == 0) return; // the kernel tells only once there are some
+        counters_.dropped += dropped - dropped_;
+        dropped_ = dropped;
     }
 
     std::size_t take_refusals() {
         return detail::take_icmp_errors(socket_, [this](const endpoint& sent_to, std::error_code error) {
             ++counters_.refused;
-            if (on_error_)
-                on_error_(detail::text(sent_to) + (error == std::errc::connection_refused
-                                                       ? ": closed port: no program receives there"
-                                                       : ": not delivered: " + error.message()));
+            tell(detail::text(shown(sent_to)) + (error == std::errc::connection_refused
+                                                     ? ": closed port: no program receives there"
+                                                     : ": not delivered: " + error.message()));
         });
+    }
+
+    void tell(const std::string& text) {
+        if (on_error_) on_error_(text);
     }
 
     void report(const std::string& text) {
         ++counters_.errors;
-        if (on_error_) on_error_(text);
+        tell(text);
     }
 
     outcome failure(std::string text) {
@@ -150,12 +196,24 @@ class udp_transport {
         return outcome{std::move(text)};
     }
 
+    /// A socket of IPv6 names the addresses of IPv4 in its own form, ::ffff:127.0.0.1.
+    endpoint in_family(const endpoint& to) const {
+        if (!v6_ || to.address().is_v6()) return to;
+        return {boost::asio::ip::make_address_v6(boost::asio::ip::v4_mapped, to.address().to_v4()), to.port()};
+    }
+    static endpoint shown(const endpoint& from) {
+        if (from.address().is_v4() || !from.address().to_v6().is_v4_mapped()) return from;
+        return {boost::asio::ip::make_address_v4(boost::asio::ip::v4_mapped, from.address().to_v6()), from.port()};
+    }
+
     boost::asio::ip::udp::socket socket_;
-    std::vector<std::byte> buffer_; ///< one byte more than the largest datagram, so that a larger one shows
-    endpoint from_{};
+    bool v6_;
+    detail::receive_batch<max_datagram_size> batch_{};
     message_handler on_message_{};
     error_handler on_error_{};
+    filter filter_{};
     counters counters_{};
+    std::uint32_t dropped_{}; ///< the kernel's count, modulo 2^32, at the last datagram
     std::shared_ptr<char> alive_{std::make_shared<char>()};
 };
 

@@ -1,0 +1,106 @@
+// Taking several datagrams from a UDP socket with one system call (Linux recvmmsg), into memory that is used again.
+#pragma once
+
+#include <boost/asio/ip/udp.hpp>
+
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <sys/socket.h>
+#include <sys/uio.h>
+
+namespace jauscat::net::detail {
+
+/// Up to `capacity` datagrams of at most `MaxSize` bytes each.
+///
+/// The memory is reserved once and touched as far as datagrams reach into it: with messages of up to one page, one page
+/// for each datagram of the largest batch that there was.
+template <std::size_t MaxSize> class receive_batch {
+  public:
+    using endpoint = boost::asio::ip::udp::endpoint;
+
+    /// A wake-up costs two system calls, which this many datagrams share.
+    static constexpr std::size_t capacity = 32;
+
+    receive_batch() {
+        for (std::size_t i = 0; i != capacity; ++i) {
+            parts_[i] = {.iov_base = memory_.get() + i * stride, .iov_len = MaxSize};
+            messages_[i].msg_hdr.msg_iov = &parts_[i];
+            messages_[i].msg_hdr.msg_iovlen = 1;
+        }
+    }
+    receive_batch(const receive_batch&) = delete;
+    receive_batch& operator=(const receive_batch&) = delete;
+
+    /// Takes what waits at `socket`, without waiting. Returns errno; 0 when there was at least one.
+    int receive(int socket) noexcept {
+        next_ = count_ = 0;
+        for (std::size_t i = 0; i != capacity; ++i) {
+            auto& head = messages_[i].msg_hdr;
+            head.msg_name = senders_[i].data();
+            head.msg_namelen = static_cast<socklen_t>(senders_[i].capacity());
+            head.msg_control = control_[i].bytes.data();
+            head.msg_controllen = control_[i].bytes.size();
+        }
+        const int count = ::recvmmsg(socket, messages_.data(), capacity, MSG_DONTWAIT, nullptr);
+        if (count < 0) return errno;
+        count_ = static_cast<std::size_t>(count);
+        return 0;
+    }
+
+    [[nodiscard]] bool empty() const noexcept { return next_ == count_; }
+
+    /// Forgets the first of those that are left.
+    void pop() noexcept { ++next_; }
+
+    /// The first of those that are left.
+    [[nodiscard]] std::span<const std::byte> bytes() const noexcept {
+        return {memory_.get() + next_ * stride, messages_[next_].msg_len};
+    }
+    [[nodiscard]] const endpoint& from() noexcept {
+        senders_[next_].resize(messages_[next_].msg_hdr.msg_namelen);
+        return senders_[next_];
+    }
+    /// It was larger than `MaxSize`; the rest is lost.
+    [[nodiscard]] bool truncated() const noexcept { return (messages_[next_].msg_hdr.msg_flags & MSG_TRUNC) != 0; }
+
+    /// How many datagrams the kernel had dropped at this socket, modulo 2^32, when it received this one; 0 if none. See
+    /// `want_drop_count`.
+    [[nodiscard]] std::uint32_t dropped_before() noexcept {
+        auto& head = messages_[next_].msg_hdr;
+        for (auto* part = CMSG_FIRSTHDR(&head); part != nullptr; part = CMSG_NXTHDR(&head, part)) {
+            if (part->cmsg_level != SOL_SOCKET || part->cmsg_type != SO_RXQ_OVFL) continue;
+            std::uint32_t count{};
+            std::memcpy(&count, CMSG_DATA(part), sizeof count);
+            return count;
+        }
+        return 0;
+    }
+
+  private:
+    /// Not a multiple of a page: the first bytes of all would compete for the same few lines of the cache.
+    static constexpr std::size_t stride = (MaxSize / 64 + 2) * 64;
+
+    struct control {
+        alignas(cmsghdr) std::array<std::byte, CMSG_SPACE(sizeof(std::uint32_t))> bytes;
+    };
+
+    std::unique_ptr<std::byte[]> memory_ = std::make_unique_for_overwrite<std::byte[]>(capacity * stride);
+    std::array<endpoint, capacity> senders_{};
+    std::array<control, capacity> control_{};
+    std::array<iovec, capacity> parts_{};
+    std::array<mmsghdr, capacity> messages_{};
+    std::size_t next_{}, count_{};
+};
+
+/// Makes the kernel tell, with each datagram, how many it had to drop because the socket's buffer was full.
+inline void want_drop_count(boost::asio::ip::udp::socket& socket) noexcept {
+    const int on = 1;
+    ::setsockopt(socket.native_handle(), SOL_SOCKET, SO_RXQ_OVFL, &on, sizeof on);
+}
+
+} // namespace jauscat::net::detail

@@ -1,0 +1,86 @@
+// Multicast at a UDP socket: taking part in a group, and how far what is sent to one goes. IPv4 and IPv6 alike.
+#pragma once
+
+#include <jauscat/net/open_error.hpp>
+#include <jauscat/net/udp_options.hpp>
+
+#include <boost/asio/ip/udp.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <net/if.h>
+#include <netinet/in.h>
+#include <string>
+#include <sys/socket.h>
+
+namespace jauscat::net {
+
+namespace detail {
+
+/// Why an option of multicast was not taken, with what to do.
+[[noreturn]] inline void fail_multicast(const multicast_options& options, const char* what, int error) {
+    auto reason = std::string{what} + ' ' + options.group.to_string();
+    if (!options.interface.empty()) reason += " on " + options.interface;
+    reason += std::string{": "} + std::strerror(error);
+    if (error == ENODEV || error == EADDRNOTAVAIL)
+        reason += options.interface.empty() ? "; no route leads there: name an interface" : "; see ip -brief address";
+    if (error == ENOBUFS) reason += "; see sysctl net.ipv4.igmp_max_memberships";
+    throw open_error{reason};
+}
+
+/// The interface's number; 0 for no name, which leaves the choice to the routing table. Throws `open_error`.
+inline unsigned multicast_interface(const multicast_options& options) {
+    if (options.interface.empty()) return 0;
+    const auto index = ::if_nametoindex(options.interface.c_str());
+    if (index == 0) fail_multicast(options, "cannot use the multicast group", ENODEV);
+    return index;
+}
+
+template <class T> bool set_option(int socket, int level, int name, const T& value) noexcept {
+    return ::setsockopt(socket, level, name, &value, sizeof value) == 0;
+}
+
+inline void need_multicast_group(const multicast_options& options) {
+    if (!options.group.is_multicast())
+        throw open_error{options.group.to_string() + " is no multicast group; use 224.1.0.1"};
+}
+
+} // namespace detail
+
+/// Makes `socket`, bound to the group's port, receive what is sent to the group. It hears the group if it is bound to
+/// the group's address or to none (0.0.0.0, ::), not if it is bound to an address of this host. Throws `open_error`.
+inline void join_group(boost::asio::ip::udp::socket& socket, const multicast_options& options) {
+    detail::need_multicast_group(options);
+    group_req request{};
+    request.gr_interface = detail::multicast_interface(options);
+    const boost::asio::ip::udp::endpoint group{options.group, 0};
+    std::memcpy(&request.gr_group, group.data(), group.size());
+    const bool v6 = options.group.is_v6();
+    if (!detail::set_option(socket.native_handle(), v6 ? IPPROTO_IPV6 : IPPROTO_IP, MCAST_JOIN_GROUP, request))
+        detail::fail_multicast(options, "cannot join the multicast group", errno);
+    // Without this a socket bound to no address also receives the groups that other programs have joined.
+    detail::set_option(socket.native_handle(), v6 ? IPPROTO_IPV6 : IPPROTO_IP,
+                       v6 ? IPV6_MULTICAST_ALL : IP_MULTICAST_ALL, int{0});
+}
+
+/// Chooses the interface, the reach and the echo of what `socket` sends to a group. Throws `open_error`.
+inline void set_multicast_sending(boost::asio::ip::udp::socket& socket, const multicast_options& options) {
+    detail::need_multicast_group(options);
+    const int handle = socket.native_handle(), ttl = options.ttl, loop = options.loop ? 1 : 0;
+    const auto index = detail::multicast_interface(options);
+    bool done = false;
+    if (options.group.is_v6()) {
+        done = detail::set_option(handle, IPPROTO_IPV6, IPV6_MULTICAST_HOPS, ttl) &&
+               detail::set_option(handle, IPPROTO_IPV6, IPV6_MULTICAST_LOOP, loop) &&
+               (index == 0 || detail::set_option(handle, IPPROTO_IPV6, IPV6_MULTICAST_IF, static_cast<int>(index)));
+    } else {
+        ip_mreqn request{};
+        request.imr_ifindex = static_cast<int>(index);
+        done = detail::set_option(handle, IPPROTO_IP, IP_MULTICAST_TTL, ttl) &&
+               detail::set_option(handle, IPPROTO_IP, IP_MULTICAST_LOOP, loop) &&
+               (index == 0 || detail::set_option(handle, IPPROTO_IP, IP_MULTICAST_IF, request));
+    }
+    if (!done) detail::fail_multicast(options, "cannot send to the multicast group", errno);
+}
+
+} // namespace jauscat::net
