@@ -66,7 +66,8 @@ read -ra wrapper <<<"${NODE_WRAPPER:-}"
 link=(--ethercat-port "$slave_port")
 master_link=()
 master_options=()
-[ ${#wrapper[@]} -eq 0 ] || master_options=(--frame-timeout 1000) # what wraps the nodes may slow them down
+cycle=2000
+[ ${#wrapper[@]} -eq 0 ] || { master_options=(--frame-timeout 1000) cycle=30000; } # what wraps the nodes may slow them down
 table=seed
 node() { # NAME LOG ARGUMENTS...
     local log=$2
@@ -332,7 +333,7 @@ small_mailbox() { # of 8 bytes of data in a first message and 15 in a segment
     says out "--mailbox-size must be 24 to 1486"
 }
 command_by_process_data() {
-    master_options+=(--cycle 2000)
+    master_options+=(--cycle "$cycle")
     start_robot
     wait_for arm "state op, station address 2"
     the_command_arrives
@@ -356,7 +357,7 @@ command_by_process_data() {
     wait_for controller "sent Set Wrench Effort (NAK)"
 }
 other_messages_between_cycles() {
-    master_options+=(--cycle 2000)
+    master_options+=(--cycle "$cycle")
     start_robot
     expect_ocu 0 --send set_travel_speed desired_speed=2.5
     says arm "travel speed 2.4414435 m/s"
@@ -373,7 +374,7 @@ other_messages_between_cycles() {
     wait_for arm "in emergency: efforts ignored"
 }
 arm_restarts_between_cycles() {
-    master_options+=(--cycle 2000)
+    master_options+=(--cycle "$cycle")
     start_robot
     the_command_arrives
     kill "$arm_pid" && wait "$arm_pid" 2>/dev/null
@@ -387,7 +388,7 @@ arm_restarts_between_cycles() {
     the_command_arrives
 }
 controller_restarts_between_cycles() {
-    master_options+=(--cycle 2000)
+    master_options+=(--cycle "$cycle")
     start_robot
     the_command_arrives
     kill "$controller_pid" && wait "$controller_pid"
@@ -399,7 +400,7 @@ controller_restarts_between_cycles() {
 }
 cycles_are_measured() {
     start_arm
-    expect 0 "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period 2000 --seconds 2 --upload-every 100
+    expect 0 "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --seconds 2 --upload-every 100
     says out "22 bytes of outputs, 22 of inputs"
     says out "wake-up after the instant it was due"
     says out "round trip of the process data"
