@@ -86,7 +86,7 @@ template <class Channel> void talk(Channel& channel) {
     host card{channel};
     const auto found = card.template ask<hilscher::start_bus_scan_confirmation>(
         "scan", hilscher::start_bus_scan_request{.ul_timeout = 1000});
-    std::cout << "  " << found.ul_found_slaves << " slaves\n";
+    std::cout << "  slaves: " << found.ul_found_slaves << "\n";
     for (std::uint32_t i = 0; i != found.ul_found_slaves; ++i) {
         const auto slave = card.template ask<hilscher::get_bus_scan_info_confirmation>(
             "scan info", hilscher::get_bus_scan_info_request{.us_auto_inc_addr = static_cast<std::uint16_t>(0u - i)});

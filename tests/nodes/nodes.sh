@@ -161,7 +161,7 @@ private_message() {
 }
 card_packets() {
     expect 0 "${wrapper[@]}" "$bin/card_packets"
-    for line in "scan: ok (ulSta 0x00000000)" "2 slaves" "vendor 0x00001A2B, product 0x00000002" \
+    for line in "scan: ok (ulSta 0x00000000)" "slaves: 2" "vendor 0x00001A2B, product 0x00000002" \
         "0x1018:1 is 2b 1a 00 00" "state 4"; do
         says out "$line"
     done
@@ -454,6 +454,14 @@ raw_link_in_a_namespace() {
     start_raw_robot
     the_command_arrives
     says controller "raw Ethernet on if_m"
+}
+card_packets_on_a_wire() {
+    two_namespaces
+    prefix=(ip netns exec "$slave_ns") link=(--link raw --interface if_s)
+    start_arm
+    expect 0 ip netns exec "$master_ns" "${wrapper[@]}" "$bin/card_packets" if_m
+    says out "slaves: 1"
+    says out "state 4"
 }
 
 # What tshark makes of the SDO download of a full Set Wrench Effort; the capture is in $work/wire.pcap.
