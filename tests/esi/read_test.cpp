@@ -58,8 +58,8 @@ TEST_CASE("what other tools write in other ways is taken") {
     CHECK(parse(replaced(sample_esi(), "#x000006A5", "1701")) == sample);
     CHECK(parse(replaced(sample_esi(), "#x000006A5", "#x6a5")) == sample);
     CHECK(parse(replaced(sample_esi(), "\"#x26\"", "\"38\"")) == sample);
-    CHECK(parse(replaced(sample_esi(), "SdoInfo=\"false\"", "SdoInfo=\"0\"")) == sample);
-    CHECK(parse(replaced(sample_esi(), " CompleteAccess=\"false\"", "")) == sample);
+    CHECK(parse(replaced(sample_esi(), "SdoInfo=\"true\"", "SdoInfo=\"1\"")) == sample);
+    CHECK(parse(replaced(sample_esi(), " PdoAssign=\"false\"", "")) == sample);
     CHECK(parse(replaced(sample_esi(), "<Vendor>", "<!-- who -->\n<Vendor FileVersion=\"3\">")) == sample);
     CHECK(parse(replaced(sample_esi(), "<GroupType>", "<Info/><GroupType>")) == sample);
     CHECK(parse("\xEF\xBB\xBF" + sample_esi()) == sample); // byte order mark
@@ -108,7 +108,7 @@ TEST_CASE("a missing or wrong value is named with its element") {
     CHECK(complaint_about(">MBoxIn<", ">MboxIn<") == "<Sm>: \"MboxIn\", expected MBoxOut, MBoxIn, Outputs or Inputs");
     CHECK(complaint_about("StartAddress=\"#x1600\"", "StartAddress=\"#x10000\"") ==
           "<Sm>: StartAddress=\"#x10000\", expected a number such as #x1A or 26, at most 65535");
-    CHECK(complaint_about("SdoInfo=\"false\"", "SdoInfo=\"no\"") == "<CoE>: SdoInfo=\"no\", expected true or false");
+    CHECK(complaint_about("SdoInfo=\"true\"", "SdoInfo=\"no\"") == "<CoE>: SdoInfo=\"no\", expected true or false");
     CHECK(complaint_about("</Devices>", "<Device/></Devices>") == "<Device>: a second device, expected one in a file");
 }
 

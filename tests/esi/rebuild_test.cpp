@@ -241,7 +241,7 @@ TEST_CASE("what an emulated slave cannot be is refused by name") {
           "\"arm <1>\": <Sm>: expected two, the mailbox; process data cannot be emulated");
     CHECK(complaint([](esi::device& d) { d.sync_managers[0].control = 0x22; }) ==
           "\"arm <1>\": <Sm>: SyncManagers that are not the mailbox alone cannot be emulated");
-    CHECK(complaint([](esi::device& d) { d.coe.sdo_information = true; }) ==
+    CHECK(complaint([](esi::device& d) { d.coe.sdo_information = false; }) ==
           "\"arm <1>\": <CoE>: these features cannot be emulated");
     CHECK(complaint([](esi::device& d) { d.eeprom.byte_size = 2048; }) ==
           "\"arm <1>\": <Eeprom>: this memory cannot be emulated");

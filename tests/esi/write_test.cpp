@@ -312,7 +312,7 @@ TEST_CASE("the document of a slave with one component is what is typed here") {
         <Sm DefaultSize="256" StartAddress="#x1000" ControlByte="#x26" Enable="1">MBoxOut</Sm>
         <Sm DefaultSize="256" StartAddress="#x1600" ControlByte="#x22" Enable="1">MBoxIn</Sm>
         <Mailbox DataLinkLayer="true">
-          <CoE SdoInfo="false" PdoAssign="false" PdoConfig="false" CompleteAccess="false" SegmentedSdo="false" />
+          <CoE SdoInfo="true" PdoAssign="false" PdoConfig="false" CompleteAccess="true" SegmentedSdo="false" />
         </Mailbox>
         <Eeprom>
           <ByteSize>512</ByteSize>

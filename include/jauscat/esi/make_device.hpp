@@ -45,54 +45,39 @@ struct no_objects {
     }
 };
 
-struct standard_entry {
-    std::uint16_t index{};
-    std::uint8_t subindex{};
-    std::string_view type{}; ///< empty: a string of the value's length
-    std::string_view name{};
-};
-
-// A line with subindex 0 begins an object, and has its name.
-inline constexpr std::array<standard_entry, 10> standard_entries{{
-    {ethercat::standard_indices::device_type, 0, "UDINT", "Device type"},
-    {ethercat::standard_indices::device_name, 0, "", "Device name"},
-    {ethercat::standard_indices::identity, 0, "USINT", "Identity"},
-    {ethercat::standard_indices::identity, 1, "UDINT", "Vendor ID"},
-    {ethercat::standard_indices::identity, 2, "UDINT", "Product code"},
-    {ethercat::standard_indices::identity, 3, "UDINT", "Revision"},
-    {ethercat::standard_indices::identity, 4, "UDINT", "Serial number"},
-    {ethercat::standard_indices::sync_manager_types, 0, "USINT", "SyncManager types"},
-    {ethercat::standard_indices::sync_manager_types, 1, "USINT", "SyncManager 0"},
-    {ethercat::standard_indices::sync_manager_types, 2, "USINT", "SyncManager 1"},
-}};
-
-inline constexpr const char* subindex_0_name = "Highest subindex";
+/// The name that an ESI gives a data type of a standard object.
+inline std::string type_name(const ethercat::entry_info& entry) {
+    switch (entry.data_type) {
+    case ethercat::data_types::unsigned8: return "USINT";
+    case ethercat::data_types::unsigned16: return "UINT";
+    case ethercat::data_types::unsigned32: return "UDINT";
+    default: return string_type(entry.bits / 8u);
+    }
+}
 
 /// The standard objects as a slave of that description answers with them.
 inline std::vector<object> describe_standard_objects(const ethercat::slave_description& slave) {
     no_objects none{};
     ethercat::standard_objects source{slave, none};
     std::vector<object> made;
-    for (const auto& each : standard_entries) {
-        std::vector<std::byte> value(64);
-        value.resize(source.read(each.index, each.subindex, value).size);
-        if (each.subindex == 0) {
-            made.push_back({.index = each.index,
-                            .name = std::string{each.name},
-                            .code = object_code::variable,
-                            .mandatory = each.index != ethercat::standard_indices::device_name});
-        } else { // more entries than one
-            made.back().code =
-                each.index == ethercat::standard_indices::sync_manager_types ? object_code::array : object_code::record;
-            made.back().entries.front().name = subindex_0_name;
+    for (auto index = source.next_index(0); index != 0; index = source.next_index(index)) {
+        const auto info = *source.describe(index);
+        made.push_back({.index = index,
+                        .name = std::string{info.name},
+                        .code = static_cast<object_code>(info.code),
+                        .mandatory = index != ethercat::standard_indices::device_name});
+        for (unsigned i = 0; i <= info.highest_subindex; ++i) {
+            const auto subindex = static_cast<std::uint8_t>(i);
+            const auto entry = *source.describe(index, subindex);
+            std::vector<std::byte> value(entry.bits / 8u);
+            static_cast<void>(source.read(index, subindex, value));
+            made.back().entries.push_back({.subindex = subindex,
+                                           .name = std::string{entry.name},
+                                           .type = type_name(entry),
+                                           .bit_size = entry.bits,
+                                           .readable = true,
+                                           .default_data = value});
         }
-        const auto type = each.type.empty() ? string_type(value.size()) : std::string{each.type};
-        made.back().entries.push_back({.subindex = each.subindex,
-                                       .name = std::string{each.name},
-                                       .type = type,
-                                       .bit_size = static_cast<std::uint32_t>(value.size()) * 8,
-                                       .readable = true,
-                                       .default_data = value});
     }
     return made;
 }
@@ -101,7 +86,7 @@ inline object describe_component(const translate::object_description& component)
     object made{.index = component.index, .name = std::string{component.name}, .code = object_code::record};
     made.properties.push_back({std::string{property_names::component}, std::to_string(component.component)});
     if (component.exact_size) made.properties.push_back({std::string{property_names::exact_size}, "true"});
-    made.entries.push_back({.name = subindex_0_name,
+    made.entries.push_back({.name = std::string{ethercat::highest_subindex_info.name},
                             .type = "USINT",
                             .bit_size = 8,
                             .readable = true,
@@ -125,7 +110,8 @@ inline object describe_component(const translate::object_description& component)
 /// `segmented_sdo`: it has memory for transfers in segments (`coe_options::transfer_memory`).
 inline device make_device(const ethercat::slave_description& slave, const device_texts& texts,
                           std::span<const translate::object_description> components, bool segmented_sdo) {
-    const auto image = ethercat::make_sii_image(slave);
+    // What the objects are, both kinds say themselves.
+    const auto image = ethercat::make_sii_image(slave, {.sdo_information = true, .complete_access = true});
     device made{.vendor_id = slave.vendor,
                 .vendor_name = texts.vendor_name,
                 .group_type = texts.group_type,
@@ -147,7 +133,7 @@ inline device make_device(const ethercat::slave_description& slave, const device
                            .default_size = slave.mailbox_in_size,
                            .control = 0x22,
                            .enabled = true}};
-    made.coe.segmented_sdo = segmented_sdo;
+    made.coe = {.sdo_information = true, .complete_access = true, .segmented_sdo = segmented_sdo};
     made.eeprom.byte_size = static_cast<std::uint32_t>(image.size());
     made.eeprom.config_data.assign(image.begin(), image.begin() + 14);
     return made;

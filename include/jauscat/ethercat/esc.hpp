@@ -2,6 +2,7 @@
 // an application does behind it in slave.hpp.
 #pragma once
 
+#include <jauscat/ethercat/copy_bits.hpp>
 #include <jauscat/ethercat/esc_memory.hpp>
 #include <jauscat/ethercat/fmmu_overlap.hpp>
 #include <jauscat/ethercat/frame_view.hpp>

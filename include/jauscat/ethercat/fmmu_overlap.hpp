@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace jauscat::ethercat {
 
@@ -41,17 +40,6 @@ struct fmmu_overlap {
     return {.data_bit = first - std::uint64_t{address} * 8,
             .memory_bit = std::uint64_t{mapping.physical_start} * 8 + mapping.physical_bit + (first - begin),
             .bits = last - first};
-}
-
-/// Copies `count` bits and leaves the others of `to` alone.
-constexpr void copy_bits(std::span<const std::byte> from, std::uint64_t from_bit, std::span<std::byte> to,
-                         std::uint64_t to_bit, std::uint64_t count) noexcept {
-    for (std::uint64_t i = 0; i != count; ++i) {
-        const auto in = from_bit + i, out = to_bit + i;
-        const bool set = (from[in / 8] >> (in % 8) & std::byte{1}) != std::byte{};
-        const auto mask = std::byte{1} << (out % 8);
-        to[out / 8] = set ? to[out / 8] | mask : to[out / 8] & ~mask;
-    }
 }
 
 } // namespace jauscat::ethercat

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace jauscat::ethercat {
@@ -17,8 +18,9 @@ enum class size_rule : std::uint8_t {
     exact,         ///< the largest only: a strict slave, which needs a table with fixed_length
 };
 
-/// The objects of a list, in front of an application that holds what is in them. Models object_source: an access that
-/// the list does not allow is aborted, all others reach the application. Subindex 0 is the highest subindex, read only.
+/// The objects of a list, in front of an application that holds what is in them. Models described_object_source: an
+/// access that the list does not allow is aborted, all others reach the application. Subindex 0 is the highest
+/// subindex, read only.
 class listed_objects {
   public:
     /// `objects` and what `application` refers to must outlive this. The application sees indices and subindices of the
@@ -57,6 +59,40 @@ class listed_objects {
         if (!allows(*object, *entry, data.size()))
             return is_exact(*object) ? abort_code::length_mismatch : abort_code::length_too_high;
         return application_.write(index, subindex, data);
+    }
+
+    [[nodiscard]] std::uint16_t next_index(std::uint16_t after) const noexcept {
+        std::uint16_t next{};
+        for (const auto& each : objects_)
+            if (each.index > after && (next == 0 || each.index < next)) next = each.index;
+        return next;
+    }
+    /// A record of octet strings.
+    [[nodiscard]] std::optional<object_info> describe(std::uint16_t index) const noexcept {
+        const auto* const object = find(index);
+        if (object == nullptr) return {};
+        // Subindices are ranks: most are missing, and the entries cannot be read together.
+        const bool all = object->entries.size() == object->highest_subindex() && is_exact(*object);
+        return object_info{.highest_subindex = object->highest_subindex(),
+                           .code = object_code::record,
+                           .name = object->name,
+                           .complete_access = all};
+    }
+    [[nodiscard]] std::optional<entry_info> describe(std::uint16_t index, std::uint8_t subindex) const noexcept {
+        const auto* const object = find(index);
+        if (object == nullptr) return {};
+        if (subindex == 0) return highest_subindex_info;
+        const auto* const entry = object->find(subindex);
+        if (entry == nullptr) return {};
+        const auto bits = std::min<std::size_t>(entry->max_size * std::size_t{8}, 0xFFFF);
+        const auto both = entry->readable && entry->writable;
+        return entry_info{.data_type = translate::octet_string_type,
+                          .bits = static_cast<std::uint16_t>(bits),
+                          .access = both              ? accessible_always
+                                    : entry->readable ? readable_always
+                                    : entry->writable ? writable_always
+                                                      : entry_access{},
+                          .name = entry->name};
     }
 
   private:

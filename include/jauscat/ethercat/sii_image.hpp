@@ -46,19 +46,31 @@ class sii_image {
     std::size_t size_{512};
 };
 
+/// What a slave can do with its objects besides SDO transfers.
+struct sii_coe_features {
+    bool sdo_information{};
+    bool complete_access{};
+};
+
 namespace detail {
 
 /// Writes the categories of one slave. Whatever the description, they fit: names that do not are left out.
 class sii_writer {
   public:
-    constexpr sii_writer(const slave_description& slave, std::span<std::byte> room) noexcept
-        : slave_{slave}, room_{room}, rest_{room} {}
+    constexpr sii_writer(const slave_description& slave, const sii_coe_features& coe,
+                         std::span<std::byte> room) noexcept
+        : slave_{slave}, coe_{coe}, room_{room}, rest_{room} {}
 
     /// Returns how many bytes they take.
     constexpr std::size_t write() noexcept {
         write_strings();
         put(sii_category_header{sii_category::general, 16});
-        put(sii_general{.order = 1, .name = 1, .sdo = true, .ports = 0x0011});
+        put(sii_general{.order = 1,
+                        .name = 1,
+                        .sdo = true,
+                        .sdo_information = coe_.sdo_information,
+                        .complete_access = coe_.complete_access,
+                        .ports = 0x0011});
         put(sii_category_header{sii_category::fmmu, 1});
         const auto outputs = slave_.outputs.empty() ? sii_fmmu_use::none : sii_fmmu_use::outputs;
         const auto inputs = slave_.inputs.empty() ? sii_fmmu_use::none : sii_fmmu_use::inputs;
@@ -167,6 +179,7 @@ class sii_writer {
     }
 
     const slave_description& slave_;
+    const sii_coe_features& coe_;
     std::span<std::byte> room_;
     std::span<std::byte> rest_;
     std::size_t names_{};
@@ -176,11 +189,12 @@ class sii_writer {
 
 /// The memory's contents: fixed words with checksum, and the categories strings, general, FMMU, SyncM and, with process
 /// data, TxPDO and RxPDO.
-[[nodiscard]] constexpr sii_image make_sii_image(const slave_description& slave) noexcept {
+[[nodiscard]] constexpr sii_image make_sii_image(const slave_description& slave,
+                                                 const sii_coe_features& coe = {}) noexcept {
     sii_image image{};
     const auto whole = image.whole();
     const std::size_t categories = sii_words::categories * 2;
-    const auto used = categories + detail::sii_writer{slave, whole.subspan(categories)}.write();
+    const auto used = categories + detail::sii_writer{slave, coe, whole.subspan(categories)}.write();
     image.fit(used);
     std::ranges::fill(whole.subspan(used), std::byte{0xFF});
 

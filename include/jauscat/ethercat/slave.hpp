@@ -5,11 +5,10 @@
 #include <jauscat/ethercat/esc.hpp>
 #include <jauscat/ethercat/object_dictionary.hpp>
 #include <jauscat/ethercat/sii_image.hpp>
-#include <jauscat/ethercat/slave_coe.hpp>
+#include <jauscat/ethercat/slave_mailbox.hpp>
 #include <jauscat/ethercat/slave_process_data.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
-#include <jauscat/schema/ethercat/mailbox.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
 
 #include <algorithm>
@@ -27,8 +26,9 @@ class slave {
     /// `objects`, what `description` refers to, and the memory in `options` must outlive the slave.
     slave(const slave_description& description, object_dictionary objects, const coe_options& options = {}) noexcept
         : description_{description},
-          coe_{objects, options},
-          sii_{make_sii_image(description)},
+          mailbox_{description, objects, options},
+          sii_{make_sii_image(description,
+                              {.sdo_information = objects.is_described(), .complete_access = objects.is_described()})},
           process_data_{description} {
         power_on();
     }
@@ -39,8 +39,7 @@ class slave {
         esc_.store(esc_registers::station_alias, esc_word{description_.station_alias});
         esc_.store(esc_registers::sii_control, sii_request{.eight_byte_reads = description_.eight_byte_sii_reads,
                                                            .two_address_bytes = sii_.size() > 2048});
-        forget_mailbox();
-        coe_.power_on();
+        mailbox_.power_on(esc_);
         process_data_.power_on(esc_);
     }
     /// Whether another slave is connected behind this one, for masters that look at the wiring. Kept at power-on.
@@ -60,7 +59,7 @@ class slave {
         if (esc_.take_al_control()) change_state();
         if (esc_.take_sii_command()) access_sii();
         process_data_.work(esc_, state());
-        if (state() != al_state::init) serve_mailbox();
+        if (state() != al_state::init) mailbox_.work(esc_);
     }
 
     /// The SyncManager watchdog: a slave in OP that has a master's outputs no longer goes to SAFE-OP with an error
@@ -70,6 +69,7 @@ class slave {
         if (state() != al_state::op || !process_data_.expired(esc_, now)) return;
         const al_status lost{.state = al_state::safe_op, .error = true, .code = al_status_code::sync_manager_watchdog};
         esc_.store(esc_registers::al_status, lost);
+        mailbox_.set_state(lost.state);
     }
 
     /// The outputs that are in force: what a master wrote last in OP. What is safe without a master, the application
@@ -89,8 +89,6 @@ class slave {
     }
 
   private:
-    static constexpr auto mailbox_out = manager_numbers::mailbox_out, mailbox_in = manager_numbers::mailbox_in;
-
     void change_state() noexcept {
         const auto control = esc_.load<al_control>(esc_registers::al_control);
         auto status = esc_.load<al_status>(esc_registers::al_status);
@@ -103,9 +101,14 @@ class slave {
         } else {
             status.error = true;
         }
-        if (from_init || status.state == al_state::init) forget_mailbox();
+        if (from_init || status.state == al_state::init) mailbox_.forget(esc_);
         esc_.store(esc_registers::al_status, status);
-        process_data_.enter(esc_, status.state);
+        enter(status.state);
+    }
+
+    void enter(al_state state) noexcept {
+        process_data_.enter(esc_, state);
+        mailbox_.set_state(state);
     }
 
     // ETG.1000.6, table 106: one step up at a time, any step down.
@@ -115,27 +118,15 @@ class slave {
         case al_state::boot: return al_status_code::boot_not_supported;
         case al_state::pre_op:
             if (from != al_state::init) return al_status_code::none;
-            return mailbox_is_configured() ? al_status_code::none : al_status_code::mailbox_pre_op;
+            return mailbox_.is_configured(esc_) ? al_status_code::none : al_status_code::mailbox_pre_op;
         case al_state::safe_op:
             if (from == al_state::init) return al_status_code::invalid_state_change;
-            return process_data_.refusal(esc_);
+            return from == al_state::op ? al_status_code::none : process_data_.refusal(esc_);
         case al_state::op:
             if (from != al_state::safe_op && from != al_state::op) return al_status_code::invalid_state_change;
             return process_data_.refusal(esc_);
         }
         return al_status_code::unknown_state;
-    }
-
-    [[nodiscard]] bool mailbox_is_configured() noexcept {
-        const auto matches = [this](const sync_manager& sm, std::uint16_t start, std::uint16_t length,
-                                    sync_manager_direction direction) {
-            return sm.enable && sm.mode == sync_manager_mode::mailbox && sm.direction == direction &&
-                   sm.start == start && sm.length == length && esc_.area(sm).size() >= min_mailbox_size;
-        };
-        return matches(esc_.manager(mailbox_out), description_.mailbox_out_offset, description_.mailbox_out_size,
-                       sync_manager_direction::master_writes) &&
-               matches(esc_.manager(mailbox_in), description_.mailbox_in_offset, description_.mailbox_in_size,
-                       sync_manager_direction::master_reads);
     }
 
     void access_sii() noexcept {
@@ -154,63 +145,11 @@ class slave {
         esc_.store(esc_registers::sii_control, access);
     }
 
-    void forget_mailbox() noexcept {
-        last_counter_ = 0;
-        replied_ = false;
-        coe_.forget_transfer();
-        for (const auto n : {mailbox_out, mailbox_in})
-            if (esc_.manager(n).full) esc_.set_full(n, false);
-    }
-
-    void serve_mailbox() noexcept {
-        const auto in = esc_.manager(mailbox_in);
-        if (in.repeat_request != in.repeat_acknowledge) {
-            if (replied_) esc_.set_full(mailbox_in, true); // the last message still stands in the memory
-            esc_.acknowledge_repeat(mailbox_in);
-        }
-        const auto out = esc_.manager(mailbox_out);
-        if (!out.full || esc_.manager(mailbox_in).full) return; // an answer needs room first
-        // Checked on the way to PRE-OP, but a master may have changed the SyncManagers since: it then gets silence.
-        if (mailbox_is_configured()) answer(esc_.area(out), esc_.area(in));
-        esc_.set_full(mailbox_out, false);
-    }
-
-    void answer(std::span<const std::byte> request, std::span<std::byte> reply) noexcept {
-        mailbox_header header{};
-        const auto used = wire::decode_prefix(header, request);
-        if (header.counter != 0 && header.counter == last_counter_) return; // the master repeats itself
-        last_counter_ = header.counter;
-        if (header.type == mailbox_type::error) return;
-
-        const auto body = request.subspan(used.size());
-        const auto room = reply.subspan(used.size());
-        coe_answer answer{};
-        if (header.length > body.size()) {
-            answer.error = mailbox_error_code::invalid_size;
-        } else if (header.type != mailbox_type::coe) {
-            answer.error = mailbox_error_code::unsupported_protocol;
-        } else {
-            answer = coe_.answer(body.first(header.length), room);
-        }
-        if (answer.error != mailbox_error_code::none) {
-            header.type = mailbox_type::error;
-            answer.size = wire::encode(mailbox_error_reply{1, answer.error}, room).size();
-        }
-        if (answer.size == 0) return;
-        header.length = static_cast<std::uint16_t>(answer.size);
-        header.address = 0;
-        static_cast<void>(wire::encode(header, reply));
-        replied_ = true;
-        esc_.set_full(mailbox_in, true);
-    }
-
     slave_description description_;
-    coe_server coe_;
+    slave_mailbox mailbox_;
     sii_image sii_;
     slave_process_data process_data_;
     esc esc_{};
-    std::uint8_t last_counter_{};
-    bool replied_{}; // the memory of the reply mailbox holds a message of ours
 };
 
 } // namespace jauscat::ethercat

@@ -1,10 +1,12 @@
-// The SDO server of an emulated slave: one request in, one response or abort out. Objects larger than a message go in
+// The CoE server of an emulated slave: one request in, one response or abort out. Objects larger than a message go in
 // segments.
 #pragma once
 
+#include <jauscat/ethercat/coe_options.hpp>
 #include <jauscat/ethercat/object_dictionary.hpp>
 #include <jauscat/ethercat/sdo_segment.hpp>
-#include <jauscat/ethercat/subindex_0_rule.hpp>
+#include <jauscat/ethercat/slave_objects.hpp>
+#include <jauscat/ethercat/slave_sdo_information.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 
 #include <array>
@@ -18,31 +20,24 @@ struct coe_answer {
     std::size_t size{};
 };
 
-/// How a slave serves SDOs.
-struct coe_options {
-    /// Holds an object while it goes in segments; its size is that of the largest one. Each slave needs its own, which
-    /// outlives it. Without it an object has to fit one message: a larger one is aborted with 06010005h.
-    std::span<std::byte> transfer_memory{};
-    /// Subindex 0 of mapping and assignment objects is kept here, and their entries are aborted with 06010003h while it
-    /// is not 0: see subindex_0_rule.
-    bool subindex_0_rule{};
-    /// An upload in segments starts without data, as some slaves do, in place of as much as fits.
-    bool empty_start{};
-};
-
 /// Answers CoE messages. An object is written when all of it has come, and read before the first byte goes.
 class coe_server {
   public:
     explicit coe_server(object_dictionary objects, const coe_options& options = {}) noexcept
-        : objects_{objects}, options_{options} {}
+        : objects_{objects, options}, options_{options} {}
 
     /// The transfer that is under way, if any, is forgotten.
-    void forget_transfer() noexcept { segments_ = segments::none; }
+    void forget_transfer() noexcept {
+        segments_ = segments::none;
+        information_.forget();
+    }
     /// As after power-on.
     void power_on() noexcept {
         forget_transfer();
-        rule_ = {};
+        objects_.power_on();
     }
+    /// What state-dependent access goes by; PRE-OP until then.
+    void set_state(al_state state) noexcept { objects_.set_state(state); }
 
     /// Answers the CoE message `message` (CoE header on) with one in `out`, which has at least 18 bytes and does not
     /// overlap it.
@@ -50,8 +45,9 @@ class coe_server {
         coe_header coe{};
         const auto used = wire::decode_prefix(coe, message);
         if (!used) return {.error = mailbox_error_code::size_too_short};
-        if (coe.service != coe_service::sdo_request) return {.error = mailbox_error_code::service_not_supported};
         const auto sdo = message.subspan(used.size());
+        if (coe.service == coe_service::sdo_information && objects_.is_described()) return inform(sdo, out);
+        if (coe.service != coe_service::sdo_request) return {.error = mailbox_error_code::service_not_supported};
         sdo_segment_header segment{};
         if (segments_ != segments::none && wire::decode_prefix(segment, sdo)) {
             if (segment.specifier == sdo_specifier::download_segment_request) return take_segment(segment, sdo, out);
@@ -61,12 +57,18 @@ class coe_server {
         if (!wire::decode_prefix(request, sdo)) return {.error = mailbox_error_code::size_too_short};
         forget_transfer(); // the master gave up, or begins another one
         const auto& header = request.header;
-        object_ = {.index = header.index, .subindex = header.subindex};
+        object_ = {.index = header.index, .subindex = header.subindex, .complete = header.complete_access};
         if (header.specifier == sdo_specifier::abort) return {};
-        if (header.complete_access) return put_abort(out, abort_code::complete_access);
         if (header.specifier == sdo_specifier::download_request) return download(request, sdo, out);
         if (header.specifier == sdo_specifier::upload_request) return upload(out);
         return put_abort(out, abort_code::command_specifier);
+    }
+
+    /// The answer goes on: `next` gives another message of it.
+    [[nodiscard]] bool has_more() const noexcept { return information_.has_more(); }
+    [[nodiscard]] coe_answer next(std::span<std::byte> out) noexcept {
+        const auto room = put_header(coe_service::sdo_information, out);
+        return {.size = sdo_offset + information_.next(objects_, room)};
     }
 
   private:
@@ -75,19 +77,30 @@ class coe_server {
     static constexpr std::size_t sdo_offset = wire::max_size<coe_header>;
     static constexpr std::size_t data_offset = sdo_offset + wire::max_size<sdo_normal>;
 
+    static std::span<std::byte> put_header(coe_service service, std::span<std::byte> out) noexcept {
+        return out.subspan(wire::encode(coe_header{.service = service}, out).size());
+    }
+    coe_answer inform(std::span<const std::byte> question, std::span<std::byte> out) noexcept {
+        forget_transfer();
+        const auto size = information_.answer(objects_, question, put_header(coe_service::sdo_information, out));
+        if (size == 0) return {.error = mailbox_error_code::size_too_short};
+        return {.size = sdo_offset + size};
+    }
+
     /// CoE header and SDO message to the front of `out`.
     template <class T> static coe_answer put_sdo(std::span<std::byte> out, coe_service service, const T& sdo) noexcept {
-        static_cast<void>(wire::encode(coe_header{.service = service}, out));
-        static_cast<void>(wire::encode(sdo, out.subspan(sdo_offset)));
+        static_cast<void>(wire::encode(sdo, put_header(service, out)));
         return {.size = data_offset};
     }
     static coe_answer put_segment(std::span<std::byte> out, const sdo_segment_header& header,
                                   std::span<const std::byte> data) noexcept {
-        static_cast<void>(wire::encode(coe_header{.service = coe_service::sdo_response}, out));
-        return {.size = sdo_offset + encode_segment(header, data, out.subspan(sdo_offset))};
+        return {.size = sdo_offset + encode_segment(header, data, put_header(coe_service::sdo_response, out))};
     }
     [[nodiscard]] sdo_header response(sdo_specifier specifier) const noexcept {
-        return {.specifier = specifier, .index = object_.index, .subindex = object_.subindex};
+        return {.complete_access = object_.complete && specifier != sdo_specifier::abort,
+                .specifier = specifier,
+                .index = object_.index,
+                .subindex = object_.subindex};
     }
     coe_answer put_abort(std::span<std::byte> out, abort_code code) noexcept {
         forget_transfer();
@@ -96,11 +109,13 @@ class coe_server {
     }
 
     coe_answer upload(std::span<std::byte> out) noexcept {
+        const auto refused = objects_.refusal(object_, false);
+        if (refused != abort_code::none) return put_abort(out, refused);
         // Without memory the object is read to where the data of a normal response stand.
         const auto room = out.subspan(data_offset);
         const auto& memory = options_.transfer_memory;
         const auto place = memory.size() > room.size() ? memory : room;
-        const auto [error, size] = read(place);
+        const auto [error, size] = objects_.read(object_, place);
         if (error != abort_code::none) return put_abort(out, error);
         if (size > place.size()) return put_abort(out, abort_code::exceeds_mailbox);
         auto header = response(sdo_specifier::upload_response);
@@ -121,10 +136,8 @@ class coe_server {
     }
 
     coe_answer download(const sdo_normal& request, std::span<const std::byte> sdo, std::span<std::byte> out) noexcept {
-        if (options_.subindex_0_rule) {
-            const auto refused = rule_.refusal(object_.index, object_.subindex);
-            if (refused != abort_code::none) return put_abort(out, refused);
-        }
+        const auto refused = objects_.refusal(object_, true);
+        if (refused != abort_code::none) return put_abort(out, refused);
         const auto& header = request.header;
         if (header.expedited) {
             sdo_expedited expedited{};
@@ -145,7 +158,7 @@ class coe_server {
 
     // All of a download that came in one message.
     coe_answer store(std::span<const std::byte> data, std::span<std::byte> out) noexcept {
-        const auto error = write(data);
+        const auto error = objects_.write(object_, data);
         if (error != abort_code::none) return put_abort(out, error);
         return put_sdo(out, coe_service::sdo_response, sdo_normal{response(sdo_specifier::download_response), 0});
     }
@@ -160,7 +173,7 @@ class coe_server {
         if (segment.last) {
             if (done_ != size_) return put_abort(out, abort_code::length_too_low);
             forget_transfer();
-            const auto error = write(options_.transfer_memory.first(size_));
+            const auto error = objects_.write(object_, options_.transfer_memory.first(size_));
             if (error != abort_code::none) return put_abort(out, error);
         }
         const bool toggle = std::exchange(toggle_, !toggle_);
@@ -191,29 +204,11 @@ class coe_server {
         done_ += data.size();
     }
 
-    [[nodiscard]] bool is_rules() const noexcept {
-        return options_.subindex_0_rule && object_.subindex == 0 && rule_.covers(object_.index);
-    }
-    object_read read(std::span<std::byte> out) noexcept {
-        if (!is_rules()) return objects_.read(object_.index, object_.subindex, out);
-        out[0] = static_cast<std::byte>(rule_.entries(object_.index));
-        return {.size = 1};
-    }
-    abort_code write(std::span<const std::byte> data) noexcept {
-        if (!is_rules()) return objects_.write(object_.index, object_.subindex, data);
-        if (data.size() != 1) return abort_code::length_mismatch;
-        rule_.set_entries(object_.index, std::to_integer<std::uint8_t>(data[0]));
-        return abort_code::none;
-    }
-
-    object_dictionary objects_;
+    slave_objects objects_;
     coe_options options_;
-    subindex_0_rule rule_{};
+    sdo_information_server<slave_objects> information_{};
 
-    struct {
-        std::uint16_t index{};
-        std::uint8_t subindex{};
-    } object_{}; // of the transfer
+    transfer_object object_{}; // of the transfer
     segments segments_{};
     std::size_t size_{}, done_{}; // bytes of the transfer in segments: all, and those that have come or gone
     bool toggle_{};               // of the next segment

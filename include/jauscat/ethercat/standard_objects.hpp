@@ -13,7 +13,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string_view>
 
 namespace jauscat::ethercat {
 
@@ -54,7 +56,86 @@ class standard_objects {
         return error == abort_code::none ? abort_code::read_only : error;
     }
 
+    /// Whether the application describes its objects, too.
+    [[nodiscard]] bool is_described() const noexcept { return application_.is_described(); }
+    [[nodiscard]] std::uint16_t next_index(std::uint16_t after) const noexcept {
+        const auto others = application_.next_index(after);
+        for (const auto& each : kinds) {
+            if (each.index <= after || !describe(each.index)) continue;
+            return others == 0 ? each.index : std::min(each.index, others);
+        }
+        return others;
+    }
+    [[nodiscard]] std::optional<object_info> describe(std::uint16_t index) const noexcept {
+        value first{};
+        const auto* const kind = kind_of(index);
+        if (kind == nullptr || find(index, 0, first) != abort_code::none) return application_.describe(index);
+        const bool variable = kind->code == object_code::variable;
+        return object_info{.data_type = kind->object_type,
+                           .highest_subindex =
+                               variable ? std::uint8_t{} : std::to_integer<std::uint8_t>(first.bytes.front()),
+                           .code = kind->code,
+                           .name = kind->name,
+                           .complete_access = !variable};
+    }
+    [[nodiscard]] std::optional<entry_info> describe(std::uint16_t index, std::uint8_t subindex) const noexcept {
+        value found{};
+        const auto* const kind = kind_of(index);
+        const auto error = kind == nullptr ? abort_code::no_object : find(index, subindex, found);
+        if (error == abort_code::no_object) return application_.describe(index, subindex);
+        if (error != abort_code::none) return {};
+        const bool variable = kind->code == object_code::variable;
+        if (!variable && subindex == 0) return highest_subindex_info;
+        return entry_info{.data_type = kind->entry_type,
+                          .bits = static_cast<std::uint16_t>(found.size * 8),
+                          .access = readable_always,
+                          .name = variable ? kind->name : entry_name(index, subindex - 1u)};
+    }
+
   private:
+    /// What stays the same of a standard object.
+    struct constant_part {
+        std::uint16_t index{};
+        object_code code{};
+        std::uint16_t object_type{};
+        std::uint16_t entry_type{};
+        std::string_view name{};
+    };
+    static constexpr std::array kinds{
+        constant_part{standard_indices::device_type, object_code::variable, data_types::unsigned32,
+                      data_types::unsigned32, "Device type"},
+        constant_part{standard_indices::device_name, object_code::variable, data_types::visible_string,
+                      data_types::visible_string, "Device name"},
+        constant_part{standard_indices::identity, object_code::record, data_types::identity, data_types::unsigned32,
+                      "Identity"},
+        constant_part{pdo_indices::outputs, object_code::record, data_types::pdo_mapping, data_types::unsigned32,
+                      "Outputs"},
+        constant_part{pdo_indices::inputs, object_code::record, data_types::pdo_mapping, data_types::unsigned32,
+                      "Inputs"},
+        constant_part{standard_indices::sync_manager_types, object_code::array, data_types::unsigned8,
+                      data_types::unsigned8, "SyncManager types"},
+        constant_part{standard_indices::output_assignment, object_code::array, data_types::unsigned16,
+                      data_types::unsigned16, "Output assignment"},
+        constant_part{standard_indices::input_assignment, object_code::array, data_types::unsigned16,
+                      data_types::unsigned16, "Input assignment"},
+    };
+    static constexpr const constant_part* kind_of(std::uint16_t index) noexcept {
+        const auto found = std::ranges::find(kinds, index, &constant_part::index);
+        return found != kinds.end() ? &*found : nullptr;
+    }
+    [[nodiscard]] std::string_view entry_name(std::uint16_t index, std::size_t entry) const noexcept {
+        constexpr std::array<std::string_view, 4> identity{"Vendor ID", "Product code", "Revision", "Serial number"};
+        constexpr std::array<std::string_view, 4> managers{"SyncManager 0", "SyncManager 1", "SyncManager 2",
+                                                           "SyncManager 3"};
+        switch (index) {
+        case standard_indices::identity: return identity[entry];
+        case standard_indices::sync_manager_types: return managers[entry];
+        case pdo_indices::outputs: return description_.outputs[entry].name;
+        case pdo_indices::inputs: return description_.inputs[entry].name;
+        default: return "PDO";
+        }
+    }
+
     struct value {
         std::array<std::byte, 64> bytes{};
         std::size_t size{};
