@@ -473,15 +473,21 @@ start_capture() { # INTERFACE FILTER
     wait_for tshark "Capturing on"
     sleep 1 # tshark says so shortly before it does
 }
-check_capture() {
+stop_capture() {
     sleep 0.5
     kill -INT "$capture_pid" && wait "$capture_pid" 2>/dev/null
+}
+check_capture() {
+    stop_capture
     local downloads
     downloads=$(tshark -r "$work/wire.pcap" -Y 'ecat_mailbox.coe.sdoreq == 1 && ecat.cnt == 1' -T fields -E separator=' ' \
         -e ecat_mailbox.coe.sdoidx -e ecat_mailbox.coe.sdosub -e ecat_mailbox.coe.sdolength -e ecat_mailbox.coe.dsoldata 2>/dev/null)
     # Message properties 16 02 (acknowledgement wanted), source 1.1.32.1, sequence 1, then the body.
     data=1602012001010100ff0f00400040004001c001c001c0808080ffffff
     grep -qi "^0x1b15 0x1a 0x0000001c $data\$" <<<"$downloads" || fail "tshark reads: $downloads (expected $data)"
+    check_frames
+}
+check_frames() {
     local bad
     bad=$(tshark -r "$work/wire.pcap" -Y '_ws.malformed || ecat_mailbox.invalid || ecat_mailbox.coe.invalid || _ws.expert.severity == error' 2>/dev/null)
     [ -z "$bad" ] || fail "tshark finds malformed frames: $bad"
@@ -508,6 +514,20 @@ tshark_reads_raw_frames() {
     local short
     short=$(tshark -r "$work/wire.pcap" -Y 'frame.len < 60' 2>/dev/null)
     [ -z "$short" ] || fail "frames shorter than 60 bytes: $short"
+}
+tshark_reads_process_data() {
+    two_namespaces
+    prefix=(ip netns exec "$master_ns")
+    start_capture if_m "ether proto 0x88a4"
+    master_options+=(--cycle "$cycle")
+    start_raw_robot
+    the_command_arrives
+    stop_capture
+    check_frames
+    # LRW: outputs with the command that the controller has shown, then inputs with what the arm has in force.
+    local data=0100ff0f00400040004001c001c001c0808080ffffff
+    tshark -r "$work/wire.pcap" -Y 'ecat.cmd == 12 && ecat.cnt == 3' -T fields -e ecat.data >"$work/cycles.log" 2>/dev/null
+    grep -q "^$data$data\$" "$work/cycles.log" || fail "no cycle with the command and the report"
 }
 
 declare -F "$2" >/dev/null || fail "there is no case '$2'"
