@@ -95,7 +95,7 @@ class raw_link {
     /// The interface's Ethernet address.
     const std::array<std::byte, 6>& mac() const noexcept { return mac_; }
 
-    /// How long `receive` polls before it sleeps; 20 microseconds unless set.
+    /// How long `receive` polls before it sleeps; 50 microseconds unless set.
     void busy_poll(std::chrono::nanoseconds time) noexcept { wait_.busy_poll(time); }
 
   private:
@@ -177,7 +177,7 @@ class raw_link {
     }
 
     detail::file_descriptor socket_{::socket(AF_PACKET, SOCK_RAW | SOCK_CLOEXEC, 0)};
-    detail::frame_wait wait_{std::chrono::microseconds{20}};
+    detail::frame_wait wait_{std::chrono::microseconds{50}};
     std::string name_;
     unsigned index_{};
     std::array<std::byte, 6> mac_{};
