@@ -1,0 +1,174 @@
+// Who controls a component: control is asked for, granted, taken over, released, lost; and the commands that a
+// controlled component refuses from others. RA 3.3 part 3, core subgroup, and the notes on authority.
+#pragma once
+#include <jauscat/jaus/answer.hpp>
+#include <jauscat/schema/jaus/core.hpp>
+#include <jauscat/wire/code_index.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+namespace jauscat::jaus {
+
+/// The commands that a component under control refuses from all but its controller. The RA's list has Set Emergency
+/// (0006h) as well; here it is never refused: who sees the danger must be able to stop the machine.
+inline constexpr std::array<std::uint16_t, 29> controlled_commands{
+    0x0001, // Set Component Authority
+    0x0002, // Shutdown
+    0x0003, // Standby
+    0x0004, // Resume
+    0x0005, // Reset
+    0x0007, // Clear Emergency
+    0x000E, // Release Component Control
+    0x0011, // Set Time
+    0x0405, // Set Wrench Effort
+    0x0406, // Set Discrete Devices
+    0x0407, // Set Global Vector
+    0x0408, // Set Local Vector
+    0x040A, // Set Travel Speed
+    0x040C, // Set Global Waypoint
+    0x040D, // Set Local Waypoint
+    0x040F, // Set Global Path Segment
+    0x0410, // Set Local Path Segment
+    0x0601, // Set Joint Efforts
+    0x0602, // Set Joint Positions
+    0x0603, // Set Joint Velocities
+    0x0604, // Set Tool Point
+    0x0605, // Set End-Effector Pose
+    0x0606, // Set End-Effector Velocity State
+    0x0607, // Set Joint Motion
+    0x0608, // Set End-Effector Path Motion
+    0x0801, // Set Camera Pose
+    0x0802, // Select Camera
+    0x0805, // Set Camera Capabilities
+    0x0806, // Set Camera Format Options
+};
+
+/// Who controls a component.
+struct controller {
+    jaus::address address{};
+    std::uint8_t authority_code{}; ///< 0 lowest to 255 highest, as its request told
+    friend constexpr bool operator==(const controller&, const controller&) = default;
+};
+
+/// How a component lets itself be controlled.
+struct control_options {
+    /// The component's own authority, until Set Component Authority.
+    std::uint8_t authority_code{};
+    /// Commands that are refused like controlled_commands, such as a user's own. Must outlive the component.
+    std::span<const std::uint16_t> also_controlled{};
+    /// Control ends when nothing has been heard from the controller for so long. 0: never.
+    std::chrono::nanoseconds timeout{};
+};
+
+/// The control of one component, on its side. A request of higher authority than the controller's takes control over,
+/// and the old controller gets Reject Component Control; one of equal or lower authority is answered with "control not
+/// accepted". The controller may ask again, also with another authority: that is accepted and counts as life. There is
+/// no queue: who wants control later asks again later.
+class component_control {
+  public:
+    constexpr explicit component_control(const address& self, const control_options& options = {}) noexcept
+        : self_{self}, authority_{options.authority_code}, options_{options} {}
+
+    [[nodiscard]] constexpr const std::optional<jaus::controller>& controller() const noexcept { return controller_; }
+    /// The component's own authority code.
+    [[nodiscard]] constexpr std::uint8_t authority_code() const noexcept { return authority_; }
+    /// Commands that others than the controller sent: how often `admits` said no.
+    [[nodiscard]] constexpr std::uint64_t refused() const noexcept { return refused_; }
+
+    /// Whether a command is one of those that only the controller may send.
+    [[nodiscard]] constexpr bool is_controlled(std::uint16_t command_code) const noexcept {
+        if (command_code == set_emergency::command_code) return false;
+        return codes::find(command_code) != codes::npos ||
+               std::ranges::find(options_.also_controlled, command_code) != options_.also_controlled.end();
+    }
+    /// Whether the message may be taken, to be asked once for each that comes: counts refusals, and what the controller
+    /// sends counts as its life.
+    constexpr bool admits(const header& head, std::chrono::nanoseconds now) noexcept {
+        if (controls(head.source)) {
+            heard_ = now;
+            return true;
+        }
+        if (!controller_ || !is_controlled(head.command_code)) return true;
+        ++refused_;
+        return false;
+    }
+    [[nodiscard]] constexpr bool controls(const address& who) const noexcept {
+        return controller_ && controller_->address == who;
+    }
+
+    /// Takes Request and Release Component Control, Set Component Authority, and the queries of authority and control.
+    /// Ask `admits` first. Confirm and Reject Component Control are for the other side: see held_control.
+    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body,
+                                         std::chrono::nanoseconds now, message_sink out) noexcept {
+        switch (head.command_code) {
+        case set_component_authority::command_code:
+            return decode_for<set_component_authority>(body, [&](const auto& m) { authority_ = m.authority_code; });
+        case request_component_control::command_code:
+            return decode_for<request_component_control>(
+                body, [&](const auto& m) { request(head, m.authority_code, now, out); });
+        case release_component_control::command_code:
+            return decode_for<release_component_control>(body, [&](const auto&) {
+                if (controls(head.source)) controller_.reset();
+            });
+        case query_component_authority::command_code:
+            return decode_for<query_component_authority>(
+                body, [&](const auto&) { answer(head, self_, report_component_authority{authority_}, out); });
+        case query_component_control::command_code:
+            return decode_for<query_component_control>(body, [&](const auto&) {
+                const auto [who, code] = controller_.value_or(jaus::controller{});
+                answer(head, self_,
+                       report_component_control{who.subsystem, who.node, who.component, who.instance, code}, out);
+            });
+        default: return message_outcome::not_mine;
+        }
+    }
+
+    /// The component takes control back: the controller, if there is one, gets Reject Component Control.
+    constexpr void reject(message_sink out) noexcept {
+        if (!controller_) return;
+        put({.destination = controller_->address, .source = self_}, reject_component_control{}, out);
+        controller_.reset();
+    }
+    /// The components that `gone(const address&)` says yes to are no longer there: a controller among them has none any
+    /// more. It is not told, for it would not hear.
+    constexpr void on_lost(auto&& gone) noexcept {
+        if (controller_ && gone(std::as_const(controller_->address))) controller_.reset();
+    }
+    /// Takes control from a controller that has been silent for the timeout.
+    constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
+        const auto due = next_event();
+        if (due && now >= *due) reject(out);
+    }
+    [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
+        if (!controller_ || options_.timeout == options_.timeout.zero()) return std::nullopt;
+        return heard_ + options_.timeout;
+    }
+
+  private:
+    using codes = wire::code_index<controlled_commands>;
+
+    constexpr void request(const header& head, std::uint8_t authority, std::chrono::nanoseconds now,
+                           message_sink out) noexcept {
+        using enum component_control_response;
+        const bool is_controller = controls(head.source);
+        if (controller_ && !is_controller && authority <= controller_->authority_code) {
+            answer(head, self_, confirm_component_control{control_not_accepted}, out);
+            return;
+        }
+        if (!is_controller) reject(out);
+        controller_ = jaus::controller{head.source, authority};
+        heard_ = now;
+        answer(head, self_, confirm_component_control{control_accepted}, out);
+    }
+
+    address self_;
+    std::uint8_t authority_;
+    control_options options_;
+    std::optional<jaus::controller> controller_{};
+    std::chrono::nanoseconds heard_{};
+    std::uint64_t refused_{};
+};
+
+} // namespace jauscat::jaus

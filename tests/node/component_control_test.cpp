@@ -1,0 +1,208 @@
+// Control of a component: granted, refused, taken over, released, lost, and the commands that only the controller
+// sends.
+#include "node/messages.hpp"
+#include "support/catch.hpp"
+#include <jauscat/jaus/component_control.hpp>
+
+namespace {
+
+using namespace jauscat::test;
+using namespace std::chrono_literals;
+namespace jaus = jauscat::jaus;
+using enum jaus::component_control_response;
+using jaus::message_outcome;
+using time = std::chrono::nanoseconds;
+
+constexpr jaus::address self{1, 49, 2, 3}, ocu{1, 32, 1, 1}, other{1, 33, 1, 1};
+
+struct arm {
+    jaus::component_control control;
+    sent_messages sent{};
+
+    explicit arm(const jaus::control_options& options = {}) : control{self, options} {}
+
+    template <class T> message_outcome hear(const T& body, jaus::address from, time now = 0s) {
+        const auto bytes = message({.destination = self, .source = from, .sequence_number = 9}, body);
+        const auto m = jaus::split(bytes);
+        if (!control.admits(m.header, now)) return message_outcome::refused;
+        return control.on_message(m.header, m.body, now, sent.sink());
+    }
+    /// The answer to a request for control.
+    jaus::component_control_response request(std::uint8_t authority, jaus::address from, time now = 0s) {
+        sent.clear();
+        REQUIRE(hear(jaus::request_component_control{authority}, from, now) == message_outcome::taken);
+        REQUIRE_FALSE(sent.empty());
+        const std::size_t last = sent.size() - 1;
+        REQUIRE(sent.header(last).destination == from);
+        REQUIRE(sent.header(last).source == self);
+        REQUIRE(sent.header(last).sequence_number == 9);
+        return sent.body<jaus::confirm_component_control>(last).response_code;
+    }
+    bool admits(std::uint16_t code, jaus::address from) {
+        return control.admits({.command_code = code, .source = from}, 0s);
+    }
+    jaus::report_component_control report() {
+        sent.clear();
+        REQUIRE(hear(jaus::query_component_control{}, other) == message_outcome::taken);
+        return sent.body<jaus::report_component_control>(0);
+    }
+};
+
+} // namespace
+
+TEST_CASE("who asks first gets control, whatever the authority") {
+    arm a;
+    REQUIRE_FALSE(a.control.controller());
+    REQUIRE(a.report() == jaus::report_component_control{});
+    REQUIRE(a.request(0, ocu) == control_accepted);
+    REQUIRE(a.control.controller() == jaus::controller{ocu, 0});
+    REQUIRE(a.request(7, ocu) == control_accepted); // the controller may change its authority
+    REQUIRE(a.sent.size() == 1);
+    REQUIRE(a.report() == jaus::report_component_control{1, 1, 32, 1, 7});
+}
+
+TEST_CASE("equal and lower authority do not get control, higher takes it over and the old controller is told") {
+    arm a;
+    a.request(100, ocu);
+    REQUIRE(a.request(100, other) == control_not_accepted);
+    REQUIRE(a.sent.size() == 1);
+    REQUIRE(a.request(99, other) == control_not_accepted);
+    REQUIRE(a.control.controller() == jaus::controller{ocu, 100});
+
+    REQUIRE(a.request(101, other) == control_accepted);
+    REQUIRE(a.sent.size() == 2);
+    static_cast<void>(a.sent.body<jaus::reject_component_control>(0));
+    REQUIRE(a.sent.header(0).destination == ocu);
+    REQUIRE(a.sent.header(0).source == self);
+    REQUIRE(a.control.controller() == jaus::controller{other, 101});
+    REQUIRE(a.request(255, ocu) == control_accepted);
+}
+
+TEST_CASE("only the controller releases control") {
+    arm a;
+    REQUIRE(a.hear(jaus::release_component_control{}, other) == message_outcome::taken); // nobody's: nothing to refuse
+    a.request(1, ocu);
+    REQUIRE(a.hear(jaus::release_component_control{}, other) == message_outcome::refused);
+    REQUIRE(a.control.controls(ocu));
+    REQUIRE(a.hear(jaus::release_component_control{}, ocu) == message_outcome::taken);
+    REQUIRE_FALSE(a.control.controller());
+    REQUIRE(a.request(0, other) == control_accepted);
+}
+
+TEST_CASE("every code there is: the listed ones and no others are refused from those without control") {
+    arm a;
+    for (unsigned code = 0; code <= 0xFFFF; ++code) REQUIRE(a.admits(static_cast<std::uint16_t>(code), other));
+    a.request(1, ocu);
+    std::uint64_t refused = 0;
+    for (unsigned i = 0; i <= 0xFFFF; ++i) {
+        const auto code = static_cast<std::uint16_t>(i);
+        const bool listed = std::ranges::find(jaus::controlled_commands, code) != jaus::controlled_commands.end();
+        REQUIRE(a.admits(code, ocu));
+        REQUIRE(a.admits(code, other) == !listed);
+        refused += listed;
+        REQUIRE(a.control.refused() == refused);
+    }
+    REQUIRE(refused == 29);
+}
+
+TEST_CASE("the list is the one of the reference architecture without Set Emergency") {
+    // The note on authority, as it stands there.
+    std::vector<std::uint16_t> list{0x0001, 0x0002, 0x0003, 0x0004, 0x0005, 0x0006, 0x0007, 0x000E, 0x0011,
+                                    0x0405, 0x0406, 0x0407, 0x0408, 0x040A, 0x040C, 0x040D, 0x040F, 0x0410};
+    for (std::uint16_t code = 0x0601; code <= 0x0608; ++code) list.push_back(code);
+    for (const std::uint16_t code : std::to_array<std::uint16_t>({0x0801, 0x0802, 0x0805, 0x0806}))
+        list.push_back(code);
+    std::erase(list, jaus::set_emergency::command_code);
+    REQUIRE(std::ranges::equal(list, jaus::controlled_commands));
+}
+
+TEST_CASE("a user's own commands are refused as well, but never Set Emergency") {
+    static constexpr std::array<std::uint16_t, 2> own{0xD081, 0x0006};
+    arm a{{.also_controlled = own}};
+    a.request(1, ocu);
+    REQUIRE_FALSE(a.admits(0xD081, other));
+    REQUIRE(a.admits(0xD082, other));
+    REQUIRE(a.admits(0x0006, other));
+    REQUIRE(a.control.refused() == 1);
+}
+
+TEST_CASE("authority is set and reported") {
+    arm a{{.authority_code = 12}};
+    REQUIRE(a.hear(jaus::query_component_authority{}, other) == message_outcome::taken);
+    REQUIRE(a.sent.body<jaus::report_component_authority>(0).authority_code == 12);
+    REQUIRE(a.hear(jaus::set_component_authority{200}, other) == message_outcome::taken);
+    a.request(1, ocu);
+    REQUIRE(a.hear(jaus::set_component_authority{3}, other) == message_outcome::refused);
+    REQUIRE(a.control.authority_code() == 200);
+    REQUIRE(a.hear(jaus::set_component_authority{3}, ocu) == message_outcome::taken);
+    REQUIRE(a.control.authority_code() == 3);
+}
+
+TEST_CASE("control ends when the controller disappears") {
+    arm a;
+    a.request(1, ocu);
+    a.sent.clear();
+    a.control.on_lost([](const jaus::address& who) { return who == other; });
+    REQUIRE(a.control.controls(ocu));
+    a.control.on_lost([](const jaus::address& who) { return who.subsystem == ocu.subsystem; });
+    REQUIRE_FALSE(a.control.controller());
+    REQUIRE(a.sent.empty());
+}
+
+TEST_CASE("control ends when the controller is silent for the timeout, and whatever it sends is life") {
+    arm a{{.timeout = 1s}};
+    REQUIRE_FALSE(a.control.next_event());
+    a.request(1, ocu, 10s);
+    a.sent.clear();
+    REQUIRE(a.control.next_event() == 11s);
+    a.control.on_time(11s - 1ns, a.sent.sink());
+    REQUIRE(a.control.controls(ocu));
+    REQUIRE(a.control.admits({.command_code = 0x4202, .source = ocu}, 10900ms));
+    REQUIRE(a.control.admits({.command_code = 0x4202, .source = other}, 11500ms));
+    a.control.on_time(11800ms, a.sent.sink());
+    REQUIRE(a.control.controls(ocu));
+    REQUIRE(a.sent.empty());
+    a.control.on_time(11900ms, a.sent.sink());
+    REQUIRE_FALSE(a.control.controller());
+    REQUIRE(a.sent.size() == 1);
+    static_cast<void>(a.sent.body<jaus::reject_component_control>(0));
+    REQUIRE(a.sent.header(0).destination == ocu);
+    REQUIRE_FALSE(a.control.next_event());
+    a.control.on_time(20s, a.sent.sink());
+    REQUIRE(a.sent.size() == 1);
+}
+
+TEST_CASE("without a timeout control does not end by itself") {
+    arm a;
+    a.request(1, ocu);
+    REQUIRE_FALSE(a.control.next_event());
+    a.control.on_time(100h, a.sent.sink());
+    REQUIRE(a.control.controls(ocu));
+}
+
+TEST_CASE("the component can take control back") {
+    arm a;
+    a.control.reject(a.sent.sink());
+    REQUIRE(a.sent.empty());
+    a.request(1, ocu);
+    a.sent.clear();
+    a.control.reject(a.sent.sink());
+    REQUIRE(a.sent.header(0).command_code == jaus::reject_component_control::command_code);
+    REQUIRE(a.sent.header(0).destination == ocu);
+    REQUIRE_FALSE(a.control.controller());
+}
+
+TEST_CASE("malformed control messages change nothing, others are left alone") {
+    arm a;
+    const std::array<std::byte, 6> bytes{};
+    for (const std::uint16_t code : std::to_array<std::uint16_t>({0x0001, 0x000D, 0x000E, 0x2001, 0x200D})) {
+        CAPTURE(code);
+        CHECK(a.control.on_message({.command_code = code, .source = ocu}, bytes, 0s, a.sent.sink()) ==
+              message_outcome::malformed);
+    }
+    for (const std::uint16_t code : std::to_array<std::uint16_t>({0x000F, 0x0010, 0x0405, 0x0006}))
+        CHECK(a.control.on_message({.command_code = code, .source = ocu}, bytes, 0s, a.sent.sink()) ==
+              message_outcome::not_mine);
+    CHECK_FALSE(a.control.controller());
+    CHECK(a.sent.empty());
+}
