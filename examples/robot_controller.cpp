@@ -117,13 +117,13 @@ class robot_controller {
         }
         cyclic_->cycle([this] { context_.poll(); });
         acknowledge_commands();
-        if (!for_mailbox_.empty()) {
+        if (!for_mailbox_.empty() && !cyclic_->busy()) {
             const auto message = std::move(for_mailbox_.front());
             for_mailbox_.pop_front();
             deliver(message);
         }
         if (up_ && !cyclic_->runs()) {
-            std::cout << "controller: slave " << station_ << " no longer takes process data\n";
+            std::cout << "controller: slave " << station_ << " " << cyclic_->problem() << "\n";
             up_ = false;
         }
     }

@@ -2,17 +2,22 @@
 #pragma once
 #include "support/any_link.hpp"
 #include "support/trace.hpp"
+#include <jauscat/ethercat/describe.hpp>
 #include <jauscat/ethercat/image_exchange.hpp>
 #include <jauscat/ethercat/process_data.hpp>
 #include <jauscat/net/run_cycle.hpp>
 #include <jauscat/net/run_master.hpp>
+#include <jauscat/schema/ethercat/al_state.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 
 namespace example {
 
@@ -28,7 +33,7 @@ class cyclic_path {
 
     /// From PRE-OP to OP. `prepare()` is called before each cycle, here and in the functions below.
     template <class Prepare> jauscat::ethercat::outcome start(Prepare&& prepare) {
-        runs_ = false;
+        runs_ = checking_ = false;
         using jauscat::ethercat::al_state;
         master_.configure(station_);
         if (const auto result = jauscat::net::run(link_, master_, patience); !result) return result;
@@ -49,7 +54,12 @@ class cyclic_path {
     }
 
     /// One cycle.
-    void cycle(auto&& prepare) { note(cycles_->run(prepare)); }
+    void cycle(auto&& prepare) {
+        note(cycles_->run(prepare));
+        check_state();
+    }
+    /// The master is busy with a job of this path's: another has to wait for a cycle or two.
+    [[nodiscard]] bool busy() const noexcept { return checking_; }
     /// Cycles until the master's job is done.
     jauscat::ethercat::outcome run_job(std::chrono::nanoseconds limit, auto&& prepare) {
         return cycles_->run_job(limit, prepare, [this](const auto& report) { note(report); });
@@ -57,6 +67,8 @@ class cyclic_path {
 
     /// The slave is in OP, has answered lately, and takes commands.
     [[nodiscard]] bool runs() const noexcept { return runs_; }
+    /// If not: why.
+    [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
     /// Bytes of the slave's in the process image.
     [[nodiscard]] std::span<std::byte> outputs() { return data_.outputs(*master_.find(station_)); }
     [[nodiscard]] std::span<const std::byte> inputs() { return data_.inputs(*master_.find(station_)); }
@@ -66,14 +78,35 @@ class cyclic_path {
   private:
     static constexpr auto patience = std::chrono::seconds{2};
     static constexpr auto longest_silence = std::chrono::milliseconds{300};
+    static constexpr auto check_interval = std::chrono::milliseconds{50};
 
-    // A slave that has left OP may still take part in the exchange: then it takes no command.
     void note(const jauscat::net::cycle_report&) {
         const auto now = std::chrono::steady_clock::now();
         const auto taken = exchange_.taken(inputs());
         if (data_.is_complete() && (taken == exchange_.given(outputs()) || taken != taken_)) good_ = now;
         taken_ = taken;
-        if (now - good_ > longest_silence) runs_ = false;
+        if (now - good_ > longest_silence) stop("no longer takes process data");
+    }
+
+    // A slave that has left OP still takes part in the exchange.
+    void check_state() {
+        using namespace jauscat::ethercat;
+        const auto now = std::chrono::steady_clock::now();
+        if (checking_ && master_.idle()) {
+            checking_ = false;
+            al_status status{};
+            const bool answered = master_.result() && master_.result().detail == 1; // its working counter
+            if (answered && jauscat::wire::decode_prefix(status, status_) && status.state != al_state::op)
+                stop("is no longer in OP: " + std::string{describe(status.code)});
+        } else if (!checking_ && now >= next_check_) {
+            checking_ = master_.exchange(command::fprd, station_, esc_registers::al_status.address, status_);
+            next_check_ = now + check_interval;
+        }
+    }
+
+    void stop(const std::string& why) {
+        if (runs_) problem_ = why;
+        runs_ = false;
     }
 
     traced_link<any_link> link_;
@@ -86,6 +119,10 @@ class cyclic_path {
     jauscat::ethercat::process_data data_{};
     std::optional<jauscat::net::cycle_runner<traced_link<any_link>>> cycles_{};
     bool runs_{};
+    std::string problem_{};
+    bool checking_{};
+    std::array<std::byte, jauscat::wire::max_size<jauscat::ethercat::al_status>> status_{};
+    std::chrono::steady_clock::time_point next_check_{};
     std::chrono::steady_clock::time_point good_{}; ///< when the slave last was as it should be
     std::uint16_t taken_{};                        ///< the last command that it says it has taken
 };

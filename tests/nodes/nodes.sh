@@ -28,9 +28,9 @@ skip() {
 }
 says() { grep -qF -- "$2" "$work/$1.log" || fail "$1 does not say: $2"; }
 says_not() { ! grep -qF -- "$2" "$work/$1.log" || fail "$1 says: $2"; }
-wait_for() { # NAME TEXT: until the node has said it
+wait_for() { # NAME TEXT [TIMES]: until the node has said it, so many times
     for _ in $(seq 600); do
-        grep -qF -- "$2" "$work/$1.log" 2>/dev/null && return
+        [ "$(grep -cF -- "$2" "$work/$1.log" 2>/dev/null)" -ge "${3:-1}" ] 2>/dev/null && return
         sleep 0.05
     done
     fail "$1 does not say within 30 seconds: $2"
@@ -383,8 +383,8 @@ arm_restarts_between_cycles() {
     says out "was refused (NAK)"
     start_arm
     wait_for arm "state op, station address 2"
+    wait_for controller "slave 2 is in OP" 2
     says_not arm "efforts by process data" # what stood in the outputs is no new command
-    sleep 0.2
     the_command_arrives
 }
 controller_restarts_between_cycles() {
@@ -396,6 +396,17 @@ controller_restarts_between_cycles() {
     start_controller
     expect_ocu 0 --query
     says out "propulsive_linear_effort_x = 0 % (raw 0)"
+    the_command_arrives
+}
+slave_leaves_op() { # as its watchdog bids, when the controller has been stopped for a while
+    master_options+=(--cycle "$cycle")
+    start_robot
+    the_command_arrives
+    kill -STOP "$controller_pid"
+    wait_for arm "no process data any more: all efforts to zero"
+    kill -CONT "$controller_pid"
+    wait_for controller "slave 2 is no longer in OP: "
+    wait_for controller "slave 2 is in OP" 2
     the_command_arrives
 }
 cycles_are_measured() {
