@@ -20,7 +20,7 @@ struct receiver {
     std::array<jaus::partial_data_set, 2> places{};
     std::array<jaus::held_packet, 8> packets{};
     std::array<std::byte, 16> memory{};
-    jaus::reassembler sets{places, packets, memory, 1s};
+    jaus::reassembler sets{places, packets, memory, 1s, {.places_per_source = 2}};
     std::vector<std::string> whole{};
     std::vector<std::size_t> lost{}; ///< packets that each incomplete data set had
 
@@ -125,24 +125,107 @@ TEST_CASE("a sender that begins its next data set gives up the one before") {
     REQUIRE(r.whole.size() == 1);
 }
 
-TEST_CASE("a flood of first packets takes no place of a data set that goes on") {
+TEST_CASE("a flood of first packets from spoofed sources takes no place of a data set that goes on") {
     receiver r;
     r.hear(data_flag::first, 0, "01", 0ms, 1);
-    for (unsigned sender = 2; sender != 255; ++sender)
-        r.hear(data_flag::first, 0, "ff", 100ms, static_cast<std::uint8_t>(sender));
-    REQUIRE(r.hear(data_flag::first, 0, "ff", 100ms, 255) == reassembled::no_room);
+    r.hear(data_flag::middle, 1, "02", 10ms, 1);
+    for (int round = 0; round != 40; ++round)
+        for (unsigned sender = 2; sender != 256; ++sender)
+            REQUIRE(r.hear(data_flag::first, 0, "ff", 20ms * round, static_cast<std::uint8_t>(sender)) ==
+                    reassembled::waiting);
+    // Each of the flood displaced the one before it, and nothing else.
+    REQUIRE(r.lost == std::vector<std::size_t>(40 * 254 - 1, 1));
+    REQUIRE(r.hear(data_flag::last, 2, "03", 900ms, 1) == reassembled::whole);
+    REQUIRE(r.whole == texts{"01 02 03"});
+}
+
+TEST_CASE("a data set that begins amid a flood of first packets is received") {
+    receiver r;
+    std::uint8_t spoofed = 2;
+    const auto flood = [&](std::chrono::nanoseconds now) {
+        r.hear(data_flag::first, 0, "ff", now, spoofed);
+        if (++spoofed == 0) spoofed = 2;
+    };
+    for (int i = 0; i != 1000; ++i) flood(1ms);
+    r.hear(data_flag::first, 0, "01", 1ms, 1);
+    flood(1ms); // fewer than there are places, until its second packet comes
+    r.hear(data_flag::middle, 1, "02", 1ms, 1);
+    for (int i = 0; i != 1000; ++i) flood(1ms);
+    REQUIRE(r.hear(data_flag::last, 2, "03", 1ms, 1) == reassembled::whole);
+    REQUIRE(r.whole == texts{"01 02 03"});
+}
+
+TEST_CASE("places taken by data sets that go on are not given to newcomers, who hear so") {
+    receiver r;
+    for (const std::uint8_t sender : {std::uint8_t{1}, std::uint8_t{2}})
+        for (const std::uint16_t number : {std::uint16_t{0}, std::uint16_t{1}})
+            r.hear(data_flag::middle, number, "01", 0ms, sender);
+    REQUIRE(r.hear(data_flag::first, 0, "ff", 999ms, 3) == reassembled::no_room);
     REQUIRE(r.lost.empty());
-    REQUIRE(r.hear(data_flag::last, 1, "02", 900ms, 1) == reassembled::whole);
-    REQUIRE(r.whole == texts{"01 02"});
+    REQUIRE(r.hear(data_flag::first, 0, "ff", 1000ms, 3) == reassembled::waiting);
+    REQUIRE(r.lost == std::vector<std::size_t>{2});
+}
+
+TEST_CASE("one source does not take the places of others with many command codes") {
+    std::array<jaus::partial_data_set, 4> places{};
+    std::array<jaus::held_packet, 16> packets{};
+    std::array<std::byte, 64> memory{};
+    jaus::reassembler sets{places, packets, memory, 1s};
+    const auto hear = [&](std::uint8_t sender, std::uint16_t code, std::uint16_t number) {
+        const jaus::header head{.command_code = code,
+                                .source = {sender, 37, 1, 2},
+                                .data_flag = data_flag::middle,
+                                .sequence_number = number};
+        return sets.on_packet(
+            head, from_hex("aa"), 0ms, [](const auto&...) {}, [](const auto&...) {});
+    };
+    for (std::uint16_t code = 0; code != 1000; ++code) {
+        // Two packets of each: the first two sets go on, so their source has its share, half of four.
+        const auto expected = code < 2 ? reassembled::waiting : reassembled::no_room;
+        REQUIRE(hear(1, code, 0) == expected);
+        REQUIRE(hear(1, code, 1) == expected);
+    }
+    REQUIRE(hear(2, 7, 0) == reassembled::waiting);
+    REQUIRE(hear(3, 7, 0) == reassembled::waiting);
+    REQUIRE(std::ranges::count(places, std::uint8_t{1}, [](const auto& set) { return set.header.source.instance; }) ==
+            2);
+}
+
+TEST_CASE("a straggler of a data set that was handed on is no part of the next one") {
+    receiver r;
+    const auto send_first = [&] {
+        r.hear(data_flag::first, 0, "01", 0ms);
+        r.hear(data_flag::middle, 1, "02", 0ms);
+        REQUIRE(r.hear(data_flag::last, 2, "03", 0ms) == reassembled::whole);
+    };
+    send_first();
+    REQUIRE(r.hear(data_flag::middle, 1, "02", 19ms) == reassembled::repeated);
+    REQUIRE(r.hear(data_flag::repeated, 0, "01", 19ms) == reassembled::repeated);
+    // Of the next one packet 1 is lost: what came late of the first must not stand in for it.
+    r.hear(data_flag::first, 0, "0a", 19ms);
+    REQUIRE(r.hear(data_flag::last, 2, "0c", 19ms) == reassembled::waiting);
+    REQUIRE(r.hear(data_flag::repeated, 1, "0b", 19ms) == reassembled::whole);
+    REQUIRE(r.whole == texts{"01 02 03", "0a 0b 0c"});
+
+    // The same data set again is one more when it does not come at once.
+    for (const auto now : {100ms, 200ms}) {
+        r.hear(data_flag::first, 0, "0a", now);
+        r.hear(data_flag::middle, 1, "0b", now);
+        REQUIRE(r.hear(data_flag::last, 2, "0c", now) == reassembled::whole);
+    }
+    REQUIRE(r.whole.size() == 4);
+    REQUIRE(r.lost.empty());
 }
 
 TEST_CASE("a silent data set gives its place to another") {
     receiver r;
     r.hear(data_flag::first, 0, "01", 0ms, 1);
+    r.hear(data_flag::middle, 1, "01", 0ms, 1);
     r.hear(data_flag::first, 0, "02", 500ms, 2);
+    r.hear(data_flag::middle, 1, "02", 500ms, 2);
     REQUIRE(r.hear(data_flag::first, 0, "03", 999ms, 3) == reassembled::no_room);
     REQUIRE(r.hear(data_flag::first, 0, "03", 1000ms, 3) == reassembled::waiting);
-    REQUIRE(r.lost == std::vector<std::size_t>{1});
+    REQUIRE(r.lost == std::vector<std::size_t>{2});
 
     r.sets.on_time(1600ms, [&](const jaus::partial_data_set& set) {
         REQUIRE(set.header.source.instance == 2);

@@ -16,8 +16,8 @@ enum class reassembled : std::uint8_t {
     only,      ///< no part of a large data set: it is the caller's
     waiting,   ///< kept; others are missing
     whole,     ///< the last one that was missing: the whole has been handed on
-    repeated,  ///< held already, and dropped
-    no_room,   ///< dropped: every place is taken by a data set that is still being received
+    repeated,  ///< held already, or a straggler of the data set that was just handed on, and dropped
+    no_room,   ///< dropped: every place, or its source's share of them, is taken by data sets that go on
     too_large, ///< dropped together with its data set, which has more bytes or packets than a place holds
 };
 
@@ -41,6 +41,8 @@ struct partial_data_set {
     std::size_t bytes{};                      ///< of body that are held
     std::optional<std::uint16_t> last{};      ///< sequence number of the last packet, once that has come
     std::chrono::nanoseconds last_heard_at{}; ///< when a packet of it last came
+    std::uint64_t order{};                    ///< the higher the later, among packets of one time too
+    std::size_t handed_on{};                  ///< packets of the whole that was made here last; the place is free then
 };
 
 /// A packet that is held: its sequence number and the bytes of its body.
@@ -49,8 +51,26 @@ struct held_packet {
     std::uint16_t size{};
 };
 
-/// Puts data sets together by command code and source. Packets may come out of order and more than once. Memory is what
-/// the caller gives: a flood of packets takes places, never more memory, and cannot displace a data set that goes on.
+/// What a reassembler grants its senders.
+struct reassembly_limits {
+    /// Places that one source may take, with several command codes at a time; 0: half of them, at least one.
+    std::size_t places_per_source{};
+    /// So long after a data set is whole, packets equal to its own are taken for stragglers, not for the next data set.
+    std::chrono::nanoseconds linger{std::chrono::milliseconds{20}};
+};
+
+/// Puts data sets together by command code and source. Packets may come out of order and more than once.
+///
+/// Memory is what the caller gives: a flood takes places, never more memory. A data set of which a second packet has
+/// come goes on, and keeps its place until it has been silent for the patience. One with a single packet gives its
+/// place to a newcomer where no other is free, the longest silent one first, so a flood of first packets, from
+/// whatever sources, neither displaces what goes on nor keeps others out.
+///
+/// Packets carry nothing that names their data set, and no receiver can make up for that. One equal to a packet of the
+/// whole before is told from a part of the next by time alone (`linger`). A data set that lacks a packet is given up
+/// when a packet comes that contradicts it; where its sender's next data set follows at once and the first packet that
+/// comes of it is just the one that lacks, that is taken for it: pause for longer than the network delays, or repeat
+/// what got lost. Whoever can send as the source of a data set can spoil it: let only known senders through.
 ///
 ///     std::array<jaus::partial_data_set, 4> places{};
 ///     std::array<jaus::held_packet, 4 * 64> packets{};
@@ -63,8 +83,11 @@ class reassembler {
     /// Each place has an equal share of `packets` and of `memory`. `patience`: a data set that has been silent so long
     /// is given up when its place is wanted, or by on_time. All three must outlive this.
     constexpr reassembler(std::span<partial_data_set> places, std::span<held_packet> packets,
-                          std::span<std::byte> memory, std::chrono::nanoseconds patience) noexcept
-        : places_{places}, packets_{packets}, memory_{memory}, patience_{patience} {}
+                          std::span<std::byte> memory, std::chrono::nanoseconds patience,
+                          reassembly_limits limits = {}) noexcept
+        : places_{places}, packets_{packets}, memory_{memory}, patience_{patience}, limits_{limits} {
+        if (limits_.places_per_source == 0) limits_.places_per_source = (places.size() + 1) / 2;
+    }
 
     /// A packet that came at `now`. `take(const header&, std::span<const std::byte>)` gets a whole data set: the header
     /// of its packet 0, whose data size and flag are that packet's, and the whole body, valid during the call.
@@ -73,11 +96,14 @@ class reassembler {
                                     auto&& take, auto&& lost) {
         if (head.data_flag == data_flag::only) return reassembled::only;
         partial_data_set* set = find(head);
+        if (set == nullptr && is_straggler(head, body, now)) return reassembled::repeated;
         if (set != nullptr && begins_another(*set, head, body)) forget(*set, lost);
-        if (set == nullptr) set = free_place(now, lost);
+        if (set == nullptr) set = free_place(head.source, now, lost);
         if (set == nullptr) return reassembled::no_room;
-        if (set->packets == 0 || head.sequence_number == 0) set->header = head;
+        if (set->packets == 0) *set = {.header = head};
+        if (head.sequence_number == 0) set->header = head;
         set->last_heard_at = now;
+        set->order = ++order_;
 
         const auto list = share(packets_, *set);
         const auto bytes = share(memory_, *set);
@@ -99,7 +125,7 @@ class reassembler {
         if (head.data_flag == data_flag::last) set->last = head.sequence_number;
         if (!set->last || set->packets != *set->last + std::size_t{1}) return reassembled::waiting;
         take(std::as_const(set->header), std::span<const std::byte>{bytes.first(set->bytes)});
-        *set = {};
+        *set = {.header = set->header, .last_heard_at = now, .order = order_, .handed_on = set->packets};
         return reassembled::whole;
     }
 
@@ -135,16 +161,42 @@ class reassembler {
         }
         return false;
     }
-    [[nodiscard]] constexpr partial_data_set* free_place(std::chrono::nanoseconds now, auto& lost) {
-        if (places_.empty()) return nullptr;
-        const auto oldest = std::ranges::min_element(places_, {}, [](const partial_data_set& set) {
-            return std::pair{set.packets != 0, set.last_heard_at};
+    // Its body still lies in the memory of its place.
+    [[nodiscard]] constexpr bool is_straggler(const header& head, std::span<const std::byte> body,
+                                              std::chrono::nanoseconds now) const noexcept {
+        return std::ranges::any_of(places_, [&](const partial_data_set& set) {
+            return set.handed_on > head.sequence_number && now - set.last_heard_at < limits_.linger &&
+                   set.header.command_code == head.command_code && set.header.source == head.source &&
+                   std::ranges::equal(body_of(set, head.sequence_number), body);
         });
-        if (oldest->packets != 0) {
-            if (!stale(*oldest, now)) return nullptr;
-            forget(*oldest, lost);
+    }
+    // The body of packet `number` of a place whose packets are all there.
+    [[nodiscard]] constexpr std::span<const std::byte> body_of(const partial_data_set& set,
+                                                               std::uint16_t number) const noexcept {
+        const auto list = share(packets_, set);
+        return share(memory_, set).subspan(size_of(list.first(number)), list[number].size);
+    }
+    // The place that a newcomer takes: a free one, the longest unused first, so that stragglers are known for long;
+    // else that of a data set that went silent; else that of one with a single packet.
+    [[nodiscard]] constexpr partial_data_set* free_place(const address& source, std::chrono::nanoseconds now,
+                                                         auto& lost) {
+        const auto of_source = [&](const partial_data_set& set) {
+            return set.packets != 0 && set.header.source == source;
+        };
+        const bool share_is_full =
+            std::cmp_greater_equal(std::ranges::count_if(places_, of_source), limits_.places_per_source);
+        const auto reluctance = [&](const partial_data_set& set) {
+            if (set.packets == 0) return 0;
+            return stale(set, now) ? 1 : set.packets == 1 ? 2 : 3;
+        };
+        partial_data_set* best = nullptr;
+        for (partial_data_set& set : places_) {
+            if (reluctance(set) == 3 || (share_is_full && !of_source(set))) continue;
+            if (best == nullptr || std::pair{reluctance(set), set.order} < std::pair{reluctance(*best), best->order})
+                best = &set;
         }
-        return &*oldest;
+        if (best != nullptr && best->packets != 0) forget(*best, lost);
+        return best;
     }
     [[nodiscard]] constexpr bool stale(const partial_data_set& set, std::chrono::nanoseconds now) const noexcept {
         return now - set.last_heard_at >= patience_;
@@ -176,6 +228,8 @@ class reassembler {
     std::span<held_packet> packets_;
     std::span<std::byte> memory_;
     std::chrono::nanoseconds patience_;
+    reassembly_limits limits_;
+    std::uint64_t order_{};
 };
 
 } // namespace jauscat::jaus
