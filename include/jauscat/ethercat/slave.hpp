@@ -82,7 +82,8 @@ class slave {
         return esc_.bytes(process_memory::inputs, description_.input_size());
     }
 
-    [[nodiscard]] al_state state() const noexcept { return esc_.load<al_status>(esc_registers::al_status).state; }
+    [[nodiscard]] al_status status() const noexcept { return esc_.load<al_status>(esc_registers::al_status); }
+    [[nodiscard]] al_state state() const noexcept { return status().state; }
     /// 0 until a master has given one.
     [[nodiscard]] std::uint16_t station_address() const noexcept {
         return esc_.load<esc_word>(esc_registers::station_address).value;
@@ -91,19 +92,19 @@ class slave {
   private:
     void change_state() noexcept {
         const auto control = esc_.load<al_control>(esc_registers::al_control);
-        auto status = esc_.load<al_status>(esc_registers::al_status);
-        if (status.error && !control.acknowledge && control.state > status.state) return;
-        const bool from_init = status.state == al_state::init;
-        status.error = false;
-        status.code = refusal(status.state, control.state);
-        if (status.code == al_status_code::none) {
-            status.state = control.state;
+        auto changed = status();
+        if (changed.error && !control.acknowledge && control.state > changed.state) return;
+        const bool from_init = changed.state == al_state::init;
+        changed.error = false;
+        changed.code = refusal(changed.state, control.state);
+        if (changed.code == al_status_code::none) {
+            changed.state = control.state;
         } else {
-            status.error = true;
+            changed.error = true;
         }
-        if (from_init || status.state == al_state::init) mailbox_.forget(esc_);
-        esc_.store(esc_registers::al_status, status);
-        enter(status.state);
+        if (from_init || changed.state == al_state::init) mailbox_.forget(esc_);
+        esc_.store(esc_registers::al_status, changed);
+        enter(changed.state);
     }
 
     void enter(al_state state) noexcept {

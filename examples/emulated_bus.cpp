@@ -1,0 +1,268 @@
+// A bus of emulated EtherCAT slaves behind a network interface or UDP, for masters to be tried against.
+#include "support/link_options.hpp"
+#include "support/stored_objects.hpp"
+#include <jauscat/ethercat/describe.hpp>
+#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/text/hex.hpp>
+#include <jauscat/text/value.hpp>
+
+#include <deque>
+
+namespace {
+
+namespace ethercat = jauscat::ethercat;
+using jauscat::text::hex_number;
+
+constexpr const char* help = R"(emulated_bus: EtherCAT slaves in a chain, for masters to be tried against.
+
+The slaves have a CoE mailbox with SDO information and complete access, and process data if asked for. Each has these
+objects of exact sizes, which hold what is written to them:
+  0x2000:0 1 byte    0x2001:0 2 bytes   0x2002:0 4 bytes   0x2003:0 28 bytes  0x2004:0 1000 bytes
+  0x2010:1 to 0x2010:4, 4 bytes each    0x1AF4:1 and 0x6926:1, 28 bytes each
+In OP the inputs repeat the outputs, so that a master can check its cycle.
+
+Examples:
+  emulated_bus                                          one slave, EtherCAT in UDP on port 34980
+  emulated_bus --slaves 5 --outputs 8 --inputs 8 --link raw --interface eth0
+  emulated_bus --mailbox-size 24 --slow 20              small and slow
+  emulated_bus --subindex-0-rule --state-rule           mapping objects as strict slaves have them
+  emulated_bus --abort 0x2002=0x08000021 --abort 0x2010:1=0x06060000
+)";
+
+/// `0x2010:1` as an index and, if given, a subindex.
+struct object_place {
+    std::uint16_t index{};
+    std::optional<std::uint8_t> subindex{};
+};
+
+unsigned long parse_number(const std::string& text, unsigned long most, const std::string& option) {
+    std::size_t used = 0;
+    unsigned long value = 0;
+    try {
+        value = std::stoul(text, &used, 0);
+    } catch (const std::exception&) {
+        used = 0;
+    }
+    if (used == 0 || used != text.size() || text.front() == '-' || value > most)
+        throw example::usage_error{"--" + option + ": '" + text + "' is no number such as 0x1A or 26, at most " +
+                                   std::to_string(most)};
+    return value;
+}
+
+object_place parse_place(const std::string& text, const std::string& option) {
+    const auto colon = text.find(':');
+    object_place place{.index = static_cast<std::uint16_t>(parse_number(text.substr(0, colon), 0xFFFF, option))};
+    if (colon != text.npos)
+        place.subindex = static_cast<std::uint8_t>(parse_number(text.substr(colon + 1), 0xFF, option));
+    return place;
+}
+
+/// `INDEX[:SUB]=NUMBER`
+std::pair<object_place, unsigned long> parse_setting(const std::string& text, unsigned long most,
+                                                     const std::string& option) {
+    const auto equals = text.find('=');
+    if (equals == text.npos)
+        throw example::usage_error{"--" + option + ": expected INDEX[:SUB]=NUMBER, not '" + text + "'"};
+    return {parse_place(text.substr(0, equals), option), parse_number(text.substr(equals + 1), most, option)};
+}
+
+/// `size` bytes as process data: bytes, or, where these would be too many, values of 8 bytes and a rest.
+struct process_data {
+    std::deque<std::string> names{};
+    std::vector<ethercat::pdo_entry> entries{};
+
+    process_data(std::uint16_t index, std::size_t size, const std::string& name) {
+        const std::size_t each = size <= ethercat::process_memory::max_entries - 1 ? 1 : 8;
+        for (std::size_t at = 0; at < size; at += each) {
+            const auto bytes = std::min(each, size - at);
+            names.push_back(name + " " + std::to_string(entries.size() + 1));
+            const std::uint8_t type = bytes == 1 ? 0x05 : bytes == 8 ? 0x1B : 0x0A; // UNSIGNED8 or 64, octets
+            entries.push_back({.index = index,
+                               .subindex = static_cast<std::uint8_t>(entries.size() + 1),
+                               .bits = static_cast<std::uint8_t>(bytes * 8),
+                               .data_type = type,
+                               .name = names.back()});
+        }
+    }
+};
+
+/// One slave with its objects, and what has been said of it.
+class node {
+  public:
+    node(std::size_t number, const ethercat::slave_description& description, ethercat::coe_options options,
+         const std::vector<std::pair<object_place, unsigned long>>& more)
+        : name_{"slave " + std::to_string(number)},
+          dictionary_{description, prepare(more)},
+          memory_(objects_.largest()),
+          slave_{description, dictionary_, with_memory(options)} {
+        objects_.add_mapped(description.outputs, slave_.outputs(), true);
+        objects_.add_mapped(description.inputs, slave_.inputs(), false);
+        objects_.on_write = [this](std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) {
+            constexpr std::size_t shown = 32;
+            std::cout << name_ << ": " << hex_number(index, 4) << ":" << int{subindex} << " = "
+                      << jauscat::text::hex(data.first(std::min(data.size(), shown)))
+                      << (data.size() > shown ? " ..." : "") << " (" << data.size() << " bytes)\n";
+        };
+    }
+    node(const node&) = delete;
+    node& operator=(const node&) = delete;
+
+    ethercat::slave& slave() { return slave_; }
+
+    /// Inputs repeat outputs.
+    void work() {
+        if (!slave_.take_outputs()) return;
+        const auto outputs = slave_.outputs();
+        const auto inputs = slave_.inputs();
+        std::ranges::copy(outputs.first(std::min(outputs.size(), inputs.size())), inputs.begin());
+    }
+
+    void show_changes() {
+        if (slave_.station_address() != station_) {
+            station_ = slave_.station_address();
+            std::cout << name_ << ": station address " << station_ << " (" << hex_number(station_, 4) << ")\n";
+        }
+        const auto status = slave_.status();
+        if (status.state == status_.state && status.error == status_.error && status.code == status_.code) return;
+        status_ = status;
+        std::cout << name_ << ": state " << jauscat::text::to_text(status.state);
+        if (status.error)
+            std::cout << ", error " << hex_number(static_cast<std::uint16_t>(status.code), 4) << ": "
+                      << describe(status.code);
+        std::cout << "\n";
+    }
+
+  private:
+    example::stored_objects& prepare(const std::vector<std::pair<object_place, unsigned long>>& more) {
+        for (const auto& [index, size] : {std::pair{0x2000, 1}, {0x2001, 2}, {0x2002, 4}, {0x2003, 28}, {0x2004, 1000}})
+            objects_.add(static_cast<std::uint16_t>(index), 0, static_cast<std::size_t>(size));
+        for (std::uint8_t subindex = 1; subindex <= 4; ++subindex) objects_.add(0x2010, subindex, 4);
+        objects_.add(0x1AF4, 1, 28);
+        objects_.add(0x6926, 1, 28);
+        for (const auto& [place, size] : more) objects_.add(place.index, place.subindex.value_or(0), size);
+        return objects_;
+    }
+    ethercat::coe_options with_memory(ethercat::coe_options options) {
+        options.transfer_memory = memory_;
+        return options;
+    }
+
+    std::string name_;
+    example::stored_objects objects_{};
+    ethercat::standard_objects dictionary_;
+    std::vector<std::byte> memory_;
+    ethercat::slave slave_;
+    std::uint16_t station_{};
+    ethercat::al_status status_{.state = ethercat::al_state::init};
+};
+
+int serve(example::any_link& link, const std::string& where, std::deque<node>& nodes) {
+    for (auto& each : nodes) each.slave().set_downstream(&each != &nodes.back());
+    std::cout << nodes.size() << (nodes.size() == 1 ? " slave, " : " slaves, ") << where
+              << ", waiting for a master (Ctrl-C ends)\n";
+    std::array<std::byte, 1600> frame{};
+    std::string problem;
+    std::uint64_t frames = 0;
+    while (!example::stop_requested) {
+        const auto size = link.receive(frame, std::chrono::milliseconds{20});
+        if (size != 0) {
+            ++frames;
+            const auto received = std::span{frame}.first(size);
+            // First the frame, as the hardware does, and only then what the slaves make of it.
+            for (auto& each : nodes) each.slave().pass(received);
+            if (!link.send(received)) std::cout << "a frame did not go back: " << link.problem() << "\n";
+            for (auto& each : nodes) {
+                each.slave().work();
+                each.work();
+            }
+        } else if (link.problem() != problem) {
+            problem = link.problem();
+            if (!problem.empty()) std::cout << problem << "\n";
+        }
+        for (auto& each : nodes) {
+            each.slave().on_time(std::chrono::steady_clock::now().time_since_epoch());
+            each.show_changes();
+        }
+    }
+    std::cout << "stopped after " << frames << " frames\n";
+    return example::success;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return example::run("emulated_bus", [&] {
+        namespace po = boost::program_options;
+        po::options_description options{"Options"};
+        // clang-format off
+        options.add_options()
+            ("help", "show this text")
+            ("slaves", po::value<std::size_t>()->default_value(1), "how many, 1 to 100")
+            ("outputs", po::value<std::size_t>()->default_value(0), "bytes of process data to each slave, 0 to 682")
+            ("inputs", po::value<std::size_t>()->default_value(0), "bytes of process data from each slave, 0 to 1024")
+            ("mailbox-size", po::value<std::uint16_t>()->default_value(128), "bytes of each mailbox, 24 to 1486")
+            ("vendor", po::value<std::string>()->default_value("0x4A430000"), "vendor ID")
+            ("product", po::value<std::string>()->default_value("0x00B5"), "product code")
+            ("eight-byte-sii", po::bool_switch(), "a read of the SII gives 8 bytes instead of 4")
+            ("object", po::value<std::vector<std::string>>()->composing(), "another object: INDEX[:SUB]=BYTES; may be repeated")
+            ("abort", po::value<std::vector<std::string>>()->composing(), "abort every transfer of an object: INDEX[:SUB]=CODE; may be repeated")
+            ("subindex-0-rule", po::bool_switch(), "abort writes to PDO mapping objects while their subindex 0 is not 0")
+            ("state-rule", po::bool_switch(), "abort writes to PDO mapping objects in other states than PRE-OP")
+            ("empty-start", po::bool_switch(), "uploads in segments start without data")
+            ("slow", po::value<std::uint32_t>()->default_value(0), "frames that pass before a mailbox request is answered");
+        // clang-format on
+        example::add_medium_options(options);
+        const auto values = example::parse(argc, argv, options, help);
+        const auto within = [&](const char* name, std::size_t value, std::size_t least, std::size_t most) {
+            if (value >= least && value <= most) return value;
+            throw example::usage_error{std::string{"--"} + name + " must be " + std::to_string(least) + " to " +
+                                       std::to_string(most)};
+        };
+        const auto settings = [&](const char* name, unsigned long most) {
+            std::vector<std::pair<object_place, unsigned long>> parsed;
+            if (values.count(name) != 0)
+                for (const auto& text : values[name].as<std::vector<std::string>>())
+                    parsed.push_back(parse_setting(text, most, name));
+            return parsed;
+        };
+        const auto number = [&](const char* name) {
+            return static_cast<std::uint32_t>(parse_number(values[name].as<std::string>(), 0xFFFFFFFF, name));
+        };
+
+        const process_data outputs{
+            0x7000, within("outputs", values["outputs"].as<std::size_t>(), 0, ethercat::process_memory::max_outputs),
+            "output"};
+        const process_data inputs{
+            0x6000, within("inputs", values["inputs"].as<std::size_t>(), 0, ethercat::process_memory::max_inputs),
+            "input"};
+        const auto mailbox =
+            static_cast<std::uint16_t>(within("mailbox-size", values["mailbox-size"].as<std::uint16_t>(),
+                                              ethercat::min_mailbox_size, ethercat::max_mailbox_size));
+        std::vector<ethercat::refused_object> refused;
+        for (const auto& [place, code] : settings("abort", 0xFFFFFFFF))
+            refused.push_back({place.index, place.subindex, static_cast<ethercat::abort_code>(code)});
+        const auto objects = settings("object", 0xFFFF);
+        const ethercat::coe_options rules{.subindex_0_rule = values["subindex-0-rule"].as<bool>(),
+                                          .empty_start = values["empty-start"].as<bool>(),
+                                          .state_rule = values["state-rule"].as<bool>(),
+                                          .answer_delay = values["slow"].as<std::uint32_t>(),
+                                          .refused = refused};
+        std::deque<node> nodes;
+        const auto count = within("slaves", values["slaves"].as<std::size_t>(), 1, 100);
+        for (std::size_t i = 1; i <= count; ++i) {
+            const ethercat::slave_description description{.vendor = number("vendor"),
+                                                          .product = number("product"),
+                                                          .serial = static_cast<std::uint32_t>(i),
+                                                          .mailbox_out_size = mailbox,
+                                                          .mailbox_in_size = mailbox,
+                                                          .name = "JausCat emulated slave",
+                                                          .eight_byte_sii_reads = values["eight-byte-sii"].as<bool>(),
+                                                          .outputs = outputs.entries,
+                                                          .inputs = inputs.entries};
+            nodes.emplace_back(i, description, rules, objects);
+        }
+        return example::with_link(values, example::link_end::slave,
+                                  [&](auto& link, const std::string& where) { return serve(link, where, nodes); });
+    });
+}
