@@ -1,0 +1,104 @@
+// Acknowledges messages that ask for it, and hands each on once although its sender repeats it. RA 3.3 part 2, ACK/NAK.
+#pragma once
+#include <jauscat/jaus/answer.hpp>
+#include <jauscat/schema/jaus/core.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+namespace jauscat::jaus {
+
+/// A message that was acknowledged: a place in the memory of an acknowledged_receiver.
+struct acknowledged_message {
+    address source{};
+    std::uint16_t command_code{};
+    std::uint16_t sequence_number{};
+    std::uint32_t digest{};           ///< of the body
+    ack_nak answer{};                 ///< the one that was given; none: the place is free
+    std::chrono::nanoseconds until{}; ///< when it is forgotten
+};
+
+/// What became of a message.
+enum class received : std::uint8_t {
+    handed_on, ///< handed on; acknowledged by the handler's outcome if that was asked for
+    repeated,  ///< handed on before: acknowledged again as then, and dropped
+    no_room,   ///< dropped without an answer, for it could not be told from its repeats: the sender will try again
+};
+
+/// Hands messages on and acknowledges them: ACK if the handler has taken one, NAK if not. What asks for no
+/// acknowledgement is handed on without a second look, as are messages to all of a level: they are not acknowledged,
+/// for all their receivers would answer at once.
+///
+/// A repeat has source, command code, sequence number and body of a message that came within `memory`; the body counts
+/// because there are nodes that number all messages 0. The RA sets no time: it must be longer than a sender goes on
+/// repeating (a second with acknowledged_sender's defaults) and than copies are delayed on their way, and shorter than
+/// a sender takes to use its 65536 numbers. Within it no message is handed on twice: when the places are used up, or
+/// one source has half of them, its next message is not taken. So there must be twice as many places as one source
+/// sends messages that ask for an acknowledgement within `memory`. Set Emergency is handed on even then: doing it twice
+/// does no harm.
+class acknowledged_receiver {
+  public:
+    /// `places` must outlive this.
+    constexpr acknowledged_receiver(const address& self, std::span<acknowledged_message> places,
+                                    std::chrono::nanoseconds memory = std::chrono::seconds{5}) noexcept
+        : self_{self}, places_{places}, memory_{memory} {}
+
+    /// A message, no acknowledgement itself. `handle()` does what it says and returns a message_outcome; the answer is
+    /// sent after it.
+    constexpr received on_message(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds now,
+                                  message_sink out, auto&& handle) {
+        if (head.ack_nak != ack_nak::request || !names_one_component(head.destination)) {
+            static_cast<void>(handle());
+            return received::handed_on;
+        }
+        const acknowledged_message key{head.source, head.command_code, head.sequence_number, digest_of(body)};
+        const search found = find(key, now);
+        if (found.same != nullptr) {
+            acknowledge(head, self_, found.same->answer, out);
+            return received::repeated;
+        }
+        acknowledged_message* const place = 2 * found.of_source < places_.size() ? found.free : nullptr;
+        if (place == nullptr && head.command_code != set_emergency::command_code) return received::no_room;
+        if (place != nullptr) *place = key, place->answer = ack_nak::nak, place->until = now + memory_; // while handled
+        const message_outcome outcome = handle();
+        const ack_nak how = outcome == message_outcome::taken ? ack_nak::ack : ack_nak::nak;
+        if (place != nullptr) place->answer = how;
+        acknowledge(head, self_, how, out);
+        return received::handed_on;
+    }
+
+  private:
+    struct search {
+        acknowledged_message* same{};
+        acknowledged_message* free{};
+        std::size_t of_source{}; // places that the source has
+    };
+    [[nodiscard]] constexpr search find(const acknowledged_message& key, std::chrono::nanoseconds now) const noexcept {
+        search found{};
+        for (acknowledged_message& m : places_) {
+            if (m.answer == ack_nak::none || m.until <= now) {
+                m.answer = ack_nak::none;
+                found.free = &m;
+            } else if (m.source == key.source) {
+                ++found.of_source;
+                if (m.sequence_number == key.sequence_number && m.command_code == key.command_code &&
+                    m.digest == key.digest)
+                    found.same = &m;
+            }
+        }
+        return found;
+    }
+    // FNV-1a of 32 bits.
+    [[nodiscard]] static constexpr std::uint32_t digest_of(std::span<const std::byte> body) noexcept {
+        std::uint32_t digest = 0x811C9DC5;
+        for (const std::byte b : body) digest = (digest ^ std::to_integer<std::uint32_t>(b)) * 0x01000193;
+        return digest;
+    }
+
+    address self_;
+    std::span<acknowledged_message> places_;
+    std::chrono::nanoseconds memory_;
+};
+
+} // namespace jauscat::jaus

@@ -1,0 +1,362 @@
+// Acknowledged messages: sent again until answered, handed on once.
+#include "node/lossy_channel.hpp"
+#include "support/catch.hpp"
+#include <jauscat/jaus/acknowledged_receiver.hpp>
+#include <jauscat/jaus/acknowledged_sender.hpp>
+#include <jauscat/schema/jaus/core.hpp>
+
+#include <tuple>
+
+namespace {
+
+using namespace jauscat::test;
+using namespace std::chrono_literals;
+namespace jaus = jauscat::jaus;
+using jaus::ack_nak;
+using jaus::delivered;
+using jaus::message_outcome;
+using jaus::received;
+using jaus::send_errc;
+using nanoseconds = std::chrono::nanoseconds;
+
+constexpr jaus::address arm_address{1, 49, 2, 3}, ocu_address{1, 32, 1, 1}, other{1, 33, 1, 1};
+constexpr jaus::header to_arm{.destination = arm_address, .source = ocu_address};
+
+/// A sender with two places, and what it has heard.
+struct ocu {
+    std::array<jaus::awaited_message, 2> places{};
+    std::array<std::byte, 2 * 20> copies{};
+    jaus::acknowledged_sender commands{places, copies, {.timeout = 100ms, .retries = 2}};
+    sent_messages sent{};
+    std::vector<std::pair<std::uint16_t, delivered>> heard{}; // sequence number and outcome
+
+    auto tell() {
+        return [this](const jaus::awaited_message& m, delivered what) {
+            heard.emplace_back(m.header.sequence_number, what);
+        };
+    }
+    bool answer(std::uint16_t code, std::uint16_t number, ack_nak how, jaus::address from = arm_address,
+                jaus::address to = ocu_address) {
+        return commands.on_message(
+            {.ack_nak = how, .command_code = code, .destination = to, .source = from, .sequence_number = number},
+            tell());
+    }
+    void on_time(nanoseconds now) { commands.on_time(now, sent.sink(), tell()); }
+};
+using outcomes = std::vector<std::pair<std::uint16_t, delivered>>;
+
+/// A receiver with eight places, and what was handed on.
+struct arm {
+    std::array<jaus::acknowledged_message, 8> places{};
+    jaus::acknowledged_receiver commands{arm_address, places, 1s};
+    sent_messages sent{};
+    int handed_on{};
+
+    received hear(std::uint16_t code, std::uint16_t number, std::uint8_t body = 0, nanoseconds now = 0s,
+                  message_outcome outcome = message_outcome::taken, jaus::address from = ocu_address,
+                  ack_nak wish = ack_nak::request, jaus::address to = arm_address) {
+        const jaus::header head{.ack_nak = wish,
+                                .command_code = code,
+                                .destination = to,
+                                .source = from,
+                                .data_size = 1,
+                                .sequence_number = number};
+        const std::byte bytes[]{std::byte{body}};
+        return commands.on_message(head, bytes, now, sent.sink(), [&] { return ++handed_on, outcome; });
+    }
+    ack_nak answer(std::size_t i) {
+        const auto head = sent.header(i);
+        REQUIRE(head.data_size == 0);
+        REQUIRE(head.source == arm_address);
+        return head.ack_nak;
+    }
+};
+
+} // namespace
+
+TEST_CASE("a message asks for its acknowledgement and is not sent again once that is there") {
+    ocu o;
+    const auto sent = o.commands.send(to_arm, jaus::set_component_authority{7}, 1s, o.sent.sink());
+    REQUIRE(sent);
+    REQUIRE(o.sent.size() == 1);
+    REQUIRE(o.sent.header(0).ack_nak == ack_nak::request);
+    REQUIRE(o.sent.header(0).sequence_number == sent.sequence_number);
+    REQUIRE(o.sent.body<jaus::set_component_authority>(0).authority_code == 7);
+    REQUIRE(o.commands.waiting() == 1);
+    REQUIRE(o.answer(0x0001, sent.sequence_number, ack_nak::ack));
+    REQUIRE(o.heard == outcomes{{sent.sequence_number, delivered::acknowledged}});
+    REQUIRE(o.commands.waiting() == 0);
+    REQUIRE_FALSE(o.commands.next_event());
+    o.on_time(10s);
+    REQUIRE(o.sent.size() == 1);
+    REQUIRE_FALSE(o.answer(0x0001, sent.sequence_number, ack_nak::ack)); // a second one is nobody's
+    REQUIRE(o.heard.size() == 1);
+}
+
+TEST_CASE("a NAK is an outcome as well") {
+    ocu o;
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()));
+    REQUIRE(o.answer(0x0003, 0, ack_nak::nak));
+    REQUIRE(o.heard == outcomes{{0, delivered::refused}});
+}
+
+TEST_CASE("a message without an answer is sent again, the same bytes, and given up after the retries") {
+    ocu o;
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 1s, o.sent.sink()));
+    REQUIRE(o.commands.next_event() == 1100ms);
+    o.on_time(1100ms - 1ns);
+    REQUIRE(o.sent.size() == 1);
+    o.on_time(1100ms);
+    REQUIRE(o.sent.size() == 2);
+    REQUIRE(o.commands.next_event() == 1200ms);
+    o.on_time(1250ms); // late: the next timeout counts from here
+    REQUIRE(o.commands.next_event() == 1350ms);
+    REQUIRE(o.sent.size() == 3);
+    REQUIRE(o.sent[1] == o.sent[0]);
+    REQUIRE(o.sent[2] == o.sent[0]);
+    REQUIRE(o.heard.empty());
+    o.on_time(1350ms);
+    REQUIRE(o.sent.size() == 3);
+    REQUIRE(o.heard == outcomes{{0, delivered::timed_out}});
+    REQUIRE_FALSE(o.commands.next_event());
+    REQUIRE_FALSE(o.answer(0x0003, 0, ack_nak::ack));
+}
+
+TEST_CASE("only the answer to a message counts: its code, number, sender and addressee") {
+    ocu o;
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()));
+    REQUIRE_FALSE(o.answer(0x0004, 0, ack_nak::ack));
+    REQUIRE_FALSE(o.answer(0x0003, 1, ack_nak::ack));
+    REQUIRE_FALSE(o.answer(0x0003, 0, ack_nak::ack, other));
+    REQUIRE_FALSE(o.answer(0x0003, 0, ack_nak::ack, arm_address, other));
+    REQUIRE_FALSE(o.answer(0x0003, 0, ack_nak::none));
+    REQUIRE_FALSE(o.answer(0x0003, 0, ack_nak::request));
+    REQUIRE(o.heard.empty());
+    REQUIRE(o.answer(0x0003, 0, ack_nak::ack));
+}
+
+TEST_CASE("as many messages wait as there are places") {
+    ocu o;
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()));
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, 50ms, o.sent.sink()).sequence_number == 1);
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, 50ms, o.sent.sink()).error == send_errc::no_room);
+    REQUIRE(o.sent.size() == 2);
+    REQUIRE(o.commands.next_event() == 100ms);
+    REQUIRE(o.answer(0x0003, 0, ack_nak::ack));
+    REQUIRE(o.commands.next_event() == 150ms);
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, 50ms, o.sent.sink()).sequence_number == 2);
+}
+
+TEST_CASE("what cannot be acknowledged or does not fit is not sent") {
+    ocu o;
+    const auto send = [&](const jaus::header& head, const auto& body) {
+        return o.commands.send(head, body, 0s, o.sent.sink()).error;
+    };
+    REQUIRE(send({.destination = {255, 49, 2, 3}, .source = ocu_address}, jaus::standby{}) ==
+            send_errc::not_one_address);
+    REQUIRE(send({.destination = {1, 49, 0, 3}, .source = ocu_address}, jaus::standby{}) == send_errc::not_one_address);
+    REQUIRE(send({.priority = 16, .destination = arm_address}, jaus::standby{}) == send_errc::invalid);
+    REQUIRE(send(to_arm, jaus::report_component_control{}) == send_errc::too_large); // 21 bytes, a place has 20
+    const auto large = message(to_arm, jaus::report_component_control{});
+    REQUIRE(o.commands.send(large, 0s, o.sent.sink()).error == send_errc::too_large);
+    REQUIRE(o.commands.send(std::span{large}.first(15), 0s, o.sent.sink()).error == send_errc::invalid);
+    REQUIRE(o.commands.send(std::span{large}.first(20), 0s, o.sent.sink()).error == send_errc::invalid);
+    const auto part = message({.destination = arm_address, .data_flag = jaus::data_flag::first}, jaus::standby{});
+    REQUIRE(o.commands.send(part, 0s, o.sent.sink()).error == send_errc::too_large);
+    REQUIRE(o.sent.empty());
+    REQUIRE(o.commands.waiting() == 0);
+    REQUIRE(jaus::acknowledged_sender{{}, {}}.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).error ==
+            send_errc::no_room);
+}
+
+TEST_CASE("a whole message is sent with a number of its own") {
+    ocu o;
+    const auto ready =
+        message({.priority = 9, .destination = arm_address, .source = ocu_address, .sequence_number = 50},
+                jaus::set_component_authority{3});
+    REQUIRE(o.commands.send(ready, 0s, o.sent.sink()).sequence_number == 0);
+    REQUIRE(o.commands.send(ready, 0s, o.sent.sink()).sequence_number == 1);
+    REQUIRE(o.sent.header(1).sequence_number == 1);
+    REQUIRE(o.sent.header(1).priority == 9);
+    REQUIRE(o.sent.header(1).ack_nak == ack_nak::request);
+    REQUIRE(o.sent.body<jaus::set_component_authority>(1).authority_code == 3);
+}
+
+TEST_CASE("numbers go around and leave out the ones that wait") {
+    ocu o;
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).sequence_number == 0);
+    for (unsigned n = 1; n <= 0xFFFF; ++n) {
+        REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).sequence_number == n);
+        REQUIRE(o.answer(0x0003, static_cast<std::uint16_t>(n), ack_nak::ack));
+        o.sent.clear();
+    }
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).sequence_number == 1);
+}
+
+TEST_CASE("the handler of an outcome may send the next message into the place that has become free") {
+    ocu o;
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()));
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()));
+    int next = 0;
+    const auto send_next = [&](const jaus::awaited_message&, delivered) {
+        next += static_cast<bool>(o.commands.send(to_arm, jaus::resume{}, 1s, o.sent.sink()));
+    };
+    REQUIRE(o.commands.on_message(
+        {.ack_nak = ack_nak::ack, .command_code = 3, .destination = ocu_address, .source = arm_address}, send_next));
+    REQUIRE(next == 1);
+    for (const nanoseconds now : {1000ms, 1100ms, 1200ms, 1300ms}) o.commands.on_time(now, o.sent.sink(), send_next);
+    REQUIRE(next == 3);
+    REQUIRE(o.commands.waiting() == 2);
+}
+
+TEST_CASE("what was taken is acknowledged, what was not gets a NAK") {
+    arm a;
+    REQUIRE(a.hear(0x0001, 5) == received::handed_on);
+    REQUIRE(a.hear(0x0001, 6, 0, 0s, message_outcome::refused) == received::handed_on);
+    REQUIRE(a.hear(0x0001, 7, 0, 0s, message_outcome::malformed) == received::handed_on);
+    REQUIRE(a.hear(0x0001, 8, 0, 0s, message_outcome::not_mine) == received::handed_on);
+    REQUIRE(a.sent.size() == 4);
+    REQUIRE(a.answer(0) == ack_nak::ack);
+    REQUIRE(a.sent.header(0).sequence_number == 5);
+    REQUIRE(a.sent.header(0).command_code == 0x0001);
+    REQUIRE(a.sent.header(0).destination == ocu_address);
+    for (const std::size_t i : {1u, 2u, 3u}) REQUIRE(a.answer(i) == ack_nak::nak);
+}
+
+TEST_CASE("a repeat gets the answer again and is not handed on") {
+    arm a;
+    a.hear(0x0001, 5, 1);
+    REQUIRE(a.hear(0x0001, 5, 1, 500ms, message_outcome::refused) == received::repeated);
+    REQUIRE(a.answer(1) == ack_nak::ack);
+    a.hear(0x0001, 6, 1, 500ms, message_outcome::refused);
+    REQUIRE(a.hear(0x0001, 6, 1, 600ms) == received::repeated);
+    REQUIRE(a.answer(3) == ack_nak::nak);
+    REQUIRE(a.handed_on == 2);
+}
+
+TEST_CASE("another source, code, number or body is another message") {
+    arm a;
+    a.hear(0x0001, 5, 1);
+    REQUIRE(a.hear(0x0002, 5, 1) == received::handed_on);
+    REQUIRE(a.hear(0x0001, 6, 1) == received::handed_on);
+    REQUIRE(a.hear(0x0001, 5, 2) == received::handed_on);
+    REQUIRE(a.hear(0x0001, 5, 1, 0s, message_outcome::taken, other) == received::handed_on);
+    REQUIRE(a.handed_on == 5);
+}
+
+TEST_CASE("a message is remembered for a time") {
+    arm a;
+    a.hear(0x0001, 5);
+    REQUIRE(a.hear(0x0001, 5, 0, 1s - 1ns) == received::repeated);
+    REQUIRE(a.hear(0x0001, 5, 0, 1s) == received::handed_on);
+}
+
+TEST_CASE("without a wish for an acknowledgement every message is handed on") {
+    arm a;
+    for (int i = 0; i != 20; ++i)
+        REQUIRE(a.hear(0x0001, 5, 0, 0s, message_outcome::taken, ocu_address, ack_nak::none) == received::handed_on);
+    REQUIRE(a.handed_on == 20);
+    REQUIRE(a.sent.empty());
+}
+
+TEST_CASE("a message to all is handed on and not acknowledged") {
+    arm a;
+    REQUIRE(a.hear(0x0001, 5, 0, 0s, message_outcome::taken, ocu_address, ack_nak::request, {255, 255, 2, 3}) ==
+            received::handed_on);
+    REQUIRE(a.handed_on == 1);
+    REQUIRE(a.sent.empty());
+}
+
+TEST_CASE("one source cannot take all places, all sources together can, Set Emergency passes") {
+    arm a;
+    for (std::uint16_t i = 0; i != 4; ++i) REQUIRE(a.hear(0x0001, i) == received::handed_on);
+    REQUIRE(a.hear(0x0001, 4) == received::no_room);
+    REQUIRE(a.hear(0x0001, 3) == received::repeated); // what is known is answered all the same
+    for (std::uint16_t i = 0; i != 4; ++i)
+        REQUIRE(a.hear(0x0001, i, 0, 0s, message_outcome::taken, other) == received::handed_on);
+    REQUIRE(a.hear(0x0001, 0, 0, 0s, message_outcome::taken, {1, 40, 1, 1}) == received::no_room);
+    a.sent.clear();
+    REQUIRE(a.hear(0x0006, 9) == received::handed_on);
+    REQUIRE(a.answer(0) == ack_nak::ack);
+    REQUIRE(a.handed_on == 9);
+    REQUIRE(a.hear(0x0001, 4, 0, 1s) == received::handed_on);
+}
+
+TEST_CASE("over a channel that loses, doubles and delays, a message is handed on once at most and has one outcome") {
+    using key = std::tuple<std::uint8_t, std::uint8_t, std::uint16_t>; // sender, receiver, number
+    struct fate {
+        int taken{}, refused{};
+        std::vector<delivered> outcomes{};
+    };
+    struct sender {
+        jaus::address self;
+        std::vector<jaus::awaited_message> places = std::vector<jaus::awaited_message>(16);
+        std::vector<std::byte> copies = std::vector<std::byte>(16 * 32);
+        jaus::acknowledged_sender commands{places, copies, {.timeout = 150ms, .retries = 5}};
+        int left = 400;
+    };
+    struct receiver {
+        jaus::address self;
+        std::vector<jaus::acknowledged_message> places = std::vector<jaus::acknowledged_message>(2048);
+        jaus::acknowledged_receiver commands{self, places, 2s};
+    };
+    const unsigned loss = GENERATE(0u, 1u, 30u, 70u, 100u);
+    const unsigned seed = GENERATE(range(1u, 6u));
+    CAPTURE(loss, seed);
+    lossy_channel channel{seed};
+    channel.faults = {.lose = loss, .duplicate = 20, .delay = 50};
+    std::mt19937 random{seed};
+    std::map<key, fate> fates;
+    std::array<sender, 2> senders{{{ocu_address}, {other}}};
+    std::array<receiver, 2> receivers{{{arm_address}, {{1, 50, 2, 3}}}};
+
+    for (sender& s : senders) {
+        const auto tell = [&](const jaus::awaited_message& m, delivered what) {
+            fates[{m.header.source.component, m.header.destination.component, m.header.sequence_number}]
+                .outcomes.push_back(what);
+        };
+        channel.listen(s.self, [&s, tell](const jaus::header& head, auto) { s.commands.on_message(head, tell); });
+        channel.work([&, tell]() -> std::optional<nanoseconds> {
+            s.commands.on_time(channel.now, channel.sink(), tell);
+            while (s.left != 0) {
+                const jaus::header head{.destination = receivers[random() % 2].self, .source = s.self};
+                const auto sent =
+                    random() % 2 == 0
+                        ? s.commands.send(head, jaus::standby{}, channel.now, channel.sink())
+                        : s.commands.send(head, jaus::set_component_authority{1}, channel.now, channel.sink());
+                if (!sent) {
+                    REQUIRE(sent.error == send_errc::no_room);
+                    break;
+                }
+                --s.left;
+                fates[{head.source.component, head.destination.component, sent.sequence_number}];
+            }
+            return s.commands.next_event();
+        });
+    }
+    for (receiver& r : receivers)
+        channel.listen(r.self, [&](const jaus::header& head, std::span<const std::byte> body) {
+            REQUIRE(r.commands.on_message(head, body, channel.now, channel.sink(), [&] {
+                auto& fate = fates.at({head.source.component, head.destination.component, head.sequence_number});
+                const bool takes = random() % 5 != 0;
+                ++(takes ? fate.taken : fate.refused);
+                return takes ? message_outcome::taken : message_outcome::refused;
+            }) != received::no_room);
+        });
+    channel.run(1h);
+
+    REQUIRE(fates.size() == 800);
+    std::map<delivered, int> counts;
+    for (const auto& [message, fate] : fates) {
+        REQUIRE(fate.taken + fate.refused <= 1);
+        REQUIRE(fate.outcomes.size() == 1);
+        ++counts[fate.outcomes[0]];
+        if (fate.outcomes[0] == delivered::acknowledged) REQUIRE(fate.taken == 1);
+        if (fate.outcomes[0] == delivered::refused) REQUIRE(fate.refused == 1);
+    }
+    // Each of the two ways loses what it loses: a round trip, six times, is never there or now and then.
+    if (loss <= 1) REQUIRE(counts[delivered::timed_out] == 0);
+    if (loss == 30 || loss == 70) REQUIRE(counts[delivered::acknowledged] != 0);
+    if (loss == 70) REQUIRE(counts[delivered::timed_out] != 0);
+    if (loss == 100) REQUIRE(counts[delivered::timed_out] == 800);
+}
