@@ -23,12 +23,13 @@ struct confirmed {
     std::string body{}; ///< hex
 };
 
-class packet_bench {
+/// `Objects` stand behind the standard objects of each slave.
+template <class Objects> class basic_packet_bench {
   public:
     using bytes = std::vector<std::byte>;
 
     struct device {
-        test::objects own{};
+        Objects own{};
         ethercat::standard_objects dictionary;
         ethercat::slave slave;
 
@@ -80,6 +81,8 @@ class packet_bench {
   private:
     std::uint32_t id_{};
 };
+
+using packet_bench = basic_packet_bench<objects>;
 
 inline std::string hex_of(const char* text) { return to_hex(from_hex(text)); }
 
