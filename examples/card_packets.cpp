@@ -12,8 +12,10 @@
 
 #include <array>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -81,7 +83,25 @@ template <class Channel> class host {
     std::uint32_t id_{};
 };
 
-/// Finds the slaves, looks at the first one's identity object, and takes all of them to SAFE-OP.
+/// Prints the objects of a slave and their names.
+template <class Channel> void print_dictionary(host<Channel>& card, std::uint32_t station) {
+    const auto list = card.template ask<hilscher::get_od_list_confirmation>(
+        "OD list",
+        hilscher::get_od_list_request{.ul_node_id = station, .ul_list_type = hilscher::packet_list_type::all});
+    const std::vector<std::byte> indices{card.data.begin(), card.data.end()}; // the next confirmation takes their place
+    for (std::size_t i = 0; i != list.ul_data_cnt; ++i) {
+        ethercat::object_query object{};
+        if (!wire::decode_prefix(object, std::span{indices}.subspan(2 * i))) break;
+        const auto description = card.template ask<hilscher::get_object_description_confirmation>(
+            "object description",
+            hilscher::get_object_description_request{.ul_node_id = station, .ul_index = object.index});
+        std::cout << "  " << text::hex_number(object.index, 4) << " \"";
+        for (const auto letter : card.data.first(description.ul_ob_name_len)) std::cout << static_cast<char>(letter);
+        std::cout << "\", highest subindex " << description.ul_max_num_sub_index << "\n";
+    }
+}
+
+/// Finds the slaves, looks at the first one's objects, and takes all of them to SAFE-OP.
 template <class Channel> void talk(Channel& channel) {
     host card{channel};
     const auto found = card.template ask<hilscher::start_bus_scan_confirmation>(
@@ -99,6 +119,12 @@ template <class Channel> void talk(Channel& channel) {
         "upload", hilscher::sdo_upload_request{.ul_node_id = first, .ul_index = 0x1018, .ul_sub_index = 1});
     std::cout << "  0x1018:1 is " << text::hex(card.data.first(identity.ul_data_cnt)) << "\n";
 
+    try {
+        print_dictionary(card, first);
+    } catch (const failed& refusal) {
+        std::cout << "  " << refusal.what() << ": not every slave describes its objects\n";
+    }
+
     card.template ask<hilscher::set_state_confirmation>(
         "set state", hilscher::set_state_request{.us_new_ec_state = hilscher::bus_state::safe_op});
     const auto state = card.template ask<hilscher::get_state_confirmation>("state", hilscher::get_state_request{});
@@ -112,6 +138,12 @@ class emulated_ring {
 
   private:
     struct no_objects {
+        // The standard objects describe themselves, and these are none.
+        [[nodiscard]] std::uint16_t next_index(std::uint16_t) const noexcept { return 0; }
+        [[nodiscard]] std::optional<ethercat::object_info> describe(std::uint16_t) const noexcept { return {}; }
+        [[nodiscard]] std::optional<ethercat::entry_info> describe(std::uint16_t, std::uint8_t) const noexcept {
+            return {};
+        }
         ethercat::object_read read(std::uint16_t, std::uint8_t, std::span<std::byte>) noexcept {
             return {.error = ethercat::abort_code::no_object};
         }

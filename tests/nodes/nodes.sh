@@ -162,7 +162,7 @@ private_message() {
 card_packets() {
     expect 0 "${wrapper[@]}" "$bin/card_packets"
     for line in "scan: ok (ulSta 0x00000000)" "slaves: 2" "vendor 0x00001A2B, product 0x00000002" \
-        "0x1018:1 is 2b 1a 00 00" "state 4"; do
+        "0x1018:1 is 2b 1a 00 00" '0x1018 "Identity", highest subindex 4' "state 4"; do
         says out "$line"
     done
     expect 1 "${wrapper[@]}" "$bin/card_packets" no_such_link
@@ -472,6 +472,7 @@ card_packets_on_a_wire() {
     start_arm
     expect 0 ip netns exec "$master_ns" "${wrapper[@]}" "$bin/card_packets" if_m
     says out "slaves: 1"
+    says out '0x1B15 "component 33", highest subindex 125'
     says out "state 4"
 }
 
