@@ -12,6 +12,7 @@
 #include <jauscat/net/raw_link.hpp>
 #include <jauscat/net/run_master.hpp>
 
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -96,6 +97,51 @@ struct one_slave {
     ethercat::slave_description description{.mailbox_out_size = 128, .mailbox_in_size = 128};
     std::array<ethercat::slave, 1> slaves{ethercat::slave{description, objects, {.transfer_memory = memory}}};
     master_and_slaves w{slaves};
+};
+
+/// An array of three numbers at 2001h that says what it is.
+struct three_numbers {
+    static constexpr std::uint16_t at = 0x2001;
+    std::array<std::byte, 6> values{};
+
+    ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
+        if (index != at) return {.error = ethercat::abort_code::no_object};
+        if (subindex > 3) return {.error = ethercat::abort_code::no_subindex};
+        out.front() = std::byte{3};
+        if (subindex != 0) std::ranges::copy(of(subindex), out.begin());
+        return {.size = subindex == 0 ? std::size_t{1} : std::size_t{2}};
+    }
+    ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
+        if (index != at) return ethercat::abort_code::no_object;
+        if (subindex == 0) return ethercat::abort_code::read_only;
+        std::ranges::copy(data, of(subindex).begin());
+        return ethercat::abort_code::none;
+    }
+    [[nodiscard]] std::uint16_t next_index(std::uint16_t after) const noexcept {
+        return after < at ? at : std::uint16_t{};
+    }
+    [[nodiscard]] std::optional<ethercat::object_info> describe(std::uint16_t index) const noexcept {
+        if (index != at) return {};
+        return ethercat::object_info{.data_type = ethercat::data_types::unsigned16,
+                                     .highest_subindex = 3,
+                                     .code = ethercat::object_code::array,
+                                     .name = "Three numbers",
+                                     .complete_access = true};
+    }
+    [[nodiscard]] std::optional<ethercat::entry_info> describe(std::uint16_t index,
+                                                               std::uint8_t subindex) const noexcept {
+        if (index != at || subindex > 3) return {};
+        if (subindex == 0) return ethercat::highest_subindex_info;
+        return ethercat::entry_info{.data_type = ethercat::data_types::unsigned16,
+                                    .bits = 16,
+                                    .access = ethercat::accessible_always,
+                                    .name = "Number"};
+    }
+
+  private:
+    std::span<std::byte> of(std::uint8_t subindex) noexcept {
+        return std::span{values}.subspan(2 * (subindex - std::size_t{1}), 2);
+    }
 };
 
 } // namespace
@@ -218,6 +264,59 @@ TEST_CASE("tshark reads SDO transfers") {
           rows{"0 0 0 " + part(data, 112, 119), "1 1 0 " + part(data, 231, 69)});
     CHECK(w.capture.rows(taken + " && ecat_mailbox.coe.abortcode",
                          {"ecat_mailbox.coe.type", "ecat_mailbox.coe.abortcode"}) == rows{"2 0x06020000"});
+}
+
+TEST_CASE("tshark reads complete access and SDO information") {
+    three_numbers numbers;
+    // Large enough for every answer: tshark takes each fragment for the first one.
+    ethercat::slave_description description{.mailbox_out_size = 48, .mailbox_in_size = 48};
+    ethercat::standard_objects objects{description, numbers};
+    std::array<std::byte, 64> memory{};
+    std::array slaves{ethercat::slave{description, objects, {.transfer_memory = memory}}};
+    master_and_slaves w{slaves};
+    REQUIRE(w.bring_up().error == master_errc::ok);
+    std::array<std::byte, 64> into{};
+    const auto data = numbered(6);
+    REQUIRE(w.master.download(station, numbers.at, 1, data, {.complete_access = true}));
+    w.run();
+    CHECK(std::ranges::equal(numbers.values, data));
+    REQUIRE(w.master.upload(station, numbers.at, 0, into, {.complete_access = true}));
+    w.run();
+    CHECK(test::to_hex(std::span{into}.first(w.master.result().size)) == "03 00 01 02 03 04 05 06");
+    REQUIRE(w.master.list_objects(station, ethercat::object_list_type::all, into));
+    w.run();
+    CHECK(test::to_hex(std::span{into}.first(w.master.result().size)) == "00 10 08 10 18 10 00 1c 01 20");
+    REQUIRE(w.master.describe_object(station, numbers.at, into));
+    w.run();
+    REQUIRE(w.master.describe_entry(station, numbers.at, 2, 0, into));
+    w.run();
+    REQUIRE(w.master.describe_object(station, 0x3000, into));
+    CHECK(net::run(w.link, w.master).error == master_errc::sdo_abort);
+    w.judge();
+
+    const std::string taken = "ecat_mailbox && ecat.sub1.cnt == 1 && ";
+    CHECK(w.capture.rows(taken + "ecat_mailbox.coe.sdoreq == 1",
+                         {"ecat_mailbox.coe.sdoccsid.complete", "ecat_mailbox.coe.sdoidx", "ecat_mailbox.coe.sdosub",
+                          "ecat_mailbox.coe.sdolength", "ecat_mailbox.coe.dsoldata"}) ==
+          rows{"1 0x2001 0x01 0x00000006 010203040506"});
+    CHECK(w.capture.rows(taken + "ecat_mailbox.coe.sdores == 2",
+                         {"ecat_mailbox.coe.sdoscsiu_complete", "ecat_mailbox.coe.sdolength",
+                          "ecat_mailbox.coe.dsoldata"}) == rows{"1 0x00000008 0300010203040506"});
+    // Questions: the list of all objects, an object, its entry, one that is not there.
+    CHECK(w.capture.rows(taken + "ecat.cmd == 5 && ecat_mailbox.coe.type == 8",
+                         {"ecat_mailbox.coe.sdoinfoopcode", "ecat_mailbox.coe.sdoinfofrag",
+                          "ecat_mailbox.coe.sdoinfolisttype", "ecat_mailbox.coe.sdoinfoindex",
+                          "ecat_mailbox.coe.sdoinfosubindex"}) ==
+          rows{"1 0x0000 0x0001 - -", "3 0x0000 - 0x2001 -", "5 0x0000 - 0x2001 0x02", "3 0x0000 - 0x3000 -"});
+    // Answers: UNSIGNED16, array up to subindex 3; 16 bits, to be read and written in every state; an abort code.
+    CHECK(w.capture.rows(
+              taken + "ecat.cmd == 4 && ecat_mailbox.coe.type == 8",
+              {"ecat_mailbox.coe.sdoinfoopcode", "ecat_mailbox.coe.sdoinfofrag", "ecat_mailbox.coe.sdoinfoindex",
+               "ecat_mailbox.coe.sdoinfosubindex", "ecat_mailbox.coe.sdoinfodatatype", "ecat_mailbox.coe.sdoinfobitlen",
+               "ecat_mailbox.coe.sdoinfomaxsub", "ecat_mailbox.coe.sdoinfoobjcode", "ecat_mailbox.coe.sdoinfoobjaccess",
+               "ecat_mailbox.coe.sdoinfoname", "ecat_mailbox.coe.sdoinfoerrorcode"}) ==
+          rows{"2 0x0000 - - - - - - - - -", "4 0x0000 0x2001 - 0x0006 - 0x03 0x08 - Three numbers -",
+               "6 0x0000 0x2001 0x02 0x0006 0x0010 - - 0x003f Number -", "7 0x0000 - - - - - - - - 0x06020000"});
 }
 
 TEST_CASE("tshark reads the way of two slaves to OP, and their cycles") {
