@@ -14,6 +14,9 @@
 
 namespace jauscat::ethercat {
 
+/// What an emulated slave controller says of the interface to its application: on-chip bus.
+inline constexpr std::uint16_t sii_pdi_control = 0x0080;
+
 /// CRC-8 of the SII's first words: polynomial 0x07, start value 0xFF.
 [[nodiscard]] constexpr std::uint8_t sii_checksum(std::span<const std::byte> bytes) noexcept {
     unsigned crc = 0xFF;
@@ -201,7 +204,7 @@ class sii_writer {
     const auto put_at = [&](std::size_t word, const auto& message) {
         static_cast<void>(wire::encode(message, whole.subspan(word * 2)));
     };
-    sii_configuration configuration{.pdi_control = 0x0080, .station_alias = slave.station_alias};
+    sii_configuration configuration{.pdi_control = sii_pdi_control, .station_alias = slave.station_alias};
     put_at(sii_words::configuration, configuration);
     configuration.checksum = sii_checksum(whole.first(14));
     put_at(sii_words::configuration, configuration);

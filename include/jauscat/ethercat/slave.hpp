@@ -36,6 +36,7 @@ class slave {
     /// Restarts as after power-on: the station address is gone, the state is INIT.
     void power_on() noexcept {
         esc_.reset();
+        esc_.store(esc_registers::pdi_control, esc_word{sii_pdi_control});
         esc_.store(esc_registers::station_alias, esc_word{description_.station_alias});
         esc_.store(esc_registers::sii_control, sii_request{.eight_byte_reads = description_.eight_byte_sii_reads,
                                                            .two_address_bytes = sii_.size() > 2048});
