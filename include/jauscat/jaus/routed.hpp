@@ -1,0 +1,78 @@
+// The words of routing: where messages come from and go to, and what becomes of them.
+#pragma once
+#include <cstdint>
+#include <string_view>
+
+namespace jauscat::jaus {
+
+/// A neighbour that messages are exchanged with, or a multicast group: a small number to which the program gives a
+/// meaning, such as the index of a UDP endpoint.
+using hop = std::uint16_t;
+
+/// Where a message comes from that a component of this program sends.
+inline constexpr hop here = 0xFFFF;
+/// Where a message comes from whose sender is none of the known hops. It is trusted as little as another subsystem.
+inline constexpr hop unknown_hop = 0xFFFE;
+
+/// What kind of neighbour a hop is: the innermost of the addresses that lead to it says so.
+enum class hop_kind : std::uint8_t {
+    unused,    ///< no address leads to it
+    subsystem, ///< only addresses of other subsystems
+    node,      ///< a node of the own subsystem, with whatever lies behind it
+    component, ///< a component of the own node, in another program
+    manager,   ///< the program that has the own node's node manager: this program has a few of the node's components
+};
+
+/// What became of a way or a component that was to be added.
+enum class added : std::uint8_t {
+    ok,
+    full,            ///< no place is left in the memory of ways or of components
+    duplicate,       ///< there is an entry with exactly this address
+    invalid_address, ///< a component must have IDs of 1 to 254
+    invalid_hop,     ///< not a number below the number of places for hops
+};
+
+/// What became of a message. Those from `no_such_component` on are for the log: the message goes nowhere.
+enum class routed : std::uint8_t {
+    ok,                  ///< handed to somebody
+    nobody,              ///< to all of a kind, and there is none here or beyond
+    no_such_component,   ///< to this node, which has no such component
+    no_way,              ///< no entry covers the destination, or only one that leads out of the subsystem again
+    would_return,        ///< the way to the destination leads back to where the message came from
+    between_subsystems,  ///< from another subsystem to another subsystem: none forwards for others
+    not_the_relay,       ///< from a node to another node, and this is not the primary node that forwards such
+    invalid_destination, ///< an octet of the destination is 0
+    invalid_source,      ///< an octet of the source is 0 or 255
+    source_is_local,     ///< the source is of this node, or of this subsystem, and the message comes from outside
+    source_is_elsewhere, ///< from a component of this node, with the source of another
+};
+
+/// What became of it in one line, for logs.
+[[nodiscard]] constexpr std::string_view describe(routed what) noexcept {
+    switch (what) {
+    case routed::ok: return "ok";
+    case routed::nobody: return "nobody here is of the kind that is addressed";
+    case routed::no_such_component: return "unroutable: this node has no such component";
+    case routed::no_way: return "unroutable: no way to the destination is known";
+    case routed::would_return:
+        return "unroutable: the way to the destination leads back to where the message came from";
+    case routed::between_subsystems: return "unroutable: messages between other subsystems are not forwarded";
+    case routed::not_the_relay: return "unroutable: only the primary node forwards from node to node";
+    case routed::invalid_destination: return "unroutable: an octet of the destination ID is 0";
+    case routed::invalid_source: return "refused: an octet of the source ID is 0 or 255";
+    case routed::source_is_local: return "refused: the source claims to be local, and the message comes from outside";
+    case routed::source_is_elsewhere: return "refused: a component of this node uses the source ID of another";
+    }
+    return "unknown";
+}
+
+/// What became of a message, and how many got it.
+struct routing {
+    routed outcome{};
+    std::uint16_t components{}; ///< of this program
+    std::uint16_t hops{};
+
+    [[nodiscard]] constexpr explicit operator bool() const noexcept { return outcome == routed::ok; }
+};
+
+} // namespace jauscat::jaus

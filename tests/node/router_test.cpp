@@ -1,0 +1,215 @@
+// The router of one node: who gets a message, and what is refused.
+#include "support/catch.hpp"
+#include <jauscat/jaus/router.hpp>
+
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace jaus = jauscat::jaus;
+using jaus::added;
+using jaus::hop;
+using jaus::routed;
+
+constexpr jaus::address make(std::uint8_t subsystem, std::uint8_t node, std::uint8_t component, std::uint8_t instance) {
+    return {.instance = instance, .component = component, .node = node, .subsystem = subsystem};
+}
+
+/// Node 1.2 with the components 1.1, 33.1 (number 0, 1) and 34.1 in another program (hop 0); nodes 1.1 and 1.3 (hops 1
+/// and 2), subsystem 2 (hop 3) and 3 (hop 4), one node of which is known by itself (hop 5).
+struct node {
+    std::array<jaus::address_place<jaus::way>, 32> ways{};
+    std::array<jaus::hop_state, 10> hops{};
+    std::array<jaus::node_component, 6> components{};
+    jaus::routing_table table{1, 2, ways, hops, components};
+    jaus::router router;
+
+    explicit node(std::uint8_t primary = 0) : router{table, primary} {
+        REQUIRE(table.add_component(1, 1, 0) == added::ok);
+        REQUIRE(table.add_component(33, 1, 1) == added::ok);
+        REQUIRE(table.add_way(make(1, 2, 34, 0), 0) == added::ok);
+        REQUIRE(table.add_way(make(1, 1, 0, 0), 1) == added::ok);
+        REQUIRE(table.add_way(make(1, 3, 0, 0), 2) == added::ok);
+        REQUIRE(table.add_way(make(2, 0, 0, 0), 3) == added::ok);
+        REQUIRE(table.add_way(make(3, 0, 0, 0), 4) == added::ok);
+        REQUIRE(table.add_way(make(3, 7, 0, 0), 5) == added::ok);
+    }
+
+    routed outcome{};
+    std::string who{}; ///< c and a component's number, h and a hop's, sorted
+
+    node& hear(const jaus::address& to, const jaus::address& source, hop from) {
+        std::vector<std::string> all;
+        const auto result = router.route(
+            {.destination = to, .source = source}, from,
+            [&](std::uint16_t number, const jaus::address& whole) {
+                REQUIRE(table.next_hop(whole) == jaus::here);
+                all.push_back("c" + std::to_string(number));
+            },
+            [&](hop h) { all.push_back("h" + std::to_string(h)); });
+        REQUIRE(all.size() == result.components + result.hops);
+        std::ranges::sort(all);
+        who.clear();
+        for (const auto& one : all) who += one + " ";
+        outcome = result.outcome;
+        return *this;
+    }
+    void expect(routed what, const std::string& whom = "") const {
+        REQUIRE(std::string{describe(outcome)} == std::string{describe(what)});
+        REQUIRE(who == whom);
+    }
+};
+
+constexpr auto own = make(1, 2, 33, 1), neighbour = make(1, 1, 33, 1), stranger = make(2, 1, 33, 1);
+
+} // namespace
+
+TEST_CASE("a message to one component goes there and nowhere else") {
+    node n;
+    n.hear(make(1, 2, 33, 1), stranger, 3).expect(routed::ok, "c1 ");
+    n.hear(make(1, 2, 1, 1), own, jaus::here).expect(routed::ok, "c0 ");
+    n.hear(make(1, 2, 34, 9), stranger, 3).expect(routed::ok, "h0 ");
+    n.hear(make(1, 3, 33, 1), own, jaus::here).expect(routed::ok, "h2 ");
+    n.hear(make(2, 3, 33, 1), own, jaus::here).expect(routed::ok, "h3 ");
+    n.hear(make(3, 6, 33, 1), own, jaus::here).expect(routed::ok, "h4 ");
+    n.hear(make(3, 7, 33, 1), own, jaus::here).expect(routed::ok, "h5 ");
+    n.hear(make(1, 3, 33, 1), make(1, 2, 34, 5), 0).expect(routed::ok, "h2 ");
+    REQUIRE(n.table.next_hop(make(3, 7, 1, 1)) == hop{5});
+    REQUIRE(n.table.next_hop(own) == jaus::here);
+    REQUIRE_FALSE(n.table.next_hop(make(9, 7, 1, 1)));
+}
+
+TEST_CASE("what cannot be routed has its reason") {
+    node n;
+    n.hear(make(1, 2, 35, 1), own, jaus::here).expect(routed::no_such_component);
+    n.hear(make(1, 2, 33, 2), stranger, 3).expect(routed::no_such_component);
+    n.hear(make(1, 9, 33, 1), own, jaus::here).expect(routed::no_way);
+    n.hear(make(9, 1, 33, 1), own, jaus::here).expect(routed::no_way);
+    n.hear(make(9, 255, 33, 1), own, jaus::here).expect(routed::no_way);
+    n.hear(make(1, 2, 34, 1), make(1, 2, 34, 2), 0).expect(routed::would_return);
+    n.hear(make(3, 1, 33, 1), stranger, 3).expect(routed::between_subsystems);
+    n.hear(make(3, 255, 33, 1), stranger, 3).expect(routed::between_subsystems);
+    n.hear(make(3, 1, 33, 1), stranger, 1).expect(routed::between_subsystems);
+    n.hear(make(1, 3, 33, 1), neighbour, 1).expect(routed::not_the_relay);
+    n.hear(make(2, 255, 33, 1), neighbour, 1).expect(routed::not_the_relay);
+    n.hear(make(1, 2, 77, 255), own, jaus::here).expect(routed::nobody);
+    for (const auto& invalid : {make(0, 2, 33, 1), make(1, 0, 33, 1), make(1, 2, 0, 1), make(1, 2, 33, 0)})
+        n.hear(invalid, own, jaus::here).expect(routed::invalid_destination);
+    for (const auto& invalid : {make(0, 2, 33, 1), make(1, 255, 33, 1), make(1, 2, 255, 1), make(1, 2, 33, 255)})
+        n.hear(own, invalid, 3).expect(routed::invalid_source);
+}
+
+TEST_CASE("a source that claims to be local is refused from outside") {
+    node n;
+    for (const hop from : {hop{1}, hop{3}, hop{4}, jaus::unknown_hop, hop{9}}) {
+        n.hear(make(1, 2, 1, 1), own, from).expect(routed::source_is_local);
+        n.hear(make(255, 255, 1, 1), own, from).expect(routed::source_is_local);
+    }
+    n.hear(make(1, 2, 1, 1), neighbour, 3).expect(routed::source_is_local);
+    n.hear(make(1, 2, 1, 1), neighbour, jaus::unknown_hop).expect(routed::source_is_local);
+    n.hear(make(1, 2, 1, 1), neighbour, 1).expect(routed::ok, "c0 ");
+    n.hear(make(1, 2, 1, 1), stranger, jaus::unknown_hop).expect(routed::ok, "c0 ");
+}
+
+TEST_CASE("a component of the node cannot speak for another") {
+    node n;
+    n.hear(make(2, 1, 1, 1), make(1, 2, 34, 1), 0).expect(routed::ok, "h3 ");
+    n.hear(make(2, 1, 1, 1), make(1, 2, 33, 1), 0).expect(routed::source_is_local);
+    n.hear(make(2, 1, 1, 1), make(1, 2, 35, 1), 0).expect(routed::source_is_elsewhere);
+    n.hear(make(2, 1, 1, 1), stranger, 0).expect(routed::source_is_elsewhere);
+    n.hear(make(2, 1, 1, 1), stranger, jaus::here).expect(routed::source_is_elsewhere);
+}
+
+TEST_CASE("a broadcast goes to all whom it names, but not to who sent it") {
+    node n;
+    n.hear(make(255, 255, 255, 255), own, jaus::here).expect(routed::ok, "c0 h0 h1 h2 h3 h4 ");
+    n.hear(make(255, 255, 1, 1), own, jaus::here).expect(routed::ok, "c0 h1 h2 h3 h4 ");
+    n.hear(make(1, 255, 33, 255), own, jaus::here).expect(routed::ok, "h1 h2 ");
+    n.hear(make(1, 2, 255, 1), own, jaus::here).expect(routed::ok, "c0 h0 ");
+    n.hear(make(2, 255, 33, 1), own, jaus::here).expect(routed::ok, "h3 ");
+    n.hear(make(255, 3, 33, 1), own, jaus::here).expect(routed::ok, "h2 h3 h4 ");
+    n.hear(make(255, 255, 34, 255), make(1, 2, 34, 1), 0).expect(routed::ok, "h1 h2 h3 h4 ");
+}
+
+TEST_CASE("only the primary sends broadcasts on") {
+    constexpr auto all = make(255, 255, 255, 255);
+    node none{0}, other{1}, primary{2};
+    none.hear(all, stranger, 3).expect(routed::ok, "c0 c1 h0 ");
+    none.hear(all, neighbour, 1).expect(routed::ok, "c0 c1 h0 ");
+    other.hear(all, stranger, 3).expect(routed::ok, "c0 c1 h0 ");
+    other.hear(all, neighbour, 1).expect(routed::ok, "c0 c1 h0 ");
+    other.hear(all, own, jaus::here).expect(routed::ok, "c0 h0 h1 ");
+    primary.hear(all, stranger, 3).expect(routed::ok, "c0 c1 h0 h1 h2 ");
+    primary.hear(all, stranger, 1).expect(routed::ok, "c0 c1 h0 ");
+    primary.hear(all, neighbour, 1).expect(routed::ok, "c0 c1 h0 h2 h3 h4 ");
+    primary.hear(all, own, jaus::here).expect(routed::ok, "c0 h0 h1 h2 h3 h4 ");
+    primary.hear(make(1, 3, 33, 1), neighbour, 1).expect(routed::ok, "h2 ");
+}
+
+TEST_CASE("a multicast group takes the place of single ways, but for those who do not hear it") {
+    node n{2};
+    REQUIRE(n.table.add_way(make(255, 255, 0, 0), 6) == added::ok);
+    n.hear(make(255, 255, 1, 1), own, jaus::here).expect(routed::ok, "c0 h1 h2 h6 ");
+    n.hear(make(2, 255, 1, 1), own, jaus::here).expect(routed::ok, "h3 ");
+    n.table.keep_outside_groups(4);
+    n.hear(make(255, 255, 1, 1), own, jaus::here).expect(routed::ok, "c0 h1 h2 h4 h6 ");
+    REQUIRE(n.table.add_way(make(1, 255, 0, 0), 7) == added::ok);
+    n.hear(make(255, 255, 1, 1), own, jaus::here).expect(routed::ok, "c0 h4 h6 h7 ");
+    n.hear(make(255, 255, 1, 1), neighbour, 1).expect(routed::ok, "c0 h4 h6 ");
+    n.hear(make(255, 255, 1, 1), stranger, 3).expect(routed::ok, "c0 h7 ");
+}
+
+TEST_CASE("the way to all other subsystems is taken where no other is known") {
+    node n;
+    REQUIRE(n.table.add_way(make(0, 0, 0, 0), 8) == added::ok);
+    n.hear(make(9, 1, 1, 1), own, jaus::here).expect(routed::ok, "h8 ");
+    n.hear(make(9, 255, 1, 1), own, jaus::here).expect(routed::ok, "h8 ");
+    n.hear(make(2, 255, 1, 1), own, jaus::here).expect(routed::ok, "h3 ");
+    n.hear(make(255, 255, 1, 1), own, jaus::here).expect(routed::ok, "c0 h1 h2 h3 h4 h8 ");
+    n.hear(make(1, 9, 1, 1), stranger, 3).expect(routed::no_way);
+}
+
+TEST_CASE("a program below the node manager leaves everything to that") {
+    std::array<jaus::address_place<jaus::way>, 8> ways{};
+    std::array<jaus::hop_state, 2> hops{};
+    std::array<jaus::node_component, 2> components{};
+    jaus::routing_table table{1, 2, ways, hops, components};
+    jaus::router router{table, 1};
+    REQUIRE(table.add_component(34, 1, 7) == added::ok);
+    REQUIRE(table.add_way(make(1, 2, 0, 0), 0) == added::ok);
+    REQUIRE(table.add_way(make(0, 0, 0, 0), 0) == added::ok);
+    const auto route = [&](const jaus::address& to, const jaus::address& source, hop from) {
+        std::string who;
+        const auto result = router.route(
+            {.destination = to, .source = source}, from,
+            [&](std::uint16_t number, const jaus::address&) { who += "c" + std::to_string(number); },
+            [&](hop h) { who += "h" + std::to_string(h); });
+        return result ? who : std::string{describe(result.outcome)};
+    };
+    const auto me = make(1, 2, 34, 1);
+    REQUIRE(route(make(1, 2, 33, 1), me, jaus::here) == "h0");
+    REQUIRE(route(make(2, 2, 33, 1), me, jaus::here) == "h0");
+    REQUIRE(route(make(255, 255, 255, 255), me, jaus::here) == "h0");
+    REQUIRE(route(make(1, 2, 255, 1), me, jaus::here) == "h0");
+    REQUIRE(route(make(255, 255, 255, 255), make(2, 1, 1, 1), 0) == "c7");
+    REQUIRE(route(make(1, 2, 34, 1), make(1, 2, 33, 1), 0) == "c7");
+    REQUIRE(route(make(1, 2, 34, 1), me, 0) == describe(routed::source_is_local));
+    REQUIRE(route(make(1, 2, 35, 1), make(2, 1, 1, 1), 0) == describe(routed::would_return));
+}
+
+TEST_CASE("what does not fit the table is refused") {
+    std::array<jaus::address_place<jaus::way>, 4> ways{};
+    std::array<jaus::hop_state, 1> hops{};
+    std::array<jaus::node_component, 1> components{};
+    jaus::routing_table table{1, 2, ways, hops, components};
+    REQUIRE(table.add_component(0, 1, 7) == added::invalid_address);
+    REQUIRE(table.add_component(33, 255, 7) == added::invalid_address);
+    REQUIRE(table.add_component(33, 1, 7) == added::ok);
+    REQUIRE(table.add_component(34, 1, 7) == added::full);
+    REQUIRE(table.add_way(make(2, 0, 0, 0), 1) == added::invalid_hop);
+    REQUIRE(table.add_way(make(2, 0, 0, 0), 0) == added::ok);
+    REQUIRE(table.add_way(make(2, 0, 0, 0), 0) == added::duplicate);
+    REQUIRE(table.add_way(make(3, 0, 0, 0), 0) == added::ok);
+    REQUIRE(table.add_way(make(4, 0, 0, 0), 0) == added::full);
+}
