@@ -1,5 +1,5 @@
 // CoE messages from a mailbox: as a slave answers them, and as a master takes them for an answer.
-#include "support/objects.hpp"
+#include "support/described_objects.hpp"
 #include <jauscat/ethercat/sdo_transfer.hpp>
 #include <jauscat/ethercat/slave_coe.hpp>
 
@@ -69,6 +69,25 @@ void check_slave(std::span<const std::byte> message, std::size_t room) {
         check(transfer.result().size == std::size_t{request.header.subindex} * 4, "an object is read whole");
 }
 
+// A server that describes its objects: each message of an answer fits, and the answer ends.
+void check_information(std::span<const std::byte> message, std::size_t room) {
+    described_objects source;
+    bytes memory(1020);
+    coe_server server{source, {.transfer_memory = memory, .subindex_0_rule = true, .state_rule = true}};
+    bytes out(room);
+    auto answer = server.answer(message, out);
+    check(answer.size <= out.size(), "an answer fits the mailbox");
+    std::size_t fragments = 1;
+    for (; server.has_more(); ++fragments) {
+        answer = server.next(out);
+        check(answer.size != 0 && answer.size <= out.size(), "a fragment fits the mailbox");
+        sdo_information_header header{};
+        check(wire::decode_prefix(header, std::span{out}.subspan(2)) && header.incomplete == server.has_more(),
+              "a fragment says whether another one follows");
+    }
+    check(fragments <= 10, "an answer about so few objects ends");
+}
+
 void check_master(std::span<const std::byte> message, sdo_transfer transfer, std::size_t room) {
     const auto before = transfer.result();
     const auto what = transfer.take(message);
@@ -90,6 +109,7 @@ void fuzz::run(std::span<const std::byte> input) {
     const auto room = min_mailbox_size - wire::max_size<mailbox_header> + in.take();
     const bytes message = copy_of(in.rest());
     check_slave(message, room);
+    check_information(message, room);
 
     sdo_header asked{}; // for the object that the message is about, so that it may be an answer
     if (message.size() >= 6) static_cast<void>(wire::decode_prefix(asked, std::span{message}.subspan(2)));

@@ -1,5 +1,5 @@
 // Any frames through an emulated slave: what does not parse changes nothing, and the rest only what it may.
-#include "support/objects.hpp"
+#include "support/described_objects.hpp"
 #include "support/steps.hpp"
 #include <jauscat/ethercat/slave.hpp>
 
@@ -64,16 +64,22 @@ void check_frame(slave& device, bytes frame) {
 
 void fuzz::run(std::span<const std::byte> input) {
     input_reader in{input};
-    objects source;
+    objects plain;
+    described_objects described;
     bytes memory(1020); // of the largest object
     constexpr std::array outputs{pdo_entry{0x7000, 1, 32, 7, "value"}, pdo_entry{0x7000, 2, 3, 5, "mode"}};
     constexpr std::array inputs{pdo_entry{0x6000, 1, 64, 0x1B, "value"}};
+    constexpr std::array refused{refused_object{0x2002, 1, abort_code::hardware}};
     const auto options = in.take();
     auto what = description(options);
     if ((options & 8) != 0) what.outputs = outputs, what.inputs = inputs;
-    slave device{what, object_dictionary{source}, {.transfer_memory = memory}};
+    coe_options rules{.transfer_memory = memory};
+    if ((options & 16) != 0) rules.refused = refused, rules.subindex_0_rule = rules.state_rule = true;
+    if ((options & 32) != 0) rules.answer_delay = 2;
+    slave device{what, (options & 64) != 0 ? object_dictionary{described} : object_dictionary{plain}, rules};
+    plain.on_access =
+        described.on_access = [&] { check(device.state() != al_state::init, "a slave in INIT has no mailbox"); };
     std::chrono::nanoseconds now{};
-    source.on_access = [&] { check(device.state() != al_state::init, "a slave in INIT has no mailbox"); };
     for (int step = 0; step != max_steps && !in.empty(); ++step)
         if (auto frame = next_frame(in); !frame.empty()) {
             check_frame(device, std::move(frame));
