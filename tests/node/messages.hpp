@@ -1,6 +1,7 @@
 // Messages for tests of state machines: made whole, and collected from a sink.
 #pragma once
 #include "support/catch.hpp"
+#include "support/hex.hpp"
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/jaus/message_sink.hpp>
 

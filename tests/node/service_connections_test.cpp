@@ -1,0 +1,435 @@
+// Service connections: the two sides by themselves with literal messages, and together on a network that loses some.
+#include "messages.hpp"
+#include "support/hex.hpp"
+#include <jauscat/jaus/service_connections.hpp>
+#include <jauscat/jaus/service_consumer.hpp>
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+namespace {
+
+using namespace std::chrono_literals;
+using jauscat::jaus::consumed_state;
+using jauscat::jaus::consumer_news;
+using jauscat::jaus::message_outcome;
+using jauscat::test::bytes;
+using jauscat::test::from_hex;
+using jauscat::test::to_hex;
+using response = jauscat::jaus::service_connection_response;
+using time_point = std::chrono::nanoseconds;
+namespace jaus = jauscat::jaus;
+
+constexpr jaus::address sensor{1, 38, 1, 2}, viewer{1, 40, 1, 1}, other{2, 40, 1, 1};
+constexpr std::uint16_t pose = 0x4402, velocity = 0x4404;
+
+/// A provider of two reports, and what it sends.
+struct provider {
+    std::array<jaus::connectable_report, 2> reports{
+        {{.command_code = pose, .min_rate = 1, .max_rate = 50, .presence_vector = 0x1FF}, {.command_code = velocity}}};
+    std::optional<std::size_t> size{2};
+    std::optional<std::size_t> operator()(std::uint16_t code, std::uint32_t fields, std::span<std::byte> body) {
+        if (size && *size <= body.size()) std::ranges::fill(body.first(*size), static_cast<std::byte>(code + fields));
+        return size;
+    }
+    std::array<std::byte, jaus::header_size + 100> memory{};
+    jaus::service_connections<3> connections{sensor, reports, *this, memory};
+    jauscat::test::sent_messages sent{};
+
+    template <class Message> message_outcome hear(const jaus::address& from, const Message& body, time_point now = 0s) {
+        return hear(jauscat::test::message({.destination = sensor, .source = from}, body), now);
+    }
+    message_outcome hear(const bytes& message, time_point now = 0s) {
+        const auto m = jaus::split(message);
+        REQUIRE(m);
+        return connections.on_message(m.header, m.body, now, sent.sink());
+    }
+    response ask(const jaus::address& from, std::uint16_t code, double rate, std::uint32_t fields = 0,
+                 time_point now = 0s) {
+        const auto outcome = hear(from, jaus::create_service_connection{code, rate, fields}, now);
+        const auto confirmed = sent.body<jaus::confirm_service_connection>(sent.size() - 1);
+        REQUIRE(confirmed.command_code_ == code);
+        REQUIRE(sent.header(sent.size() - 1).destination == from);
+        REQUIRE((confirmed.response_code == response::connection_created) == (outcome == message_outcome::taken));
+        REQUIRE((confirmed.confirmed_periodic_update_rate == 0) == (outcome == message_outcome::refused));
+        return confirmed.response_code;
+    }
+    double confirmed_rate() { return sent.body<jaus::confirm_service_connection>(0).confirmed_periodic_update_rate; }
+};
+
+/// Runs the provider's due reports until `end` and counts them.
+std::size_t run(provider& p, time_point end) {
+    p.sent.clear();
+    while (p.connections.next_event() && *p.connections.next_event() <= end)
+        p.connections.on_time(*p.connections.next_event(), p.sent.sink());
+    return p.sent.size();
+}
+
+} // namespace
+
+TEST_CASE("a connection is confirmed and its reports carry the flag and count") {
+    provider p;
+    // Report Global Pose at 10 Hz (0258h steps), fields 0000000Fh.
+    REQUIRE(p.hear(from_hex("06 02 08 00 01 26 01 02 01 28 01 01 08 00 05 00 02 44 58 02 0f 00 00 00"), 3s) ==
+            message_outcome::taken);
+    REQUIRE(p.sent.size() == 1);
+    REQUIRE(to_hex(p.sent[0]) == "06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 58 02 00");
+    REQUIRE(p.connections.next_event() == 3s);
+
+    p.sent.clear();
+    p.connections.on_time(3s - 1ns, p.sent.sink());
+    REQUIRE(p.sent.empty());
+    p.connections.on_time(3s, p.sent.sink());
+    p.connections.on_time(3s, p.sent.sink());
+    REQUIRE(p.sent.size() == 1);
+    REQUIRE(to_hex(p.sent[0]) == "46 02 02 44 01 28 01 01 01 26 01 02 02 00 00 00 11 11");
+    p.connections.on_time(4s, p.sent.sink());
+    REQUIRE(to_hex(p.sent[1]) == "46 02 02 44 01 28 01 01 01 26 01 02 02 00 01 00 11 11");
+}
+
+TEST_CASE("suspend, activate and terminate do what they say") {
+    provider p;
+    p.ask(viewer, pose, 10);
+    const auto suspend = from_hex("06 02 0b 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 00");
+    const auto activate = from_hex("06 02 0a 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 00");
+    const auto terminate = from_hex("06 02 0c 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 00");
+    REQUIRE(run(p, 1s) == 10);
+    REQUIRE(p.hear(suspend, 1s) == message_outcome::taken);
+    REQUIRE(p.connections.next_event() == std::nullopt);
+    REQUIRE(run(p, 5s) == 0);
+    REQUIRE(p.hear(activate, 5s) == message_outcome::taken);
+    REQUIRE(p.connections.next_event() == 5s);
+    REQUIRE(p.hear(activate, 5050ms) == message_outcome::taken);
+    REQUIRE(run(p, 6s) == 10);
+    REQUIRE(p.sent.header(0).sequence_number == 10);
+    REQUIRE(p.hear(terminate) == message_outcome::taken);
+    REQUIRE(run(p, 100s) == 0);
+    REQUIRE(p.hear(activate) == message_outcome::refused);
+    REQUIRE(p.hear(terminate) == message_outcome::refused);
+    REQUIRE(p.sent.empty());
+}
+
+TEST_CASE("the confirmed rate is one that can be kept") {
+    struct row {
+        std::uint16_t code;
+        double asked, lowest, highest;
+    };
+    for (const row& r : {row{pose, 10, 9.99, 10.01}, row{pose, 1000, 49.98, 50}, row{pose, 0.1, 0.99, 1.01},
+                         row{velocity, 1092, 1092, 1092}, row{velocity, 0.017, 0.016, 0.018}}) {
+        provider p;
+        REQUIRE(p.ask(viewer, r.code, r.asked) == response::connection_created);
+        REQUIRE(p.confirmed_rate() >= r.lowest);
+        REQUIRE(p.confirmed_rate() <= r.highest);
+        REQUIRE(p.connections.connections()[0].rate == p.confirmed_rate());
+    }
+}
+
+TEST_CASE("what cannot be connected is answered with the reason") {
+    provider p;
+    REQUIRE(p.ask(viewer, 0x4403, 10) == response::command_not_supported);
+    REQUIRE(p.ask(viewer, pose, 0) == response::invalid_service_connection_parameters);
+    REQUIRE(p.ask(viewer, pose, 10, 0x200) == response::invalid_service_connection_parameters);
+    REQUIRE(p.ask(viewer, pose, 10, 0x1FF) == response::connection_created);
+    REQUIRE(p.ask(viewer, velocity, 10, 0xFFFFFFFF) == response::connection_created);
+    REQUIRE(p.ask(other, pose, 10) == response::connection_created);
+    REQUIRE(p.ask(other, velocity, 10) == response::connection_refused);
+    REQUIRE(p.connections.lose(viewer) == 2);
+    REQUIRE(p.ask(other, velocity, 10) == response::connection_created);
+
+    std::array<std::byte, 100> memory{};
+    jaus::service_connections<1> none{sensor, {}, p, memory};
+    jauscat::test::sent_messages sent;
+    const auto body = from_hex("02 44 58 02 00 00 00 00");
+    REQUIRE(none.on_message({.command_code = 8, .source = viewer}, body, 0s, sent.sink()) == message_outcome::refused);
+    REQUIRE(sent.body<jaus::confirm_service_connection>(0).response_code ==
+            response::component_does_not_support_service_connections);
+}
+
+TEST_CASE("a judge refuses with its own reason") {
+    provider p;
+    const auto judge = [](const jaus::header& head, const jaus::create_service_connection& request) {
+        REQUIRE(request.command_code_ == pose);
+        return head.source == viewer ? response::connection_created : response::insufficient_authority;
+    };
+    p.connections = {sensor, p.reports, p, p.memory, judge};
+    REQUIRE(p.ask(other, pose, 10) == response::insufficient_authority);
+    REQUIRE(p.ask(viewer, pose, 10) == response::connection_created);
+    REQUIRE(p.connections.connections()[0].consumer == viewer);
+    REQUIRE(p.connections.connections()[1].command_code == 0);
+}
+
+TEST_CASE("a request that is repeated changes the connection and makes no second one") {
+    provider p;
+    p.ask(viewer, pose, 10);
+    REQUIRE(run(p, 990ms) == 10);
+    const auto due = p.connections.next_event();
+    REQUIRE(p.ask(viewer, pose, 10, 0, 995ms) == response::connection_created);
+    REQUIRE(p.connections.next_event() == due);
+    REQUIRE(p.ask(viewer, pose, 20, 3, 996ms) == response::connection_created);
+    REQUIRE(p.connections.next_event() == 996ms);
+    run(p, 996ms);
+    REQUIRE(p.sent.header(0).sequence_number == 10);
+    REQUIRE(std::ranges::count(p.connections.connections(), pose, &jaus::service_connection::command_code) == 1);
+}
+
+TEST_CASE("nobody but its consumer touches a connection") {
+    provider p;
+    p.ask(viewer, pose, 10);
+    REQUIRE(p.hear(other, jaus::terminate_service_connection{pose, 0}) == message_outcome::refused);
+    REQUIRE(p.hear(other, jaus::suspend_service_connection{pose, 0}) == message_outcome::refused);
+    REQUIRE(p.hear(viewer, jaus::suspend_service_connection{velocity, 0}) == message_outcome::refused);
+    REQUIRE(p.hear(viewer, jaus::suspend_service_connection{pose, 1}) == message_outcome::refused);
+    REQUIRE(p.hear(viewer, jaus::suspend_service_connection{pose, 255}) == message_outcome::refused);
+    REQUIRE(p.hear(viewer, jaus::suspend_service_connection{0, 1}) == message_outcome::refused);
+    REQUIRE(p.connections.connections()[0].active);
+    REQUIRE(p.connections.connections()[1].consumer == jaus::address{});
+}
+
+TEST_CASE("malformed and foreign messages change nothing") {
+    provider p;
+    const std::array<std::byte, 9> junk{};
+    for (const std::uint16_t code : {std::uint16_t{8}, std::uint16_t{10}, std::uint16_t{11}, std::uint16_t{12}})
+        for (const std::size_t size : {0u, 2u, 7u, 9u}) {
+            const jaus::header head{.command_code = code, .source = viewer};
+            REQUIRE(p.connections.on_message(head, std::span{junk}.first(size), 0s, p.sent.sink()) ==
+                    message_outcome::malformed);
+        }
+    REQUIRE(p.connections.on_message({.command_code = 0x0009}, std::span{junk}.first(6), 0s, p.sent.sink()) ==
+            message_outcome::not_mine);
+    REQUIRE(p.connections.on_message({.ack_nak = jaus::ack_nak::ack, .command_code = 8}, {}, 0s, p.sent.sink()) ==
+            message_outcome::not_mine);
+    REQUIRE(p.sent.empty());
+    REQUIRE(p.connections.next_event() == std::nullopt);
+}
+
+TEST_CASE("reports do not drift, and a late one is sent once") {
+    provider p;
+    p.ask(viewer, pose, 10, 0, 0s);
+    const auto period = jaus::period_of(p.confirmed_rate());
+    REQUIRE(period > 99ms);
+    REQUIRE(period < 101ms);
+    // Always served 3 ms late.
+    p.sent.clear();
+    for (int i = 0; i != 100000; ++i) {
+        REQUIRE(p.connections.next_event() == i * period);
+        p.connections.on_time(i * period + 3ms, p.sent.sink());
+    }
+    REQUIRE(p.sent.size() == 100000);
+    REQUIRE(p.sent.header(99999).sequence_number == 99999 - 65536);
+    // An hour late: one report, and the instants stay where they were.
+    p.sent.clear();
+    p.connections.on_time(100000 * period + 36000 * period + 1ms, p.sent.sink());
+    REQUIRE(p.sent.size() == 1);
+    REQUIRE(p.connections.next_event() == 136001 * period);
+}
+
+TEST_CASE("a report that cannot be made is skipped and not counted as sent") {
+    provider p;
+    p.ask(viewer, pose, 10);
+    run(p, 0s);
+    p.size = std::nullopt;
+    REQUIRE(run(p, 990ms) == 0);
+    REQUIRE(p.connections.skipped() == 9);
+    p.size = 101;
+    REQUIRE(run(p, 1100ms) == 0);
+    REQUIRE(p.connections.skipped() == 10);
+    p.size = 100;
+    REQUIRE(run(p, 1200ms) == 1);
+    REQUIRE(p.sent.header(0).sequence_number == 1);
+    REQUIRE(p.sent[0].size() == 116);
+    REQUIRE(p.connections.skipped() == 10);
+    p.connections.clear();
+    REQUIRE(p.connections.next_event() == std::nullopt);
+}
+
+namespace {
+
+/// A consumer, what it sends and what it says.
+struct consumer {
+    std::vector<consumed_state> states{};
+    void operator()(const jaus::consumed_connection& c) { states.push_back(c.state); }
+    jaus::service_consumer<2> service{viewer, {}, *this};
+    jauscat::test::sent_messages sent{};
+
+    jaus::consumer_outcome hear(const bytes& message, time_point now) {
+        const auto m = jaus::split(message);
+        REQUIRE(m);
+        return service.on_message(m.header, m.body, now, sent.sink());
+    }
+    jaus::consumer_outcome report(std::uint16_t number, time_point now, std::uint16_t code = pose) {
+        const jaus::header head{
+            .service_connection = true, .command_code = code, .source = sensor, .sequence_number = number};
+        return service.on_message(head, {}, now, sent.sink());
+    }
+    const jaus::consumed_connection& first() { return service.connections()[0]; }
+};
+using states = std::vector<consumed_state>;
+
+const auto confirmation = "06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 07 58 02 00";
+
+} // namespace
+
+TEST_CASE("a consumer asks until it is answered, keeps what is confirmed and terminates it") {
+    consumer c;
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()) == 0);
+    REQUIRE(c.service.next_event() == 1s);
+    c.service.on_time(1s, c.sent.sink());
+    REQUIRE(c.sent.size() == 2);
+    REQUIRE(to_hex(c.sent[0]) == "06 02 08 00 01 26 01 02 01 28 01 01 08 00 00 00 02 44 58 02 0f 00 00 00");
+    REQUIRE(c.sent[1] == c.sent[0]);
+    REQUIRE(c.hear(from_hex(confirmation), 1100ms) == jaus::consumer_outcome{consumer_news::confirmed, 0, 0});
+    REQUIRE(c.first().instance_id == 7);
+    REQUIRE(c.first().rate > 9.99);
+    REQUIRE(c.first().rate < 10.01);
+
+    c.sent.clear();
+    REQUIRE(c.service.suspend(0, 1200ms, c.sent.sink()));
+    REQUIRE_FALSE(c.service.suspend(0, 1200ms, c.sent.sink()));
+    REQUIRE(c.service.next_event() == std::nullopt);
+    REQUIRE(c.service.activate(0, 1300ms, c.sent.sink()));
+    REQUIRE_FALSE(c.service.activate(0, 1300ms, c.sent.sink()));
+    c.service.end(0, 1400ms, c.sent.sink());
+    REQUIRE(c.sent.size() == 3);
+    REQUIRE(to_hex(c.sent[0]) == "06 02 0b 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 07");
+    REQUIRE(to_hex(c.sent[1]) == "06 02 0a 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 07");
+    REQUIRE(to_hex(c.sent[2]) == "06 02 0c 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 07");
+    c.service.on_time(2400ms, c.sent.sink());
+    REQUIRE(c.states == states{consumed_state::asking, consumed_state::active, consumed_state::suspended,
+                               consumed_state::active, consumed_state::ending, consumed_state::free});
+    REQUIRE(c.service.next_event() == std::nullopt);
+}
+
+TEST_CASE("a consumer counts the reports that are missing, and drops old ones") {
+    consumer c;
+    c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink());
+    // The first overtakes the confirmation.
+    REQUIRE(c.report(65533, 1ms) == jaus::consumer_outcome{consumer_news::report, 0, 0});
+    c.hear(from_hex(confirmation), 2ms);
+    REQUIRE(c.report(65534, 3ms) == jaus::consumer_outcome{consumer_news::report, 0, 0});
+    REQUIRE(c.report(65534, 4ms) == jaus::consumer_outcome{consumer_news::old_report, 0, 0});
+    REQUIRE(c.report(2, 5ms) == jaus::consumer_outcome{consumer_news::report, 0, 3});
+    REQUIRE(c.report(0, 6ms) == jaus::consumer_outcome{consumer_news::old_report, 0, 0});
+    REQUIRE(c.report(3, 6ms, velocity).what == consumer_news::not_mine);
+    REQUIRE(c.service.on_message({.command_code = pose, .source = sensor}, {}, 7ms, c.sent.sink()).what ==
+            consumer_news::not_mine);
+    REQUIRE(c.first().received == 3);
+    REQUIRE(c.first().lost == 3);
+    REQUIRE(c.first().dropped == 2);
+}
+
+TEST_CASE("a connection without a report for three periods is stale and asked for again") {
+    consumer c;
+    c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink());
+    c.hear(from_hex(confirmation), 0s);
+    c.report(41, 100ms);
+    const auto due = c.service.next_event();
+    REQUIRE(due > 399ms);
+    REQUIRE(due < 401ms);
+    c.sent.clear();
+    c.service.on_time(*due - 1ns, c.sent.sink());
+    REQUIRE(c.first().state == consumed_state::active);
+    c.service.on_time(*due, c.sent.sink());
+    REQUIRE(c.first().state == consumed_state::stale);
+    REQUIRE(c.service.next_event() == *due + 1s);
+    c.service.on_time(*due + 1s, c.sent.sink());
+    REQUIRE(c.sent.size() == 2);
+    REQUIRE(to_hex(c.sent[1]) == "06 02 08 00 01 26 01 02 01 28 01 01 08 00 00 00 02 44 58 02 0f 00 00 00");
+
+    // The provider has started anew, with another instance ID, and counts from 0.
+    REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 01 58 02 00"), 2s).what ==
+            consumer_news::confirmed);
+    REQUIRE(c.report(0, 2s) == jaus::consumer_outcome{consumer_news::report, 0, 0});
+    REQUIRE(c.first().instance_id == 1);
+    REQUIRE(c.first().state == consumed_state::active);
+}
+
+TEST_CASE("a consumer gives up what is refused or never answered") {
+    consumer c;
+    c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink());
+    REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 00 00 04"), 0s).what ==
+            consumer_news::refused);
+    REQUIRE(c.first().response == response::connection_refused);
+    REQUIRE(c.service.next_event() == std::nullopt);
+    REQUIRE(c.report(0, 1s).what == consumer_news::ignored);
+
+    c.sent.clear();
+    REQUIRE(c.service.ask(sensor, velocity, 10, 15, 0s, c.sent.sink()) == 1);
+    while (c.service.next_event()) c.service.on_time(*c.service.next_event(), c.sent.sink());
+    REQUIRE(c.sent.size() == 5);
+    REQUIRE(c.service.connections()[1].state == consumed_state::unanswered);
+    // Both places are wanted for others.
+    REQUIRE(c.service.ask(other, pose, 10, 15, 9s, c.sent.sink()) == 1);
+    REQUIRE(c.service.ask(other, velocity, 10, 15, 9s, c.sent.sink()) == 0);
+    REQUIRE(c.service.ask(other, 0x4403, 10, 15, 9s, c.sent.sink()) == std::nullopt);
+    REQUIRE(c.service.ask(other, velocity, 0, 15, 9s, c.sent.sink()) == std::nullopt);
+    REQUIRE(c.service.ask(other, velocity, 1093, 15, 9s, c.sent.sink()) == std::nullopt);
+}
+
+TEST_CASE("a confirmation from elsewhere or of another report is none") {
+    consumer c;
+    c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink());
+    REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 02 26 01 02 06 00 05 00 02 44 07 58 02 00"), 0s).what ==
+            consumer_news::not_mine);
+    REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 04 44 07 58 02 00"), 0s).what ==
+            consumer_news::not_mine);
+    REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 05 00 05 00 02 44 07 58 02"), 0s).what ==
+            consumer_news::malformed);
+    REQUIRE(c.first().state == consumed_state::asking);
+    // One that says created, and a rate of 0, promises nothing.
+    REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 07 00 00 00"), 0s).what ==
+            consumer_news::refused);
+}
+
+TEST_CASE("over a network that loses a third of all messages connections come about, report and end") {
+    std::mt19937 random{3};
+    for (int round = 0; round != 50; ++round) {
+        provider p;
+        consumer c;
+        c.service = jaus::service_consumer<2>{viewer, {.requests = 100}, c};
+        std::vector<std::uint16_t> numbers;
+        std::uint64_t lost_by_count = 0;
+        const auto exchange = [&](time_point now) {
+            for (int hop = 0; hop != 4; ++hop) {
+                for (const auto& m : c.sent.take())
+                    if (random() % 3 != 0) p.hear(m, now);
+                for (const auto& m : p.sent.take()) {
+                    if (random() % 3 == 0) continue;
+                    const auto news = c.hear(m, now);
+                    if (news.what != consumer_news::report) continue;
+                    numbers.push_back(jaus::split(m).header.sequence_number);
+                    lost_by_count += news.lost;
+                }
+            }
+        };
+        c.service.ask(sensor, pose, 50, 7, 0s, c.sent.sink());
+        bool ended = false;
+        int restarts = 0;
+        time_point now = 0s;
+        for (; now != 60s; now += 1ms) {
+            if (now == 20s) { // the provider starts anew and has forgotten all
+                p.connections.clear();
+                ++restarts;
+            }
+            if (now == 40s) {
+                // Nearly all reports of 40 s were sent: asking takes a few seconds at worst.
+                REQUIRE(c.first().confirmed);
+                REQUIRE(numbers.size() > 800);
+                REQUIRE(numbers.size() < 2000);
+                REQUIRE(c.first().received + c.first().lost <= 2002);
+                REQUIRE(c.first().received == numbers.size());
+                REQUIRE(c.first().lost == lost_by_count);
+                c.service.end(0, now, c.sent.sink());
+                ended = true;
+            }
+            if (p.connections.next_event() && *p.connections.next_event() <= now)
+                p.connections.on_time(now, p.sent.sink());
+            if (c.service.next_event() && *c.service.next_event() <= now) c.service.on_time(now, c.sent.sink());
+            exchange(now);
+        }
+        REQUIRE(ended);
+        REQUIRE(restarts == 1);
+        REQUIRE(p.connections.next_event() == std::nullopt);
+        REQUIRE(c.first().state == consumed_state::free);
+    }
+}
