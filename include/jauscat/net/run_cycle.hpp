@@ -21,7 +21,7 @@ struct cycle_report {
     std::chrono::nanoseconds late{};       ///< by how much it began after its instant
     std::chrono::nanoseconds round_trip{}; ///< from sending the process data to having them back; only if `back`
     bool sent{};                           ///< the link took the frame
-    bool back{};                           ///< the frame came back before the cycle was over
+    bool back{};                           ///< the frame came back before the next was due
 };
 
 struct cycle_config {
@@ -49,13 +49,18 @@ template <ethercat::link Link> class cycle_runner {
         const auto begun = now();
         const auto size = data_.next_frame(frame_, begun);
         report.sent = size != 0 && link_.send(std::span{frame_}.first(size));
-        while (true) {
+        // Who was kept from running until the cycle was over still looks at what has come, but not for ever.
+        for (unsigned late_frames = 0; waits(report) || !master_.idle();) {
             const auto at = now();
-            if (at >= end || (!waits(report) && master_.idle())) return report;
+            const bool over = at >= end;
+            if (over && (!waits(report) || ++late_frames == max_late_frames)) break;
             auto wake = end;
             if (!waits(report)) wake = std::min(wake, work(at, end));
             const auto received = link_.receive(frame_, std::max(wake - now(), std::chrono::nanoseconds{}));
-            if (received == 0) continue;
+            if (received == 0) {
+                if (over) break;
+                continue;
+            }
             const auto bytes = std::span{frame_}.first(received);
             if (!data_.on_frame(bytes)) {
                 master_.on_frame(bytes, now());
@@ -64,6 +69,7 @@ template <ethercat::link Link> class cycle_runner {
                 report.round_trip = now() - begun;
             }
         }
+        return report;
     }
 
     /// Runs cycles until the master's job is done, and gives it up after `limit`; `each(report)` is called after every
@@ -82,6 +88,7 @@ template <ethercat::link Link> class cycle_runner {
     [[nodiscard]] std::uint64_t overruns() const noexcept { return timer_.overruns(); }
 
   private:
+    static constexpr unsigned max_late_frames = 16;
     using time = ethercat::time_point;
     static time to_time(cycle_timer::clock::time_point instant) noexcept {
         return std::chrono::duration_cast<time>(instant.time_since_epoch());
