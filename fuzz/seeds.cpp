@@ -5,6 +5,8 @@
 #include "support/pcap.hpp"
 #include "support/simulated_link.hpp"
 #include <jauscat/ethercat/frame_view.hpp>
+#include <jauscat/schema/ethercat/hilscher_info.hpp>
+#include <jauscat/schema/ethercat/hilscher_state.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
@@ -161,6 +163,43 @@ void write_segments(const std::filesystem::path& root) {
     segments.add(changed);
 }
 
+// Packets in the form of fuzz/packets.cpp, all of them in a row and each one after the bus was scanned.
+void write_packets(const std::filesystem::path& root) {
+    using namespace hilscher;
+    seed_folder packets{root, "packets"};
+    bytes all, scan;
+    const auto add = [&](auto packet, std::span<const std::byte> data = {}) {
+        packet.head.ul_dest = 0x20;
+        const auto size = wire::max_size<decltype(packet)> + data.size();
+        packet.head.ul_len = static_cast<std::uint32_t>(size - 40);
+        bytes step(3 + wire::max_size<decltype(packet)>);
+        step[1] = static_cast<std::byte>(size);
+        if (!wire::encode(packet, std::span{step}.subspan(3)))
+            throw std::runtime_error{"a packet that does not encode"};
+        append(step, data);
+        step.push_back({}); // nothing is disturbed
+        append(all, step);
+        if (scan.empty()) scan = step;
+        bytes after_scan = scan;
+        append(after_scan, step);
+        packets.add(after_scan);
+    };
+    constexpr std::array data{std::byte{1}, std::byte{2}, std::byte{3}, std::byte{4}};
+    add(start_bus_scan_request{.ul_timeout = 1000});
+    add(get_bus_scan_info_request{.us_auto_inc_addr = 0xFFFF});
+    add(get_slave_handles_request{.ul_param = handle_list::active});
+    add(get_od_list_request{.ul_node_id = 1, .ul_list_type = packet_list_type::all});
+    add(get_object_description_request{.ul_node_id = 1, .ul_index = 0x1018});
+    add(get_entry_description_request{.ul_node_id = 1, .ul_index = 0x1018, .ul_sub_index = 1, .ul_access_bit_mask = 7});
+    add(sdo_download_request{.ul_node_id = 1, .ul_index = 0x2000, .ul_sub_index = 1, .ul_data_cnt = 4}, data);
+    add(sdo_upload_request{.ul_node_id = 2, .ul_index = 0x2000, .ul_sub_index = 20});
+    add(set_state_request{.us_new_ec_state = bus_state::op});
+    add(get_state_request{});
+    add(read_emergencies_request{.ul_slave_handle = 1, .f_delete_emergency = 1});
+    add(set_state_request{.us_new_ec_state = bus_state::init});
+    packets.add(all);
+}
+
 void write_configurations(const std::filesystem::path& root, const std::filesystem::path& example) {
     seed_folder config{root, "config"};
     std::ifstream file{example};
@@ -183,6 +222,7 @@ int main(int count, char** arguments) {
         write_messages(root);
         write_traffic(root);
         write_segments(root);
+        write_packets(root);
         write_configurations(root, arguments[2]);
     } catch (const std::exception& error) {
         std::cerr << "fuzz_seeds: " << error.what() << '\n';
