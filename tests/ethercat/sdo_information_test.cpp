@@ -1,8 +1,11 @@
 // Questions about a slave's objects: the messages byte for byte, fragments, refusals.
+#include "ethercat/described_objects.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
+#include "support/simulated_link.hpp"
 #include <jauscat/ethercat/sdo_information.hpp>
 #include <jauscat/ethercat/sdo_transfer.hpp>
+#include <jauscat/ethercat/standard_objects.hpp>
 
 #include <string>
 #include <vector>
@@ -113,4 +116,95 @@ TEST_CASE("complete access is a bit of the request, and its answer may name any 
     auto refused = sdo_transfer::upload(0x1C12, 0, into, {.complete_access = true});
     CHECK(take(refused, "0020 90 121c 00 04000106") == mail::final);
     CHECK(refused.result() == outcome{.error = master_errc::sdo_abort, .detail = 0x06010004});
+}
+
+namespace {
+
+// A slave that describes itself, on a link that may be bad.
+struct bench {
+    slave_description description;
+    jauscat::test::described_objects objects{};
+    standard_objects dictionary;
+    bytes memory = bytes(200);
+    std::array<slave, 1> devices;
+    jauscat::test::simulated_link link{devices};
+    class master master {
+        {
+            .frame_timeout = std::chrono::milliseconds{1}, .frame_lifetime = std::chrono::milliseconds { 3 }
+        }
+    };
+
+    explicit bench(std::uint16_t mailbox)
+        : description{.mailbox_out_size = mailbox, .mailbox_in_size = mailbox},
+          dictionary{description, objects},
+          devices{slave{description, dictionary, {.transfer_memory = memory}}} {
+        REQUIRE(master.bring_up(0, 1));
+        REQUIRE(link.run(master));
+    }
+    outcome run(bool started) {
+        REQUIRE(started);
+        return link.run(master);
+    }
+};
+
+} // namespace
+
+TEST_CASE("a master asks a slave what it has, whatever the size of the mailbox") {
+    for (const auto mailbox : std::to_array<std::uint16_t>({24, 30, 64, 128, 1486})) {
+        INFO("mailbox of " << mailbox);
+        bench b{mailbox};
+        bytes into(100);
+        const auto listed = b.run(b.master.list_objects(1, object_list_type::all, into));
+        REQUIRE(listed);
+        CHECK(to_hex(std::span{into}.first(listed.size)) == "00 10 08 10 18 10 00 1c 00 20 01 20 02 20 03 20 00 30");
+
+        const auto described = b.run(b.master.describe_object(1, 0x3000, into));
+        REQUIRE(described);
+        CHECK(to_hex(std::span{into}.first(described.size)) == "00 30 00 00 04 09 6d 69 78 74 75 72 65");
+
+        const auto entry = b.run(b.master.describe_entry(1, 0x3000, 3, 7, into));
+        REQUIRE(entry);
+        CHECK(to_hex(std::span{into}.first(entry.size)) == "00 30 03 07 05 00 10 00 3f 00 70 61 72 74");
+
+        CHECK(b.run(b.master.describe_object(1, 0x7000, into)) ==
+              outcome{.error = master_errc::sdo_abort, .detail = 0x06020000});
+        CHECK(b.run(b.master.list_objects(1, object_list_type::all, std::span{into}.first(10))).error ==
+              master_errc::data_too_long);
+        CHECK(b.run(b.master.list_objects(1, object_list_type::all, into)) == listed);
+    }
+}
+
+TEST_CASE("a whole object goes both ways in one transfer") {
+    for (const auto mailbox : std::to_array<std::uint16_t>({24, 128})) {
+        bench b{mailbox};
+        bytes into(100);
+        const auto all = b.run(b.master.upload(1, 0x1018, 0, into, {.complete_access = true}));
+        REQUIRE(all);
+        CHECK(all.size == 2 + 4 * 4);
+        CHECK(to_hex(std::span{into}.first(2)) == "04 00");
+
+        const auto mixture = b.run(b.master.upload(1, 0x3000, 1, into, {.complete_access = true}));
+        REQUIRE(mixture);
+        const bytes before(into.begin(), into.begin() + static_cast<std::ptrdiff_t>(mixture.size));
+        CHECK(b.run(b.master.download(1, 0x3000, 1, before, {.complete_access = true})));
+        CHECK(b.run(b.master.download(1, 0x3000, 1, from_hex("01"), {.complete_access = true})) ==
+              outcome{.error = master_errc::sdo_abort, .detail = 0x06070010});
+    }
+}
+
+TEST_CASE("over a bad wire a list is right or not there") {
+    bench b{24};
+    b.link.faults = {.lose = 10, .duplicate = 10, .delay = 20};
+    bytes into(100);
+    unsigned good = 0;
+    for (int i = 0; i != 1'000; ++i) {
+        const auto result = b.run(b.master.list_objects(1, object_list_type::all, into));
+        if (!result) {
+            CHECK(result.error == master_errc::no_reply);
+            continue;
+        }
+        ++good;
+        REQUIRE(to_hex(std::span{into}.first(result.size)) == "00 10 08 10 18 10 00 1c 00 20 01 20 02 20 03 20 00 30");
+    }
+    CHECK(good > 990);
 }

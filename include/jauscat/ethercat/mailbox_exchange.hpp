@@ -10,6 +10,7 @@
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -110,8 +111,8 @@ class mailbox_exchange {
         write,       // posts the request
         look_room,   // it was refused: is the mailbox full?
         read,        // fetches the reply, or what keeps a slave from taking the request
-        look,        // a read was lost: is the message still there?
-        ask_repeat,  // it is not: toggles the repeat request
+        look,        // a read was lost: how does the repeat request stand?
+        ask_repeat,  // toggles it
         wait_repeat, // until the slave has toggled its acknowledgement
     };
 
@@ -151,7 +152,7 @@ class mailbox_exchange {
         // A slave may hold a request back because its reply mailbox is full.
         if (step_ == step::look_room) return go(mailbox.full ? step::read : step::write);
         if (step_ == step::wait_repeat) return mailbox.repeat_acknowledge == repeat_ ? go(step::read) : progress::wait;
-        if (mailbox.full) return go(step::read); // the lost read never reached the slave
+        // Even if there is a message: it may be the next one already. An older one that comes again is passed over.
         repeat_ = !mailbox.repeat_request;
         repeated_ = true;
         return go(step::ask_repeat);
@@ -177,10 +178,19 @@ class mailbox_exchange {
     static envelope open(std::span<const std::byte> data, slave_record& slave) noexcept {
         envelope letter{};
         static_cast<void>(wire::decode_prefix(letter.header, data));
-        slave.last_reply_counter = letter.header.counter;
         const auto body = data.subspan(wire::max_size<mailbox_header>);
         if (letter.header.length <= body.size()) letter.message = body.first(letter.header.length);
+        slave.last_reply_mark = mark_of(letter);
         return letter;
+    }
+
+    // Counter, length and the bytes in which messages differ that follow each other: fragments have the same counter.
+    static std::uint32_t mark_of(const envelope& letter) noexcept {
+        constexpr std::size_t telling = 16;
+        std::uint32_t mark = letter.header.counter * 65'536u + letter.header.length;
+        for (const std::byte byte : letter.message.first(std::min(telling, letter.message.size())))
+            mark = mark * 31u + std::to_integer<std::uint32_t>(byte);
+        return mark;
     }
 
     static void note_emergency(const envelope& letter, slave_record& slave) noexcept {
@@ -194,11 +204,11 @@ class mailbox_exchange {
 
     // A message in the reply mailbox: the answer, or something to pass over.
     progress take(std::span<const std::byte> data, slave_record& slave, mailbox_protocol auto& protocol) noexcept {
-        const auto before = slave.last_reply_counter;
+        const auto before = slave.last_reply_mark;
         const auto letter = open(data, slave);
         const auto& header = letter.header;
         // Slaves may count on their own, so only two counters say for sure that a message is an old one.
-        const bool again = repeated_ && header.counter == before;
+        const bool again = repeated_ && slave.last_reply_mark == before;
         const bool abandoned = header.counter == slave.abandoned_counter && header.counter != slave.last_counter;
         if (header.counter != 0 && again) return progress::send;
         note_emergency(letter, slave);
@@ -211,9 +221,10 @@ class mailbox_exchange {
             return fail(master_errc::mailbox_error, slave, static_cast<std::uint32_t>(error.code));
         }
         const auto meaning = header.type == mailbox_type::coe ? protocol.take(letter.message) : mail::other;
-        if (meaning == mail::more) patience_.renew();
-        if (meaning == mail::other || meaning == mail::more) return progress::send;
+        if (meaning == mail::other) return progress::send;
         slave.abandoned_counter = 0; // a slave answers in order: what was given up cannot come any more
+        patience_.renew();
+        if (meaning == mail::more) return progress::send;
         result_ = protocol.result(); // ok where another request follows
         return progress::done;
     }

@@ -75,12 +75,12 @@ struct slave_record {
     std::uint16_t position{}; ///< in the ring, from 0
     std::uint16_t station{};  ///< configured station address
     sii_identity identity{};
-    sii_mailbox mailbox{};             ///< sizes 0: the slave has none
-    process_place process_data{};      ///< after `configure`
-    std::uint8_t last_counter{};       ///< of the last mailbox request; 0: none yet
-    std::uint8_t last_reply_counter{}; ///< of the last mailbox message received
-    std::uint8_t abandoned_counter{};  ///< of a request that was given up: its answer may still come
-    bool drained{};                    ///< no old message waits in the reply mailbox
+    sii_mailbox mailbox{};            ///< sizes 0: the slave has none
+    process_place process_data{};     ///< after `configure`
+    std::uint8_t last_counter{};      ///< of the last mailbox request; 0: none yet
+    std::uint32_t last_reply_mark{};  ///< of the last mailbox message received: tells it from the next one
+    std::uint8_t abandoned_counter{}; ///< of a request that was given up: its answer may still come
+    bool drained{};                   ///< no old message waits in the reply mailbox
     /// Of a transfer in segments that was given up and not yet aborted: sent before the next one.
     std::optional<sdo_abort> unfinished{};
     emergency_log emergencies{}; ///< since it was brought up, or since they were cleared
