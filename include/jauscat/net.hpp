@@ -9,6 +9,7 @@
 #include <jauscat/net/next_hop.hpp>
 #include <jauscat/net/open_error.hpp>
 #include <jauscat/net/outcome.hpp>
+#include <jauscat/net/rate_limit.hpp>
 #include <jauscat/net/raw_link.hpp>
 #include <jauscat/net/read_jaus_config.hpp>
 #include <jauscat/net/run_cycle.hpp>

@@ -1,6 +1,5 @@
 // JausConfig.xml: what is read from a good file, and what is said about each kind of bad one.
-#include "support/catch.hpp"
-#include <jauscat/net/read_jaus_config.hpp>
+#include "net/config_text.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -9,32 +8,9 @@
 
 using namespace jauscat;
 using namespace jauscat::net;
+using namespace test;
 
 namespace {
-
-const std::string system_a =
-    "<system><name>a</name><jausip>1.0.0.0</jausip><ip>127.0.0.1</ip><port>39777</port></system>\n";
-
-/// A file with the given lines between <jausconfig> in line 1 and the closing tag.
-jaus_config parse(const std::string& lines) {
-    return parse_jaus_config("<jausconfig>\n" + lines + "</jausconfig>\n", "test.xml");
-}
-
-/// What the reader says about `text`.
-std::string complaint(const std::string& text) {
-    try {
-        parse_jaus_config(text, "test.xml");
-        return "accepted";
-    } catch (const config_error& error) {
-        CHECK(std::string{error.what()}.starts_with("test.xml:" + std::to_string(error.line()) + ": "));
-        return error.what();
-    }
-}
-
-/// What it says about a file of system a, in line 2 and `this_line` in line 3.
-std::string complaint_about(const std::string& this_line) {
-    return complaint("<jausconfig thissystem='a'>\n" + system_a + this_line + "\n</jausconfig>\n");
-}
 
 std::string hop(const jaus_config& config, std::string_view destination) {
     const auto* entry = config.next_hop(parse_jausip(destination).value());

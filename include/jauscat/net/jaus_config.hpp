@@ -3,12 +3,16 @@
 
 #include <jauscat/jaus/framing.hpp>
 #include <jauscat/net/jausip.hpp>
+#include <jauscat/net/rate_limit.hpp>
+#include <jauscat/net/udp_options.hpp>
 
 #include <boost/asio/ip/udp.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -28,19 +32,51 @@ class config_error : public std::runtime_error {
     std::size_t line_;
 };
 
+/// A component of a system, as it is announced to others.
+struct component_entry {
+    jaus::address id{};        ///< all levels named, each 1 to 254
+    std::string name{};        ///< may be empty
+    std::uint8_t authority{0}; ///< its authority code, 0 lowest to 255 highest
+    std::size_t line{};        ///< where the file declares it
+};
+
+/// A node of a system, as it is announced to others.
+struct node_entry {
+    std::uint8_t id{}; ///< 1 to 254
+    std::string name{};
+    std::size_t line{};
+};
+
+/// What a system may send, and how much memory it sets aside.
+struct system_limits {
+    rate messages{.per_second = 50'000, .burst = 5'000}; ///< that others take from this system
+    std::size_t large_data_memory{1U << 20U}; ///< bytes that this system sets aside for large data sets on their way in
+};
+
 /// One JAUS system and the socket it listens on.
 struct system_entry {
+    /// Addresses that a system may have.
+    static constexpr std::size_t max_ips = 8;
+
     std::string name{};
     jaus::address jausip{};        ///< each level 0 to 254; 0 stands for every ID at that level
-    boost::asio::ip::address ip{}; ///< IPv4 or IPv6
+    boost::asio::ip::address ip{}; ///< IPv4 or IPv6; where it is sent to
     std::uint16_t port{};          ///< UDP port, 1 to 65535
     jaus::framing framing{};       ///< what this system wants in front of a message; `bare` unless given
     std::size_t line{};            ///< where the file declares it
 
+    std::vector<boost::asio::ip::address> more_ips{}; ///< from which it may send as well; all different
+    bool any_source_port{};                           ///< it may send from other ports than the one it listens at
+    std::optional<multicast_options> multicast{};     ///< the group in which it takes part
+    system_limits limits{};
+    std::vector<node_entry> nodes{};           ///< those that have a name; ids are unique
+    std::vector<component_entry> components{}; ///< ids are unique in the whole file
+
     boost::asio::ip::udp::endpoint endpoint() const { return {ip, port}; }
 };
 
-/// The content of a `JausConfig.xml`, checked: names and jausips are unique, and `this_system` names an entry.
+/// The content of a `JausConfig.xml`, checked: names and jausips are unique, and `this_system` names an entry. See
+/// docs/configuration.md.
 struct jaus_config {
     std::string this_system{};
     std::vector<system_entry> systems{};
@@ -63,6 +99,22 @@ struct jaus_config {
 };
 
 namespace detail {
+
+/// The levels of an address, the subsystem first.
+inline constexpr std::array levels{&jaus::address::subsystem, &jaus::address::node, &jaus::address::component,
+                                   &jaus::address::instance};
+
+/// Whether each level of an entry is open or that of `id`.
+constexpr bool covers(const jaus::address& entry, const jaus::address& id) noexcept {
+    return std::ranges::all_of(levels, [&](auto level) { return entry.*level == 0 || entry.*level == id.*level; });
+}
+
+/// One bit a level, the subsystem's the highest, set where the entry names an ID.
+constexpr int rank(const jaus::address& entry) noexcept {
+    int bits = 0;
+    for (const auto level : levels) bits = 2 * bits + (entry.*level != 0 ? 1 : 0);
+    return bits;
+}
 
 inline std::string quoted(std::string_view text) { return '"' + std::string{text} + '"'; }
 
@@ -88,21 +140,10 @@ inline jaus_config jaus_config::with_this(std::string_view name) const {
 
 inline const system_entry* jaus_config::next_hop(const jaus::address& destination) const noexcept {
     const system_entry* best = nullptr;
-    int best_rank = -1;
-    for (const auto& entry : systems) {
-        int rank = 0; // one bit a level, the subsystem's the highest, set where the entry names an ID
-        bool matches = true;
-        for (const auto level :
-             {&jaus::address::subsystem, &jaus::address::node, &jaus::address::component, &jaus::address::instance}) {
-            const auto id = entry.jausip.*level;
-            rank = 2 * rank + (id != 0);
-            matches = matches && (id == 0 || id == destination.*level);
-        }
-        if (matches && rank > best_rank) {
+    for (const auto& entry : systems)
+        if (detail::covers(entry.jausip, destination) &&
+            (!best || detail::rank(entry.jausip) > detail::rank(best->jausip)))
             best = &entry;
-            best_rank = rank;
-        }
-    }
     return best;
 }
 

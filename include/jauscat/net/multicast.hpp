@@ -20,18 +20,19 @@ namespace detail {
 /// Why an option of multicast was not taken, with what to do.
 [[noreturn]] inline void fail_multicast(const multicast_options& options, const char* what, int error) {
     auto reason = std::string{what} + ' ' + options.group.to_string();
-    if (!options.interface.empty()) reason += " on " + options.interface;
+    if (!options.interface_name.empty()) reason += " on " + options.interface_name;
     reason += std::string{": "} + std::strerror(error);
     if (error == ENODEV || error == EADDRNOTAVAIL)
-        reason += options.interface.empty() ? "; no route leads there: name an interface" : "; see ip -brief address";
+        reason +=
+            options.interface_name.empty() ? "; no route leads there: name an interface" : "; see ip -brief address";
     if (error == ENOBUFS) reason += "; see sysctl net.ipv4.igmp_max_memberships";
     throw open_error{reason};
 }
 
 /// The interface's number; 0 for no name, which leaves the choice to the routing table. Throws `open_error`.
 inline unsigned multicast_interface(const multicast_options& options) {
-    if (options.interface.empty()) return 0;
-    const auto index = ::if_nametoindex(options.interface.c_str());
+    if (options.interface_name.empty()) return 0;
+    const auto index = ::if_nametoindex(options.interface_name.c_str());
     if (index == 0) fail_multicast(options, "cannot use the multicast group", ENODEV);
     return index;
 }

@@ -6,179 +6,213 @@
 //     ...
 //   </jausconfig>
 //
-// Each value may be an attribute instead: <system name="a" jausip="1.0.0.0" ip="127.0.0.1" port="39777"/>.
+// Each value may be an attribute instead: <system name="a" jausip="1.0.0.0" ip="127.0.0.1" port="39777"/>. What else a
+// <system> may contain is in docs/configuration.md.
 #pragma once
 
-#include <jauscat/net/jaus_config.hpp>
+#include <jauscat/net/detail/config_values.hpp>
 
-#include <pugixml.hpp>
-
-#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
-#include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <span>
+#include <limits>
 #include <sstream>
-#include <string>
-#include <string_view>
-#include <system_error>
-#include <utility>
 
 namespace jauscat::net {
 
 namespace detail {
 
-inline std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blank = " \t\r\n";
-    const auto first = text.find_first_not_of(blank);
-    return first == text.npos ? std::string_view{} : text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
-
-/// A value of an element, given as a child element or as an attribute of that name.
-struct config_value {
-    std::string_view name{};
-    std::string_view text{};
-    std::size_t line{};
-    bool given{};
-};
-
 class config_reader {
   public:
-    config_reader(std::string_view text, std::string source) : text_{text}, source_{std::move(source)} {}
+    explicit config_reader(const config_source& source) : source_{source}, config_{.source = source.name()} {}
 
     jaus_config read() {
-        const auto parsed = document_.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
-        if (!parsed) fail(line_at(parsed.offset), std::string{"not well-formed XML: "} + parsed.description());
-
-        const auto root = document_.document_element();
+        const auto root = source_.root();
         if (!is_root_name(root.name()))
-            fail(line_of(root), "the root element is <" + std::string{root.name()} + ">; it must be <jausconfig>");
-        if (root.next_sibling()) fail(line_of(root.next_sibling()), "something follows </jausconfig>; remove it");
+            fail(source_.line_of(root),
+                 "the root element is <" + std::string{root.name()} + ">; it must be <jausconfig>");
+        if (root.next_sibling())
+            fail(source_.line_of(root.next_sibling()), "something follows </jausconfig>; remove it");
 
         std::array values{config_value{"thissystem"}};
-        collect(root, values, "system");
-        jaus_config config{.source = source_};
-        for (const auto node : root.children("system")) config.systems.push_back(system(node, config));
-        if (config.systems.empty())
-            fail(line_of(root), "no <system>; give at least one, with <name>, <jausip>, <ip> and <port>");
+        source_.collect(root, values, {"system"});
+        for (const auto node : root.children("system")) config_.systems.push_back(system(node));
+        if (config_.systems.empty())
+            fail(source_.line_of(root), "no <system>; give at least one, with <name>, <jausip>, <ip> and <port>");
 
         const auto& this_system = values[0];
-        if (!this_system.given) fail(line_of(root), "no <thissystem>; name there the <system> that this program is");
-        if (!config.find(this_system.text)) fail(this_system.line, no_such_system(config, this_system.text));
-        config.this_system = this_system.text;
-        return config;
+        if (!this_system.given)
+            fail(source_.line_of(root), "no <thissystem>; name there the <system> that this program is");
+        if (!config_.find(this_system.text)) fail(this_system.line, no_such_system(config_, this_system.text));
+        config_.this_system = this_system.text;
+        return std::move(config_);
     }
 
   private:
-    [[noreturn]] void fail(std::size_t line, const std::string& text) const {
-        throw config_error{source_ + ':' + std::to_string(line) + ": " + text, line};
-    }
-
-    std::size_t line_at(std::ptrdiff_t offset) const {
-        const auto before = std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(text_));
-        return 1 + static_cast<std::size_t>(std::count(text_.begin(), text_.begin() + before, '\n'));
-    }
-    std::size_t line_of(pugi::xml_node node) const { return line_at(node.offset_debug()); }
+    [[noreturn]] void fail(std::size_t line, const std::string& text) const { source_.fail(line, text); }
 
     static bool is_root_name(std::string_view name) {
         const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
         return std::ranges::equal(name, std::string_view{"jausconfig"}, {}, lower);
     }
 
-    /// Fills `values` from the attributes and children of `node`. Children called `other` are the caller's.
-    void collect(pugi::xml_node node, std::span<config_value> values, std::string_view other = {}) const {
-        const std::string inside = " in <" + std::string{node.name()} + '>';
-        const auto set = [&](std::string_view name, const char* text, std::size_t line) {
-            const auto value = std::ranges::find(values, name, &config_value::name);
-            if (value == values.end())
-                fail(line, "unknown " + quoted(name) + inside + "; remove it or correct its name");
-            if (value->given) fail(line, quoted(name) + " is given twice" + inside + "; keep one");
-            *value = {value->name, trimmed(text), line, true};
-        };
-        for (const auto attribute : node.attributes()) set(attribute.name(), attribute.value(), line_of(node));
-        for (const auto child : node.children()) {
-            const auto line = line_of(child);
-            if (child.type() != pugi::node_element) fail(line, "stray text" + inside + "; remove it");
-            if (child.name() == other) continue;
-            set(child.name(), child.text().get(), line);
-            if (child.first_attribute() || child.first_child() != child.last_child() ||
-                child.first_child().type() == pugi::node_element)
-                fail(line, '<' + std::string{child.name()} + "> takes a plain text and nothing else");
-        }
+    system_entry system(pugi::xml_node node) const {
+        std::array values{config_value{"name"}, config_value{"jausip"},  config_value{"ip"},
+                          config_value{"port"}, config_value{"framing"}, config_value{"sourceport"}};
+        auto& [name, jausip, ip, port, framing, source_port] = values;
+        std::vector<config_value> ips;
+        source_.collect(node, values, {"multicast", "limits", "node", "component"}, "ip", &ips);
+        if (!ips.empty()) ip = ips.front();
+        source_.need(node, {name, jausip, ip, port});
+        system_entry made{.name = unique_name(name),
+                          .jausip = unique_jausip(jausip),
+                          .ip = config_ip(source_, ip),
+                          .port = port_of(port),
+                          .framing = config_choice(source_, framing, "bare", "JAUS01.0") ? jaus::framing::jaus01
+                                                                                         : jaus::framing::bare,
+                          .line = source_.line_of(node)};
+        for (const auto& more : std::span{ips}.subspan(1)) add_ip(made, more);
+        made.any_source_port = config_choice(source_, source_port, "same", "any");
+        if (const auto child = source_.only_child(node, "multicast")) made.multicast = multicast(child, made);
+        if (const auto child = source_.only_child(node, "limits")) made.limits = limits(child);
+        for (const auto child : node.children("node")) add_node(made, child);
+        const std::uint8_t own_node = made.jausip.node == 0 ? std::uint8_t{1} : made.jausip.node;
+        for (const auto child : node.children("component")) add_component(made, child, own_node);
+        return made;
     }
 
-    system_entry system(pugi::xml_node node, const jaus_config& before) const {
-        std::array values{config_value{"name"}, config_value{"jausip"}, config_value{"ip"}, config_value{"port"},
-                          config_value{"framing"}};
-        collect(node, values);
-        const auto& [name, jausip, ip, port, framing] = values;
-        const auto line = line_of(node);
-        for (const auto& value : {name, jausip, ip, port})
-            if (value.text.empty())
-                fail(value.given ? value.line : line, "this <system> needs <" + std::string{value.name} + '>');
-        return {.name = unique_name(name, before),
-                .jausip = unique_jausip(jausip, before),
-                .ip = ip_address(ip),
-                .port = udp_port(port),
-                .framing = framing_named(framing),
-                .line = line};
-    }
-
-    std::string unique_name(const config_value& value, const jaus_config& before) const {
-        if (const auto* taken = before.find(value.text))
+    std::string unique_name(const config_value& value) const {
+        if (const auto* taken = config_.find(value.text))
             fail(value.line, "the name " + quoted(value.text) + " is taken by the <system> in line " +
                                  std::to_string(taken->line) + "; give each its own");
         return std::string{value.text};
     }
 
-    jaus::address unique_jausip(const config_value& value, const jaus_config& before) const {
+    jaus::address unique_jausip(const config_value& value) const {
         const auto id = parse_jausip(value.text);
         if (!id || std::max({id->subsystem, id->node, id->component, id->instance}) > 254)
             fail(value.line, "jausip " + quoted(value.text) +
                                  " is not subsystem.node.component.instance, each 0 (all) to 254, such as 1.0.0.0");
-        const auto taken = std::ranges::find(before.systems, *id, &system_entry::jausip);
-        if (taken != before.systems.end())
+        const auto taken = std::ranges::find(config_.systems, *id, &system_entry::jausip);
+        if (taken != config_.systems.end())
             fail(value.line, "the jausip " + to_jausip(*id) + " is taken by the <system> in line " +
                                  std::to_string(taken->line) + "; give each its own");
         return *id;
     }
 
-    boost::asio::ip::address ip_address(const config_value& value) const {
-        boost::system::error_code wrong;
-        auto address = boost::asio::ip::make_address(std::string{value.text}, wrong);
-        if (wrong) fail(value.line, "ip " + quoted(value.text) + " is not an IP address, such as 127.0.0.1");
-        return address;
+    std::uint16_t port_of(const config_value& value) const {
+        return config_number<std::uint16_t>(source_, value, 1, 65535, "a UDP port");
+    }
+    std::uint8_t id_of(const config_value& value, std::string_view what) const {
+        return config_number<std::uint8_t>(source_, value, 1, 254, what);
     }
 
-    std::uint16_t udp_port(const config_value& value) const {
-        std::uint16_t port{};
-        const auto* const end = value.text.data() + value.text.size();
-        const auto [stop, error] = std::from_chars(value.text.data(), end, port);
-        if (error != std::errc{} || stop != end || port == 0)
-            fail(value.line, "port " + quoted(value.text) + " is not a UDP port, 1 to 65535");
-        return port;
+    void add_ip(system_entry& entry, const config_value& value) const {
+        auto address = config_ip(source_, value);
+        if (address == entry.ip || std::ranges::find(entry.more_ips, address) != entry.more_ips.end())
+            fail(value.line, "ip " + address.to_string() + " is given twice in <system>; keep one");
+        if (entry.more_ips.size() + 1 == system_entry::max_ips)
+            fail(value.line, "a <system> has at most " + std::to_string(system_entry::max_ips) + " <ip>");
+        entry.more_ips.push_back(std::move(address));
     }
 
-    jaus::framing framing_named(const config_value& value) const {
-        for (const auto framing : {jaus::framing::bare, jaus::framing::jaus01})
-            if (value.text == jaus::name(framing)) return framing;
-        if (value.given) fail(value.line, "framing " + quoted(value.text) + " is unknown; use bare or JAUS01.0");
-        return jaus::framing::bare;
+    multicast_options multicast(pugi::xml_node node, const system_entry& entry) const {
+        std::array values{config_value{"group"}, config_value{"port"}, config_value{"ttl"}, config_value{"interface"},
+                          config_value{"loop"}};
+        source_.collect(node, values);
+        const auto& [group, port, ttl, interface_name, loop] = values;
+        multicast_options made;
+        if (group.given) made.group = config_ip(source_, group, "224.1.0.1");
+        if (!made.group.is_multicast())
+            fail(group.line, "group " + quoted(group.text) + " is no multicast group, such as 224.1.0.1");
+        if (made.group.is_v6() != entry.ip.is_v6())
+            fail(group.given ? group.line : source_.line_of(node),
+                 "the group " + made.group.to_string() + " and the ip " + entry.ip.to_string() +
+                     " are of different IP versions; give a group of the other, such as " +
+                     (entry.ip.is_v6() ? "ff15::e001:1" : "224.1.0.1"));
+        made.port = config_number_or<std::uint16_t>(source_, port, made.port, 1, 65535, "a UDP port");
+        made.ttl = config_number_or<std::uint8_t>(source_, ttl, made.ttl, 0, 255, "a number of hops");
+        made.interface_name = interface_name.text;
+        made.loop = !loop.given || config_choice(source_, loop, "no", "yes");
+        return made;
     }
 
-    std::string_view text_;
-    std::string source_;
-    pugi::xml_document document_{};
+    system_limits limits(pugi::xml_node node) const {
+        std::array values{config_value{"rate"}, config_value{"burst"}, config_value{"largedata"}};
+        source_.collect(node, values);
+        const auto& [per_second, burst, large_data] = values;
+        system_limits made;
+        auto& [messages, memory] = made;
+        messages.per_second =
+            config_number_or<std::uint32_t>(source_, per_second, messages.per_second, 0, 1'000'000'000,
+                                            "a number of messages each second (0: no limit)");
+        messages.burst = config_number_or<std::uint32_t>(source_, burst, messages.burst, 1, 1'000'000'000,
+                                                         "a number of messages at once");
+        memory =
+            config_number_or<std::size_t>(source_, large_data, memory, 0, std::size_t{1} << 30U, "a number of bytes");
+        return made;
+    }
+
+    void add_node(system_entry& entry, pugi::xml_node node) const {
+        std::array values{config_value{"id"}, config_value{"name"}};
+        source_.collect(node, values, {"component"});
+        const auto& [id, name] = values;
+        source_.need(node, {id});
+        const node_entry made{
+            .id = id_of(id, "a node's ID"), .name = std::string{name.text}, .line = source_.line_of(node)};
+        const auto taken = std::ranges::find(entry.nodes, made.id, &node_entry::id);
+        if (taken != entry.nodes.end())
+            fail(id.line, "the node " + std::to_string(made.id) + " is taken by the <node> in line " +
+                              std::to_string(taken->line) + "; put all its components there");
+        if (entry.jausip.node != 0 && entry.jausip.node != made.id)
+            fail(id.line, "the node " + std::to_string(made.id) + " is outside of its system's jausip " +
+                              to_jausip(entry.jausip));
+        entry.nodes.push_back(made);
+        for (const auto child : node.children("component")) add_component(entry, child, made.id);
+    }
+
+    void add_component(system_entry& entry, pugi::xml_node node, std::uint8_t of_node) const {
+        std::array values{config_value{"id"}, config_value{"instance"}, config_value{"name"},
+                          config_value{"authority"}};
+        source_.collect(node, values);
+        const auto& [id, instance, name, authority] = values;
+        const auto line = source_.line_of(node);
+        source_.need(node, {id});
+        component_entry made{.id = {.instance = instance.given ? id_of(instance, "an instance's ID") : std::uint8_t{1},
+                                    .component = id_of(id, "a component's ID"),
+                                    .node = of_node,
+                                    .subsystem = entry.jausip.subsystem},
+                             .name = std::string{name.text},
+                             .line = line};
+        made.authority = config_number_or<std::uint8_t>(source_, authority, 0, 0, 255, "an authority code");
+        if (entry.jausip.subsystem == 0)
+            fail(line, "a <system> with components needs a jausip that names its subsystem, such as 1.0.0.0");
+        if (!covers(entry.jausip, made.id))
+            fail(line, "the component " + to_jausip(made.id) + " is outside of its system's jausip " +
+                           to_jausip(entry.jausip));
+        check_unique(entry.components, made);
+        for (const auto& other : config_.systems) check_unique(other.components, made);
+        entry.components.push_back(std::move(made));
+    }
+
+    void check_unique(const std::vector<component_entry>& among, const component_entry& made) const {
+        const auto taken = std::ranges::find(among, made.id, &component_entry::id);
+        if (taken != among.end())
+            fail(made.line, "the component " + to_jausip(made.id) + " is taken by the <component> in line " +
+                                std::to_string(taken->line) + "; give each its own id or instance");
+    }
+
+    const config_source& source_;
+    jaus_config config_;
 };
 
 } // namespace detail
 
 /// Reads a configuration from text; `source` is the file's name in messages. Throws `config_error`.
 inline jaus_config parse_jaus_config(std::string_view text, std::string source) {
-    return detail::config_reader{text, std::move(source)}.read();
+    const detail::config_source parsed{text, std::move(source)};
+    return detail::config_reader{parsed}.read();
 }
 
 /// Reads a configuration file. Throws `config_error`.

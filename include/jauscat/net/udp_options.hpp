@@ -25,7 +25,8 @@ struct udp_options {
 /// A multicast group, and how to reach it. The defaults are those of JAUS over UDP.
 struct multicast_options {
     boost::asio::ip::address group{boost::asio::ip::make_address_v4(0xE0010001)}; ///< 224.1.0.1
-    std::string interface {};                                                     ///< such as eth0; empty: by the route
+    std::uint16_t port{3794};     ///< where the members of the group listen
+    std::string interface_name{}; ///< such as eth0; empty: the routing table chooses
     std::uint8_t ttl{1}; ///< routers that a datagram may pass, and one; 1 stays on the local network, 0 on this host
     bool loop{true};     ///< programs on this host receive what is sent here
 };

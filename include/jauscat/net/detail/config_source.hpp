@@ -1,0 +1,107 @@
+// The text of a configuration file: elements whose values are attributes or children, and complaints with their line.
+#pragma once
+
+#include <jauscat/net/jaus_config.hpp>
+
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace jauscat::net::detail {
+
+inline std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blank = " \t\r\n";
+    const auto first = text.find_first_not_of(blank);
+    return first == text.npos ? std::string_view{} : text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+/// A value of an element, given as a child element or as an attribute of that name.
+struct config_value {
+    std::string_view name{};
+    std::string_view text{};
+    std::size_t line{};
+    bool given{};
+};
+
+class config_source {
+  public:
+    /// `text` must outlive this. Throws `config_error` when it is not well-formed XML.
+    config_source(std::string_view text, std::string source) : text_{text}, source_{std::move(source)} {
+        const auto parsed = document_.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
+        if (!parsed) fail(line_at(parsed.offset), std::string{"not well-formed XML: "} + parsed.description());
+    }
+
+    [[noreturn]] void fail(std::size_t line, const std::string& text) const {
+        throw config_error{source_ + ':' + std::to_string(line) + ": " + text, line};
+    }
+
+    [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
+    [[nodiscard]] const std::string& name() const noexcept { return source_; }
+    [[nodiscard]] std::size_t line_of(pugi::xml_node node) const { return line_at(node.offset_debug()); }
+
+    /// Fills `values` from the attributes and children of `node`. Children called as in `others` are the caller's. All
+    /// values called `repeated` are collected there instead.
+    void collect(pugi::xml_node node, std::span<config_value> values,
+                 std::initializer_list<std::string_view> others = {}, std::string_view repeated = {},
+                 std::vector<config_value>* all = nullptr) const {
+        const std::string inside = " in <" + std::string{node.name()} + '>';
+        const auto set = [&](std::string_view name, const char* text, std::size_t line) {
+            if (all && name == repeated) return void(all->push_back({repeated, trimmed(text), line, true}));
+            const auto value = std::ranges::find(values, name, &config_value::name);
+            if (value == values.end())
+                fail(line, "unknown " + quoted(name) + inside + "; remove it or correct its name");
+            if (value->given) fail(line, quoted(name) + " is given twice" + inside + "; keep one");
+            *value = {value->name, trimmed(text), line, true};
+        };
+        for (const auto attribute : node.attributes()) {
+            const std::string_view name = attribute.name();
+            // What editors need to find the schema.
+            if (node == root() && (name.starts_with("xmlns") || name.starts_with("xsi:"))) continue;
+            set(name, attribute.value(), line_of(node));
+        }
+        for (const auto child : node.children()) {
+            const auto line = line_of(child);
+            if (child.type() != pugi::node_element) fail(line, "stray text" + inside + "; remove it");
+            if (std::ranges::find(others, child.name()) != others.end()) continue;
+            set(child.name(), child.text().get(), line);
+            if (child.first_attribute() || child.first_child() != child.last_child() ||
+                child.first_child().type() == pugi::node_element)
+                fail(line, '<' + std::string{child.name()} + "> takes a plain text and nothing else");
+        }
+    }
+
+    /// Fails unless all values have a text.
+    void need(pugi::xml_node node, std::initializer_list<config_value> values) const {
+        for (const auto& value : values)
+            if (value.text.empty())
+                fail(value.given ? value.line : line_of(node),
+                     "this <" + std::string{node.name()} + "> needs <" + std::string{value.name} + '>');
+    }
+
+    /// The only child of that name, or an empty node.
+    [[nodiscard]] pugi::xml_node only_child(pugi::xml_node node, const char* name) const {
+        const auto child = node.child(name);
+        if (const auto second = child.next_sibling(name))
+            fail(line_of(second), quoted(name) + " is given twice in <" + std::string{node.name()} + ">; keep one");
+        return child;
+    }
+
+  private:
+    [[nodiscard]] std::size_t line_at(std::ptrdiff_t offset) const {
+        const auto before = std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(text_));
+        return 1 + static_cast<std::size_t>(std::count(text_.begin(), text_.begin() + before, '\n'));
+    }
+
+    std::string_view text_;
+    std::string source_;
+    pugi::xml_document document_{};
+};
+
+} // namespace jauscat::net::detail

@@ -1,0 +1,54 @@
+// The values of a configuration file, from text.
+#pragma once
+
+#include <jauscat/net/detail/config_source.hpp>
+
+#include <boost/asio/ip/address.hpp>
+
+#include <charconv>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace jauscat::net::detail {
+
+/// A number from `first` to `last`; the complaint says that it is not `what`.
+template <class T>
+T config_number(const config_source& source, const config_value& value, T first, T last, std::string_view what) {
+    T number{};
+    const auto* const end = value.text.data() + value.text.size();
+    const auto [stop, error] = std::from_chars(value.text.data(), end, number);
+    if (error != std::errc{} || stop != end || number < first || number > last)
+        source.fail(value.line, std::string{value.name} + ' ' + quoted(value.text) + " is not " + std::string{what} +
+                                    ", " + std::to_string(first) + " to " + std::to_string(last));
+    return number;
+}
+
+/// As above, or what stands there already if there is no such value.
+template <class T>
+T config_number_or(const config_source& source, const config_value& value, T otherwise, T first, T last,
+                   std::string_view what) {
+    return value.given ? config_number(source, value, first, last, what) : otherwise;
+}
+
+inline boost::asio::ip::address config_ip(const config_source& source, const config_value& value,
+                                          std::string_view example = "127.0.0.1") {
+    boost::system::error_code wrong;
+    auto address = boost::asio::ip::make_address(std::string{value.text}, wrong);
+    if (wrong)
+        source.fail(value.line, std::string{value.name} + ' ' + quoted(value.text) + " is not an IP address, such as " +
+                                    std::string{example});
+    return address;
+}
+
+/// True for `yes`, false for `no` and for a value that is not given.
+inline bool config_choice(const config_source& source, const config_value& value, std::string_view no,
+                          std::string_view yes) {
+    if (value.given && value.text != no && value.text != yes)
+        source.fail(value.line, std::string{value.name} + ' ' + quoted(value.text) + " is unknown; use " +
+                                    std::string{no} + " or " + std::string{yes});
+    return value.given && value.text == yes;
+}
+
+} // namespace jauscat::net::detail

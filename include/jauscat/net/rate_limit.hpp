@@ -1,0 +1,100 @@
+// How many messages a peer may send: token buckets, and a table of them that does not grow with the number of senders.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+namespace jauscat::net {
+
+/// So many messages each second on average, and so many at once.
+struct rate {
+    std::uint32_t per_second{}; ///< 0: no limit
+    std::uint32_t burst{1};     ///< 0 counts as 1
+    friend constexpr bool operator==(const rate&, const rate&) = default;
+};
+
+/// Holds up to `burst` tokens and gets `per_second` of them each second; a message takes one. It is full at first.
+/// Time is a steady clock's, since any epoch.
+class token_bucket {
+  public:
+    using time = std::chrono::nanoseconds;
+
+    /// Takes a token for a message at `now`; false when there is none, which changes nothing.
+    constexpr bool take(const rate& limit, time now) noexcept {
+        if (limit.per_second == 0) return true;
+        const auto interval = std::max(time{std::chrono::seconds{1}} / limit.per_second, time{1});
+        const auto full_at = std::max(full_at_, now);
+        if (full_at - now > interval * static_cast<std::int64_t>(std::max(limit.burst, 1U) - 1)) return false;
+        full_at_ = full_at + interval;
+        return true;
+    }
+
+    /// As if it had never been used.
+    [[nodiscard]] constexpr bool is_full(time now) const noexcept { return full_at_ <= now; }
+
+  private:
+    time full_at_{time::min()}; ///< when it has all its tokens again
+};
+
+/// Who a bucket belongs to: 16 bytes, such as an IPv6 address.
+using rate_key = std::array<std::uint64_t, 2>;
+
+/// A bucket for each of many senders, in a table of `Places` (a power of two, at least 8). A sender is looked for in 8
+/// places, whatever the number of senders. One that finds them all in use by senders that are not yet idle shares one
+/// bucket with all others of that kind, so that a flood of invented senders cannot push out those that are there.
+/// Forgetting an idle sender changes nothing for it: its bucket is full.
+template <std::size_t Places> class rate_limit {
+    static_assert(Places >= 8 && (Places & (Places - 1)) == 0, "rate_limit: the places are a power of two, at least 8");
+
+  public:
+    using time = token_bucket::time;
+
+    /// `seed` is a random number, so that nobody can choose senders that compete for the same places.
+    constexpr explicit rate_limit(const rate& limit, std::uint64_t seed = 0) noexcept : limit_{limit}, seed_{seed} {}
+
+    /// Whether a message of `sender` at `now` is within the limit; it then counts against it.
+    constexpr bool take(const rate_key& sender, time now) noexcept {
+        const auto first = places_.begin() + static_cast<std::ptrdiff_t>(set_of(sender) * ways);
+        const auto last = first + ways;
+        auto found = std::find_if(first, last, [&](const place& p) { return p.sender == sender && p.used; });
+        if (found == last) found = std::find_if(first, last, [&](const place& p) { return p.bucket.is_full(now); });
+        if (found == last) {
+            ++crowded_;
+            return shared_.take(limit_, now);
+        }
+        if (!found->used || found->sender != sender) *found = {sender, {}, true};
+        return found->bucket.take(limit_, now);
+    }
+
+    /// Messages of senders that found no place of their own.
+    [[nodiscard]] constexpr std::uint64_t crowded() const noexcept { return crowded_; }
+
+  private:
+    static constexpr std::ptrdiff_t ways = 8;
+
+    struct place {
+        rate_key sender{};
+        token_bucket bucket{};
+        bool used{};
+    };
+
+    [[nodiscard]] constexpr std::size_t set_of(const rate_key& sender) const noexcept {
+        std::uint64_t mixed = seed_;
+        for (const auto part : sender) {
+            mixed = (mixed ^ part) * 0x9E3779B97F4A7C15U;
+            mixed ^= mixed >> 32;
+        }
+        return static_cast<std::size_t>(mixed) & (Places / ways - 1);
+    }
+
+    rate limit_;
+    std::uint64_t seed_;
+    std::uint64_t crowded_{};
+    token_bucket shared_{};
+    std::array<place, Places> places_{};
+};
+
+} // namespace jauscat::net

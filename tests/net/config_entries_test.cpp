@@ -1,0 +1,163 @@
+// JausConfig.xml beyond who is where: several addresses, multicast, limits, nodes and components.
+#include "net/config_text.hpp"
+
+using namespace jauscat;
+using namespace test;
+
+namespace {
+
+/// The system b with these lines in it, beside system a.
+net::system_entry system_b(const std::string& lines, const std::string& jausip = "2.0.0.0") {
+    const auto config = parse("<thissystem>a</thissystem>" + system_a + "<system name='b' jausip='" + jausip +
+                              "' ip='10.0.0.2' port='3794'>\n" + lines + "</system>\n");
+    return *config.find("b");
+}
+
+/// What is said about that system, which begins in line 3 and has `lines` from line 4.
+std::string complaint_in_b(const std::string& lines, const std::string& jausip = "2.0.0.0",
+                           const std::string& ip = "10.0.0.2") {
+    return complaint_about("<system name='b' jausip='" + jausip + "' ip='" + ip + "' port='3794'>\n" + lines +
+                           "\n</system>");
+}
+
+const auto ip = [](const char* text) { return boost::asio::ip::make_address(text); };
+
+} // namespace
+
+TEST_CASE("what a system does not say has its default") {
+    const auto b = system_b("");
+    CHECK(b.more_ips.empty());
+    CHECK_FALSE(b.any_source_port);
+    CHECK_FALSE(b.multicast);
+    CHECK(b.limits.messages == net::rate{50'000, 5'000});
+    CHECK(b.limits.large_data_memory == 1'048'576);
+    CHECK(b.nodes.empty());
+    CHECK(b.components.empty());
+}
+
+TEST_CASE("a system may have several addresses and send from any port") {
+    const auto b = system_b("<ip>10.0.1.2</ip><ip>fd00::2</ip><sourceport>any</sourceport>");
+    CHECK(b.ip == ip("10.0.0.2"));
+    CHECK(b.more_ips == std::vector{ip("10.0.1.2"), ip("fd00::2")});
+    CHECK(b.any_source_port);
+    CHECK_FALSE(system_b("<sourceport>same</sourceport>").any_source_port);
+
+    CHECK(complaint_in_b("<sourceport>all</sourceport>") ==
+          "test.xml:4: sourceport \"all\" is unknown; use same or any");
+    CHECK(complaint_in_b("<ip>10.0.1.2</ip>\n<ip>10.0.0.2</ip>") ==
+          "test.xml:5: ip 10.0.0.2 is given twice in <system>; keep one");
+    CHECK(complaint_in_b("<ip>10.0.1.2</ip>\n<ip>10.0.1</ip>") ==
+          "test.xml:5: ip \"10.0.1\" is not an IP address, such as 127.0.0.1");
+    std::string many;
+    for (int i = 1; i != 9; ++i) many += "<ip>10.0.1." + std::to_string(i) + "</ip>\n";
+    CHECK(complaint_in_b(many) == "test.xml:11: a <system> has at most 8 <ip>");
+}
+
+TEST_CASE("a system takes part in a multicast group") {
+    const auto standard = system_b("<multicast/>").multicast;
+    REQUIRE(standard);
+    CHECK(standard->group == ip("224.1.0.1"));
+    CHECK(standard->port == 3794);
+    CHECK(standard->ttl == 1);
+    CHECK(standard->loop);
+    CHECK(standard->interface_name.empty());
+
+    const auto own = system_b("<multicast><group>239.1.2.3</group><port>5000</port><ttl>8</ttl>"
+                              "<interface>eth0</interface><loop>no</loop></multicast>")
+                         .multicast;
+    REQUIRE(own);
+    CHECK(own->group == ip("239.1.2.3"));
+    CHECK(own->port == 5000);
+    CHECK(own->ttl == 8);
+    CHECK(own->interface_name == "eth0");
+    CHECK_FALSE(own->loop);
+    CHECK(complaint_in_b("<multicast group='ff15::1'/>", "2.0.0.0", "fd00::2") == "accepted");
+
+    CHECK(complaint_in_b("<multicast group='10.0.0.1'/>") ==
+          "test.xml:4: group \"10.0.0.1\" is no multicast group, such as 224.1.0.1");
+    CHECK(complaint_in_b("<multicast>\n<group>all</group></multicast>") ==
+          "test.xml:5: group \"all\" is not an IP address, such as 224.1.0.1");
+    CHECK(complaint_in_b("<multicast/>", "2.0.0.0", "fd00::2") ==
+          "test.xml:4: the group 224.1.0.1 and the ip fd00::2 are of different IP versions; give a group of the "
+          "other, such as ff15::e001:1");
+    CHECK(complaint_in_b("<multicast ttl='256'/>") == "test.xml:4: ttl \"256\" is not a number of hops, 0 to 255");
+    CHECK(complaint_in_b("<multicast loop='1'/>") == "test.xml:4: loop \"1\" is unknown; use no or yes");
+    CHECK(complaint_in_b("<multicast/>\n<multicast/>") ==
+          "test.xml:5: \"multicast\" is given twice in <system>; keep one");
+    CHECK(complaint_in_b("<multicast hops='1'/>") ==
+          "test.xml:4: unknown \"hops\" in <multicast>; remove it or correct its name");
+}
+
+TEST_CASE("a system has limits") {
+    const auto limits =
+        system_b("<limits><rate>200</rate><burst>20</burst><largedata>65536</largedata></limits>").limits;
+    CHECK(limits.messages == net::rate{200, 20});
+    CHECK(limits.large_data_memory == 65536);
+    CHECK(system_b("<limits rate='0'/>").limits.messages.per_second == 0);
+
+    CHECK(complaint_in_b("<limits rate='fast'/>") ==
+          "test.xml:4: rate \"fast\" is not a number of messages each second "
+          "(0: no limit), 0 to 1000000000");
+    CHECK(complaint_in_b("<limits burst='0'/>") ==
+          "test.xml:4: burst \"0\" is not a number of messages at once, 1 to 1000000000");
+    CHECK(complaint_in_b("<limits>\n<largedata>1 MB</largedata></limits>") ==
+          "test.xml:5: largedata \"1 MB\" is not a number of bytes, 0 to 1073741824");
+}
+
+TEST_CASE("a system has nodes and components") {
+    const auto b = system_b("<component><id>1</id><name>Node Manager</name><authority>255</authority></component>"
+                            "<node id='4' name='arm'><component id='49' instance='2' name='Primitive Manipulator'/>"
+                            "</node><component id='33'/>");
+    REQUIRE(b.nodes.size() == 1);
+    CHECK(b.nodes[0].id == 4);
+    CHECK(b.nodes[0].name == "arm");
+    REQUIRE(b.components.size() == 3);
+    const auto& arm = b.components[0];
+    CHECK(net::to_jausip(arm.id) == "2.4.49.2");
+    CHECK(arm.name == "Primitive Manipulator");
+    CHECK(arm.authority == 0);
+    const auto& manager = b.components[1];
+    CHECK(net::to_jausip(manager.id) == "2.1.1.1");
+    CHECK(manager.name == "Node Manager");
+    CHECK(manager.authority == 255);
+    CHECK(net::to_jausip(b.components[2].id) == "2.1.33.1");
+    CHECK(b.components[2].name.empty());
+    CHECK(net::to_jausip(system_b("<component id='33'/>", "2.7.0.0").components.at(0).id) == "2.7.33.1");
+}
+
+TEST_CASE("nodes and components that cannot be are refused at their line") {
+    CHECK(complaint_in_b("<component/>") == "test.xml:4: this <component> needs <id>");
+    CHECK(complaint_in_b("<node><name>x</name></node>") == "test.xml:4: this <node> needs <id>");
+    for (const auto* id : {"0", "255", "x"}) {
+        CHECK(complaint_in_b("<component>\n<id>" + std::string{id} + "</id></component>") ==
+              "test.xml:5: id \"" + std::string{id} + "\" is not a component's ID, 1 to 254");
+        CHECK(complaint_in_b("<component id='1' instance='" + std::string{id} + "'/>") ==
+              "test.xml:4: instance \"" + std::string{id} + "\" is not an instance's ID, 1 to 254");
+        CHECK(complaint_in_b("<node id='" + std::string{id} + "'/>") ==
+              "test.xml:4: id \"" + std::string{id} + "\" is not a node's ID, 1 to 254");
+    }
+    CHECK(complaint_in_b("<component id='1' authority='256'/>") ==
+          "test.xml:4: authority \"256\" is not an authority code, 0 to 255");
+    CHECK(complaint_in_b("<component id='1'/>\n<node id='1'>\n<component id='1'/></node>").starts_with("test.xml:4: "));
+    CHECK(complaint_in_b("<component id='1'/>\n<component id='1'/>") ==
+          "test.xml:5: the component 2.1.1.1 is taken by the <component> in line 4; give each its own id or instance");
+    CHECK(complaint_in_b("<node id='2'/>\n<node id='2'/>") ==
+          "test.xml:5: the node 2 is taken by the <node> in line 4; put all its components there");
+    CHECK(complaint_in_b("<node id='2'/>", "2.1.0.0") ==
+          "test.xml:4: the node 2 is outside of its system's jausip 2.1.0.0");
+    CHECK(complaint_in_b("<component id='34'/>", "2.1.33.0") ==
+          "test.xml:4: the component 2.1.34.1 is outside of its system's jausip 2.1.33.0");
+    CHECK(complaint_in_b("<component id='34'/>", "0.0.0.0") ==
+          "test.xml:4: a <system> with components needs a jausip that names its subsystem, such as 1.0.0.0");
+    CHECK(complaint_about("<system name='b' jausip='2.0.0.0' ip='::1' port='1'><component id='1'/></system>\n"
+                          "<system name='c' jausip='2.1.0.0' ip='::1' port='2'><component id='1'/></system>") ==
+          "test.xml:4: the component 2.1.1.1 is taken by the <component> in line 3; give each its own id or instance");
+}
+
+TEST_CASE("the root element may name its schema") {
+    CHECK(complaint("<jausconfig xmlns:xsi='http://www.w3.org/2001/XMLSchema-instance' "
+                    "xsi:noNamespaceSchemaLocation='JausConfig.xsd' thissystem='a'>" +
+                    system_a + "</jausconfig>") == "accepted");
+    CHECK(complaint_in_b("<limits xmlns:x='y'/>") ==
+          "test.xml:4: unknown \"xmlns:x\" in <limits>; remove it or correct its name");
+}
