@@ -30,6 +30,7 @@ struct node_component {
 /// The addresses that one node knows. An address's level of 0 stands for every ID of that level, and the most specific
 /// entry counts, as in an address_map. What a hop is follows from the addresses that lead to it: see hop_kind. An entry
 /// 255.255.0.0 is a multicast group between subsystems, <own>.255.0.0 one between the nodes of the own subsystem.
+/// What a known neighbour sends to a group comes from that neighbour's hop; from others it comes from the group's.
 class routing_table {
   public:
     /// The memory must outlive this: `ways` for addresses (three quarters of a power of two can be used), `hops` with a
