@@ -421,6 +421,41 @@ cycles_are_measured() {
     says arm "state pre_op, station address 1"
     expect 2 "$bin/cyclic" --period 0
 }
+start_bus() { # OPTIONS...
+    "${prefix[@]}" "${wrapper[@]}" "$bin/emulated_bus" "$@" >"$work/bus.log" 2>&1 &
+    bus_pid=$!
+    pids+=("$bus_pid")
+    wait_for bus "waiting for a master"
+}
+a_bus_of_emulated_slaves() {
+    start_bus "${link[@]}" --slaves 5 --outputs 10 --inputs 7 --mailbox-size 40 --slow 3
+    says bus "5 slaves, EtherCAT in UDP"
+    # A master that dies: the watchdog of each slave that had its outputs.
+    "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" >/dev/null 2>&1 &
+    local master=$!
+    wait_for bus "slave 5: state op"
+    kill -KILL "$master"
+    wait "$master" 2>/dev/null
+    wait_for bus "slave 5: state safe_op, error 0x001B: SyncManager watchdog"
+    # The next one brings them up again.
+    expect 0 "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --seconds 2 --upload-every 100
+    says out "slave 5: 10 bytes of outputs, 7 of inputs"
+    says out "with another working counter 0"
+    says out "failed 0"
+    says bus "slave 5: station address 5 (0x0005)"
+    says bus "slave 5: state pre_op"
+    kill -INT "$bus_pid" && wait "$bus_pid"
+    [ $? -eq 0 ] || fail "the bus does not end well on Ctrl-C"
+    says bus "stopped after"
+    for wrong in "--slaves 0" "--outputs 683" "--inputs 1025" "--mailbox-size 23" "--abort 0x2000" "--abort 0x2000:256=1" \
+        "--object x=1"; do
+        # shellcheck disable=SC2086
+        expect 2 "$bin/emulated_bus" $wrong
+        says out "${wrong%% *}"
+    done
+    expect 0 "$bin/emulated_bus" --help
+    says out "Examples:"
+}
 arm_restarts() {
     start_robot
     the_command_arrives
@@ -474,6 +509,18 @@ card_packets_on_a_wire() {
     says out "slaves: 1"
     says out '0x1B15 "component 33", highest subindex 125'
     says out "state 4"
+}
+
+emulated_slaves_on_a_wire() {
+    two_namespaces
+    prefix=(ip netns exec "$slave_ns")
+    start_bus --link raw --interface if_s --slaves 3 --outputs 4 --mailbox-size 24
+    expect 0 ip netns exec "$master_ns" "${wrapper[@]}" "$bin/card_packets" if_m
+    says out "slaves: 3"
+    says out '0x1018 "Identity", highest subindex 4'
+    says out '0x2003 "value of 28 bytes", highest subindex 0'
+    says out '0x7000 "record", highest subindex 4'
+    says bus "slave 1: state safe_op"
 }
 
 # What tshark makes of the SDO download of a full Set Wrench Effort; the capture is in $work/wire.pcap.
