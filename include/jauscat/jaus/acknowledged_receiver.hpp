@@ -41,7 +41,7 @@ class acknowledged_receiver {
   public:
     /// `places` must outlive this.
     constexpr acknowledged_receiver(const address& self, std::span<acknowledged_message> places,
-                                    std::chrono::nanoseconds memory = std::chrono::seconds{5}) noexcept
+                                    std::chrono::nanoseconds memory = std::chrono::seconds{2}) noexcept
         : self_{self}, places_{places}, memory_{memory} {}
 
     /// A message, no acknowledgement itself. `handle()` does what it says and returns a message_outcome; the answer is

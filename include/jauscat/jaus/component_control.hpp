@@ -86,13 +86,14 @@ class component_control {
     /// Whether the message may be taken, to be asked once for each that comes: counts refusals, and what the controller
     /// sends counts as its life.
     constexpr bool admits(const header& head, std::chrono::nanoseconds now) noexcept {
-        if (controls(head.source)) {
-            heard_ = now;
-            return true;
-        }
-        if (!controller_ || !is_controlled(head.command_code)) return true;
+        heard(head.source, now);
+        if (controls(head.source) || !controller_ || !is_controlled(head.command_code)) return true;
         ++refused_;
         return false;
+    }
+    /// Something was heard from a component: if it is the controller, that is a sign of life. `admits` does this too.
+    constexpr void heard(const address& who, std::chrono::nanoseconds now) noexcept {
+        if (controls(who)) heard_ = now;
     }
     [[nodiscard]] constexpr bool controls(const address& who) const noexcept {
         return controller_ && controller_->address == who;

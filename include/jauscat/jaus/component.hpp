@@ -1,0 +1,227 @@
+// A component's core: state, control, acknowledgement and time, put together in the order in which they look at a
+// message. With a dispatcher for its own messages it is a JAUS component.
+#pragma once
+#include <jauscat/jaus/component_clock.hpp>
+#include <jauscat/jaus/component_options.hpp>
+#include <jauscat/jaus/component_outcome.hpp>
+#include <jauscat/jaus/dispatcher.hpp>
+
+#include <tuple>
+
+namespace jauscat::jaus {
+
+/// Whether `levels`, in which an octet of 255 stands for all of its level, stands for the component `one`.
+[[nodiscard]] constexpr bool stands_for(const address& levels, const address& one) noexcept {
+    const auto same = [](std::uint8_t all, std::uint8_t octet) { return all == 255 || all == octet; };
+    return same(levels.subsystem, one.subsystem) && same(levels.node, one.node) &&
+           same(levels.component, one.component) && same(levels.instance, one.instance);
+}
+
+/// Hears of nothing.
+struct no_hooks {};
+
+/// The core of the component `self`. A message goes through it in this order: an acknowledgement ends here; a repeat is
+/// acknowledged again and ends; a command of one that has no control is refused; then state, control, clock, the parts
+/// and the application each get it until one takes it. ACK or NAK follow when that is done.
+///
+/// A Clear Emergency passes the control check if its sender holds the emergency: else who stopped the machine under
+/// another's control could not let it go on, and the controller may not.
+///
+/// `Hooks` may have any of
+///     void on_state(jaus::primary_status_code from, jaus::primary_status_code to);
+///     void on_controller(const std::optional<jaus::controller>& now_it_is);
+///     void on_delivered(const jaus::awaited_message&, jaus::delivered);
+/// which are called before the message that caused it is acknowledged. `Parts` are further state machines, such as
+/// service_connections, events and held_control: each has on_time and next_event; it is asked about messages if its
+/// on_message returns message_outcome, and hears of lost components if it has `lose(const address&)`.
+///
+/// Messages must be whole (large data sets put together) and meant for this component: the node sees to that.
+///
+///     jaus::component_memory<> memory{};
+///     jaus::no_hooks hooks{};
+///     jaus::component core{self, memory, hooks, {}, connections, events};
+///     jaus::dispatcher own{jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const auto& efforts) { ... })};
+///     core.on_message(head, body, now, out, own);
+template <class Hooks, class... Parts> class component {
+  public:
+    using time = std::chrono::nanoseconds;
+
+    template <std::size_t Waiting, std::size_t Size, std::size_t Remembered>
+    constexpr component(const address& self, component_memory<Waiting, Size, Remembered>& memory, Hooks& hooks,
+                        const component_options& options, Parts&... parts) noexcept
+        : self_{self},
+          hooks_{hooks},
+          obeys_only_when_ready_{options.obeys_only_when_ready},
+          state_{self, options.after},
+          control_{self, options.control},
+          clock_{self},
+          sender_{memory.waiting, memory.copies, options.acknowledgement},
+          receiver_{self, memory.remembered, options.memory},
+          parts_{parts...} {}
+
+    /// `application(head, body)` gets what is not the core's; it returns a message_outcome, or what a dispatcher does.
+    constexpr component_outcome on_message(const header& head, std::span<const std::byte> body, time now,
+                                           message_sink out, auto&& application) {
+        const component_outcome what = take(head, body, now, out, application);
+        ++counts_[static_cast<std::size_t>(what)];
+        return what;
+    }
+    constexpr void on_time(time now, message_sink out) {
+        sender_.on_time(now, out, delivered_hook());
+        control_.on_time(now, out);
+        tell_changes();
+        each_part([&](auto& part) { part.on_time(now, out); });
+    }
+    [[nodiscard]] constexpr std::optional<time> next_event() const noexcept {
+        std::optional<time> first;
+        const auto consider = [&](std::optional<time> next) {
+            if (next && (!first || *next < *first)) first = next;
+        };
+        consider(sender_.next_event());
+        consider(control_.next_event());
+        each_part([&](const auto& part) { consider(part.next_event()); });
+        return first;
+    }
+
+    /// Sends a message of the component and repeats it until it is acknowledged; the hook on_delivered gets the
+    /// outcome.
+    template <coded_message T>
+    constexpr send_result send(header head, const T& body, time now, message_sink out) noexcept {
+        head.source = self_;
+        return sender_.send(head, body, now, out);
+    }
+    /// An event of the application's; see component_state::change.
+    constexpr bool change(state_event event) {
+        const bool changed = state_.change(event);
+        tell_changes();
+        return changed;
+    }
+    /// Ends an emergency whoever holds it.
+    constexpr void end_emergency() {
+        state_.end_emergency();
+        tell_changes();
+    }
+    /// Takes control back from the controller, which is told.
+    constexpr void reject_control(message_sink out) {
+        control_.reject(out);
+        tell_changes();
+    }
+    /// A component has disappeared, or all of a level for which an octet is 255.
+    constexpr void on_lost(const address& who) {
+        const auto gone = [&](const address& one) { return stands_for(who, one); };
+        state_.on_lost(gone);
+        control_.on_lost(gone);
+        tell_changes();
+        each_part([&](auto& part) {
+            if constexpr (requires { part.lose(who); }) part.lose(who);
+        });
+    }
+
+    [[nodiscard]] constexpr const address& self() const noexcept { return self_; }
+    [[nodiscard]] constexpr primary_status_code state() const noexcept { return state_.state(); }
+    constexpr void set_secondary_status(std::uint32_t code) noexcept { state_.secondary_status = code; }
+    [[nodiscard]] constexpr const component_control& control() const noexcept { return control_; }
+    [[nodiscard]] constexpr component_clock& clock() noexcept { return clock_; }
+    /// How many messages wait for their acknowledgement.
+    [[nodiscard]] constexpr std::size_t waiting() const noexcept { return sender_.waiting(); }
+    /// How many messages had this outcome.
+    [[nodiscard]] constexpr std::uint64_t count(component_outcome what) const noexcept {
+        return counts_[static_cast<std::size_t>(what)];
+    }
+
+  private:
+    constexpr component_outcome take(const header& head, std::span<const std::byte> body, time now, message_sink out,
+                                     auto& application) {
+        if (is_acknowledgement(head)) {
+            control_.heard(head.source, now);
+            return sender_.on_message(head, delivered_hook()) ? component_outcome::acknowledgement
+                                                              : component_outcome::not_waited_for;
+        }
+        component_outcome what{};
+        const auto handle = [&] {
+            const message_outcome outcome = decide(head, body, now, out, application, what);
+            tell_changes();
+            return outcome;
+        };
+        switch (receiver_.on_message(head, body, now, out, handle)) {
+        case received::handed_on: break;
+        case received::repeated: what = component_outcome::repeated; break;
+        case received::no_room: what = component_outcome::no_room; break;
+        }
+        return what;
+    }
+    // `what` tells in more detail what the outcome is.
+    constexpr message_outcome decide(const header& head, std::span<const std::byte> body, time now, message_sink out,
+                                     auto& application, component_outcome& what) {
+        const bool clears_own = head.command_code == clear_emergency::command_code &&
+                                state_.holds_emergency(head.source) && !control_.controls(head.source);
+        if (!clears_own && !control_.admits(head, now)) {
+            what = component_outcome::not_controller;
+            return message_outcome::refused;
+        }
+        message_outcome outcome = state_.on_message(head, body, now, out);
+        const auto ask = [&](auto& next) {
+            if constexpr (requires {
+                              { next.on_message(head, body, now, out) } -> std::same_as<message_outcome>;
+                          })
+                if (outcome == message_outcome::not_mine) outcome = next.on_message(head, body, now, out);
+        };
+        ask(control_);
+        ask(clock_);
+        each_part(ask);
+        if (outcome == message_outcome::not_mine) {
+            if (obeys_only_when_ready_ && state_.state() != primary_status_code::ready &&
+                control_.is_controlled(head.command_code)) {
+                what = component_outcome::not_ready;
+                return message_outcome::refused;
+            }
+            outcome = outcome_of(application(head, body));
+        }
+        switch (outcome) {
+        case message_outcome::taken: what = component_outcome::taken; break;
+        case message_outcome::refused: what = component_outcome::refused; break;
+        case message_outcome::malformed: what = component_outcome::malformed; break;
+        case message_outcome::not_mine: what = component_outcome::unknown; break;
+        }
+        return outcome;
+    }
+    static constexpr message_outcome outcome_of(message_outcome outcome) noexcept { return outcome; }
+    static constexpr message_outcome outcome_of(dispatched what) noexcept {
+        if (what == dispatched::unknown) return message_outcome::not_mine;
+        return what == dispatched::malformed ? message_outcome::malformed : message_outcome::taken;
+    }
+
+    constexpr void tell_changes() {
+        if (const auto from = std::exchange(told_state_, state_.state()); from != told_state_)
+            if constexpr (requires { hooks_.on_state(from, from); }) hooks_.on_state(from, told_state_);
+        if (const auto before = std::exchange(told_controller_, control_.controller()); before != told_controller_)
+            if constexpr (requires { hooks_.on_controller(before); }) hooks_.on_controller(control_.controller());
+    }
+    constexpr auto delivered_hook() noexcept {
+        return [this]([[maybe_unused]] const awaited_message& m, [[maybe_unused]] delivered what) {
+            if constexpr (requires { hooks_.on_delivered(m, what); }) hooks_.on_delivered(m, what);
+        };
+    }
+    constexpr void each_part(auto&& use) const {
+        std::apply([&](auto&... part) { (use(part), ...); }, parts_);
+    }
+
+    address self_;
+    Hooks& hooks_;
+    bool obeys_only_when_ready_;
+    component_state<> state_;
+    component_control control_;
+    component_clock clock_;
+    acknowledged_sender sender_;
+    acknowledged_receiver receiver_;
+    std::tuple<Parts&...> parts_;
+    primary_status_code told_state_{};
+    std::optional<controller> told_controller_{};
+    std::array<std::uint64_t, component_outcome_count> counts_{};
+};
+
+template <std::size_t Waiting, std::size_t Size, std::size_t Remembered, class Hooks, class... Parts>
+component(const address&, component_memory<Waiting, Size, Remembered>&, Hooks&, const component_options&, Parts&...)
+    -> component<Hooks, Parts...>;
+
+} // namespace jauscat::jaus

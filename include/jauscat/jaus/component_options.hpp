@@ -1,0 +1,30 @@
+// What a component is made with: how it behaves, and its memory.
+#pragma once
+#include <jauscat/jaus/acknowledged_receiver.hpp>
+#include <jauscat/jaus/acknowledged_sender.hpp>
+#include <jauscat/jaus/component_control.hpp>
+#include <jauscat/jaus/component_state.hpp>
+
+namespace jauscat::jaus {
+
+/// How a component behaves.
+struct component_options {
+    after_emergency after{};                   ///< where an emergency ends
+    control_options control{};                 ///< authority, further controlled commands, timeout
+    acknowledgement_options acknowledgement{}; ///< of messages that it sends
+    /// How long messages are remembered that it acknowledged; see acknowledged_receiver.
+    std::chrono::nanoseconds memory{std::chrono::seconds{2}};
+    /// The controlled commands that the core does not take itself (what moves something) are refused unless Ready.
+    bool obeys_only_when_ready{true};
+};
+
+/// The memory of a component, which must outlive it: `Waiting` messages at a time that it sent and that are not yet
+/// acknowledged, of `Size` bytes at most; `Remembered` ones that it acknowledged, half of them of one source: with the
+/// default memory of two seconds, one source may send 128 a second that ask for an acknowledgement.
+template <std::size_t Waiting = 16, std::size_t Size = 256, std::size_t Remembered = 512> struct component_memory {
+    std::array<awaited_message, Waiting> waiting{};
+    std::array<std::byte, Waiting * Size> copies{};
+    std::array<acknowledged_message, Remembered> remembered{};
+};
+
+} // namespace jauscat::jaus

@@ -1,0 +1,42 @@
+// What becomes of a message that a component gets: one word more than a state machine has, for counters and logs.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace jauscat::jaus {
+
+/// What became of a message that a component got.
+enum class component_outcome : std::uint8_t {
+    taken,           ///< done
+    refused,         ///< understood, but not done
+    malformed,       ///< the body does not decode
+    unknown,         ///< nobody here knows the message
+    not_controller,  ///< a command that only the controller may send, from another
+    not_ready,       ///< a command that is obeyed in Ready only, in another state
+    repeated,        ///< came before: acknowledged again, and dropped
+    no_room,         ///< asks for an acknowledgement, and cannot be remembered: dropped, its sender will try again
+    acknowledgement, ///< the ACK or NAK that one of the component's own messages waited for
+    not_waited_for,  ///< an ACK or NAK that no message waits for: late, or strange
+};
+inline constexpr std::size_t component_outcome_count = 10;
+
+/// The outcome in one line, for logs.
+[[nodiscard]] constexpr std::string_view describe(component_outcome what) noexcept {
+    constexpr std::array<std::string_view, component_outcome_count> lines{
+        "taken",
+        "refused",
+        "malformed: the body does not decode",
+        "unknown message",
+        "refused: the sender does not control the component",
+        "refused: the component is not ready",
+        "repeated: acknowledged again and dropped",
+        "dropped: too many messages that ask for an acknowledgement",
+        "acknowledgement of an own message",
+        "acknowledgement that no message waits for"};
+    const auto place = static_cast<std::size_t>(what);
+    return place < lines.size() ? lines[place] : "unknown";
+}
+
+} // namespace jauscat::jaus

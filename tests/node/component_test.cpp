@@ -1,0 +1,454 @@
+// Whole components that talk to each other: control, emergencies, acknowledgement, over a good channel and a bad one.
+#include "node/lossy_channel.hpp"
+#include "support/catch.hpp"
+#include <jauscat/jaus/component.hpp>
+#include <jauscat/jaus/held_control.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
+
+namespace {
+
+using namespace jauscat::test;
+using namespace std::chrono_literals;
+namespace jaus = jauscat::jaus;
+using enum jaus::component_outcome;
+using jaus::ack_nak;
+using jaus::component_outcome;
+using jaus::control_state;
+using jaus::delivered;
+using jaus::message_outcome;
+using jaus::primary_status_code;
+using jaus::state_event;
+using std::chrono::nanoseconds;
+
+constexpr jaus::address arm_address{1, 49, 2, 3}, ocu_address{1, 32, 1, 1}, boss_address{1, 40, 1, 9};
+
+/// What a component has been told by its core.
+struct told {
+    std::vector<std::pair<primary_status_code, primary_status_code>> states{};
+    std::vector<std::optional<jaus::controller>> controllers{};
+    std::vector<std::pair<std::uint16_t, delivered>> outcomes{}; // command code
+
+    void on_state(primary_status_code from, primary_status_code to) { states.emplace_back(from, to); }
+    void on_controller(const std::optional<jaus::controller>& now_it_is) { controllers.push_back(now_it_is); }
+    void on_delivered(const jaus::awaited_message& m, delivered what) {
+        outcomes.emplace_back(m.header.command_code, what);
+    }
+};
+
+/// A part that takes a message and has something to do at a time.
+struct ticking_part {
+    std::uint16_t code{};
+    nanoseconds due{};
+    int heard{}, ticks{};
+    std::vector<jaus::address> lost{};
+
+    message_outcome on_message(const jaus::header& head, std::span<const std::byte>, nanoseconds,
+                               jaus::message_sink) noexcept {
+        if (head.command_code != code) return message_outcome::not_mine;
+        ++heard;
+        return message_outcome::taken;
+    }
+    void on_time(nanoseconds now, jaus::message_sink) noexcept { ticks += now >= due; }
+    [[nodiscard]] std::optional<nanoseconds> next_event() const noexcept { return due; }
+    void lose(const jaus::address& who) { lost.push_back(who); }
+};
+
+/// An arm that obeys Set Wrench Effort and halts in an emergency. It is ready.
+struct arm {
+    told hooks{};
+    jaus::component_memory<4, 64, 64> memory{};
+    ticking_part part{.code = 0xD001, .due = 100h};
+    jaus::component<told, ticking_part> core;
+    sent_messages sent{};
+    std::vector<double> efforts{};
+
+    explicit arm(const jaus::component_options& options = {}) : core{arm_address, memory, hooks, options, part} {
+        core.change(state_event::initialized);
+        hooks = {};
+    }
+    component_outcome hear(const jaus::header& head, std::span<const std::byte> body, nanoseconds now,
+                           jaus::message_sink out) {
+        jaus::dispatcher own{jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const auto& m) {
+                                 efforts.push_back(m.propulsive_linear_effort_x.value_or(0));
+                             }),
+                             jaus::on<jaus::query_wrench_effort>([](const jaus::header&, const auto&) {})};
+        return core.on_message(head, body, now, out, own);
+    }
+    template <class T>
+    component_outcome hear(const T& body, const jaus::address& from, ack_nak wish = ack_nak::none,
+                           std::uint16_t number = 0, nanoseconds now = 0s) {
+        const auto bytes =
+            message({.ack_nak = wish, .destination = arm_address, .source = from, .sequence_number = number}, body);
+        const auto m = jaus::split(bytes);
+        return hear(m.header, m.body, now, sent.sink());
+    }
+    void put_under_control_of(const jaus::address& who, std::uint8_t authority = 100) {
+        REQUIRE(hear(jaus::request_component_control{authority}, who) == taken);
+        REQUIRE(core.control().controls(who));
+        sent.clear();
+        hooks = {};
+    }
+};
+
+/// An operator that wants control of the arm.
+struct ocu {
+    told hooks{};
+    jaus::component_memory<16, 64, 64> memory{};
+    jaus::held_control control;
+    jaus::component<told, jaus::held_control> core;
+    std::vector<std::uint16_t> reports{};
+
+    explicit ocu(const jaus::address& self, const jaus::component_options& options = {})
+        : control{self, arm_address}, core{self, memory, hooks, options, control} {}
+    component_outcome hear(const jaus::header& head, std::span<const std::byte> body, nanoseconds now,
+                           jaus::message_sink out) {
+        return core.on_message(head, body, now, out, [&](const jaus::header& h, std::span<const std::byte>) {
+            reports.push_back(h.command_code);
+            return message_outcome::taken;
+        });
+    }
+};
+
+/// Lets a component send and hear over a channel.
+void join(lossy_channel& channel, auto& component) {
+    channel.listen(component.core.self(), [&](const jaus::header& head, std::span<const std::byte> body) {
+        component.hear(head, body, channel.now, channel.sink());
+    });
+    channel.work([&]() -> std::optional<nanoseconds> {
+        component.core.on_time(channel.now, channel.sink());
+        return component.core.next_event();
+    });
+}
+
+const jaus::set_wrench_effort push{.propulsive_linear_effort_x = 50.0};
+const jaus::set_emergency stop{{jaus::set_emergency_code::transition_to_emergency}};
+const jaus::clear_emergency go_on{{jaus::clear_emergency_code::clear_emergency}};
+
+} // namespace
+
+TEST_CASE("an operator takes control, commands, loses control to a higher authority, and gets it back") {
+    lossy_channel channel;
+    arm a;
+    ocu operator_{ocu_address}, boss{boss_address};
+    join(channel, a);
+    join(channel, operator_);
+    join(channel, boss);
+    const auto until = [&](nanoseconds end) { channel.run(end); };
+
+    operator_.control.ask(100, channel.now, channel.sink());
+    until(10ms);
+    REQUIRE(operator_.control.state() == control_state::held);
+    REQUIRE(a.hooks.controllers == std::vector<std::optional<jaus::controller>>{jaus::controller{ocu_address, 100}});
+
+    REQUIRE(operator_.core.send({.destination = arm_address}, push, channel.now, channel.sink()));
+    REQUIRE(boss.core.send({.destination = arm_address}, push, channel.now, channel.sink()));
+    until(20ms);
+    REQUIRE(a.efforts.size() == 1);
+    REQUIRE(operator_.hooks.outcomes ==
+            std::vector<std::pair<std::uint16_t, delivered>>{{0x0405, delivered::acknowledged}});
+    REQUIRE(boss.hooks.outcomes == std::vector<std::pair<std::uint16_t, delivered>>{{0x0405, delivered::refused}});
+    REQUIRE(a.core.count(not_controller) == 1);
+
+    boss.control.ask(100, channel.now, channel.sink());
+    until(30ms);
+    REQUIRE(boss.control.state() == control_state::refused);
+    boss.control.ask(101, channel.now, channel.sink());
+    until(40ms);
+    REQUIRE(boss.control.state() == control_state::held);
+    REQUIRE(operator_.control.state() == control_state::lost);
+    REQUIRE(operator_.core.send({.destination = arm_address}, push, channel.now, channel.sink()));
+    until(50ms);
+    REQUIRE(operator_.hooks.outcomes.back() == std::pair{std::uint16_t{0x0405}, delivered::refused});
+    REQUIRE(a.efforts.size() == 1);
+
+    // What is no command is answered to anybody.
+    jaus::put({.destination = arm_address, .source = ocu_address}, jaus::query_component_control{}, channel.sink());
+    boss.control.release(channel.sink());
+    until(60ms);
+    REQUIRE(operator_.reports == std::vector<std::uint16_t>{0x400D});
+    REQUIRE_FALSE(a.core.control().controller());
+    operator_.control.ask(0, channel.now, channel.sink());
+    until(70ms);
+    REQUIRE(operator_.control.state() == control_state::held);
+    REQUIRE(a.core.waiting() + operator_.core.waiting() + boss.core.waiting() == 0);
+}
+
+TEST_CASE("a request for control that is lost is made again, and given up when nobody answers") {
+    lossy_channel channel;
+    ocu operator_{ocu_address};
+    join(channel, operator_);
+    operator_.control.ask(1, channel.now, channel.sink());
+    channel.run(1s);
+    REQUIRE(operator_.control.state() == control_state::asking);
+    arm a;
+    SECTION("an arm that is there in time") {
+        join(channel, a);
+        channel.run(5s);
+        REQUIRE(operator_.control.state() == control_state::held);
+    }
+    SECTION("no arm") {
+        channel.run(3s);
+        REQUIRE(operator_.control.state() == control_state::unanswered);
+        REQUIRE_FALSE(operator_.core.next_event());
+    }
+}
+
+TEST_CASE("a controller that renews its control keeps it, one that falls silent loses it") {
+    lossy_channel channel;
+    arm a{{.control = {.timeout = 1s}}};
+    jaus::component_memory<1, 64, 4> memory{};
+    jaus::no_hooks hooks{};
+    std::vector<control_state> states{};
+    const auto changed = [&](control_state s) { states.push_back(s); };
+    jaus::held_control control{ocu_address, arm_address, {.patience = 100ms, .renewal = 400ms}, changed};
+    jaus::component core{ocu_address, memory, hooks, {}, control};
+    bool alive = true;
+    channel.listen(ocu_address, [&](const jaus::header& head, std::span<const std::byte> body) {
+        core.on_message(head, body, channel.now, channel.sink(),
+                        [](const jaus::header&, auto) { return message_outcome::not_mine; });
+    });
+    channel.work([&]() -> std::optional<nanoseconds> {
+        if (!alive) return std::nullopt;
+        core.on_time(channel.now, channel.sink());
+        return core.next_event();
+    });
+    join(channel, a);
+    control.ask(5, channel.now, channel.sink());
+    channel.run(20s);
+    REQUIRE(control.state() == control_state::held);
+    REQUIRE(a.core.control().controls(ocu_address));
+    alive = false;
+    channel.run(22s);
+    REQUIRE_FALSE(a.core.control().controller());
+    REQUIRE(control.state() == control_state::lost);
+    REQUIRE(states == std::vector{control_state::asking, control_state::held, control_state::lost});
+}
+
+TEST_CASE("a confirmation that nobody waits for any more is answered with a release") {
+    sent_messages sent;
+    jaus::held_control control{ocu_address, arm_address};
+    const auto hear = [&](const auto& body, const jaus::address& from) {
+        const auto bytes = message({.destination = ocu_address, .source = from}, body);
+        const auto m = jaus::split(bytes);
+        return control.on_message(m.header, m.body, 0s, sent.sink());
+    };
+    control.ask(1, 0s, sent.sink());
+    REQUIRE(hear(jaus::confirm_component_control{}, boss_address) == message_outcome::not_mine);
+    REQUIRE(control.state() == control_state::asking);
+    control.release(sent.sink());
+    REQUIRE(sent.size() == 2);
+    REQUIRE(hear(jaus::confirm_component_control{}, arm_address) == message_outcome::taken);
+    REQUIRE(sent.size() == 3);
+    REQUIRE(sent.header(2).command_code == 0x000E);
+    REQUIRE(sent.header(2).destination == arm_address);
+    REQUIRE(control.state() == control_state::none);
+    control.release(sent.sink());
+    REQUIRE(sent.size() == 3);
+
+    // An answer of Reject is a refusal, and a component that has disappeared is lost.
+    control.ask(1, 0s, sent.sink());
+    REQUIRE(hear(jaus::reject_component_control{}, arm_address) == message_outcome::taken);
+    REQUIRE(control.state() == control_state::refused);
+    control.ask(1, 0s, sent.sink());
+    control.lose(boss_address);
+    REQUIRE(control.state() == control_state::asking);
+    control.lose(arm_address);
+    REQUIRE(control.state() == control_state::lost);
+    REQUIRE(hear(jaus::report_component_authority{}, arm_address) == message_outcome::not_mine);
+}
+
+TEST_CASE("anyone stops a controlled arm, only that one lets it go on, its controller does not") {
+    arm a;
+    a.put_under_control_of(ocu_address);
+    REQUIRE(a.hear(push, ocu_address) == taken);
+    REQUIRE(a.hear(stop, boss_address, ack_nak::request) == taken);
+    REQUIRE(a.sent.header(0).ack_nak == ack_nak::ack);
+    REQUIRE(a.core.state() == primary_status_code::emergency);
+    REQUIRE(a.hooks.states == std::vector<std::pair<primary_status_code, primary_status_code>>{
+                                  {primary_status_code::ready, primary_status_code::emergency}});
+    REQUIRE(a.hear(push, ocu_address) == not_ready);
+    REQUIRE(a.hear(go_on, ocu_address) == refused);
+    REQUIRE(a.hear(go_on, {1, 33, 1, 1}) == not_controller);
+    REQUIRE(a.hear(go_on, boss_address) == taken);
+    REQUIRE(a.core.state() == primary_status_code::standby);
+    REQUIRE(a.hear(push, ocu_address) == not_ready);
+    REQUIRE(a.hear(jaus::resume{}, boss_address) == not_controller);
+    REQUIRE(a.hear(jaus::resume{}, ocu_address) == taken);
+    REQUIRE(a.hear(push, ocu_address) == taken);
+    REQUIRE(a.efforts.size() == 2);
+}
+
+TEST_CASE("control, and the hold of an emergency, end with those who had them") {
+    arm a;
+    a.put_under_control_of(ocu_address);
+    a.hear(stop, boss_address);
+    a.core.on_lost({255, 255, 1, 1});
+    REQUIRE_FALSE(a.core.control().controller());
+    REQUIRE(a.hooks.controllers == std::vector<std::optional<jaus::controller>>{std::nullopt});
+    REQUIRE(a.hear(go_on, ocu_address) == refused);
+    a.core.on_lost(boss_address);
+    REQUIRE(a.hear(go_on, ocu_address) == taken);
+    REQUIRE(a.part.lost == std::vector<jaus::address>{{255, 255, 1, 1}, boss_address});
+}
+
+TEST_CASE("a component that is not ready does its core's work and refuses what would move it") {
+    for (const auto event :
+         {state_event::standby, state_event::failed, state_event::shutdown, state_event::emergency}) {
+        arm a;
+        REQUIRE(a.core.change(event));
+        REQUIRE(a.hear(push, ocu_address, ack_nak::request) == not_ready);
+        REQUIRE(a.sent.header(0).ack_nak == ack_nak::nak);
+        REQUIRE(a.hear(jaus::query_wrench_effort{}, ocu_address) == taken);
+        REQUIRE(a.hear(jaus::query_component_status{}, ocu_address) == taken);
+        REQUIRE(a.hear(jaus::set_component_authority{4}, ocu_address) == taken);
+        REQUIRE(a.efforts.empty());
+    }
+    arm willing{{.obeys_only_when_ready = false}};
+    willing.core.change(state_event::standby);
+    REQUIRE(willing.hear(push, ocu_address) == taken);
+}
+
+TEST_CASE("what was not done gets a NAK, and everything is counted") {
+    arm a;
+    a.put_under_control_of(ocu_address);
+    const auto answer_to = [&](const auto& body, const jaus::address& from, component_outcome expected) {
+        static std::uint16_t number = 0;
+        a.sent.clear();
+        CHECK(a.hear(body, from, ack_nak::request, ++number) == expected);
+        REQUIRE_FALSE(a.sent.empty());
+        const auto last = a.sent.header(a.sent.size() - 1);
+        CHECK(last.sequence_number == number);
+        CHECK(last.destination == from);
+        return last.ack_nak;
+    };
+    CHECK(answer_to(push, ocu_address, taken) == ack_nak::ack);
+    CHECK(answer_to(push, boss_address, not_controller) == ack_nak::nak);
+    CHECK(answer_to(jaus::resume{}, ocu_address, taken) == ack_nak::ack);
+    CHECK(answer_to(go_on, ocu_address, taken) == ack_nak::ack);
+    CHECK(answer_to(jaus::report_travel_speed{}, boss_address, unknown) == ack_nak::nak);
+    CHECK(answer_to(jaus::query_component_status{}, boss_address, taken) == ack_nak::ack);
+    CHECK(a.sent.size() == 2); // the report, then the ACK
+    CHECK(a.sent.header(0).command_code == 0x4002);
+    CHECK(a.core.count(taken) == 5); // with the request for control
+    CHECK(a.core.count(not_controller) == 1);
+    CHECK(a.core.control().refused() == 1);
+    CHECK(a.core.count(unknown) == 1);
+
+    const std::array<std::byte, 1> wrong{};
+    const jaus::header head{.ack_nak = ack_nak::request,
+                            .command_code = 0x0405,
+                            .destination = arm_address,
+                            .source = ocu_address,
+                            .data_size = 1};
+    a.sent.clear();
+    CHECK(a.hear(head, wrong, 0s, a.sent.sink()) == malformed);
+    CHECK(a.sent.header(0).ack_nak == ack_nak::nak);
+    CHECK(a.core.count(malformed) == 1);
+}
+
+TEST_CASE("a repeated command is acknowledged again and obeyed once") {
+    arm a;
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7) == taken);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7) == repeated);
+    REQUIRE(a.efforts.size() == 1);
+    REQUIRE(a.sent.size() == 2);
+    REQUIRE(a.sent[0] == a.sent[1]);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 8) == taken);
+    REQUIRE(a.hear(push, ocu_address) == taken);
+    REQUIRE(a.hear(push, ocu_address) == taken);
+    REQUIRE(a.efforts.size() == 4);
+}
+
+TEST_CASE("an acknowledgement that nobody waits for ends in the core, but is a sign of life") {
+    arm a{{.control = {.timeout = 1s}}};
+    a.put_under_control_of(ocu_address);
+    const jaus::header head{
+        .ack_nak = ack_nak::ack, .command_code = 0x0405, .destination = arm_address, .source = ocu_address};
+    REQUIRE(a.hear(head, {}, 900ms, a.sent.sink()) == not_waited_for);
+    REQUIRE(a.core.next_event() == 1900ms);
+    REQUIRE(a.efforts.empty());
+    REQUIRE(a.core.send({.destination = ocu_address}, jaus::standby{}, 1s, a.sent.sink()));
+    REQUIRE(a.core.next_event() == 1250ms);
+}
+
+TEST_CASE("parts are asked after the core, and are driven in time") {
+    arm a;
+    a.part.due = 3s;
+    REQUIRE(a.core.next_event() == 3s);
+    a.core.on_time(2s, a.sent.sink());
+    REQUIRE(a.part.ticks == 0);
+    a.core.on_time(3s, a.sent.sink());
+    REQUIRE(a.part.ticks == 1);
+    const jaus::header head{.command_code = 0xD001, .destination = arm_address, .source = ocu_address};
+    REQUIRE(a.hear(head, {}, 0s, a.sent.sink()) == taken);
+    REQUIRE(a.part.heard == 1);
+    a.part.code = 0x0003;
+    REQUIRE(a.hear(jaus::standby{}, ocu_address) == taken); // the core's
+    REQUIRE(a.part.heard == 1);
+}
+
+TEST_CASE("the application can take control back, and end any emergency") {
+    arm a;
+    a.put_under_control_of(ocu_address);
+    a.hear(stop, boss_address);
+    a.core.reject_control(a.sent.sink());
+    REQUIRE(a.sent.header(0).command_code == 0x0010);
+    REQUIRE(a.hooks.controllers == std::vector<std::optional<jaus::controller>>{std::nullopt});
+    a.core.end_emergency();
+    REQUIRE(a.hooks.states.back() == std::pair{primary_status_code::emergency, primary_status_code::standby});
+}
+
+TEST_CASE("the clock and the secondary status are the application's to set") {
+    arm a;
+    REQUIRE(a.core.clock().set(jaus::civil_time{std::chrono::sys_days{std::chrono::year{2026} / 2 / 3}}, 0s));
+    a.core.set_secondary_status(7);
+    REQUIRE(a.hear(jaus::query_time{2}, ocu_address) == taken);
+    REQUIRE(a.sent.body<jaus::report_time>(0).date_stamp == jaus::date_stamp{3, 2, 26});
+    REQUIRE(a.hear(jaus::query_component_status{}, ocu_address) == taken);
+    REQUIRE(a.sent.body<jaus::report_component_status>(1).secondary_status_code == 7);
+}
+
+TEST_CASE("over a bad channel every command of the controller that is acknowledged was obeyed once") {
+    const unsigned seed = GENERATE(range(1u, 9u));
+    CAPTURE(seed);
+    lossy_channel channel{seed};
+    arm a;
+    ocu operator_{ocu_address, {.acknowledgement = {.timeout = 100ms, .retries = 8}}};
+    ocu intruder{boss_address, {.acknowledgement = {.timeout = 100ms, .retries = 8}}};
+    join(channel, a);
+    join(channel, operator_);
+    join(channel, intruder);
+    operator_.control.ask(10, channel.now, channel.sink());
+    channel.run(10ms);
+    REQUIRE(operator_.control.state() == control_state::held);
+
+    channel.faults = {.lose = 30, .duplicate = 20, .delay = 40};
+    std::size_t sent = 0;
+    for (int i = 0; i != 300; ++i) {
+        // The effort tells which command it is.
+        const double effort = i / 4.0;
+        if (operator_.core.send({.destination = arm_address},
+                                jaus::set_wrench_effort{.propulsive_linear_effort_x = effort}, channel.now,
+                                channel.sink()))
+            ++sent;
+        static_cast<void>(intruder.core.send({.destination = arm_address}, push, channel.now, channel.sink()));
+        channel.run(channel.now + 500ms);
+    }
+    channel.run(channel.now + 1h);
+    REQUIRE(sent == 300);
+    REQUIRE(a.efforts.size() <= sent);
+    auto obeyed = a.efforts;
+    std::ranges::sort(obeyed);
+    REQUIRE(std::ranges::adjacent_find(obeyed) == obeyed.end());
+    const auto count = [](const ocu& o, delivered what) {
+        return static_cast<std::size_t>(
+            std::ranges::count(o.hooks.outcomes, what, &std::pair<std::uint16_t, delivered>::second));
+    };
+    REQUIRE(operator_.hooks.outcomes.size() == sent);
+    REQUIRE(count(operator_, delivered::refused) == 0);
+    REQUIRE(count(operator_, delivered::acknowledged) <= obeyed.size());
+    REQUIRE(count(operator_, delivered::acknowledged) > 280);
+    REQUIRE(count(intruder, delivered::acknowledged) == 0);
+    REQUIRE(count(intruder, delivered::refused) > 250);
+    REQUIRE(a.core.count(repeated) > 0);
+}
