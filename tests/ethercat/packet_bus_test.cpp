@@ -256,3 +256,60 @@ TEST_CASE("a slave in INIT, one that is gone and one without CoE are told apart"
     CHECK(b.read(34) == 0xC065000F);
     CHECK(b.read(0x100) == 0);
 }
+
+TEST_CASE("what the link and the mailbox say against a packet has a status") {
+    bus b;
+    REQUIRE(b.set(bus_state::pre_op) == 0);
+    b.link.on_way_back = [](bytes& frame) {
+        const bool reply = frame.at(16) == std::byte{4} && frame.at(21) == std::byte{0x16};
+        if (!reply || frame.at(26) == std::byte{}) return;
+        const auto mail = from_hex("0400 0000 00 00 0100 0200"); // the protocol is not supported
+        std::ranges::copy(mail, frame.begin() + 26);
+    };
+    CHECK(b.read(0x100) == 0xC0650022);
+    b.link.on_way_back = {};
+    CHECK(b.read(0x100) == 0);
+
+    bytes request(52), confirmation(packet_job::confirmation_size);
+    REQUIRE(jauscat::wire::encode(sdo_upload_request{.ul_node_id = 0x100, .ul_index = 0x1000}, request));
+    const auto given_up = [&](master_errc error) {
+        packet_job job{request, confirmation};
+        REQUIRE(job.start(b.master));
+        b.master.cancel(error);
+        CHECK_FALSE(job.next(b.master));
+        CHECK(job.result().error == error);
+        REQUIRE(job.finish(b.master.result()) == 52);
+        packet_header head{};
+        REQUIRE(jauscat::wire::decode_prefix(head, confirmation));
+        return static_cast<std::uint32_t>(head.ul_sta);
+    };
+    CHECK(given_up(master_errc::not_sent) == 0xC0650002);
+    CHECK(given_up(master_errc::timeout) == 0xC0650015);
+}
+
+TEST_CASE("a service that could not be started for another reason is confirmed with that") {
+    bytes request(40), confirmation(packet_job::confirmation_size);
+    REQUIRE(jauscat::wire::encode(get_state_request{}, request));
+    packet_job job{request, confirmation};
+    REQUIRE(job.finish({.error = master_errc::no_reply}) == 40);
+    packet_header head{};
+    REQUIRE(jauscat::wire::decode_prefix(head, confirmation));
+    CHECK(static_cast<std::uint32_t>(head.ul_sta) == 0xC0650014);
+}
+
+TEST_CASE("over a wire that loses, doubles and delays frames a state is reached or refused with a reason") {
+    bus b;
+    b.link.faults = {.lose = 10, .duplicate = 5, .delay = 20};
+    constexpr std::array states{std::pair{bus_state::op, al_state::op}, std::pair{bus_state::init, al_state::init},
+                                std::pair{bus_state::safe_op, al_state::safe_op},
+                                std::pair{bus_state::pre_op, al_state::pre_op}};
+    unsigned reached = 0;
+    for (unsigned round = 0; round != 100; ++round) {
+        const auto& [wanted, state] = states.at(round * 7 % 11 % states.size());
+        CAPTURE(round, static_cast<unsigned>(wanted));
+        if (b.set(wanted) != 0) continue;
+        b.expect(state);
+        ++reached;
+    }
+    CHECK(reached > 95);
+}
