@@ -1,7 +1,10 @@
 // Sockets and configuration files, all of it: what stands above the I/O line.
 #pragma once
 
+#include <jauscat/net/access_list.hpp>
 #include <jauscat/net/cycle_timer.hpp>
+#include <jauscat/net/datagram_gate.hpp>
+#include <jauscat/net/drop_privileges.hpp>
 #include <jauscat/net/jaus_config.hpp>
 #include <jauscat/net/jausip.hpp>
 #include <jauscat/net/latency_histogram.hpp>

@@ -1,0 +1,88 @@
+// From where messages of which JAUS source are taken.
+#pragma once
+
+#include <jauscat/jaus/address_map.hpp>
+#include <jauscat/net/detail/mapped_address.hpp>
+#include <jauscat/net/jaus_config.hpp>
+#include <jauscat/net/verdict.hpp>
+
+#include <boost/asio/ip/udp.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace jauscat::net {
+
+/// Whom an access list lets in.
+enum class access : std::uint8_t {
+    closed, ///< those that it lists
+    open,   ///< all, for trials
+};
+
+/// What the RA lacks in authentication, as far as addresses go: a message is taken only from where an answer to it
+/// would be sent. Whoever can send datagrams with the address of another, or reads the network, is not kept out.
+///
+/// A check costs a look-up in an address_map and a comparison with the addresses of one system, at most 8, whatever the
+/// number of systems. Nothing allocates but the constructors.
+class access_list {
+  public:
+    using endpoint = boost::asio::ip::udp::endpoint;
+
+    /// What the check found. `peer` is the place of the system in the configuration, if the source is one of its.
+    struct finding {
+        verdict what{};
+        std::optional<std::size_t> peer{};
+    };
+
+    /// The systems of `config`. Closed unless told otherwise; open if the configuration names nobody but this system.
+    explicit access_list(const jaus_config& config, access how = access::closed)
+        : how_{config.systems.size() > 1 ? how : access::open},
+          places_(std::bit_ceil(config.systems.size() + config.systems.size() / 2 + 2)),
+          peers_{places_} {
+        for (const auto& system : config.systems) {
+            peers_.insert(system.jausip, static_cast<std::uint32_t>(senders_.size()));
+            sender made{.ips = {system.ip}, .port = system.any_source_port ? std::uint16_t{0} : system.port};
+            made.ips.insert(made.ips.end(), system.more_ips.begin(), system.more_ips.end());
+            for (auto& ip : made.ips) ip = detail::unmapped(ip);
+            senders_.push_back(std::move(made));
+        }
+    }
+
+    access_list(const access_list&) = delete;
+    access_list& operator=(const access_list&) = delete;
+
+    /// Whether a message of this source may come from there: `taken`, `unknown_peer` or `wrong_sender`. The system
+    /// whose jausip names the source best counts, as for sending: where 1.2.0.0 is a system of its own, its messages
+    /// are not taken from 1.0.0.0. An open list takes all, and finds a peer only where a closed one would.
+    [[nodiscard]] finding check(const jaus::address& source, const endpoint& from) const noexcept {
+        const auto* const found = peers_.find(source);
+        if (!found) return refused(verdict::unknown_peer);
+        const auto& peer = senders_[found->value];
+        const bool right_port = peer.port == 0 || peer.port == from.port();
+        if (!right_port || std::ranges::find(peer.ips, detail::unmapped(from.address())) == peer.ips.end())
+            return refused(verdict::wrong_sender);
+        return {verdict::taken, found->value};
+    }
+
+    [[nodiscard]] bool is_open() const noexcept { return how_ == access::open; }
+
+  private:
+    struct sender {
+        std::vector<boost::asio::ip::address> ips{};
+        std::uint16_t port{}; ///< 0: any
+    };
+
+    [[nodiscard]] finding refused(verdict why) const noexcept { return {is_open() ? verdict::taken : why, {}}; }
+
+    access how_;
+    std::vector<jaus::address_place<std::uint32_t>> places_;
+    jaus::address_map<std::uint32_t> peers_;
+    std::vector<sender> senders_{};
+};
+
+} // namespace jauscat::net

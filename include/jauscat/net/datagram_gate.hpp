@@ -1,0 +1,66 @@
+// What stands between the network and a node: who may send, and how much.
+#pragma once
+
+#include <jauscat/jaus/message.hpp>
+#include <jauscat/net/access_list.hpp>
+#include <jauscat/net/rate_limit.hpp>
+
+#include <chrono>
+#include <cstddef>
+#include <random>
+#include <span>
+#include <vector>
+
+namespace jauscat::net {
+
+/// Decides about each datagram before anything is done with it. A datagram that is not taken leaves no trace but in the
+/// counters of whoever asks: nothing is stored and nothing is answered.
+///
+/// Each peer of the configuration has a limit of its own. In an open list those that are not in the configuration share
+/// a table of 1024 places, by IP address. Nothing allocates but the constructor.
+///
+///     datagram_gate gate{config};
+///     transport.set_filter([&](auto message, const auto& from) {
+///         return gate(message, from, std::chrono::steady_clock::now().time_since_epoch());
+///     });
+class datagram_gate {
+  public:
+    using endpoint = access_list::endpoint;
+    using time = token_bucket::time;
+
+    explicit datagram_gate(const jaus_config& config, access how = access::closed)
+        : list_{config, how}, strangers_{system_limits{}.messages, std::random_device{}()} {
+        for (const auto& system : config.systems) peers_.push_back({system.limits.messages, {}});
+    }
+
+    /// `message` is a datagram's content without the framing; it may be anything.
+    [[nodiscard]] verdict operator()(std::span<const std::byte> message, const endpoint& from, time now) noexcept {
+        jaus::header head;
+        if (!wire::decode_prefix(head, message) || !jaus::names_one_component(head.source)) return verdict::malformed;
+        const auto found = list_.check(head.source, from);
+        if (found.what != verdict::taken) return found.what;
+        const bool within = found.peer ? peers_[*found.peer].bucket.take(peers_[*found.peer].limit, now)
+                                       : strangers_.take(key_of(from.address()), now);
+        return within ? verdict::taken : verdict::rate_limited;
+    }
+
+    [[nodiscard]] const access_list& list() const noexcept { return list_; }
+
+  private:
+    struct peer {
+        rate limit{};
+        token_bucket bucket{};
+    };
+
+    static rate_key key_of(const boost::asio::ip::address& ip) noexcept {
+        if (ip.is_v4()) return {0, ip.to_v4().to_uint()};
+        const auto bytes = ip.to_v6().to_bytes();
+        return std::bit_cast<rate_key>(bytes);
+    }
+
+    access_list list_;
+    std::vector<peer> peers_{};
+    rate_limit<1024> strangers_;
+};
+
+} // namespace jauscat::net

@@ -1,0 +1,82 @@
+// Giving up what a program needed to open a raw socket: from then on a fault in it is that of an ordinary user.
+#pragma once
+
+#include <jauscat/net/outcome.hpp>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <grp.h>
+#include <linux/capability.h>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace jauscat::net {
+
+namespace detail {
+
+/// A number from the environment, above 0.
+inline std::optional<unsigned> id_from_environment(const char* name) {
+    const char* const text = std::getenv(name);
+    if (!text) return {};
+    unsigned id{};
+    const auto* const end = text + std::strlen(text);
+    const auto [stop, error] = std::from_chars(text, end, id);
+    return error == std::errc{} && stop == end && id != 0 ? std::optional{id} : std::nullopt;
+}
+
+using capability_sets = std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3>;
+
+/// glibc has no function for these.
+inline bool get_capabilities(capability_sets& sets) noexcept {
+    __user_cap_header_struct head{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
+    return ::syscall(SYS_capget, &head, sets.data()) == 0;
+}
+inline bool set_capabilities(const capability_sets& sets) noexcept {
+    __user_cap_header_struct head{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
+    return ::syscall(SYS_capset, &head, sets.data()) == 0;
+}
+
+inline outcome not_dropped(const char* what) {
+    return outcome{std::string{"privileges cannot be dropped: "} + what + ": " + std::strerror(errno)};
+}
+
+} // namespace detail
+
+/// Gives up all capabilities, CAP_NET_RAW among them, for good: neither a call nor another program that is started gets
+/// them back. A program that was started by sudo becomes the user who called it (SUDO_UID, SUDO_GID), without
+/// supplementary groups; one with the set-user-ID bit the user who started it; root without sudo stays user 0, whose
+/// files it can still change, but without capabilities. A program that has no privileges has none to drop, which is
+/// fine.
+///
+/// Open sockets stay as they are; a raw_link works on, also when its interface comes back. Call it after everything
+/// that takes privileges (raw sockets, real-time priority, locked memory, ports below 1024) and before threads are
+/// started: Linux keeps capabilities for each thread. When it fails, the program should end.
+[[nodiscard]] inline outcome drop_privileges() {
+    if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return detail::not_dropped("no_new_privs");
+    ::prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0); // older kernels have none
+    if (::geteuid() == 0) {
+        // What sudo says counts only where nobody else can have said it.
+        const bool by_root = ::getuid() == 0;
+        const auto user = by_root ? detail::id_from_environment("SUDO_UID") : std::optional{::getuid()};
+        const auto group = by_root ? detail::id_from_environment("SUDO_GID") : std::optional{::getgid()};
+        if (by_root && user && group && ::setgroups(0, nullptr) != 0) return detail::not_dropped("groups");
+        if (user && group && ::setresgid(*group, *group, *group) != 0) return detail::not_dropped("group");
+        if (user && group && ::setresuid(*user, *user, *user) != 0) return detail::not_dropped("user");
+    }
+    if (!detail::set_capabilities({})) return detail::not_dropped("capabilities");
+    detail::capability_sets left{};
+    if (!detail::get_capabilities(left)) return detail::not_dropped("capabilities");
+    for (const auto& set : left)
+        if ((set.effective | set.permitted | set.inheritable) != 0)
+            return outcome{"privileges cannot be dropped: capabilities are left"};
+    return {};
+}
+
+} // namespace jauscat::net

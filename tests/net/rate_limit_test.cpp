@@ -1,0 +1,105 @@
+// Token buckets: rate, burst, idle times; and a table of them under a flood of senders.
+#include "support/catch.hpp"
+#include <jauscat/net/rate_limit.hpp>
+
+#include <random>
+
+using namespace std::chrono_literals;
+using net_time = std::chrono::nanoseconds;
+using jauscat::net::rate;
+using jauscat::net::rate_key;
+using jauscat::net::rate_limit;
+using jauscat::net::token_bucket;
+
+namespace {
+
+/// Messages of `count` sent every `step` that are taken.
+int taken(token_bucket& bucket, const rate& limit, net_time start, net_time step, int count) {
+    int sum = 0;
+    for (int i = 0; i != count; ++i) sum += bucket.take(limit, start + step * i) ? 1 : 0;
+    return sum;
+}
+
+} // namespace
+
+TEST_CASE("a bucket gives its burst at once and then its rate") {
+    for (const net_time start : {net_time{-5s}, net_time{0s}, net_time{1'000'000s}}) {
+        token_bucket bucket;
+        const rate limit{.per_second = 100, .burst = 10};
+        CHECK(taken(bucket, limit, start, 0ns, 50) == 10);
+        CHECK_FALSE(bucket.take(limit, start + 9ms));
+        CHECK(bucket.take(limit, start + 10ms));
+        CHECK_FALSE(bucket.take(limit, start + 10ms));
+        CHECK(taken(bucket, limit, start + 10ms, 1ms, 10'001) == 1000);
+    }
+}
+
+TEST_CASE("a sender at its rate is never refused") {
+    token_bucket bucket;
+    CHECK(taken(bucket, {.per_second = 1000, .burst = 1}, 5s, 1ms, 10'000) == 10'000);
+}
+
+TEST_CASE("a bucket that was left alone is full again and no fuller") {
+    token_bucket bucket;
+    const rate limit{.per_second = 10, .burst = 5};
+    CHECK(bucket.is_full(0s));
+    CHECK(taken(bucket, limit, 0s, 0ns, 9) == 5);
+    CHECK_FALSE(bucket.is_full(499ms));
+    CHECK(bucket.is_full(500ms));
+    CHECK(taken(bucket, limit, 1h, 0ns, 9) == 5);
+}
+
+TEST_CASE("limits at their ends: none, a burst of zero, the largest numbers") {
+    token_bucket none;
+    CHECK(taken(none, {.per_second = 0, .burst = 1}, 0s, 0ns, 1000) == 1000);
+    token_bucket one;
+    CHECK(taken(one, {.per_second = 1, .burst = 0}, 0s, 0ns, 10) == 1);
+    token_bucket large;
+    CHECK(taken(large, {.per_second = 4'294'967'295U, .burst = 4'294'967'295U}, 0s, 0ns, 1000) == 1000);
+    token_bucket slow;
+    CHECK(taken(slow, {.per_second = 1, .burst = 4'294'967'295U}, 0s, 0ns, 1000) == 1000);
+}
+
+TEST_CASE("each sender has a bucket of its own") {
+    rate_limit<64> limits{{.per_second = 10, .burst = 3}};
+    for (const rate_key& sender : {rate_key{0, 1}, rate_key{1, 0}, rate_key{0, 0}}) {
+        for (int i = 0; i != 3; ++i) CHECK(limits.take(sender, 1s));
+        CHECK_FALSE(limits.take(sender, 1s));
+    }
+    CHECK(limits.take({0, 1}, 1100ms));
+    CHECK(limits.crowded() == 0);
+}
+
+TEST_CASE("a flood of senders is limited as a whole and does not push out those that are there") {
+    const rate limit{.per_second = 1000, .burst = 10};
+    rate_limit<64> limits{limit, 42};
+    const rate_key peer{0, 7};
+    for (int i = 0; i != 10; ++i) CHECK(limits.take(peer, 0s));
+    CHECK_FALSE(limits.take(peer, 0s));
+
+    std::mt19937_64 random{3};
+    std::uint64_t taken = 0;
+    for (int i = 0; i != 100'000; ++i) taken += limits.take({random(), random()}, 0s) ? 1 : 0;
+    CHECK(taken <= 63 + 10); // one each while there are places, then the shared bucket
+    CHECK(taken >= 50);
+    CHECK(limits.crowded() > 99'000);
+    CHECK_FALSE(limits.take(peer, 0s)); // its bucket was not forgotten
+    CHECK(limits.take(peer, 1ms));
+}
+
+TEST_CASE("idle senders make room for others") {
+    rate_limit<8> limits{{.per_second = 10, .burst = 1}};
+    for (int second = 0; second != 100; ++second)
+        for (std::uint64_t sender = 0; sender != 8; ++sender)
+            CHECK(limits.take({static_cast<std::uint64_t>(second), sender}, std::chrono::seconds{second}));
+    CHECK(limits.crowded() == 0);
+}
+
+TEST_CASE("a limit is computed at compile time as well, so it uses no clock and no memory of its own") {
+    constexpr bool second_is_refused = [] {
+        rate_limit<8> limits{{.per_second = 1, .burst = 1}};
+        return limits.take({1, 2}, 1s) && !limits.take({1, 2}, 1s);
+    }();
+    static_assert(second_is_refused);
+    SUCCEED();
+}
