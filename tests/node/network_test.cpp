@@ -45,9 +45,9 @@ struct program {
     }
 };
 
-constexpr unsigned subsystems = 4, nodes = 3;
+constexpr unsigned subsystems = 4, nodes = 4;
 constexpr std::array<jaus::address, 3> components_of_node{make(0, 0, 1, 1), make(0, 0, 33, 1), make(0, 0, 33, 2)};
-constexpr std::size_t group_hops = 24; // programs are hops 0 to 23, groups come behind
+constexpr std::size_t group_hops = 32; // programs are hops 0 to 31, groups come behind
 
 bool is_named(const jaus::address& to, const jaus::address& one) {
     const auto level = [](std::uint8_t a, std::uint8_t b) { return a == 255 || a == b; };
@@ -132,7 +132,7 @@ class builder {
                         const std::size_t other = below(subsystems * nodes);
                         const auto& q = *net_.programs[other];
                         if (&q == p.get() || (s == p->subsystem && q.subsystem != s) ||
-                            (s != p->subsystem && q.subsystem == p->subsystem && one_in(2)))
+                            (s != p->subsystem && q.subsystem != p->subsystem && one_in(2)))
                             continue;
                         p->lead(make(s, n), other);
                         break;
@@ -257,7 +257,7 @@ std::string text(std::vector<jaus::address> all) {
 std::vector<jaus::address> all_broadcasts() {
     std::vector<jaus::address> all;
     for (const unsigned s : {1U, 2U, 3U, 4U, 255U})
-        for (const unsigned n : {1U, 2U, 3U, 255U})
+        for (const unsigned n : {1U, 2U, 3U, 4U, 255U})
             for (const unsigned c : {1U, 33U, 255U})
                 for (const unsigned i : {1U, 2U, 255U})
                     if (s == 255 || n == 255 || c == 255 || i == 255) all.push_back(make(s, n, c, i));
@@ -268,7 +268,7 @@ std::vector<jaus::address> all_broadcasts() {
 
 TEST_CASE("in every network each message to one component arrives there once") {
     const auto all = everybody();
-    for (unsigned seed = 1; seed != 200; ++seed) {
+    for (unsigned seed = 1; seed != 100; ++seed) {
         auto net = builder{seed}.sound();
         std::string wrong;
         for (const auto& source : all)
@@ -288,7 +288,7 @@ TEST_CASE("in every network each broadcast arrives once at all whom it names but
     for (unsigned seed = 1; seed != 100; ++seed) {
         auto net = builder{seed}.sound();
         std::string wrong;
-        for (std::size_t i = seed % 5; i < all.size(); i += 5)
+        for (std::size_t i = seed % 8; i < all.size(); i += 8)
             for (const auto& to : broadcasts) {
                 std::vector<jaus::address> named;
                 for (const auto& one : all)
@@ -305,7 +305,7 @@ TEST_CASE("with ways that make no sense messages may be lost but never circulate
     const auto all = everybody();
     const auto broadcasts = all_broadcasts();
     std::size_t arrived = 0, longest = 0;
-    for (unsigned seed = 1; seed != 200; ++seed) {
+    for (unsigned seed = 1; seed != 100; ++seed) {
         auto net = builder{seed}.senseless();
         bool right = true;
         const auto check = [&](const jaus::address& source, const jaus::address& to) {
@@ -317,7 +317,7 @@ TEST_CASE("with ways that make no sense messages may be lost but never circulate
         };
         for (const auto& source : all)
             for (const auto& to : all) check(source, to);
-        for (std::size_t i = seed % 9; i < all.size(); i += 9)
+        for (std::size_t i = seed % 12; i < all.size(); i += 12)
             for (const auto& to : broadcasts) check(all[i], to);
         INFO("network " << seed << ", longest " << longest);
         REQUIRE(right);
