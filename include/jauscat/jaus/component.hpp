@@ -7,6 +7,7 @@
 #include <jauscat/jaus/dispatcher.hpp>
 
 #include <tuple>
+#include <utility>
 
 namespace jauscat::jaus {
 
@@ -198,9 +199,11 @@ template <class Hooks, class... Parts> class component {
             if constexpr (requires { hooks_.on_controller(before); }) hooks_.on_controller(control_.controller());
     }
     constexpr auto delivered_hook() noexcept {
-        return [this]([[maybe_unused]] const awaited_message& m, [[maybe_unused]] delivered what) {
-            if constexpr (requires { hooks_.on_delivered(m, what); }) hooks_.on_delivered(m, what);
-        };
+        return [&hooks = hooks_](const awaited_message& m, delivered what) { tell_delivered(hooks, m, what); };
+    }
+    static constexpr void tell_delivered([[maybe_unused]] Hooks& hooks, [[maybe_unused]] const awaited_message& m,
+                                         [[maybe_unused]] delivered what) {
+        if constexpr (requires { hooks.on_delivered(m, what); }) hooks.on_delivered(m, what);
     }
     constexpr void each_part(auto&& use) const {
         std::apply([&](auto&... part) { (use(part), ...); }, parts_);

@@ -132,14 +132,17 @@ template <std::size_t Holders = 8> class component_state {
     /// The components that `gone(const address&)` says yes to are no longer there: any may clear what they have set.
     constexpr void on_lost(auto&& gone) noexcept {
         const std::size_t before = held_;
-        const auto left = std::ranges::remove_if(holders_.begin(), holders_.begin() + place(held_), gone);
-        held_ = static_cast<std::size_t>(left.begin() - holders_.begin());
+        drop_holders(gone);
         if (held_ != before) anyones_hold_ = true;
     }
 
   private:
-    static constexpr std::ptrdiff_t place(std::size_t i) noexcept { return static_cast<std::ptrdiff_t>(i); }
     [[nodiscard]] constexpr std::span<const address> held() const noexcept { return std::span{holders_}.first(held_); }
+
+    constexpr void drop_holders(auto&& which) noexcept {
+        const auto end = holders_.begin() + static_cast<std::ptrdiff_t>(held_);
+        held_ = static_cast<std::size_t>(std::remove_if(holders_.begin(), end, which) - holders_.begin());
+    }
 
     template <coded_message T>
     constexpr message_outcome command(std::span<const std::byte> body, state_event event) noexcept {
@@ -174,8 +177,7 @@ template <std::size_t Holders = 8> class component_state {
         if (state_ != primary_status_code::emergency) return true;
         if (!holds_emergency(who) && !anyones_hold_) return false;
         anyones_hold_ = false;
-        const auto left = std::ranges::remove(holders_.begin(), holders_.begin() + place(held_), who);
-        held_ = static_cast<std::size_t>(left.begin() - holders_.begin());
+        drop_holders([&](const address& holder) { return holder == who; });
         end_if_unheld();
         return true;
     }
