@@ -86,8 +86,9 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
     std::string problem;
     while (!example::stop_requested) {
         const auto size = link.receive(frame, std::chrono::milliseconds{20});
-        slave.on_time(std::chrono::steady_clock::now().time_since_epoch());
+        const auto now = std::chrono::steady_clock::now().time_since_epoch();
         if (size == 0) {
+            slave.on_time(now);
             process_data.work(slave);
             show_state();
             if (link.problem() != problem) {
@@ -99,6 +100,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
         const auto received = std::span{frame}.first(size);
         application.set_station(slave.station_address());
         slave.process(received);
+        slave.on_time(now); // after the frame: it may have waited here
         if (!link.send(received)) std::cout << "arm: a frame did not go back: " << link.problem() << "\n";
         process_data.work(slave);
         show_state();

@@ -43,7 +43,8 @@ class robot_controller {
   public:
     robot_controller(jauscat::net::jaus_config config, example::any_link& link, example::any_exchange& exchange,
                      std::uint16_t station, std::chrono::milliseconds frame_timeout,
-                     const ethercat::download_options& options, std::chrono::nanoseconds period)
+                     const ethercat::download_options& options, std::chrono::nanoseconds period,
+                     std::chrono::milliseconds watchdog)
         : config_{std::move(config)},
           link_{link},
           exchange_{exchange},
@@ -52,7 +53,7 @@ class robot_controller {
           udp_{context_, config_.me().endpoint()},
           master_{{.frame_timeout = frame_timeout}} {
         const ethercat::slave_identity slave{.subsystem = config_.me().jausip.subsystem, .station = station};
-        if (period > std::chrono::nanoseconds{}) cyclic_.emplace(link_, master_, slave, period);
+        if (period > std::chrono::nanoseconds{}) cyclic_.emplace(link_, master_, slave, period, watchdog);
     }
 
     /// Brings the slave to PRE-OP, or to OP for the cyclic path; tries again until `patience` is over.
@@ -302,6 +303,7 @@ int main(int argc, char** argv) {
             ("station", po::value<std::uint16_t>()->default_value(2), "station address and JAUS node of the slave, 1 to 254")
             ("clear-subindex-0", po::bool_switch(), "write 0 to subindex 0 of an object before each message, for slaves that abort with 06010003h else")
             ("cycle", po::value<unsigned>()->default_value(0), "microseconds from one cycle of process data to the next: wrench efforts then go without the mailbox; 0: no cycles")
+            ("watchdog", po::value<unsigned>()->default_value(0), "with --cycle: milliseconds without outputs after which the slave leaves OP, up to 6500; 0: the slave's own time, mostly 100")
             ("wait", po::value<unsigned>()->default_value(5000), "milliseconds to wait for the slave at the start")
             ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
         // clang-format on
@@ -309,6 +311,7 @@ int main(int argc, char** argv) {
         const auto values = example::parse(argc, argv, options, help);
         const auto station = values["station"].as<std::uint16_t>();
         if (station < 1 || station > 254) throw example::usage_error{"--station must be 1 to 254"};
+        if (values["watchdog"].as<unsigned>() > 6500) throw example::usage_error{"--watchdog must be 0 to 6500"};
         const auto config = example::load_config(values);
         return example::with_link(values, example::link_end::master, [&](auto& link, const std::string& where) {
             std::cout << "controller: " << where << "\n";
@@ -326,7 +329,8 @@ int main(int argc, char** argv) {
                                         station,
                                         frame_timeout,
                                         download,
-                                        std::chrono::microseconds{values["cycle"].as<unsigned>()}};
+                                        std::chrono::microseconds{values["cycle"].as<unsigned>()},
+                                        std::chrono::milliseconds{values["watchdog"].as<unsigned>()}};
             controller.bring_up(std::chrono::milliseconds{values["wait"].as<unsigned>()});
             return controller.serve();
         });

@@ -9,6 +9,7 @@
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
+#include <jauscat/schema/ethercat/watchdog.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 
 #include <array>
@@ -27,9 +28,15 @@ class cyclic_path {
     /// JAUS component ID of a Primitive Driver.
     static constexpr std::uint8_t component = 33;
 
+    /// `watchdog`: after which the slave leaves OP if it gets no outputs; 0 leaves that to the slave (100 ms).
     cyclic_path(any_link& link, jauscat::ethercat::master& master, const jauscat::ethercat::slave_identity& slave,
-                std::chrono::nanoseconds period)
-        : link_{link}, master_{master}, station_{slave.station}, exchange_{slave, component}, period_{period} {}
+                std::chrono::nanoseconds period, std::chrono::milliseconds watchdog)
+        : link_{link},
+          master_{master},
+          station_{slave.station},
+          exchange_{slave, component},
+          period_{period},
+          watchdog_{watchdog} {}
 
     /// From PRE-OP to OP. `prepare()` is called before each cycle, here and in the functions below.
     template <class Prepare> jauscat::ethercat::outcome start(Prepare&& prepare) {
@@ -37,6 +44,7 @@ class cyclic_path {
         using jauscat::ethercat::al_state;
         master_.configure(station_);
         if (const auto result = jauscat::net::run(link_, master_, patience); !result) return result;
+        if (const auto result = set_watchdog(); !result) return result;
         master_.change_state(station_, al_state::safe_op);
         if (const auto result = jauscat::net::run(link_, master_, patience); !result) return result;
         data_ = jauscat::ethercat::process_data{master_.slaves()};
@@ -49,7 +57,7 @@ class cyclic_path {
         // A slave with other process data cannot be commanded by these tables.
         if (!exchange_.start(outputs(), inputs())) return {.error = jauscat::ethercat::master_errc::size_mismatch};
         runs_ = true;
-        good_ = std::chrono::steady_clock::now();
+        bad_cycles_ = 0;
         return result;
     }
 
@@ -77,15 +85,27 @@ class cyclic_path {
 
   private:
     static constexpr auto patience = std::chrono::seconds{2};
-    static constexpr auto longest_silence = std::chrono::milliseconds{300};
+    static constexpr auto longest_silence = std::chrono::seconds{1};
     static constexpr auto check_interval = std::chrono::milliseconds{50};
 
+    // The register's unit is 100 us where nobody has changed the divider.
+    jauscat::ethercat::outcome set_watchdog() {
+        using namespace jauscat::ethercat;
+        constexpr auto units_in_ms = std::chrono::milliseconds{1} / watchdog_time(default_watchdog_divider, 1);
+        if (watchdog_ == watchdog_.zero()) return {};
+        const esc_word units{static_cast<std::uint16_t>(watchdog_.count() * units_in_ms)};
+        std::array<std::byte, jauscat::wire::max_size<esc_word>> bytes{};
+        static_cast<void>(jauscat::wire::encode(units, bytes));
+        master_.exchange(command::fpwr, station_, esc_registers::process_data_watchdog.address, bytes);
+        return jauscat::net::run(link_, master_, patience);
+    }
+
     void note(const jauscat::net::cycle_report&) {
-        const auto now = std::chrono::steady_clock::now();
         const auto taken = exchange_.taken(inputs());
-        if (data_.is_complete() && (taken == exchange_.given(outputs()) || taken != taken_)) good_ = now;
+        const bool good = data_.is_complete() && (taken == exchange_.given(outputs()) || taken != taken_);
+        bad_cycles_ = good ? 0 : bad_cycles_ + 1;
         taken_ = taken;
-        if (now - good_ > longest_silence) stop("no longer takes process data");
+        if (bad_cycles_ * period_ > longest_silence) stop("no longer takes process data");
     }
 
     // A slave that has left OP still takes part in the exchange.
@@ -116,6 +136,7 @@ class cyclic_path {
                                       jauscat::translation::report_wrench_effort_table>
         exchange_;
     std::chrono::nanoseconds period_;
+    std::chrono::milliseconds watchdog_;
     jauscat::ethercat::process_data data_{};
     std::optional<jauscat::net::cycle_runner<traced_link<any_link>>> cycles_{};
     bool runs_{};
@@ -123,8 +144,8 @@ class cyclic_path {
     bool checking_{};
     std::array<std::byte, jauscat::wire::max_size<jauscat::ethercat::al_status>> status_{};
     std::chrono::steady_clock::time_point next_check_{};
-    std::chrono::steady_clock::time_point good_{}; ///< when the slave last was as it should be
-    std::uint16_t taken_{};                        ///< the last command that it says it has taken
+    unsigned bad_cycles_{}; ///< in a row: not of all slaves, or the slave has not taken a command
+    std::uint16_t taken_{}; ///< the last command that it says it has taken
 };
 
 } // namespace example

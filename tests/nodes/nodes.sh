@@ -66,8 +66,9 @@ read -ra wrapper <<<"${NODE_WRAPPER:-}"
 link=(--ethercat-port "$slave_port")
 master_link=()
 master_options=()
-cycle=2000
+cycle=10000
 [ ${#wrapper[@]} -eq 0 ] || { master_options=(--frame-timeout 1000) cycle=30000; } # what wraps the nodes may slow them down
+cyclic=(--cycle "$cycle" --watchdog 2000) # a busy machine may hold processes up
 table=seed
 node() { # NAME LOG ARGUMENTS...
     local log=$2
@@ -333,7 +334,7 @@ small_mailbox() { # of 8 bytes of data in a first message and 15 in a segment
     says out "--mailbox-size must be 24 to 1486"
 }
 command_by_process_data() {
-    master_options+=(--cycle "$cycle")
+    master_options+=("${cyclic[@]}")
     start_robot
     wait_for arm "state op, station address 2"
     the_command_arrives
@@ -357,7 +358,7 @@ command_by_process_data() {
     wait_for controller "sent Set Wrench Effort (NAK)"
 }
 other_messages_between_cycles() {
-    master_options+=(--cycle "$cycle")
+    master_options+=("${cyclic[@]}")
     start_robot
     expect_ocu 0 --send set_travel_speed desired_speed=2.5
     says arm "travel speed 2.4414435 m/s"
@@ -374,7 +375,7 @@ other_messages_between_cycles() {
     wait_for arm "in emergency: efforts ignored"
 }
 arm_restarts_between_cycles() {
-    master_options+=(--cycle "$cycle")
+    master_options+=("${cyclic[@]}")
     start_robot
     the_command_arrives
     kill "$arm_pid" && wait "$arm_pid" 2>/dev/null
@@ -388,7 +389,7 @@ arm_restarts_between_cycles() {
     the_command_arrives
 }
 controller_restarts_between_cycles() {
-    master_options+=(--cycle "$cycle")
+    master_options+=("${cyclic[@]}")
     start_robot
     the_command_arrives
     kill "$controller_pid" && wait "$controller_pid"
@@ -399,7 +400,7 @@ controller_restarts_between_cycles() {
     the_command_arrives
 }
 slave_leaves_op() { # as its watchdog bids, when the controller has been stopped for a while
-    master_options+=(--cycle "$cycle")
+    master_options+=(--cycle "$cycle" --watchdog 500)
     start_robot
     the_command_arrives
     kill -STOP "$controller_pid"
@@ -578,7 +579,7 @@ tshark_reads_process_data() {
     two_namespaces
     prefix=(ip netns exec "$master_ns")
     start_capture if_m "ether proto 0x88a4"
-    master_options+=(--cycle "$cycle")
+    master_options+=("${cyclic[@]}")
     start_raw_robot
     the_command_arrives
     stop_capture
