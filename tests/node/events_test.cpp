@@ -1,0 +1,674 @@
+// Events: provider and consumer by themselves with literal messages, every type and boundary, and both together on a
+// network that loses some.
+#include "messages.hpp"
+#include "support/hex.hpp"
+#include <jauscat/jaus/event_consumer.hpp>
+#include <jauscat/jaus/events.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+namespace {
+
+using namespace std::chrono_literals;
+using jauscat::jaus::event_boundary;
+using jauscat::jaus::event_news;
+using jauscat::jaus::event_response;
+using jauscat::jaus::event_type;
+using jauscat::jaus::message_outcome;
+using jauscat::jaus::requested_state;
+using jauscat::test::bytes;
+using jauscat::test::from_hex;
+using jauscat::test::to_hex;
+using time_point = std::chrono::nanoseconds;
+namespace jaus = jauscat::jaus;
+namespace wire = jauscat::wire;
+
+constexpr jaus::address sensor{1, 42, 1, 2}, viewer{1, 40, 1, 1}, other{2, 40, 1, 1};
+constexpr std::uint16_t velocity = 0x4404, devices = 0x4406;
+
+jaus::typed_value real(double value) { return {.data_type = jaus::data_type::long_float, .value = value}; }
+jaus::typed_value octet(std::uint8_t value) { return {.data_type = jaus::data_type::byte, .value = value}; }
+
+template <jaus::coded_message T> bytes body_of(const T& message) {
+    const auto whole = jauscat::test::message({}, message);
+    return {whole.begin() + jaus::header_size, whole.end()};
+}
+bytes velocity_body(double x) { return body_of(jaus::report_velocity_state{.velocity_x = x}); }
+
+/// A provider with reports of velocity and discrete devices, and what it sends.
+struct provider {
+    std::array<jaus::eventful_report, 4> reports{{{velocity, &jaus::read_field<jaus::report_velocity_state>},
+                                                  {devices, &jaus::read_field<jaus::report_discrete_devices>, 10},
+                                                  {0x4400, nullptr, 1092, true, false},
+                                                  {0x4401, nullptr, 1092, false, true}}};
+    std::optional<bytes> current{velocity_body(0)};
+    std::vector<bytes> queries{};
+    std::optional<std::size_t> operator()(std::uint16_t, std::span<const std::byte> query, std::span<std::byte> body) {
+        queries.emplace_back(query.begin(), query.end());
+        if (!current || current->size() > body.size()) return std::nullopt;
+        std::ranges::copy(*current, body.begin());
+        return current->size();
+    }
+    std::array<std::byte, 1024> memory{};
+    jaus::events<4> events{sensor, reports, *this, memory};
+    jauscat::test::sent_messages sent{};
+
+    message_outcome hear(const bytes& message, time_point now = 0s) {
+        const auto m = jaus::split(message);
+        REQUIRE(m);
+        return events.on_message(m.header, m.body, now, sent.sink());
+    }
+    template <class Message> message_outcome hear(const jaus::address& from, const Message& body, time_point now = 0s) {
+        return hear(jauscat::test::message({.destination = sensor, .source = from}, body), now);
+    }
+    /// Creates an event that must be confirmed, and returns its ID.
+    std::uint8_t create(const jaus::create_event& request, time_point now = 0s) {
+        sent.clear();
+        REQUIRE(hear(viewer, request, now) == message_outcome::taken);
+        const auto confirmed = sent.body<jaus::confirm_event_request>(0);
+        REQUIRE(confirmed.local_request_id == request.local_request_id);
+        REQUIRE(confirmed.message_code == request.message_code);
+        REQUIRE(confirmed.response_code == event_response::successful);
+        return confirmed.event_id;
+    }
+    /// Sends a request that must be rejected, and returns the reason.
+    template <class Message> event_response rejects(const Message& request, const jaus::address& from = viewer) {
+        sent.clear();
+        REQUIRE(hear(from, request) == message_outcome::refused);
+        REQUIRE(sent.size() == 1);
+        const auto rejected = sent.body<jaus::reject_event_request>(0);
+        REQUIRE(rejected.local_request_id == request.local_request_id);
+        REQUIRE(rejected.error_message.has_value());
+        return rejected.response_code;
+    }
+    /// How many events a change of the velocity makes.
+    std::size_t drive(double x, time_point now) {
+        sent.clear();
+        current = velocity_body(x);
+        events.changed(velocity, *current, now, sent.sink());
+        return sent.size();
+    }
+    std::size_t wait(time_point end) {
+        sent.clear();
+        while (events.next_event() && *events.next_event() <= end) events.on_time(*events.next_event(), sent.sink());
+        return sent.size();
+    }
+};
+
+} // namespace
+
+TEST_CASE("an event on every change is confirmed, and carries the report") {
+    provider p;
+    REQUIRE(p.hear(from_hex("06 02 f0 01 01 2a 01 02 01 28 01 01 05 00 09 00 00 05 04 44 01"), 1s) ==
+            message_outcome::taken);
+    REQUIRE(p.sent.size() == 1);
+    REQUIRE(to_hex(p.sent[0]) == "06 02 f3 01 01 28 01 01 01 2a 01 02 06 00 09 00 00 05 04 44 01 00");
+    REQUIRE(p.events.next_event() == std::nullopt);
+
+    p.events.changed(velocity, from_hex("01 00 ff ff ff 7f"), 2s, p.sent.sink());
+    p.events.changed(devices, from_hex("00"), 2s, p.sent.sink());
+    p.events.changed(velocity, from_hex("01 00 00 00 00 00"), 3s, p.sent.sink());
+    REQUIRE(p.sent.size() == 3);
+    REQUIRE(to_hex(p.sent[1]) ==
+            "06 02 f1 41 01 28 01 01 01 2a 01 02 0e 00 00 00 01 04 44 00 06 00 00 00 01 00 ff ff ff 7f");
+    REQUIRE(to_hex(p.sent[2]) ==
+            "06 02 f1 41 01 28 01 01 01 2a 01 02 0e 00 00 00 01 04 44 01 06 00 00 00 01 00 00 00 00 00");
+
+    // Cancel Event, by its ID.
+    p.sent.clear();
+    REQUIRE(p.hear(from_hex("06 02 f2 01 01 2a 01 02 01 28 01 01 03 00 00 00 02 06 01"), 4s) == message_outcome::taken);
+    REQUIRE(to_hex(p.sent[0]) == "06 02 f3 01 01 28 01 01 01 2a 01 02 06 00 00 00 00 06 04 44 01 00");
+    REQUIRE(p.drive(1, 5s) == 0);
+    REQUIRE(p.hear(from_hex("06 02 f2 01 01 2a 01 02 01 28 01 01 03 00 00 00 02 06 01"), 6s) ==
+            message_outcome::refused);
+    REQUIRE(to_hex(p.sent[0]).starts_with("06 02 f4 01 01 28 01 01 01 2a 01 02 10 00 00 00 01 06 06 6e 6f 20 73"));
+}
+
+TEST_CASE("a periodic event comes at the confirmed rate, without drift and without bursts") {
+    provider p;
+    // Presence bit 6: 10 Hz.
+    REQUIRE(p.hear(from_hex("06 02 f0 01 01 2a 01 02 01 28 01 01 07 00 00 00 40 05 04 44 00 58 02")) ==
+            message_outcome::taken);
+    REQUIRE(to_hex(p.sent[0]) == "06 02 f3 01 01 28 01 01 01 2a 01 02 08 00 00 00 01 05 04 44 01 58 02 00");
+    const auto period = jaus::period_of(*p.sent.body<jaus::confirm_event_request>(0).confirmed_periodic_rate);
+    REQUIRE(p.events.next_event() == 0s);
+    p.sent.clear();
+    for (int i = 0; i != 1000; ++i) {
+        REQUIRE(p.events.next_event() == i * period);
+        p.events.on_time(i * period + 5ms, p.sent.sink());
+    }
+    REQUIRE(p.sent.size() == 1000);
+    REQUIRE(p.sent.body<jaus::event>(999).event_sequence_number == 999 % 256);
+    p.events.on_time(5000 * period + 1ms, p.sent.sink());
+    REQUIRE(p.sent.size() == 1001);
+    REQUIRE(p.events.next_event() == 5001 * period);
+    REQUIRE(p.drive(1, 5000 * period + 2ms) == 0);
+
+    p.current.reset();
+    p.events.on_time(5001 * period, p.sent.sink());
+    REQUIRE(p.sent.empty());
+    REQUIRE(p.events.skipped() == 1);
+}
+
+TEST_CASE("a periodic event without repeat comes only after a change") {
+    provider p;
+    p.create(
+        {.message_code = velocity, .event_type = event_type::periodic_without_repeat, .requested_periodic_rate = 10});
+    REQUIRE(p.wait(0s) == 1);
+    REQUIRE(p.events.next_event() == std::nullopt);
+    REQUIRE(p.drive(1, 250ms) == 0);
+    REQUIRE(p.drive(2, 260ms) == 0);
+    REQUIRE(p.events.next_event() > 299ms);
+    REQUIRE(p.events.next_event() < 301ms);
+    REQUIRE(p.wait(1s) == 1);
+    const auto report = p.sent.body<jaus::event>(0).report_message_body;
+    REQUIRE(std::ranges::equal(report, velocity_body(2)));
+}
+
+TEST_CASE("an event on the first change comes once, and again after an update") {
+    provider p;
+    const auto id = p.create({.message_code = velocity, .event_type = event_type::first_change});
+    REQUIRE(p.drive(1, 1s) == 1);
+    REQUIRE(p.drive(2, 2s) == 0);
+    REQUIRE(p.hear(from_hex("06 02 f1 01 01 2a 01 02 01 28 01 01 06 00 00 00 00 07 04 44 02 01"), 3s) ==
+            message_outcome::taken);
+    REQUIRE(id == 1);
+    REQUIRE(to_hex(p.sent[0]) == "06 02 f3 01 01 28 01 01 01 2a 01 02 06 00 00 00 00 07 04 44 01 00");
+    REQUIRE(p.drive(3, 4s) == 1);
+    REQUIRE(p.sent.body<jaus::event>(0).event_sequence_number == 1);
+    REQUIRE(p.drive(4, 5s) == 0);
+}
+
+TEST_CASE("a one time event comes at once, or with the first report there is") {
+    provider p;
+    p.create({.message_code = velocity, .event_type = event_type::one_time_on_demand});
+    REQUIRE(p.sent.size() == 2);
+    REQUIRE(p.sent.body<jaus::event>(1).event_id == 1);
+    REQUIRE(p.events.records()[0].message_code == 0);
+
+    p.current.reset();
+    p.create({.message_code = velocity, .event_type = event_type::one_time_on_demand}, 1s);
+    REQUIRE(p.sent.size() == 1);
+    REQUIRE(p.events.next_event() == std::nullopt);
+    REQUIRE(p.drive(1, 2s) == 1);
+    REQUIRE(p.sent.body<jaus::event>(0).event_id == 2);
+    REQUIRE(p.drive(2, 3s) == 0);
+}
+
+TEST_CASE("each boundary is met by the values that the standard's name for it says") {
+    struct row {
+        event_boundary boundary;
+        std::string_view met; ///< by -2, -1, 0, 1, 2 with limits -1 and 1, or the one limit
+    };
+    const auto met = [](const row& r, std::optional<jaus::typed_value> lower, std::optional<jaus::typed_value> upper,
+                        std::optional<jaus::typed_value> state) {
+        provider p;
+        p.current.reset();
+        p.create({.message_code = velocity,
+                  .event_type = event_type::every_change,
+                  .event_boundary = r.boundary,
+                  .limit_data_field = std::uint8_t{2},
+                  .lower_limit = lower,
+                  .upper_limit = upper,
+                  .state_limit = state});
+        std::string result;
+        for (int x = -2; x != 3; ++x) result += p.drive(x, x * 1s + 10s) == 1 ? '1' : '0';
+        return result;
+    };
+    for (const row& r :
+         {row{event_boundary::inside_inclusive, "01110"}, row{event_boundary::inside_exclusive, "00100"},
+          row{event_boundary::outside_inclusive, "11011"}, row{event_boundary::outside_exclusive, "10001"}})
+        REQUIRE(met(r, real(-1), real(1), std::nullopt) == r.met);
+    for (const row& r :
+         {row{event_boundary::equal, "00010"}, row{event_boundary::not_equal, "11101"},
+          row{event_boundary::greater_than_or_equal, "00011"}, row{event_boundary::strictly_greater_than, "00001"},
+          row{event_boundary::less_than_or_equal, "11110"}, row{event_boundary::strictly_less_than, "11100"}}) {
+        // With the one limit wherever it is.
+        REQUIRE(met(r, real(1), std::nullopt, std::nullopt) == r.met);
+        REQUIRE(met(r, std::nullopt, real(1), std::nullopt) == r.met);
+    }
+    REQUIRE(met({event_boundary::equal, {}}, real(0), real(2), real(-1)) == "01000");
+    REQUIRE(met({event_boundary::strictly_greater_than, {}}, real(0), real(2), std::nullopt) == "00011");
+    REQUIRE(met({event_boundary::strictly_less_than, {}}, real(0), real(2), std::nullopt) == "11110");
+}
+
+TEST_CASE("an event at the boundary comes when a value goes in and when it goes out") {
+    provider p;
+    p.current = velocity_body(0);
+    p.create({.message_code = velocity,
+              .event_type = event_type::first_change_in_and_out_of_boundary,
+              .event_boundary = event_boundary::strictly_greater_than,
+              .limit_data_field = std::uint8_t{2},
+              .lower_limit = real(10)});
+    const std::array<double, 8> values{1, 11, 12, 13, 10, 9, 20, 0};
+    std::string result;
+    for (std::size_t i = 0; i != values.size(); ++i) result += p.drive(values[i], (i + 1) * 1s) == 1 ? '1' : '0';
+    REQUIRE(result == "01001011");
+
+    // A value that is inside at the beginning is no crossing.
+    provider q;
+    q.current = velocity_body(11);
+    q.create({.message_code = velocity,
+              .event_type = event_type::first_change_in_and_out_of_boundary,
+              .event_boundary = event_boundary::strictly_greater_than,
+              .limit_data_field = std::uint8_t{2},
+              .lower_limit = real(10)});
+    REQUIRE(q.drive(12, 1s) == 0);
+    REQUIRE(q.drive(9, 2s) == 1);
+    // A report without the field says nothing about it.
+    q.sent.clear();
+    q.events.changed(velocity, from_hex("00 00"), 3s, q.sent.sink());
+    q.events.changed(velocity, from_hex("01 00 ff"), 3s, q.sent.sink());
+    REQUIRE(q.sent.empty());
+    REQUIRE(q.drive(8, 4s) == 0);
+}
+
+TEST_CASE("with a limited field only its changes count") {
+    provider p;
+    p.current = velocity_body(5);
+    p.create({.message_code = velocity, .event_type = event_type::every_change, .limit_data_field = std::uint8_t{2}});
+    REQUIRE(p.drive(5, 1s) == 0);
+    REQUIRE(p.drive(6, 2s) == 1);
+    const auto turned = body_of(jaus::report_velocity_state{.velocity_x = 6, .yaw_rate = 1});
+    p.events.changed(velocity, turned, 3s, p.sent.sink());
+    REQUIRE(p.sent.size() == 1);
+    REQUIRE(p.drive(5, 4s) == 1);
+}
+
+TEST_CASE("fields are compared by value whatever the types") {
+    using jaus::compare;
+    using jaus::data_type;
+    const auto number = [](auto value) { return jaus::field_value{.number = value}; };
+    const jaus::typed_value small{.data_type = data_type::short_integer, .value = std::int16_t{-1}};
+    REQUIRE(std::is_gt(compare(number(std::uint64_t{0xFFFF}), small)));
+    REQUIRE(std::is_eq(compare(number(std::int64_t{-1}), small)));
+    REQUIRE(std::is_lt(compare(number(-1.5), small)));
+    REQUIRE(std::is_lt(compare(number(std::int64_t{-2}), real(-1.5))));
+    REQUIRE(std::is_gt(compare(number(std::int64_t{-1}), real(-1.5))));
+    REQUIRE(std::is_eq(compare(number(std::uint64_t{2}), real(2))));
+    // Beyond 2^53 a double has no place for each integer.
+    const std::uint64_t large = (std::uint64_t{1} << 53) + 1;
+    REQUIRE(std::is_gt(compare(number(large), real(9007199254740992.0))));
+    REQUIRE(std::is_lt(compare(number(~std::uint64_t{}), real(18446744073709551616.0))));
+    REQUIRE(std::is_lt(compare(number(std::numeric_limits<std::int64_t>::max()), real(9223372036854775808.0))));
+    REQUIRE(std::is_eq(compare(number(std::numeric_limits<std::int64_t>::min()), real(-9223372036854775808.0))));
+    REQUIRE(std::is_gt(compare(number(std::numeric_limits<std::int64_t>::min()), real(-1e300))));
+    const auto nan = real(std::numeric_limits<double>::quiet_NaN());
+    REQUIRE(compare(number(std::uint64_t{2}), nan) == std::partial_ordering::unordered);
+    REQUIRE(compare(number(2.0), nan) == std::partial_ordering::unordered);
+    REQUIRE(compare(number(2.0), {.data_type = data_type::rgb, .value = jaus::rgb{}}) ==
+            std::partial_ordering::unordered);
+
+    // A scaled field: an integer is what is on the wire, a real number is rounded to the field's steps.
+    const auto x = *jaus::read_field<jaus::report_velocity_state>(velocity_body(10), 2).value;
+    REQUIRE(std::is_eq(compare(x, real(10))));
+    REQUIRE(std::is_eq(compare(x, {.data_type = data_type::float_, .value = 10.0f})));
+    REQUIRE(std::is_lt(compare(x, real(10.01))));
+    REQUIRE(std::is_lt(compare(x, real(1000))));
+    REQUIRE(std::is_gt(compare(x, real(-1000))));
+    REQUIRE(compare(x, nan) == std::partial_ordering::unordered);
+    const auto turned = body_of(jaus::report_velocity_state{.yaw_rate = -10});
+    const auto yaw = *jaus::read_field<jaus::report_velocity_state>(turned, 8).value;
+    REQUIRE(std::is_eq(compare(yaw, {.data_type = data_type::short_integer, .value = std::int16_t{-10000}})));
+    REQUIRE(std::is_lt(compare(yaw, {.data_type = data_type::unsigned_long_integer, .value = std::uint64_t{0}})));
+    REQUIRE(std::is_eq(compare(yaw, real(-10))));
+}
+
+TEST_CASE("fields of a report are found by their numbers") {
+    const auto read = &jaus::read_field<jaus::report_velocity_state>;
+    const auto all = body_of(jaus::report_velocity_state{
+        .velocity_x = 1, .yaw_rate = 2, .time_stamp = jaus::time_stamp{.milliseconds = 7, .seconds = 1}});
+    REQUIRE(read(all, 2).value);
+    REQUIRE(read(all, 8).value);
+    REQUIRE(std::get<std::uint64_t>(read(all, 10).value->number) == 7 + 1024);
+    REQUIRE(read(all, 3).exists);
+    REQUIRE_FALSE(read(all, 3).value);
+    for (const std::uint8_t number : {std::uint8_t{0}, std::uint8_t{1}, std::uint8_t{11}, std::uint8_t{255}})
+        REQUIRE_FALSE(read(all, number).exists);
+    REQUIRE(read({}, 2).exists);
+    REQUIRE_FALSE(read({}, 2).value);
+    REQUIRE(read(from_hex("01 00 01 00 00 80"), 2).value);
+    REQUIRE_FALSE(read(from_hex("01 00 00 00 00 80"), 2).value); // the raw value that stands for nothing
+
+    using device = jaus::main_propulsion_device;
+    const auto switched = body_of(jaus::report_discrete_devices{
+        .main_propulsion = wire::flags<device>{device::main_propulsion, device::cold_start},
+        .gear = jaus::gear::neutral});
+    const auto read_devices = &jaus::read_field<jaus::report_discrete_devices>;
+    REQUIRE(std::get<std::uint64_t>(read_devices(switched, 2).value->number) == 0x21);
+    REQUIRE(std::get<std::uint64_t>(read_devices(switched, 4).value->number) == 128);
+}
+
+TEST_CASE("changes faster than the rate are held back, and the newest is sent") {
+    provider p;
+    p.create({.message_code = velocity, .event_type = event_type::every_change, .requested_periodic_rate = 10});
+    REQUIRE(p.sent.body<jaus::confirm_event_request>(0).confirmed_periodic_rate.has_value());
+    REQUIRE(p.drive(1, 1s) == 1);
+    for (int i = 1; i != 50; ++i) REQUIRE(p.drive(i, 1s + i * 1ms) == 0);
+    REQUIRE(p.events.next_event() > 1099ms);
+    REQUIRE(p.wait(2s) == 1);
+    REQUIRE(std::ranges::equal(p.sent.body<jaus::event>(0).report_message_body, velocity_body(49)));
+    REQUIRE(p.drive(50, 2s) == 1);
+
+    // The report's own limit, where none was asked for.
+    provider q;
+    q.create({.message_code = devices, .event_type = event_type::every_change});
+    q.sent.clear();
+    for (int i = 0; i != 100; ++i) q.events.changed(devices, from_hex("00"), i * 1ms, q.sent.sink());
+    REQUIRE(q.sent.size() == 1);
+}
+
+TEST_CASE("a minimum rate has an event sent without a change") {
+    provider p;
+    p.create({.message_code = velocity, .event_type = event_type::every_change, .requested_minimum_periodic_rate = 1});
+    REQUIRE(p.events.next_event() > 999ms);
+    REQUIRE(p.wait(3500ms) == 3);
+    REQUIRE(p.drive(1, 3900ms) == 1);
+    REQUIRE(p.events.next_event() > 4899ms);
+    p.current.reset();
+    REQUIRE(p.wait(6s) == 0);
+    REQUIRE(p.events.skipped() == 2);
+}
+
+TEST_CASE("the query of an event selects what it carries") {
+    provider p;
+    const auto query = from_hex("0f 00");
+    p.create({.message_code = velocity,
+              .event_type = event_type::every_change,
+              .query_message_body = wire::blob{std::span<const std::byte>{query}}});
+    p.queries.clear();
+    REQUIRE(p.drive(1, 1s) == 1);
+    REQUIRE(p.queries == std::vector<bytes>{query});
+    const bytes most(24), more(25);
+    const auto with = [](const bytes& q) {
+        return jaus::create_event{.message_code = velocity,
+                                  .event_type = event_type::every_change,
+                                  .query_message_body = wire::blob{std::span<const std::byte>{q}}};
+    };
+    p.create(with(most));
+    REQUIRE(p.rejects(with(more)) == event_response::invalid_event_setup);
+}
+
+TEST_CASE("what cannot be an event is rejected with the reason") {
+    provider p;
+    using enum event_response;
+    const jaus::create_event every{
+        .local_request_id = 9, .message_code = velocity, .event_type = event_type::every_change};
+    const auto with = [&](auto change) {
+        auto request = every;
+        change(request);
+        return request;
+    };
+    REQUIRE(p.rejects(with([](auto& r) { r.message_code = 0x4402; })) == message_not_supported);
+    REQUIRE(p.rejects(with([](auto& r) { r.message_code = 0; })) == message_not_supported);
+    REQUIRE(p.rejects(with([](auto& r) { r.message_code = 0x4400; })) == change_based_events_not_supported);
+    REQUIRE(p.rejects(with([](auto& r) {
+        r.message_code = 0x4401;
+        r.event_type = event_type::periodic;
+        r.requested_periodic_rate = 1;
+    })) == periodic_events_not_supported);
+    REQUIRE(p.rejects(with([](auto& r) { r.event_type = event_type::periodic; })) == invalid_event_setup);
+    REQUIRE(p.rejects(with([](auto& r) { r.event_type = event_type{6}; })) == invalid_event_setup);
+    REQUIRE(p.rejects(with([](auto& r) { r.event_type = event_type::first_change_in_and_out_of_boundary; })) ==
+            invalid_event_setup);
+    const auto limited = [&](event_boundary boundary, std::optional<std::uint8_t> field, auto... limits) {
+        return with([&](auto& r) {
+            r.event_boundary = boundary;
+            r.limit_data_field = field;
+            const std::array<std::optional<jaus::typed_value>, 2> both{limits...};
+            r.lower_limit = both[0];
+            r.upper_limit = both[1];
+        });
+    };
+    const std::uint8_t x = 2;
+    REQUIRE(p.rejects(limited(event_boundary::equal, x)) == invalid_event_setup);
+    REQUIRE(p.rejects(limited(event_boundary::equal, std::nullopt, real(1))) == invalid_event_setup);
+    REQUIRE(p.rejects(limited(event_boundary::inside_inclusive, x, real(1))) == invalid_event_setup);
+    REQUIRE(p.rejects(limited(event_boundary{10}, x, real(1), real(2))) == invalid_event_setup);
+    REQUIRE(p.rejects(limited(event_boundary::equal, std::uint8_t{1}, real(1))) == invalid_event_setup);
+    REQUIRE(p.rejects(limited(event_boundary::equal, std::uint8_t{11}, real(1))) == invalid_event_setup);
+    const jaus::typed_value colour{.data_type = jaus::data_type::rgb, .value = jaus::rgb{}};
+    REQUIRE(p.rejects(limited(event_boundary::equal, x, colour)) == invalid_event_setup);
+    REQUIRE(p.rejects(with([](auto& r) {
+        r.message_code = 0x4401;
+        r.limit_data_field = std::uint8_t{2};
+    })) == invalid_event_setup);
+
+    for (std::uint8_t i = 0; i != 4; ++i) p.create(with([&](auto& r) { r.local_request_id = i; }));
+    REQUIRE(p.rejects(every) == connection_refused);
+    const jaus::update_event update{.message_code = velocity, .event_type = event_type::every_change, .event_id = 1};
+    REQUIRE(p.rejects(update, other) == error_invalid_event_id_for_update_request);
+    auto changed = update;
+    changed.event_id = 77;
+    REQUIRE(p.rejects(changed) == error_invalid_event_id_for_update_request);
+    changed = update;
+    changed.message_code = devices;
+    REQUIRE(p.rejects(changed) == invalid_event_setup);
+    changed = update;
+    changed.event_type = event_type::periodic;
+    REQUIRE(p.rejects(changed) == invalid_event_setup);
+    REQUIRE(p.rejects(jaus::cancel_event{}, other) == error_invalid_event_id_for_update_request);
+    REQUIRE(p.drive(1, 1s) == 4); // none of it changed anything
+}
+
+TEST_CASE("a judge rejects with its own reason, and malformed requests change nothing") {
+    provider p;
+    const auto judge = [](const jaus::header& head, std::uint16_t code) {
+        REQUIRE(code == velocity);
+        return head.source == viewer ? event_response::successful : event_response::connection_refused;
+    };
+    p.events = {sensor, p.reports, p, p.memory, judge};
+    const jaus::create_event request{.message_code = velocity, .event_type = event_type::every_change};
+    REQUIRE(p.rejects(request, other) == event_response::connection_refused);
+    p.create(request);
+
+    const std::array<std::byte, 3> junk{std::byte{1}};
+    for (const std::uint16_t code : {std::uint16_t{0x1F0}, std::uint16_t{0x1F1}, std::uint16_t{0x1F2}})
+        for (const std::size_t size : {0u, 1u, 3u})
+            REQUIRE(p.events.on_message({.command_code = code, .source = viewer}, std::span{junk}.first(size), 0s,
+                                        p.sent.sink()) == message_outcome::malformed);
+    REQUIRE(p.events.on_message({.command_code = 0x21F0}, {}, 0s, p.sent.sink()) == message_outcome::malformed);
+    REQUIRE(p.events.on_message({.command_code = 0x41F1}, {}, 0s, p.sent.sink()) == message_outcome::not_mine);
+    REQUIRE(p.events.on_message({.ack_nak = jaus::ack_nak::ack, .command_code = 0x1F0}, {}, 0s, p.sent.sink()) ==
+            message_outcome::not_mine);
+    REQUIRE(p.sent.size() == 1);
+}
+
+TEST_CASE("a request that comes twice makes one event") {
+    provider p;
+    const jaus::create_event request{
+        .local_request_id = 3, .message_code = velocity, .event_type = event_type::every_change};
+    REQUIRE(p.create(request) == 1);
+    REQUIRE(p.create(request) == 1);
+    auto another = request;
+    another.local_request_id = 4;
+    REQUIRE(p.create(another) == 2);
+    REQUIRE(p.drive(1, 1s) == 2);
+    REQUIRE(p.events.lose(other) == 0);
+    REQUIRE(p.events.lose(viewer) == 2);
+    REQUIRE(p.drive(2, 2s) == 0);
+}
+
+TEST_CASE("event IDs are not used again at once") {
+    provider p;
+    for (int i = 0; i != 600; ++i) {
+        const auto id = p.create({.message_code = velocity, .event_type = event_type::every_change});
+        REQUIRE(id == i % 255 + 1);
+        REQUIRE(p.hear(viewer, jaus::cancel_event{.message_code = velocity}) == message_outcome::taken);
+    }
+}
+
+TEST_CASE("events that are asked for are reported") {
+    provider p;
+    const auto query = from_hex("0f 00");
+    p.create({.message_code = velocity,
+              .event_type = event_type::every_change,
+              .event_boundary = event_boundary::inside_inclusive,
+              .limit_data_field = std::uint8_t{2},
+              .lower_limit = octet(1),
+              .upper_limit = octet(9),
+              .query_message_body = wire::blob{std::span<const std::byte>{query}}});
+    p.create({.message_code = devices, .event_type = event_type::first_change});
+    p.sent.clear();
+    REQUIRE(p.hear(from_hex("06 02 f0 21 01 2a 01 02 01 28 01 01 01 00 00 00 00")) == message_outcome::taken);
+    REQUIRE(to_hex(p.sent[0]) == "06 02 f0 41 01 28 01 01 01 2a 01 02 17 00 00 00 "
+                                 "02 6f 04 44 01 02 02 00 01 00 09 01 02 00 00 00 0f 00 20 06 44 02 02");
+    const auto count = [&](const jaus::query_events& m) {
+        p.sent.clear();
+        REQUIRE(p.hear(other, m) == message_outcome::taken);
+        return std::to_integer<int>(p.sent[0].at(16));
+    };
+    REQUIRE(count({.message_code = velocity}) == 1);
+    REQUIRE(count({.event_type = event_type::first_change}) == 1);
+    REQUIRE(count({.event_id = std::uint8_t{2}}) == 1);
+    REQUIRE(count({.message_code = velocity, .event_id = std::uint8_t{2}}) == 0);
+}
+
+TEST_CASE("a report without room is skipped") {
+    provider p;
+    std::array<std::byte, 280> memory{}; // 24 and twice 128
+    p.events = {sensor, p.reports, p, memory};
+    p.create({.message_code = velocity, .event_type = event_type::every_change});
+    p.sent.clear();
+    p.events.changed(velocity, bytes(128), 1s, p.sent.sink());
+    REQUIRE(p.sent.size() == 1);
+    REQUIRE(p.sent[0].size() == 24 + 128);
+    p.events.changed(velocity, bytes(200), 2s, p.sent.sink());
+    REQUIRE(p.sent.size() == 1);
+    REQUIRE(p.events.skipped() == 1);
+    jaus::events<1> none{sensor, p.reports, p, {}};
+    const auto request = from_hex("00 05 04 44 01");
+    REQUIRE(none.on_message({.command_code = 0x1F0, .source = viewer}, request, 0s, p.sent.sink()) ==
+            message_outcome::taken);
+    none.changed(velocity, {}, 1s, p.sent.sink());
+    REQUIRE(p.sent.size() == 1);
+}
+
+namespace {
+
+/// A consumer and what it sends.
+struct consumer {
+    jaus::event_consumer<2> events{viewer};
+    jauscat::test::sent_messages sent{};
+    jaus::event_outcome hear(const bytes& message, time_point now = 0s) {
+        const auto m = jaus::split(message);
+        REQUIRE(m);
+        return events.on_message(m.header, m.body, now, sent.sink());
+    }
+    const jaus::requested_event& first() { return events.requested()[0]; }
+};
+
+bytes confirmed(const std::string& body) { return from_hex("06 02 f3 01 01 28 01 01 01 2a 01 02 06 00 00 00" + body); }
+bytes occurred(const std::string& number) {
+    return from_hex("06 02 f1 41 01 28 01 01 01 2a 01 02 0a 00 00 00 07 04 44" + number + "02 00 00 00 ab cd");
+}
+
+} // namespace
+
+TEST_CASE("a consumer matches answers and events with what it asked for") {
+    consumer c;
+    const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
+    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == 0);
+    REQUIRE(to_hex(c.sent[0]) == "06 02 f0 01 01 2a 01 02 01 28 01 01 05 00 00 00 00 01 04 44 01");
+    REQUIRE(c.events.next_event() == 1s);
+    c.events.on_time(1s, c.sent.sink());
+    REQUIRE(c.sent[1] == c.sent[0]);
+    REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_news::unknown);
+    REQUIRE(c.hear(occurred("00")).what == event_news::unknown);
+    REQUIRE(c.hear(confirmed("00 01 04 44 07 00")).what == event_news::confirmed);
+    REQUIRE(c.events.next_event() == std::nullopt);
+
+    const auto message = occurred("fe");
+    const auto heard = c.hear(message);
+    REQUIRE(heard.what == event_news::event);
+    REQUIRE(heard.message_code == velocity);
+    REQUIRE(to_hex(heard.report) == "ab cd");
+    REQUIRE(c.hear(occurred("fe")).what == event_news::repeated);
+    const auto next = c.hear(occurred("02"));
+    REQUIRE(next.what == event_news::event);
+    REQUIRE(next.lost == 3);
+    REQUIRE(c.hear(occurred("01")).what == event_news::repeated);
+    REQUIRE(c.first().received == 2);
+    REQUIRE(c.first().lost == 3);
+
+    c.sent.clear();
+    c.events.cancel(0, 5s, c.sent.sink());
+    REQUIRE(to_hex(c.sent[0]) == "06 02 f2 01 01 2a 01 02 01 28 01 01 05 00 00 00 03 02 04 44 07");
+    REQUIRE(c.hear(confirmed("00 01 04 44 07 00")).what == event_news::unknown); // of the creation, late
+    REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_news::cancelled);
+    REQUIRE(c.first().state == requested_state::free);
+}
+
+TEST_CASE("a consumer gives up what is rejected or never answered") {
+    consumer c;
+    const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
+    c.events.create(sensor, wanted, 0s, c.sent.sink());
+    REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 05 00 00 00 01 01 03 6e 6f")).what ==
+            event_news::rejected);
+    REQUIRE(c.first().response == event_response::connection_refused);
+    REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 01 00 00 00 01")).what == event_news::malformed);
+    c.sent.clear();
+    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == 0);
+    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == 1);
+    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == std::nullopt);
+    while (c.events.next_event()) c.events.on_time(*c.events.next_event(), c.sent.sink());
+    REQUIRE(c.sent.size() == 10);
+    REQUIRE(c.first().state == requested_state::unanswered);
+    const bytes query(25);
+    auto large = wanted;
+    large.lower_limit = large.upper_limit = large.state_limit = real(1);
+    large.event_boundary = event_boundary::equal;
+    large.limit_data_field = std::uint8_t{2};
+    large.requested_minimum_periodic_rate = large.requested_periodic_rate = 1;
+    large.query_message_body = wire::blob{std::span<const std::byte>{query}};
+    REQUIRE(c.events.create(sensor, large, 0s, c.sent.sink()) == std::nullopt);
+    large.query_message_body = wire::blob{std::span<const std::byte>{query}.first(24)};
+    REQUIRE(c.events.create(sensor, large, 0s, c.sent.sink()) == 0);
+    REQUIRE(c.first().request.size() == jaus::max_create_event_size);
+}
+
+TEST_CASE("over a network that loses a third of all messages events come about, come and end") {
+    std::mt19937 random{5};
+    std::uint64_t received = 0, lost = 0;
+    for (int round = 0; round != 100; ++round) {
+        provider p;
+        consumer c;
+        c.events = jaus::event_consumer<2>{viewer, 100ms, 100};
+        const auto exchange = [&](time_point now) {
+            for (int hop = 0; hop != 4; ++hop) {
+                for (const auto& m : c.sent.take())
+                    if (random() % 3 != 0) p.hear(m, now);
+                for (const auto& m : p.sent.take())
+                    if (random() % 3 != 0) REQUIRE(c.hear(m, now).what != event_news::malformed);
+            }
+        };
+        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s, c.sent.sink());
+        c.events.create(sensor,
+                        {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 20},
+                        0s, c.sent.sink());
+        if (round % 4 == 0) c.events.cancel(1, 0s, c.sent.sink()); // before its ID is known
+        for (time_point now = 0s; now != 40s; now += 5ms) {
+            if (now == 20s) {
+                REQUIRE(c.first().state == requested_state::active);
+                REQUIRE(c.first().received > 50);
+                received += c.first().received;
+                lost += c.first().lost;
+                REQUIRE(c.first().received + c.first().lost <= 200);
+                c.events.cancel(0, now, c.sent.sink());
+                c.events.cancel(1, now, c.sent.sink());
+            }
+            if (now % 100ms == 0s && now < 20s) p.events.changed(velocity, velocity_body(1), now, p.sent.sink());
+            if (p.events.next_event() && *p.events.next_event() <= now) p.events.on_time(now, p.sent.sink());
+            if (c.events.next_event() && *c.events.next_event() <= now) c.events.on_time(now, c.sent.sink());
+            exchange(now);
+        }
+        for (const auto& e : c.events.requested()) REQUIRE(e.state == requested_state::free);
+        for (const auto& e : p.events.records()) REQUIRE(e.message_code == 0);
+    }
+    // A third is lost, and is known to be.
+    REQUIRE(lost * 100 > received * 40);
+    REQUIRE(lost * 100 < received * 60);
+}
