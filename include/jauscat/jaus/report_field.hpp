@@ -1,6 +1,7 @@
 // A field of a report by its number in the standard's table, for the limits of events. RA 3.3 part 3, Limit Data Field.
 #pragma once
 #include <jauscat/wire/bits.hpp>
+#include <jauscat/wire/field.hpp>
 #include <jauscat/wire/flags.hpp>
 #include <jauscat/wire/gated.hpp>
 #include <jauscat/wire/nested.hpp>
