@@ -77,7 +77,8 @@ struct network {
         REQUIRE(under_way.size() == 1);
         for (steps = 0; !under_way.empty(); ++steps) {
             if (steps == 10'000) return got; // it circulates
-            const auto [at, from] = under_way.front();
+            const std::size_t at = under_way.front().program;
+            const hop from = under_way.front().from;
             under_way.pop_front();
             auto& p = *programs[at];
             p.router.route(

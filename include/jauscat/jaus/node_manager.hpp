@@ -158,7 +158,7 @@ class node_manager {
         });
         const std::span all{first, count};
         std::ranges::sort(all, {}, key);
-        return all.first(count - std::ranges::unique(all).size());
+        return all.first(static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin()));
     }
     message_outcome report_components(const header& head, bool of_node, message_sink out) noexcept {
         wire::arena lists{memory_.lists};
