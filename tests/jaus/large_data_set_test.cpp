@@ -199,8 +199,8 @@ TEST_CASE("a straggler of a data set that was handed on is no part of the next o
         REQUIRE(r.hear(data_flag::last, 2, "03", 0ms) == reassembled::whole);
     };
     send_first();
-    REQUIRE(r.hear(data_flag::middle, 1, "02", 19ms) == reassembled::repeated);
-    REQUIRE(r.hear(data_flag::repeated, 0, "01", 19ms) == reassembled::repeated);
+    REQUIRE(r.hear(data_flag::middle, 1, "02", 1999us) == reassembled::repeated);
+    REQUIRE(r.hear(data_flag::repeated, 0, "01", 1999us) == reassembled::repeated);
     // Of the next one packet 1 is lost: what came late of the first must not stand in for it.
     r.hear(data_flag::first, 0, "0a", 19ms);
     REQUIRE(r.hear(data_flag::last, 2, "0c", 19ms) == reassembled::waiting);
@@ -208,7 +208,7 @@ TEST_CASE("a straggler of a data set that was handed on is no part of the next o
     REQUIRE(r.whole == texts{"01 02 03", "0a 0b 0c"});
 
     // The same data set again is one more when it does not come at once.
-    for (const auto now : {100ms, 200ms}) {
+    for (const auto now : {21ms, 23ms}) {
         r.hear(data_flag::first, 0, "0a", now);
         r.hear(data_flag::middle, 1, "0b", now);
         REQUIRE(r.hear(data_flag::last, 2, "0c", now) == reassembled::whole);

@@ -55,8 +55,9 @@ struct held_packet {
 struct reassembly_limits {
     /// Places that one source may take, with several command codes at a time; 0: half of them, at least one.
     std::size_t places_per_source{};
-    /// So long after a data set is whole, packets equal to its own are taken for stragglers, not for the next data set.
-    std::chrono::nanoseconds linger{std::chrono::milliseconds{20}};
+    /// So long after a data set is whole, packets equal to its own are taken for stragglers of it, not for parts of an
+    /// equal or similar next one. As long as the network may hold packets back, and shorter than senders pause.
+    std::chrono::nanoseconds linger{std::chrono::milliseconds{2}};
 };
 
 /// Puts data sets together by command code and source. Packets may come out of order and more than once.
@@ -67,10 +68,10 @@ struct reassembly_limits {
 /// whatever sources, neither displaces what goes on nor keeps others out.
 ///
 /// Packets carry nothing that names their data set, and no receiver can make up for that. One equal to a packet of the
-/// whole before is told from a part of the next by time alone (`linger`). A data set that lacks a packet is given up
-/// when a packet comes that contradicts it; where its sender's next data set follows at once and the first packet that
-/// comes of it is just the one that lacks, that is taken for it: pause for longer than the network delays, or repeat
-/// what got lost. Whoever can send as the source of a data set can spoil it: let only known senders through.
+/// whole before is told from a part of the next by time alone (`linger`). A data set that lacks a packet is
+/// given up when a packet comes that contradicts it; where its sender's next data set follows at once and the first
+/// packet that comes of it is just the one that lacks, that is taken for it: pause for longer than the network delays,
+/// or repeat what got lost. Whoever can send as the source of a data set can spoil it: let only known senders through.
 ///
 ///     std::array<jaus::partial_data_set, 4> places{};
 ///     std::array<jaus::held_packet, 4 * 64> packets{};
