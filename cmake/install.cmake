@@ -4,6 +4,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/jauscat)
 
 install(DIRECTORY include/jauscat schemas/jauscat DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(FILES schemas/JausConfig.xsd DESTINATION ${CMAKE_INSTALL_DATADIR}/jauscat)
 install(TARGETS jauscat EXPORT jauscat-targets)
 install(EXPORT jauscat-targets NAMESPACE jauscat:: DESTINATION ${package_dir})
 if(TARGET jauscat_net)

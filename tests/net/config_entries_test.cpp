@@ -1,6 +1,8 @@
 // JausConfig.xml beyond who is where: several addresses, multicast, limits, nodes and components.
 #include "net/config_text.hpp"
 
+#include <filesystem>
+
 using namespace jauscat;
 using namespace test;
 
@@ -160,4 +162,32 @@ TEST_CASE("the root element may name its schema") {
                     system_a + "</jausconfig>") == "accepted");
     CHECK(complaint_in_b("<limits xmlns:x='y'/>") ==
           "test.xml:4: unknown \"xmlns:x\" in <limits>; remove it or correct its name");
+}
+
+// The same files are given to the schema by schema.sh.
+TEST_CASE("files are accepted and refused as by the schema") {
+    const std::filesystem::path folder{JAUSCAT_TEST_DATA "/../net/config"};
+    std::size_t good = 0, broken = 0;
+    for (const auto& file : std::filesystem::directory_iterator{folder / "good"}) {
+        CHECK_NOTHROW(net::read_jaus_config(file.path()));
+        ++good;
+    }
+    for (const auto& file : std::filesystem::directory_iterator{folder / "broken"}) {
+        INFO(file.path());
+        CHECK_THROWS_AS(net::read_jaus_config(file.path()), net::config_error);
+        ++broken;
+    }
+    CHECK(good >= 2);
+    CHECK(broken >= 30);
+}
+
+TEST_CASE("a file with everything is read to the last value") {
+    const auto config = net::read_jaus_config(JAUSCAT_TEST_DATA "/../net/config/good/everything.xml");
+    CHECK(config.me().limits.large_data_memory == 8'388'608);
+    CHECK(config.me().components.size() == 4);
+    CHECK(config.me().multicast->interface_name == "eth0");
+    REQUIRE(config.find("ocu") != nullptr);
+    CHECK(config.find("ocu")->more_ips.size() == 1);
+    CHECK(config.find("ocu")->any_source_port);
+    CHECK(config.find("ocu")->limits.messages == net::rate{2000, 200});
 }
