@@ -83,6 +83,8 @@ TEST_CASE("only the controller releases control") {
     REQUIRE(a.hear(jaus::release_component_control{}, other) == message_outcome::taken); // nobody's: nothing to refuse
     a.request(1, ocu);
     REQUIRE(a.hear(jaus::release_component_control{}, other) == message_outcome::refused);
+    const jaus::header unasked{.command_code = 0x000E, .source = other}; // admits was not asked
+    REQUIRE(a.control.on_message(unasked, {}, 0s, a.sent.sink()) == message_outcome::taken);
     REQUIRE(a.control.controls(ocu));
     REQUIRE(a.hear(jaus::release_component_control{}, ocu) == message_outcome::taken);
     REQUIRE_FALSE(a.control.controller());

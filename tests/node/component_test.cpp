@@ -2,7 +2,10 @@
 #include "node/lossy_channel.hpp"
 #include "support/catch.hpp"
 #include <jauscat/jaus/component.hpp>
+#include <jauscat/jaus/described_component.hpp>
+#include <jauscat/jaus/events.hpp>
 #include <jauscat/jaus/held_control.hpp>
+#include <jauscat/jaus/service_connections.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 
 namespace {
@@ -10,6 +13,7 @@ namespace {
 using namespace jauscat::test;
 using namespace std::chrono_literals;
 namespace jaus = jauscat::jaus;
+namespace wire = jauscat::wire;
 using enum jaus::component_outcome;
 using jaus::ack_nak;
 using jaus::component_outcome;
@@ -371,6 +375,15 @@ TEST_CASE("an acknowledgement that nobody waits for ends in the core, but is a s
     REQUIRE(a.core.next_event() == 1250ms);
 }
 
+TEST_CASE("all that a controller sends is a sign of life, also the end of its own emergency") {
+    arm a{{.control = {.timeout = 1s}}};
+    a.put_under_control_of(ocu_address);
+    REQUIRE(a.hear(stop, ocu_address, ack_nak::none, 0, 300ms) == taken);
+    REQUIRE(a.core.next_event() == 1300ms);
+    REQUIRE(a.hear(go_on, ocu_address, ack_nak::none, 0, 600ms) == taken);
+    REQUIRE(a.core.next_event() == 1600ms);
+}
+
 TEST_CASE("parts are asked after the core, and are driven in time") {
     arm a;
     a.part.due = 3s;
@@ -385,6 +398,58 @@ TEST_CASE("parts are asked after the core, and are driven in time") {
     a.part.code = 0x0003;
     REQUIRE(a.hear(jaus::standby{}, ocu_address) == taken); // the core's
     REQUIRE(a.part.heard == 1);
+}
+
+TEST_CASE("service connections, events, a description and control of another are parts of a component") {
+    std::array<std::byte, 512> service_memory{}, event_memory{}, description_memory{};
+    const std::array service_reports{jaus::connectable_report{0x440A}};
+    const std::array event_reports{jaus::eventful_report{0x440A}};
+    const auto fill = [](std::uint16_t, std::uint32_t, std::span<std::byte> body) -> std::optional<std::size_t> {
+        return wire::encode(jaus::report_travel_speed{5.0}, body).size();
+    };
+    const auto fill_event = [](std::uint16_t, std::span<const std::byte>,
+                               std::span<std::byte> body) -> std::optional<std::size_t> {
+        return wire::encode(jaus::report_travel_speed{5.0}, body).size();
+    };
+    jaus::service_connections<4> connections{arm_address, service_reports, fill, service_memory};
+    jaus::events<4> events{arm_address, event_reports, fill_event, event_memory};
+    jaus::described_component description{arm_address, {}, {.to = {1, 1, 2, 3}, .period = 1s}, description_memory};
+    jaus::held_control gripper{arm_address, {1, 50, 2, 3}};
+    jaus::component_memory<> memory{};
+    jaus::no_hooks hooks{};
+    jaus::component core{arm_address, memory, hooks, {}, connections, events, description, gripper};
+    sent_messages sent;
+    const auto hear = [&](const auto& body) {
+        const auto bytes =
+            message({.ack_nak = ack_nak::request, .destination = arm_address, .source = ocu_address}, body);
+        const auto m = jaus::split(bytes);
+        sent.clear();
+        return core.on_message(m.header, m.body, 10s, sent.sink(),
+                               [](const jaus::header&, auto) { return message_outcome::not_mine; });
+    };
+    core.on_time(10s, sent.sink()); // the first heartbeat
+    REQUIRE(sent.header(0).command_code == 0x4202);
+    REQUIRE(core.next_event() == 11s);
+
+    REQUIRE(hear(jaus::create_service_connection{.command_code_ = 0x440A, .requested_periodic_update_rate = 10}) ==
+            taken);
+    REQUIRE(sent.size() == 2);
+    REQUIRE(sent.header(0).command_code == 0x0009);
+    REQUIRE(sent.header(1).ack_nak == ack_nak::ack);
+    REQUIRE(core.next_event() == 10s);
+    sent.clear();
+    core.on_time(10s, sent.sink());
+    REQUIRE(sent.header(0).command_code == 0x440A);
+
+    REQUIRE(hear(jaus::create_event{.message_code = 0x440A, .event_type = jaus::event_type::every_change}) == taken);
+    REQUIRE(sent.header(0).command_code == 0x01F3);
+    REQUIRE(hear(jaus::query_heartbeat_pulse{}) == taken);
+    REQUIRE(hear(jaus::confirm_component_control{}) == unknown); // of one that the arm has not asked
+    gripper.ask(1, 10s, sent.sink());
+    core.on_lost(ocu_address);
+    REQUIRE(std::ranges::none_of(connections.connections(), [](const auto& c) { return c.command_code != 0; }));
+    REQUIRE(std::ranges::none_of(events.records(), [](const auto& e) { return e.message_code != 0; }));
+    REQUIRE(gripper.state() == control_state::asking);
 }
 
 TEST_CASE("the application can take control back, and end any emergency") {
@@ -451,4 +516,68 @@ TEST_CASE("over a bad channel every command of the controller that is acknowledg
     REQUIRE(count(intruder, delivered::acknowledged) == 0);
     REQUIRE(count(intruder, delivered::refused) > 250);
     REQUIRE(a.core.count(repeated) > 0);
+}
+
+TEST_CASE(
+    "whatever comes, a command is obeyed in Ready only, from the controller if there is one, and all can stop it") {
+    std::mt19937 random{7};
+    const std::array codes{0x0001, 0x0002, 0x0003, 0x0004, 0x0005, 0x0006, 0x0007, 0x0009, 0x000D, 0x000E, 0x000F,
+                           0x0010, 0x0011, 0x0405, 0x2001, 0x2002, 0x200D, 0x2011, 0x2405, 0x4002, 0xD001, 0xFFFF};
+    std::map<component_outcome, int> outcomes;
+    for (int run = 0; run != 300; ++run) {
+        arm a{{.after = jaus::after_emergency::resume, .control = {.timeout = 2s}}};
+        nanoseconds now{};
+        for (int i = 0; i != 200; ++i) {
+            now += std::chrono::milliseconds{random() % 50};
+            a.core.on_time(now, a.sent.sink());
+            if (random() % 50 == 0) a.core.on_lost({1, static_cast<std::uint8_t>(32 + random() % 3), 1, 1});
+            std::array<std::byte, 8> bytes{};
+            for (auto& b : bytes) b = static_cast<std::byte>(random() % 4); // often a body, often none
+            std::size_t size = random() % 3 == 0 ? random() % bytes.size() : 0;
+            auto code = static_cast<std::uint16_t>(codes[random() % codes.size()]);
+            if (code == 0x0002 && random() % 8 != 0) code = 0x0006; // a shutdown ends the story
+            if ((code == 0x0006 || code == 0x0007) && random() % 2 == 0) bytes[0] = std::byte{1}, size = 2;
+            if (code == 0x000D || code == 0x0001) size = 1;
+            if (code == 0x0405) bytes[0] = bytes[1] = std::byte{}, size = 2;
+            const jaus::header head{.ack_nak = static_cast<ack_nak>(random() % 4),
+                                    .command_code = code,
+                                    .destination = arm_address,
+                                    .source = {1, static_cast<std::uint8_t>(32 + random() % 3), 1, 1},
+                                    .data_size = static_cast<std::uint16_t>(size),
+                                    .sequence_number = static_cast<std::uint16_t>(random() % 1000)};
+            const auto body = std::span{bytes}.first(size);
+            const auto before = a.core.state();
+            const auto controller = a.core.control().controller();
+            const bool is_or_may_be_controller = !controller || controller->address == head.source;
+            a.sent.clear();
+            const auto efforts = a.efforts.size();
+            const auto what = a.hear(head, body, now, a.sent.sink());
+            ++outcomes[what];
+
+            if (a.efforts.size() != efforts) {
+                REQUIRE(before == primary_status_code::ready);
+                REQUIRE(is_or_may_be_controller);
+                REQUIRE(what == taken);
+            }
+            if (code == 0x0006 && size == 2 && bytes[0] == std::byte{1} && !jaus::is_acknowledgement(head) &&
+                what != repeated) {
+                REQUIRE(what == taken);
+                REQUIRE((a.core.state() == primary_status_code::emergency || before == primary_status_code::shutdown));
+            }
+            if (what != taken) REQUIRE(a.core.state() == before);
+            if (what == not_controller) REQUIRE_FALSE(is_or_may_be_controller);
+            if (before == primary_status_code::emergency && a.core.state() != before)
+                REQUIRE((code == 0x0002 || code == 0x0007));
+            // An acknowledgement that was asked for is the last that is sent, and says whether it was taken.
+            if (head.ack_nak == ack_nak::request && what != no_room) {
+                REQUIRE_FALSE(a.sent.empty());
+                const auto last = a.sent.header(a.sent.size() - 1);
+                REQUIRE(jaus::is_acknowledgement(last));
+                if (what != repeated) REQUIRE((last.ack_nak == ack_nak::ack) == (what == taken));
+            }
+        }
+    }
+    // All of it has happened.
+    for (const auto what : {taken, refused, malformed, unknown, not_controller, not_ready, repeated, not_waited_for})
+        REQUIRE(outcomes[what] > 0);
 }

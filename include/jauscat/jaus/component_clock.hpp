@@ -122,8 +122,8 @@ class component_clock {
             if (!told) return false;
             time = *told;
             if (const std::uint8_t day = m.time_stamp->day; day != 0) {
-                if (m.date_stamp ? day != m.date_stamp->day : day > 31) return false;
-                if (!m.date_stamp) date = has_date_ ? nearest(shown, time, day) : unset + days{day - 1};
+                if (m.date_stamp && day != m.date_stamp->day) return false;
+                if (!m.date_stamp) date = nearest(shown, time, day);
             }
         }
         offset_ = civil_time{date} + time - civil_time{now};
@@ -146,7 +146,7 @@ class component_clock {
         return *best;
     }
 
-    // Where a clock counts from that has no date: every day of the month is in January.
+    // Where a clock counts from that has no date.
     static constexpr std::chrono::sys_days unset{std::chrono::year{2000} / 1 / 1};
 
     address self_;
