@@ -1,5 +1,6 @@
 // Privileges are gone for good after drop_privileges, and open sockets stay. Each case runs in a process of its own.
 #include "support/catch.hpp"
+#include <jauscat/net/detail/ethernet_interface.hpp>
 #include <jauscat/net/drop_privileges.hpp>
 
 #include <arpa/inet.h>
@@ -38,13 +39,18 @@ bool may_open_raw_sockets() {
     return socket >= 0;
 }
 
-/// A receive that finds nothing, and an interface asked about: what a raw_link does all the time.
+/// What a raw_link does all the time, and when its interface has come back.
 bool works(int socket) {
     char byte{};
     sockaddr_ll address{};
     address.sll_family = AF_PACKET;
     address.sll_ifindex = static_cast<int>(::if_nametoindex("lo"));
-    return ::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
+    packet_mreq every_destination{};
+    every_destination.mr_ifindex = address.sll_ifindex;
+    every_destination.mr_type = PACKET_MR_PROMISC;
+    return net::detail::state_of_interface(socket, "lo") != net::detail::interface_state::gone &&
+           ::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
+           ::setsockopt(socket, SOL_PACKET, PACKET_ADD_MEMBERSHIP, &every_destination, sizeof every_destination) == 0 &&
            ::recv(socket, &byte, 1, MSG_DONTWAIT) < 0 && errno == EAGAIN;
 }
 
