@@ -53,5 +53,6 @@ bool add_translate_benchmarks();
 bool add_dispatch_benchmarks();
 bool add_path_benchmarks();
 bool add_image_benchmarks();
+bool add_route_benchmarks();
 
 } // namespace bench
