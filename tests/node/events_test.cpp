@@ -672,3 +672,54 @@ TEST_CASE("over a network that loses a third of all messages events come about, 
     REQUIRE(lost * 100 > received * 40);
     REQUIRE(lost * 100 < received * 60);
 }
+
+TEST_CASE("random messages leave both sides of events within their bounds") {
+    std::mt19937 random{17};
+    provider p;
+    consumer c;
+    std::array<int, 4> outcomes{};
+    constexpr std::array<std::uint16_t, 7> codes{0x1F0, 0x1F1, 0x1F2, 0x1F3, 0x1F4, 0x21F0, 0x41F1};
+    time_point now = 0s;
+    for (int i = 0; i != 100000; ++i) {
+        now += std::chrono::milliseconds{random() % 50};
+        // A request that is in order, and in most cases cut or changed.
+        bytes body = body_of(jaus::create_event{
+            .local_request_id = static_cast<std::uint8_t>(random() % 4),
+            .message_code = velocity,
+            .event_type = event_type(random() % 7),
+            .event_boundary = event_boundary(random() % 11),
+            .limit_data_field = static_cast<std::uint8_t>(random() % 12),
+            .lower_limit = real(static_cast<double>(random() % 20) - 10),
+            .upper_limit = octet(static_cast<std::uint8_t>(random())),
+            .requested_periodic_rate = static_cast<double>(random() % 100),
+        });
+        const std::uint16_t code = codes[random() % codes.size()];
+        if (code != 0x1F0 || random() % 2 == 0) {
+            body.resize(random() % 3 == 0 ? random() % body.size() : std::min<std::size_t>(body.size(), 9));
+            for (auto& b : body)
+                if (random() % 4 == 0) b = static_cast<std::byte>(random() % 3 == 0 ? random() : random() % 4);
+        }
+        const jaus::header head{
+            .command_code = code, .destination = sensor, .source = random() % 2 == 0 ? viewer : sensor};
+        ++outcomes[static_cast<std::size_t>(p.events.on_message(head, body, now, p.sent.sink()))];
+        c.events.on_message(head, body, now, c.sent.sink());
+        const jaus::create_event wanted{.message_code = velocity, .event_type = event_type(random() % 6)};
+        if (random() % 50 == 0) c.events.create(sensor, wanted, now, c.sent.sink());
+        if (random() % 50 == 0) c.events.cancel(random() % 3, now, c.sent.sink());
+        if (random() % 100 == 0) p.events.lose(viewer);
+        const auto report = velocity_body(static_cast<double>(random() % 40) - 20);
+        p.events.changed(velocity, std::span{report}.first(random() % 4 == 0 ? 3 : report.size()), now, p.sent.sink());
+        p.events.on_time(now, p.sent.sink());
+        c.events.on_time(now, c.sent.sink());
+        if (const auto next = p.events.next_event()) REQUIRE(*next > now);
+        if (const auto next = c.events.next_event()) REQUIRE(*next > now);
+        for (const auto& m : p.sent.take()) {
+            REQUIRE(jaus::split(m));
+            REQUIRE(jaus::split(m).header.source == sensor);
+        }
+        for (const auto& m : c.sent.take()) REQUIRE(jaus::split(m));
+    }
+    REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::taken)] > 100);
+    REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::refused)] > 1000);
+    REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::malformed)] > 1000);
+}

@@ -433,3 +433,45 @@ TEST_CASE("over a network that loses a third of all messages connections come ab
         REQUIRE(c.first().state == consumed_state::free);
     }
 }
+
+TEST_CASE("random messages leave both sides of service connections within their bounds") {
+    std::mt19937 random{13};
+    provider p;
+    consumer c;
+    std::array<int, 4> outcomes{};
+    constexpr std::array<std::uint16_t, 8> codes{8, 9, 10, 11, 12, pose, velocity, 0};
+    time_point now = 0s;
+    for (int i = 0; i != 100000; ++i) {
+        now += std::chrono::milliseconds{random() % 50};
+        // Every other body has the size of its message.
+        const auto kind = random() % codes.size();
+        constexpr std::array<std::size_t, 8> sizes{8, 6, 3, 3, 3, 2, 2, 0};
+        bytes body(random() % 2 == 0 ? sizes[kind] : random() % 10);
+        for (auto& b : body) b = static_cast<std::byte>(random() % 4 == 0 ? random() : random() % 3);
+        // Half of the bodies name a report that there is.
+        if (body.size() > 1 && random() % 2 == 0) std::ranges::copy(from_hex("02 44"), body.begin());
+        const jaus::header head{.service_connection = random() % 2 == 0,
+                                .command_code = codes[kind],
+                                .destination = sensor,
+                                .source = random() % 2 == 0 ? viewer : sensor,
+                                .sequence_number = static_cast<std::uint16_t>(random() % 4)};
+        ++outcomes[static_cast<std::size_t>(p.connections.on_message(head, body, now, p.sent.sink()))];
+        c.service.on_message(head, body, now, c.sent.sink());
+        if (random() % 50 == 0)
+            c.service.ask(sensor, codes[5 + random() % 2], 1 + static_cast<double>(random() % 100), 1, now,
+                          c.sent.sink());
+        if (random() % 50 == 0) c.service.end(random() % 3, now, c.sent.sink());
+        p.connections.on_time(now, p.sent.sink());
+        c.service.on_time(now, c.sent.sink());
+        if (const auto next = p.connections.next_event()) REQUIRE(*next > now);
+        if (const auto next = c.service.next_event()) REQUIRE(*next > now);
+        for (const auto& m : p.sent.take()) {
+            REQUIRE(jaus::split(m));
+            REQUIRE(jaus::split(m).header.source == sensor);
+        }
+        for (const auto& m : c.sent.take()) REQUIRE(jaus::split(m));
+    }
+    REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::taken)] > 100);
+    REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::refused)] > 100);
+    REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::malformed)] > 100);
+}
