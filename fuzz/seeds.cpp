@@ -202,12 +202,16 @@ void write_packets(const std::filesystem::path& root) {
 
 void write_configurations(const std::filesystem::path& root, const std::filesystem::path& example) {
     seed_folder config{root, "config"};
-    std::ifstream file{example};
-    std::ostringstream text;
-    text << file.rdbuf();
-    for (const auto& seed : {text.str(), std::string{"<jausconfig thissystem='a'><system name='a' jausip='1.2.3.4' "
-                                                     "ip='::1' port='1' framing='JAUS01.0'/></jausconfig>"}})
-        config.add(std::as_bytes(std::span{seed}));
+    const auto add = [&config](const std::filesystem::path& path) {
+        std::ifstream file{path};
+        std::ostringstream text;
+        text << file.rdbuf();
+        const auto content = text.str();
+        config.add(std::as_bytes(std::span{content}));
+    };
+    add(example);
+    for (const auto& file : std::filesystem::directory_iterator{JAUSCAT_TEST_DATA "/../net/config/good"})
+        add(file.path());
 }
 
 } // namespace

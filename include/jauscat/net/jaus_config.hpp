@@ -38,6 +38,7 @@ struct component_entry {
     std::string name{};        ///< may be empty
     std::uint8_t authority{0}; ///< its authority code, 0 lowest to 255 highest
     std::size_t line{};        ///< where the file declares it
+    friend bool operator==(const component_entry&, const component_entry&) = default;
 };
 
 /// A node of a system, as it is announced to others.
@@ -45,12 +46,14 @@ struct node_entry {
     std::uint8_t id{}; ///< 1 to 254
     std::string name{};
     std::size_t line{};
+    friend bool operator==(const node_entry&, const node_entry&) = default;
 };
 
 /// What a system may send, and how much memory it sets aside.
 struct system_limits {
     rate messages{.per_second = 50'000, .burst = 5'000}; ///< that others take from this system
     std::size_t large_data_memory{1U << 20U}; ///< bytes that this system sets aside for large data sets on their way in
+    friend bool operator==(const system_limits&, const system_limits&) = default;
 };
 
 /// One JAUS system and the socket it listens on.
@@ -73,6 +76,7 @@ struct system_entry {
     std::vector<component_entry> components{}; ///< ids are unique in the whole file
 
     boost::asio::ip::udp::endpoint endpoint() const { return {ip, port}; }
+    friend bool operator==(const system_entry&, const system_entry&) = default;
 };
 
 /// The content of a `JausConfig.xml`, checked: names and jausips are unique, and `this_system` names an entry. See

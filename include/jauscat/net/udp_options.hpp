@@ -29,6 +29,7 @@ struct multicast_options {
     std::string interface_name{}; ///< such as eth0; empty: the routing table chooses
     std::uint8_t ttl{1}; ///< routers that a datagram may pass, and one; 1 stays on the local network, 0 on this host
     bool loop{true};     ///< programs on this host receive what is sent here
+    friend bool operator==(const multicast_options&, const multicast_options&) = default;
 };
 
 } // namespace jauscat::net
