@@ -1,6 +1,7 @@
 // Networks of nodes that route for each other: whatever they look like, every message arrives once at each addressee
 // and nowhere else, and none circulates.
 #include "support/catch.hpp"
+#include <jauscat/jaus/node_manager.hpp>
 #include <jauscat/jaus/router.hpp>
 
 #include <deque>
@@ -265,6 +266,47 @@ std::vector<jaus::address> all_broadcasts() {
     return all;
 }
 
+/// The node manager of a program in a network.
+struct watcher {
+    explicit watcher(const jaus::address& self) : manager{self, description, {places, lists, report}} {}
+
+    std::array<jaus::configured_component, 2> others{{{33, 1}, {33, 2}}};
+    jaus::node_description description{.components = others};
+    std::array<jaus::presence_table::place, 64> places{};
+    std::array<std::byte, 1000> lists{}, report{};
+    jaus::node_manager manager;
+    bool runs = true;
+};
+
+/// A network with a node manager on each node, and time.
+struct living_network {
+    explicit living_network(network n) : net{std::move(n)} {
+        for (unsigned s = 1; s <= subsystems; ++s)
+            for (unsigned n1 = 1; n1 <= nodes; ++n1) watchers.push_back(std::make_unique<watcher>(make(s, n1, 1, 1)));
+    }
+    void run_until(std::chrono::nanoseconds end) {
+        const auto out = [this](std::span<const std::byte> m) { under_way.emplace_back(m.begin(), m.end()); };
+        for (; now < end; now += std::chrono::milliseconds{100}) {
+            for (auto& w : watchers)
+                if (w->runs) w->manager.on_time(now, out);
+            for (; !under_way.empty(); under_way.pop_front()) {
+                const auto message = jaus::split(under_way.front());
+                REQUIRE(message);
+                for (const auto& who : net.send(message.header.source, message.header.destination)) {
+                    auto& w = *watchers[net.manager(who.subsystem, who.node)];
+                    if (!w.runs || who.component != 1) continue;
+                    REQUIRE(w.manager.on_message(message.header, message.body, now, out) ==
+                            jaus::message_outcome::taken);
+                }
+            }
+        }
+    }
+    network net;
+    std::vector<std::unique_ptr<watcher>> watchers{};
+    std::deque<std::vector<std::byte>> under_way{};
+    std::chrono::nanoseconds now{};
+};
+
 } // namespace
 
 TEST_CASE("in every network each message to one component arrives there once") {
@@ -324,4 +366,34 @@ TEST_CASE("with ways that make no sense messages may be lost but never circulate
         REQUIRE(right);
     }
     REQUIRE(arrived > 100'000);
+}
+
+TEST_CASE("the node managers of a network find each other and notice who goes and comes back") {
+    using namespace std::chrono_literals;
+    for (unsigned seed = 1; seed != 20; ++seed) {
+        living_network living{builder{seed}.sound()};
+        auto& watchers = living.watchers;
+        const std::size_t who = seed % watchers.size();
+        const auto gone = make(static_cast<unsigned>(who / nodes + 1), static_cast<unsigned>(who % nodes + 1), 1, 1);
+        // All other nodes, and two more components on each of those in the own subsystem.
+        const auto check = [&](bool there) {
+            for (std::size_t i = 0; i != watchers.size(); ++i) {
+                if (i == who) continue;
+                const auto& present = watchers[i]->manager.present();
+                const std::size_t of_gone = there ? 0 : i / nodes == who / nodes ? 3 : 1;
+                REQUIRE(present.size() == subsystems * nodes - 1 + 2 * (nodes - 1) - of_gone);
+                REQUIRE((present.find(gone) != nullptr) == there);
+            }
+        };
+        living.run_until(2s);
+        check(true);
+        watchers[who]->runs = false;
+        living.run_until(3s);
+        check(true);
+        living.run_until(6s);
+        check(false);
+        watchers[who]->runs = true;
+        living.run_until(60s);
+        check(true);
+    }
 }

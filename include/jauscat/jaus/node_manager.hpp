@@ -56,13 +56,13 @@ class node_manager {
         own_.on_time(now, out);
         std::bitset<256> lost; // nodes of the own subsystem
         present_.on_time(now, [&](const address& who) {
-            if (who.subsystem == self_.subsystem && is_manager(who)) lost.set(who.node);
+            if (who.subsystem == self_.subsystem && is_manager(who)) lost[who.node] = true;
             tell(options_.disappeared, who);
         });
         if (lost.any())
             present_.remove_if(
                 [&](const presence_table::place& one) {
-                    return one.address.subsystem == self_.subsystem && lost.test(one.address.node);
+                    return one.address.subsystem == self_.subsystem && lost[one.address.node];
                 },
                 [&](const address& who) { tell(options_.disappeared, who); });
         if (options_.survey <= time{} || now < next_survey_) return;

@@ -32,6 +32,18 @@ enum class added : std::uint8_t {
     invalid_hop,     ///< not a number below the number of places for hops
 };
 
+/// What became of it in one line, for messages about a configuration.
+[[nodiscard]] constexpr std::string_view describe(added what) noexcept {
+    switch (what) {
+    case added::ok: return "ok";
+    case added::full: return "too many ways or components for the memory given";
+    case added::duplicate: return "there is an entry with this address already";
+    case added::invalid_address: return "component and instance IDs are 1 to 254";
+    case added::invalid_hop: return "no such hop";
+    }
+    return "unknown";
+}
+
 /// What became of a message. Those from `no_such_component` on are for the log: the message goes nowhere.
 enum class routed : std::uint8_t {
     ok,                  ///< handed to somebody
