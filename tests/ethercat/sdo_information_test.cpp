@@ -200,7 +200,8 @@ TEST_CASE("over a bad wire a list is right or not there") {
     for (int i = 0; i != 1'000; ++i) {
         const auto result = b.run(b.master.list_objects(1, object_list_type::all, into));
         if (!result) {
-            CHECK(result.error == master_errc::no_reply);
+            // After a question was given up, an answer with its counter may be taken for a late one, and passed over.
+            CHECK((result.error == master_errc::no_reply || result.error == master_errc::mailbox_timeout));
             continue;
         }
         ++good;

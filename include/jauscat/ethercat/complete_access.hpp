@@ -18,11 +18,11 @@ namespace jauscat::ethercat {
 template <class Objects> class complete_object {
   public:
     complete_object(Objects& objects, std::uint16_t index, std::uint8_t first) noexcept
-        : objects_{objects}, index_{index}, first_{first}, info_{objects.describe(index)} {}
+        : objects_{objects}, index_{index}, first_{first}, info_{objects.describe(index).value_or(object_info{})} {}
 
     /// Whether it can be accessed as a whole: only then the other functions may be called.
     [[nodiscard]] bool is_possible() const noexcept {
-        if (!info_ || !info_->complete_access || first_ > 1) return false;
+        if (!info_.complete_access || first_ > 1) return false;
         return for_entries([](const place& at) {
                    return is_whole(at.bits) || at.bits <= max_bit_entry * 8 ? abort_code::none
                                                                             : abort_code::complete_access;
@@ -56,7 +56,7 @@ template <class Objects> class complete_object {
         const auto count = data.empty() ? std::byte{} : data.front();
         const auto entry = objects_.describe(index_, 0);
         const bool sets_count = first_ == 0 && entry && is_writable(entry->access);
-        if (first_ == 0 && !sets_count && std::to_integer<std::uint8_t>(count) != info_->highest_subindex)
+        if (first_ == 0 && !sets_count && std::to_integer<std::uint8_t>(count) != info_.highest_subindex)
             return abort_code::read_only;
         const auto error = for_entries([&](const place& at) {
                                if (at.subindex == 0) return sets_count ? write_count({}) : abort_code::none;
@@ -90,7 +90,7 @@ template <class Objects> class complete_object {
     // Calls f(place) for each entry; `size` are the bytes of all.
     object_read for_entries(auto&& f) const noexcept {
         std::size_t bit = 0;
-        for (unsigned i = first_; i <= info_->highest_subindex; ++i) {
+        for (unsigned i = first_; i <= info_.highest_subindex; ++i) {
             const auto subindex = static_cast<std::uint8_t>(i);
             const auto entry = objects_.describe(index_, subindex);
             if (!entry) return {.error = abort_code::device_incompatible};
@@ -105,7 +105,7 @@ template <class Objects> class complete_object {
     Objects& objects_;
     std::uint16_t index_;
     std::uint8_t first_;
-    std::optional<object_info> info_;
+    object_info info_; // of an object that is not there: no complete access
 };
 
 } // namespace jauscat::ethercat

@@ -41,7 +41,7 @@ class mailbox_exchange {
     /// Sends nothing: takes what waits in the slave's mailbox, and keeps its emergencies.
     static mailbox_exchange collect() noexcept {
         mailbox_exchange exchange;
-        exchange.step_ = step::collect;
+        exchange.step_ = exchange.resume_ = step::collect;
         return exchange;
     }
 
@@ -95,7 +95,9 @@ class mailbox_exchange {
     void lost(slave_record& slave) noexcept {
         slave.drained = false;
         if (step_ == step::write) unsure_ = true;
-        if (step_ == step::read) step_ = step::look;
+        if (is_repeatable()) return;
+        resume_ = step_;
+        step_ = step::look;
     }
 
     /// The request is given up; its answer may still come and is not to be taken for another's.
@@ -129,7 +131,9 @@ class mailbox_exchange {
         case step::drain:
         case step::collect:
             if (executed) {
-                note_emergency(open(datagram.data, slave), slave);
+                const auto before = slave.last_reply_mark;
+                const auto letter = open(datagram.data, slave);
+                if (!repeated_ || slave.last_reply_mark != before) note_emergency(letter, slave);
                 return progress::send;
             }
             slave.drained = true;
@@ -151,7 +155,7 @@ class mailbox_exchange {
         static_cast<void>(wire::decode(mailbox, datagram.data));
         // A slave may hold a request back because its reply mailbox is full.
         if (step_ == step::look_room) return go(mailbox.full ? step::read : step::write);
-        if (step_ == step::wait_repeat) return mailbox.repeat_acknowledge == repeat_ ? go(step::read) : progress::wait;
+        if (step_ == step::wait_repeat) return mailbox.repeat_acknowledge == repeat_ ? go(resume_) : progress::wait;
         // Even if there is a message: it may be the next one already. An older one that comes again is passed over.
         repeat_ = !mailbox.repeat_request;
         repeated_ = true;
@@ -230,6 +234,7 @@ class mailbox_exchange {
     }
 
     step step_{};
+    step resume_{};   // the read that was lost
     bool accepted_{}; // the slave has taken the request
     bool unsure_{};   // the slave may have taken it: the reply to a write was lost
     bool repeat_{};   // the repeat request bit that was sent

@@ -271,13 +271,17 @@ class master {
     void start(const sdo_transfer& transfer) noexcept {
         transfer_ = transfer;
         transfer_.use_mailbox(slave_->mailbox.receive_size);
-        start(slave_->unfinished ? job::abort_earlier : job::sdo);
+        start_in_turn(job::sdo);
     }
     bool ask(std::uint16_t station, const sdo_information& question) noexcept {
         if (!begin(job::information)) return false;
         information_ = question;
-        if (choose(station, true)) start(job::information);
+        if (choose(station, true)) start_in_turn(job::information);
         return true;
+    }
+    void start_in_turn(job what) noexcept {
+        after_abort_ = what;
+        start(slave_->unfinished ? job::abort_earlier : what);
     }
 
     // The next message of a mailbox job, or an abort.
@@ -332,7 +336,7 @@ class master {
         }
         if (result) unfinished.reset();
         if (job_ == job::abort) return transfer_complete();
-        if (result) return start(job::sdo);
+        if (result) return start(after_abort_);
         ended_ = result;
         transfer_complete();
     }
@@ -354,6 +358,7 @@ class master {
         auto slave = bring_up_.slave();
         slave.process_data = before_.process_data; // it keeps its place in the image
         slave.unfinished = before_.unfinished;     // a change of state does not end it in every slave
+        slave.last_counter = before_.last_counter; // some slaves keep it, and drop a message with the same one
         slaves_.add(slave);
     }
 
@@ -381,6 +386,7 @@ class master {
     sdo_information information_{};
     sdo_transfer transfer_{};
     sdo_transfer abort_{};
+    job after_abort_{};  // what an earlier transfer's abort stands in the way of
     outcome ended_{};    // how the transfer ended that is being aborted
     bool configuring_{}; // the transfer is a part of `configure`
 

@@ -38,8 +38,8 @@ class process_setup {
     [[nodiscard]] sdo_transfer upload() noexcept {
         if (step_ == step::assignment)
             return sdo_transfer::upload(static_cast<std::uint16_t>(0x1C10 + managed().number),
-                                        static_cast<std::uint8_t>(pdo_), value_);
-        return sdo_transfer::upload(mapping_, static_cast<std::uint8_t>(entry_), value_);
+                                        static_cast<std::uint8_t>(pdo_), room(pdo_));
+        return sdo_transfer::upload(mapping_, static_cast<std::uint8_t>(entry_), room(entry_));
     }
     progress uploaded(const outcome& upload) noexcept {
         // Without assignment objects the SII counts, as for a slave without CoE.
@@ -148,6 +148,10 @@ class process_setup {
             managed().bits += value & 0xFF; // index, subindex and, in the low byte, bits
         if (entry_++ != entries_left_) return go(step::mapping);
         return next_pdo();
+    }
+    // Subindex 0 counts the others in one byte.
+    [[nodiscard]] std::span<std::byte> room(std::uint32_t subindex) noexcept {
+        return std::span{value_}.first(subindex == 0 ? 1 : value_.size());
     }
     [[nodiscard]] std::uint32_t number_of(std::size_t size) const noexcept {
         std::uint32_t number = 0;

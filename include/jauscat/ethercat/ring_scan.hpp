@@ -23,10 +23,14 @@ class ring_scan {
         case step::clear: // what a slave does not have, it leaves alone
             frame.add(command::bwr, 0, esc_registers::al_control.address,
                       al_control{.state = al_state::init, .acknowledge = true});
+            frame.add(command::bwr, 0, esc_registers::dl_control.address + 1,
+                      std::size_t{1}); // ports open by themselves
             frame.add(command::bwr, 0, esc_registers::station_address.address, esc_word{});
             frame.add(command::bwr, 0, esc_registers::fmmu.address, fmmus_cleared * esc_registers::fmmu.size);
             frame.add(command::bwr, 0, esc_registers::sync_manager.address,
                       managers_cleared * esc_registers::sync_manager.size);
+            frame.add(command::bwr, 0, esc_registers::dc_activation.address,
+                      std::size_t{esc_registers::dc_activation.size});
             break;
         case step::wait_init: frame.add(command::brd, 0, esc_registers::al_status.address, wire::max_size<al_status>);
         }
@@ -54,7 +58,10 @@ class ring_scan {
             result_ = {.size = slaves_};
             return progress::done;
         }
-        if (!patience_.exhausted(now, config.state_timeout)) return progress::wait;
+        if (!patience_.exhausted(now, config.state_timeout)) {
+            if (all.error) step_ = step::clear; // one that came up since
+            return progress::wait;
+        }
         result_ = {.error = master_errc::state_timeout, .detail = static_cast<std::uint32_t>(all.state)};
         return progress::done;
     }

@@ -54,7 +54,8 @@ class sdo_transfer {
     [[nodiscard]] bool expects_answer() const noexcept { return request_ != sdo_specifier::abort; }
     /// The slave waits for more, or may do so: a transfer that is given up now has to be aborted.
     [[nodiscard]] bool is_open() const noexcept {
-        return open_ || (phase_ == phase::initiate && !finished_ && initial_data().size() < data_.size());
+        const bool may_be_open = is_download() ? initial_data().size() < data_.size() : expects_answer();
+        return open_ || (phase_ == phase::initiate && !finished_ && may_be_open);
     }
     /// That abort.
     [[nodiscard]] sdo_abort abort_message() const noexcept {

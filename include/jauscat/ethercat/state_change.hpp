@@ -82,8 +82,13 @@ class state_change {
 
     progress on_the_way() noexcept {
         if (from_ == goal_) return progress::done;
-        next_ = goal_ < from_ || goal_ == al_state::boot ? goal_ : above(from_);
+        next_ = towards(from_, goal_);
         return go(step::request);
+    }
+    // BOOT is entered and left by INIT only.
+    static al_state towards(al_state from, al_state goal) noexcept {
+        if (goal == al_state::boot || from == al_state::boot) return from == al_state::init ? goal : al_state::init;
+        return goal < from ? goal : above(from);
     }
     static al_state above(al_state state) noexcept {
         switch (state) {
