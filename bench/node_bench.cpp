@@ -36,6 +36,7 @@ class bare_echo {
             if (got > 0) ::sendto(socket_, buffer.data(), static_cast<std::size_t>(got), 0, address, size);
         }
     }
+    void stop() {} // its receives end after a while
 
   private:
     int socket_{open_socket()};
@@ -65,9 +66,11 @@ class component {
         });
     }
     std::uint16_t port() const { return udp_.local().port(); }
-    void run(const std::atomic<bool>& stop) {
-        while (!stop) context_.run_for(20ms);
+    void run(const std::atomic<bool>&) {
+        context_.restart();
+        context_.run();
     }
+    void stop() { context_.stop(); }
 
   private:
     void answer(std::span<const std::byte> message, const net::udp_transport::endpoint& from, jaus::framing framing) {
@@ -108,6 +111,7 @@ template <class Server> measured measure(Server& server, client& asking, std::si
         }};
         result.load = asking.run(server.port(), window, time);
         stop = true;
+        server.stop();
     }
     result.cpu = cpu / static_cast<std::int64_t>(std::max<std::uint64_t>(result.load.answered, 1));
     return result;

@@ -29,23 +29,21 @@ template <std::size_t MaxSize> class receive_batch {
     receive_batch() {
         for (std::size_t i = 0; i != capacity; ++i) {
             parts_[i] = {.iov_base = memory_.get() + i * stride, .iov_len = MaxSize};
-            messages_[i].msg_hdr.msg_iov = &parts_[i];
-            messages_[i].msg_hdr.msg_iovlen = 1;
+            auto& head = messages_[i].msg_hdr;
+            head.msg_iov = &parts_[i];
+            head.msg_iovlen = 1;
+            head.msg_name = senders_[i].data();
+            head.msg_control = control_[i].bytes.data();
         }
+        renew(capacity);
     }
     receive_batch(const receive_batch&) = delete;
     receive_batch& operator=(const receive_batch&) = delete;
 
     /// Takes what waits at `socket`, without waiting. Returns errno; 0 when there was at least one.
     int receive(int socket) noexcept {
+        renew(count_);
         next_ = count_ = 0;
-        for (std::size_t i = 0; i != capacity; ++i) {
-            auto& head = messages_[i].msg_hdr;
-            head.msg_name = senders_[i].data();
-            head.msg_namelen = static_cast<socklen_t>(senders_[i].capacity());
-            head.msg_control = control_[i].bytes.data();
-            head.msg_controllen = control_[i].bytes.size();
-        }
         const int count = ::recvmmsg(socket, messages_.data(), capacity, MSG_DONTWAIT, nullptr);
         if (count < 0) return errno;
         count_ = static_cast<std::size_t>(count);
@@ -82,6 +80,14 @@ template <std::size_t MaxSize> class receive_batch {
     }
 
   private:
+    /// The kernel has written how much it used of the first `count`.
+    void renew(std::size_t count) noexcept {
+        for (std::size_t i = 0; i != count; ++i) {
+            messages_[i].msg_hdr.msg_namelen = static_cast<socklen_t>(senders_[i].capacity());
+            messages_[i].msg_hdr.msg_controllen = control_[i].bytes.size();
+        }
+    }
+
     /// Not a multiple of a page: the first bytes of all would compete for the same few lines of the cache.
     static constexpr std::size_t stride = (MaxSize / 64 + 2) * 64;
 
