@@ -13,7 +13,7 @@
 namespace jauscat::ethercat {
 
 /// Puts large data sets together, `Places` at a time and each of at most `MaxBody` bytes of body: a translator's
-/// `max_body`, under the seed table 1532, or hilscher::max_sdo_data, which none exceeds. Holds its own memory, about 8
+/// `max_body`, under the seed table 1532, or hilscher::max_sdo_data, which none exceeds. Holds its own memory, about 14
 /// KiB for each place; cannot be copied.
 template <std::size_t MaxBody, std::size_t Places = 4> class message_assembly {
   public:

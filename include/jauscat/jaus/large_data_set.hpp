@@ -45,10 +45,11 @@ struct partial_data_set {
     std::size_t handed_on{};                  ///< packets of the whole that was made here last; the place is free then
 };
 
-/// A packet that is held: its sequence number and the bytes of its body.
+/// A packet that is held: its sequence number, the bytes of its body, and where they begin among its place's.
 struct held_packet {
     std::uint16_t sequence_number{};
     std::uint16_t size{};
+    std::uint32_t offset{};
 };
 
 /// What a reassembler grants its senders.
@@ -81,8 +82,9 @@ struct reassembly_limits {
 ///                     [&](const jaus::partial_data_set& incomplete) { ... });
 class reassembler {
   public:
-    /// Each place has an equal share of `packets` and of `memory`. `patience`: a data set that has been silent so long
-    /// is given up when its place is wanted, or by on_time. All three must outlive this.
+    /// Each place has an equal share of `packets` and of `memory`. A packet that
+    /// comes late has what is held behind it moved: a place's share bounds what that costs. `patience`: a data set that
+    /// has been silent so long is given up when its place is wanted, or by on_time. All three must outlive this.
     constexpr reassembler(std::span<partial_data_set> places, std::span<held_packet> packets,
                           std::span<std::byte> memory, std::chrono::nanoseconds patience,
                           reassembly_limits limits = {}) noexcept
@@ -109,16 +111,19 @@ class reassembler {
         const auto list = share(packets_, *set);
         const auto bytes = share(memory_, *set);
         const auto held = list.first(set->packets);
-        const auto at = std::ranges::lower_bound(held, head.sequence_number, {}, &held_packet::sequence_number);
+        const auto at = position(held, head.sequence_number);
         const auto before = static_cast<std::size_t>(at - held.begin());
         if (at != held.end() && at->sequence_number == head.sequence_number) return reassembled::repeated;
         if (set->packets == list.size() || body.size() > bytes.size() - set->bytes || body.size() > 0xFFFF) {
             forget(*set, lost);
             return reassembled::too_large;
         }
-        const std::size_t offset = before == held.size() ? set->bytes : size_of(held.first(before));
+        const std::size_t offset = at == held.end() ? set->bytes : at->offset;
+        for (held_packet& behind : held.subspan(before)) behind.offset += static_cast<std::uint32_t>(body.size());
         insert(list, set->packets, before,
-               std::array{held_packet{head.sequence_number, static_cast<std::uint16_t>(body.size())}});
+               std::array{held_packet{.sequence_number = head.sequence_number,
+                                      .size = static_cast<std::uint16_t>(body.size()),
+                                      .offset = static_cast<std::uint32_t>(offset)}});
         insert(bytes, set->bytes, offset, body);
         ++set->packets;
         set->bytes += body.size();
@@ -154,13 +159,9 @@ class reassembler {
         const auto held = share(packets_, set).first(set.packets);
         if (head.data_flag == data_flag::last && !held.empty() && held.back().sequence_number > head.sequence_number)
             return true;
-        std::size_t offset = 0;
-        for (const held_packet& packet : held) {
-            if (packet.sequence_number == head.sequence_number)
-                return !std::ranges::equal(share(memory_, set).subspan(offset, packet.size), body);
-            offset += packet.size;
-        }
-        return false;
+        const auto at = position(held, head.sequence_number);
+        return at != held.end() && at->sequence_number == head.sequence_number &&
+               !std::ranges::equal(body_of(set, *at), body);
     }
     // Its body still lies in the memory of its place.
     [[nodiscard]] constexpr bool is_straggler(const header& head, std::span<const std::byte> body,
@@ -168,14 +169,17 @@ class reassembler {
         return std::ranges::any_of(places_, [&](const partial_data_set& set) {
             return set.handed_on > head.sequence_number && now - set.last_heard_at < limits_.linger &&
                    set.header.command_code == head.command_code && set.header.source == head.source &&
-                   std::ranges::equal(body_of(set, head.sequence_number), body);
+                   std::ranges::equal(body_of(set, share(packets_, set)[head.sequence_number]), body);
         });
     }
-    // The body of packet `number` of a place whose packets are all there.
     [[nodiscard]] constexpr std::span<const std::byte> body_of(const partial_data_set& set,
-                                                               std::uint16_t number) const noexcept {
-        const auto list = share(packets_, set);
-        return share(memory_, set).subspan(size_of(list.first(number)), list[number].size);
+                                                               const held_packet& packet) const noexcept {
+        return share(memory_, set).subspan(packet.offset, packet.size);
+    }
+    // Where the packet of this number is among those held, or would be.
+    [[nodiscard]] static constexpr std::span<held_packet>::iterator position(std::span<held_packet> held,
+                                                                             std::uint16_t number) noexcept {
+        return std::ranges::lower_bound(held, number, {}, &held_packet::sequence_number);
     }
     // The place that a newcomer takes: a free one, the longest unused first, so that stragglers are known for long;
     // else that of a data set that went silent; else that of one with a single packet.
@@ -210,11 +214,6 @@ class reassembler {
     [[nodiscard]] constexpr std::span<T> share(std::span<T> all, const partial_data_set& set) const noexcept {
         const std::size_t size = all.size() / places_.size();
         return all.subspan(static_cast<std::size_t>(&set - places_.data()) * size, size);
-    }
-    [[nodiscard]] static constexpr std::size_t size_of(std::span<const held_packet> packets) noexcept {
-        std::size_t size = 0;
-        for (const held_packet& packet : packets) size += packet.size;
-        return size;
     }
     // Puts `more` into the first `used` elements of `all`, in front of the one at `place`.
     template <class T>
