@@ -602,6 +602,58 @@ TEST_CASE("a consumer matches answers and events with what it asked for") {
     REQUIRE(c.first().state == requested_state::free);
 }
 
+TEST_CASE("a consumer updates an event, which goes on meanwhile") {
+    consumer c;
+    jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
+    c.events.create(sensor, wanted, 0s, c.sent.sink());
+    REQUIRE_FALSE(c.events.update(0, wanted, 0s, c.sent.sink())); // not active yet
+    c.hear(confirmed("00 01 04 44 07 00"));
+    c.sent.clear();
+    wanted.requested_minimum_periodic_rate = 10;
+    REQUIRE(c.events.update(0, wanted, 1s, c.sent.sink()));
+    REQUIRE(to_hex(c.sent[0]) == "06 02 f1 01 01 2a 01 02 01 28 01 01 08 00 00 00 20 02 04 44 01 58 02 07");
+    REQUIRE(c.events.next_event() == 2s);
+    c.events.on_time(2s, c.sent.sink());
+    REQUIRE(c.sent[1] == c.sent[0]);
+    REQUIRE(c.hear(occurred("00")).what == event_news::event);
+    REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_news::confirmed);
+    REQUIRE(c.first().state == requested_state::active);
+
+    // A rejection leaves it as it was, and so does silence.
+    REQUIRE(c.events.update(0, wanted, 3s, c.sent.sink()));
+    REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 03 00 00 00 00 03 04")).what == event_news::rejected);
+    REQUIRE(c.first().response == event_response::invalid_event_setup);
+    REQUIRE(c.events.update(0, wanted, 3s, c.sent.sink()));
+    while (c.events.next_event()) c.events.on_time(*c.events.next_event(), c.sent.sink());
+    REQUIRE(c.first().state == requested_state::active);
+    REQUIRE(c.first().requests == 5);
+    REQUIRE(c.hear(occurred("01")).what == event_news::event);
+    wanted.message_code = devices;
+    REQUIRE_FALSE(c.events.update(0, wanted, 3s, c.sent.sink()));
+    REQUIRE_FALSE(c.events.update(2, wanted, 3s, c.sent.sink()));
+
+    // Update and events of a provider.
+    provider p;
+    wanted = {.message_code = velocity, .event_type = event_type::first_change};
+    consumer d;
+    d.events.create(sensor, wanted, 0s, d.sent.sink());
+    const auto exchange = [&] {
+        for (const auto& m : d.sent.take()) p.hear(m);
+        std::vector<event_news> news;
+        for (const auto& m : p.sent.take()) news.push_back(d.hear(m).what);
+        return news;
+    };
+    REQUIRE(exchange() == std::vector{event_news::confirmed});
+    p.drive(1, 1s);
+    REQUIRE(exchange() == std::vector{event_news::event});
+    p.drive(2, 2s);
+    REQUIRE(exchange().empty());
+    REQUIRE(d.events.update(0, wanted, 3s, d.sent.sink()));
+    REQUIRE(exchange() == std::vector{event_news::confirmed});
+    p.drive(3, 4s);
+    REQUIRE(exchange() == std::vector{event_news::event});
+}
+
 TEST_CASE("a consumer gives up what is rejected or never answered") {
     consumer c;
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};

@@ -2,64 +2,9 @@
 // 3.3 part 3, codes 01F0h to 01F4h and 41F1h. The side that reports is events.hpp.
 #pragma once
 #include <jauscat/jaus/answer.hpp>
-#include <jauscat/jaus/event_setup.hpp>
-
-#include <chrono>
+#include <jauscat/jaus/requested_event.hpp>
 
 namespace jauscat::jaus {
-
-/// Where a requested event stands.
-enum class requested_state : std::uint8_t {
-    free,       ///< no event
-    asking,     ///< not answered yet; asked again at each patience
-    active,     ///< confirmed
-    rejected,   ///< by the provider, for the reason in `response`
-    unanswered, ///< given up: no answer to as many requests as were to be made
-    cancelling, ///< by cancel(); until the provider has answered, or as many cancels were not
-};
-
-/// Bytes of a Create Event whose query has max_event_query.
-inline constexpr std::size_t max_create_event_size = 42 + max_event_query;
-
-/// An event of a consumer.
-struct requested_event {
-    address provider{};
-    requested_state state{};
-    event_response response{};       ///< of the last answer
-    std::uint16_t message_code{};    ///< of the report
-    bool one_time{};                 ///< is over with the first event
-    bool confirmed{};                ///< the event ID is known
-    bool heard{};                    ///< `sequence_number` is that of an event
-    std::uint8_t local_request_id{}; ///< of the request that waits for an answer
-    std::uint8_t event_id{};         ///< as confirmed
-    std::uint8_t sequence_number{};  ///< of the last event
-    double rate{};                   ///< hertz, as confirmed; 0: none was
-    std::chrono::nanoseconds due{};  ///< when to ask again
-    unsigned requests{};             ///< that were not answered
-    std::uint64_t received{};        ///< events
-    std::uint64_t lost{};            ///< events missing between those, as far as 8 bits can count
-    wire::inline_list<std::byte, max_create_event_size> request{}; ///< the body of Create Event
-};
-
-/// What a message was to a consumer of events.
-enum class event_news : std::uint8_t {
-    not_mine,  ///< another's business
-    malformed, ///< one of its messages that does not decode
-    confirmed, ///< the provider has accepted
-    rejected,  ///< the provider has not
-    cancelled, ///< the event is gone
-    event,     ///< `report` is the body of a report
-    repeated,  ///< an event that came before, or after a later one
-    unknown,   ///< an event that was not asked for, or answers a request that was not made
-};
-/// The news, and the event it is of.
-struct event_outcome {
-    event_news what{};
-    std::size_t place{};                 ///< in requested()
-    unsigned lost{};                     ///< events missing just before this one
-    std::uint16_t message_code{};        ///< of the report in an event
-    std::span<const std::byte> report{}; ///< its body, in the message
-};
 
 /// Asks for events and matches what comes with what was asked for.
 template <std::size_t Capacity> class event_consumer {
@@ -78,18 +23,25 @@ template <std::size_t Capacity> class event_consumer {
                    e.state == requested_state::unanswered;
         });
         if (place == requested_.end()) return std::nullopt;
-        requested_event e{.provider = provider,
-                          .state = requested_state::asking,
-                          .message_code = wanted.message_code,
-                          .one_time = wanted.event_type == event_type::one_time_on_demand,
-                          .local_request_id = wanted.local_request_id = ++last_id_};
-        e.request.resize(max_create_event_size);
-        const auto size = wire::encode(wanted, std::span{e.request.begin(), e.request.size()});
-        if (!size) return std::nullopt;
-        e.request.resize(size.size());
+        requested_event e{.provider = provider, .message_code = wanted.message_code};
+        if (!keep(e, wanted)) return std::nullopt;
         *place = e;
+        place->state = requested_state::asking;
         ask(*place, now, out);
         return static_cast<std::size_t>(place - requested_.begin());
+    }
+    /// Has an active event set up anew, as `wanted` says, whose local request ID is replaced. A rejection leaves the
+    /// event as it was; without an answer nobody knows. False where the event is not active, and where `wanted` is of
+    /// another report or cannot be sent.
+    constexpr bool update(std::size_t place, create_event wanted, std::chrono::nanoseconds now,
+                          message_sink out) noexcept {
+        if (place >= Capacity || requested_[place].state != requested_state::active) return false;
+        requested_event e = requested_[place];
+        if (wanted.message_code != e.message_code || !keep(e, wanted)) return false;
+        requested_[place] = e;
+        requested_[place].state = requested_state::updating;
+        ask(requested_[place], now, out);
+        return true;
     }
     /// Cancels an event. Its place is free when the provider has answered, or has not often enough.
     constexpr void cancel(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
@@ -133,7 +85,7 @@ template <std::size_t Capacity> class event_consumer {
                     const bool gone = e.state == requested_state::cancelling;
                     outcome.what = gone ? event_news::cancelled : event_news::rejected;
                     e.response = m.response_code;
-                    e.state = requested_state::rejected;
+                    e.state = e.confirmed ? requested_state::active : requested_state::rejected;
                     if (gone) e = {};
                 });
             });
@@ -150,6 +102,8 @@ template <std::size_t Capacity> class event_consumer {
                 ask(e, now, out);
             else if (e.state == requested_state::asking)
                 e.state = requested_state::unanswered;
+            else if (e.state == requested_state::updating)
+                e.state = requested_state::active;
             else
                 e = {};
         }
@@ -166,24 +120,37 @@ template <std::size_t Capacity> class event_consumer {
 
   private:
     [[nodiscard]] static constexpr bool waits(const requested_event& e) noexcept {
-        return e.state == requested_state::asking || e.state == requested_state::cancelling;
+        return e.state == requested_state::asking || e.state == requested_state::updating ||
+               e.state == requested_state::cancelling;
     }
-    // Until the ID is known there is nothing to cancel by, so the request is made once more: the provider knows it.
+    constexpr bool keep(requested_event& e, create_event& wanted) noexcept {
+        wanted.local_request_id = e.local_request_id = ++last_id_;
+        e.one_time = wanted.event_type == event_type::one_time_on_demand;
+        e.requests = 0;
+        e.request.resize(max_create_event_size);
+        const auto size = wire::encode(wanted, std::span{e.request.begin(), e.request.size()});
+        return size && e.request.resize(size.size());
+    }
+    // A cancel before the ID is known makes the request once more: its answer tells the ID.
     constexpr void ask(requested_event& e, std::chrono::nanoseconds now, message_sink out) noexcept {
-        const header head{.destination = e.provider, .source = self_};
-        if (e.confirmed) {
-            put(head,
-                cancel_event{
-                    .local_request_id = e.local_request_id, .message_code = e.message_code, .event_id = e.event_id},
-                out);
-        } else {
-            std::array<std::byte, header_size + max_create_event_size> bytes{};
-            create_event wanted{};
-            static_cast<void>(wire::decode(wanted, std::span{e.request.begin(), e.request.size()}));
-            if (const result size = make_message(head, wanted, bytes)) out(std::span{bytes}.first(size.size()));
-        }
+        create_event wanted{};
+        static_cast<void>(wire::decode(wanted, std::span<const std::byte>{e.request.begin(), e.request.size()}));
+        if (!e.confirmed)
+            send(e, wanted, out);
+        else if (e.state == requested_state::updating)
+            send(e, as_update(wanted, e.event_id), out);
+        else
+            send(e,
+                 cancel_event{
+                     .local_request_id = e.local_request_id, .message_code = e.message_code, .event_id = e.event_id},
+                 out);
         ++e.requests;
         e.due = now + patience_;
+    }
+    template <coded_message T> constexpr void send(const requested_event& e, const T& body, message_sink out) noexcept {
+        std::array<std::byte, header_size + max_create_event_size + 1> bytes{}; // Update Event has one more: the ID
+        const header head{.destination = e.provider, .source = self_};
+        if (const result size = make_message(head, body, bytes)) out(std::span{bytes}.first(size.size()));
     }
     constexpr void answered(const address& source, std::uint8_t id, event_outcome& outcome, auto handle) noexcept {
         const auto e = std::ranges::find_if(requested_, [&](const requested_event& r) {
@@ -199,7 +166,7 @@ template <std::size_t Capacity> class event_consumer {
     constexpr void confirmed(requested_event& e, event_outcome& outcome, std::chrono::nanoseconds now,
                              message_sink out) noexcept {
         e.requests = 0;
-        if (e.state == requested_state::asking) {
+        if (e.state != requested_state::cancelling) {
             e.confirmed = true;
             e.state = requested_state::active;
             outcome.what = event_news::confirmed;
@@ -217,8 +184,8 @@ template <std::size_t Capacity> class event_consumer {
         outcome.message_code = m.message_code;
         outcome.report = m.report_message_body;
         const auto e = std::ranges::find_if(requested_, [&](const requested_event& r) {
-            return r.state == requested_state::active && r.event_id == m.event_id && r.message_code == m.message_code &&
-                   r.provider == source;
+            return (r.state == requested_state::active || r.state == requested_state::updating) &&
+                   r.event_id == m.event_id && r.message_code == m.message_code && r.provider == source;
         });
         if (e == requested_.end()) {
             outcome.what = event_news::unknown;
