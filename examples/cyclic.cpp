@@ -169,9 +169,14 @@ int main(int argc, char** argv) {
         const auto values = example::parse(argc, argv, options, help);
         if (values["period"].as<unsigned>() == 0) throw example::usage_error{"--period must be 1 or more"};
         if (const auto priority = values["priority"].as<int>(); priority != 0) become_real_time(priority);
-        return example::with_link(values, example::link_end::master, [&](auto& link, const std::string& where) {
-            std::cout << "cyclic: " << where << "\n";
-            return measure(link, values);
-        });
+        // Locked memory grows only with CAP_IPC_LOCK.
+        const auto after = values["priority"].as<int>() != 0 ? example::privileges::kept : example::privileges::dropped;
+        return example::with_link(
+            values, example::link_end::master,
+            [&](auto& link, const std::string& where) {
+                std::cout << "cyclic: " << where << "\n";
+                return measure(link, values);
+            },
+            after);
     });
 }

@@ -41,13 +41,19 @@ inline void add_link_options(boost::program_options::options_description& option
 }
 
 enum class link_end { master, slave };
+enum class privileges { dropped, kept };
 
-/// Opens the link that the options choose and hands it to `use(any_link&, const std::string& where)`.
-int with_link(const boost::program_options::variables_map& values, link_end end, auto&& use) {
+/// Opens the link that the options choose and hands it to `use(any_link&, const std::string& where)`, after giving up
+/// what raw Ethernet needs, unless something else needs it later.
+int with_link(const boost::program_options::variables_map& values, link_end end, auto&& use,
+              privileges after = privileges::dropped) {
     const auto& kind = values["link"].as<std::string>();
     if (kind == "raw") {
         if (values.count("interface") == 0) throw usage_error{"--link raw needs --interface NAME"};
         jauscat::net::raw_link link{values["interface"].as<std::string>()};
+        if (after == privileges::dropped)
+            if (const auto dropped = jauscat::net::drop_privileges(); !dropped)
+                throw std::runtime_error{dropped.problem()};
         link_reference chosen{link};
         return use(static_cast<any_link&>(chosen), "raw Ethernet on " + values["interface"].as<std::string>());
     }
