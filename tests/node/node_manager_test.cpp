@@ -1,5 +1,6 @@
 // The node manager: heartbeats, who is there, and what it says of its node and of others.
 #include "support/catch.hpp"
+#include <jauscat/jaus/component.hpp>
 #include <jauscat/jaus/large_data_set.hpp>
 #include <jauscat/jaus/node_manager.hpp>
 
@@ -425,4 +426,31 @@ TEST_CASE("a list memory that is too small refuses the report") {
         REQUIRE(what == message_outcome::refused);
     }
     REQUIRE(n.out.lines.empty());
+}
+
+TEST_CASE("a node manager is a part of a component, which acknowledges what it takes") {
+    node n;
+    jaus::component_memory<> memory{};
+    jaus::no_hooks hooks{};
+    jaus::component core{make(1, 2), memory, hooks, {}, n.manager};
+    const auto ask = [&](std::uint8_t level) {
+        const std::array<std::byte, 1> body{static_cast<std::byte>(level)};
+        const jaus::header head{.ack_nak = jaus::ack_nak::request,
+                                .command_code = 0x2B00,
+                                .destination = make(1, 2),
+                                .source = make(3, 1),
+                                .data_size = 1,
+                                .sequence_number = level};
+        core.on_message(head, body, 0s, n.out, [](const auto&...) { return message_outcome::not_mine; });
+        REQUIRE_FALSE(n.out.messages.empty());
+        const auto last = jaus::split(n.out.messages.back()).header;
+        REQUIRE(last.command_code == 0x2B00);
+        const auto answers = n.out.take().size() - 1;
+        return std::pair{answers, last.ack_nak};
+    };
+    REQUIRE(ask(3) == std::pair{std::size_t{1}, jaus::ack_nak::ack});
+    REQUIRE(ask(9) == std::pair{std::size_t{0}, jaus::ack_nak::nak});
+    REQUIRE(core.next_event() == n.manager.next_event());
+    core.on_time(0s, n.out);
+    REQUIRE(n.out.take() == lines{"4202 1.2.1.1 to 255.255.1.1"});
 }
