@@ -351,3 +351,14 @@ TEST_CASE("a filter, a batch and its answers allocate nothing") {
     CHECK(support::allocations() - before == 0);
     CHECK(answered == 105 * 20);
 }
+
+TEST_CASE("counters are summed up in a line, those since a moment too") {
+    CHECK(net::summary({}) == "nothing");
+    net::udp_counters counts{.received = 12, .wrong_sender = 3, .sent = 1};
+    CHECK(net::summary(counts) == "received 12, wrong sender 3, sent 1");
+    const auto before = counts;
+    counts.count(net::verdict::rate_limited);
+    counts.dropped = 7;
+    CHECK(net::summary(counts - before) == "dropped 7, rate-limited 1");
+    static_assert(net::udp_counter_list.size() * sizeof(std::uint64_t) == sizeof(net::udp_counters));
+}

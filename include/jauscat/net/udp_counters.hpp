@@ -3,7 +3,10 @@
 
 #include <jauscat/net/verdict.hpp>
 
+#include <array>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace jauscat::net {
 
@@ -33,6 +36,39 @@ struct udp_counters {
         case verdict::rate_limited: ++rate_limited; break;
         }
     }
+    friend bool operator==(const udp_counters&, const udp_counters&) = default;
 };
+
+/// A counter and its name.
+struct named_counter {
+    std::string_view name{};
+    std::uint64_t udp_counters::*value{};
+};
+inline constexpr std::array udp_counter_list{named_counter{"received", &udp_counters::received},
+                                             named_counter{"dropped", &udp_counters::dropped},
+                                             named_counter{"oversize", &udp_counters::oversize},
+                                             named_counter{"malformed", &udp_counters::malformed},
+                                             named_counter{"unknown peer", &udp_counters::unknown_peer},
+                                             named_counter{"wrong sender", &udp_counters::wrong_sender},
+                                             named_counter{"rate-limited", &udp_counters::rate_limited},
+                                             named_counter{"sent", &udp_counters::sent},
+                                             named_counter{"would block", &udp_counters::would_block},
+                                             named_counter{"refused", &udp_counters::refused},
+                                             named_counter{"errors", &udp_counters::errors}};
+
+/// What has happened since `before`.
+constexpr udp_counters operator-(udp_counters now, const udp_counters& before) noexcept {
+    for (const auto& counter : udp_counter_list) now.*counter.value -= before.*counter.value;
+    return now;
+}
+
+/// "received 12, wrong sender 3": those that are not 0, in one line, for logs; "nothing" if all are.
+inline std::string summary(const udp_counters& counts) {
+    std::string line;
+    for (const auto& [name, value] : udp_counter_list)
+        if (counts.*value != 0)
+            line += (line.empty() ? "" : ", ") + std::string{name} + ' ' + std::to_string(counts.*value);
+    return line.empty() ? "nothing" : line;
+}
 
 } // namespace jauscat::net
