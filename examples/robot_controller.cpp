@@ -3,6 +3,7 @@
 #include "support/cyclic_path.hpp"
 #include "support/explain.hpp"
 #include "support/link_options.hpp"
+#include "support/link_watch.hpp"
 #include "support/robot_messages.hpp"
 #include "support/trace.hpp"
 #include <jauscat/ethercat/message_assembly.hpp>
@@ -89,6 +90,7 @@ class robot_controller {
     bool try_bring_up() {
         master_.bring_up(0, station_);
         up_ = static_cast<bool>(jauscat::net::run(link_, master_, exchange_timeout));
+        watch_.look(master_, link_, "controller");
         if (up_) {
             const auto& slave = master_.slaves().front();
             std::cout << "controller: slave " << station_ << " is in PRE-OP: vendor "
@@ -261,6 +263,7 @@ class robot_controller {
                 up_ = false;
             std::cout << "controller: EtherCAT: " << example::explain(result) << "\n";
         }
+        watch_.look(master_, link_, "controller");
         return std::span{confirmation_}.first(job.finish(result));
     }
 
@@ -282,6 +285,7 @@ class robot_controller {
     boost::asio::io_context context_{};
     jauscat::net::udp_transport udp_;
     ethercat::master master_;
+    example::link_watch watch_{};
     std::optional<example::cyclic_path> cyclic_{};
     std::deque<std::vector<std::byte>> for_mailbox_{}; // with cycles: the mailbox works between them
     bool up_{};
