@@ -369,7 +369,11 @@ other_messages_between_cycles() {
     # An emergency comes by the mailbox, and process data do not bring the efforts back.
     expect_ocu 0 --send set_emergency emergency_code=transition_to_emergency
     wait_for arm "EMERGENCY: all efforts to zero"
-    expect_ocu 0 --query
+    for _ in 1 2 3 4 5; do # a report is as old as the last cycle
+        expect_ocu 0 --query
+        grep -qF "propulsive_linear_effort_x = 0 % (raw 0)" "$work/out.log" && break
+        sleep 0.1
+    done
     says out "propulsive_linear_effort_x = 0 % (raw 0)"
     expect_ocu 1 propulsive_linear_effort_x=1
     wait_for arm "in emergency: efforts ignored"

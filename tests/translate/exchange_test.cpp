@@ -338,7 +338,7 @@ TEST_CASE("every status of an SDO service has a text of its own, and others say 
             ++codes;
             texts.insert(text);
         }
-    CHECK(codes == 59);
+    CHECK(codes == 62);
     CHECK(texts.size() == codes);
     CHECK(text::explain(packet_status::coe_timeout) == "the slave did not answer in time (ulSta 0xC0650015)");
     CHECK(text::explain(static_cast<packet_status>(0xC0DE)) == "unknown status (ulSta 0x0000C0DE)");
