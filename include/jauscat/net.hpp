@@ -6,8 +6,11 @@
 #include <jauscat/net/datagram_gate.hpp>
 #include <jauscat/net/drop_privileges.hpp>
 #include <jauscat/net/jaus_config.hpp>
+#include <jauscat/net/jaus_node.hpp>
+#include <jauscat/net/jaus_node_options.hpp>
 #include <jauscat/net/jausip.hpp>
 #include <jauscat/net/latency_histogram.hpp>
+#include <jauscat/net/limited_log.hpp>
 #include <jauscat/net/multicast.hpp>
 #include <jauscat/net/next_hop.hpp>
 #include <jauscat/net/open_error.hpp>

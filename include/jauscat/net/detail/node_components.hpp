@@ -1,0 +1,133 @@
+// The components of one program: messages and large data sets are handed to them, and they are driven.
+#pragma once
+
+#include <jauscat/jaus/answer.hpp>
+#include <jauscat/net/detail/attached_component.hpp>
+#include <jauscat/net/jaus_node_options.hpp>
+#include <jauscat/net/jausip.hpp>
+#include <jauscat/net/limited_log.hpp>
+#include <jauscat/text/hex.hpp>
+
+#include <memory>
+#include <string>
+
+namespace jauscat::net::detail {
+
+/// `command code 0x0405 1.1.32.1 -> 2.1.33.1`, for logs.
+inline std::string in_text(const jaus::header& head) {
+    return "command code " + text::hex_number(head.command_code, 4) + ' ' + to_jausip(head.source) + " -> " +
+           to_jausip(head.destination);
+}
+
+/// A component's number is its place in the order in which they were added.
+class node_components {
+  public:
+    using time = std::chrono::nanoseconds;
+    using bytes = std::span<const std::byte>;
+
+    node_components(const jaus_node_options& options, limited_log& log) : options_{options}, log_{log} {}
+
+    void add(attached_component component) { all_.push_back({std::move(component), nullptr}); }
+    void replace(std::size_t place, attached_component component) { all_[place].it = std::move(component); }
+    [[nodiscard]] std::vector<jaus::address> addresses() const {
+        std::vector<jaus::address> list;
+        for (const auto& one : all_) list.push_back(one.it.self);
+        return list;
+    }
+
+    /// Memory for large data sets anew: `of_first` bytes for the first component if it is the node manager, equal parts
+    /// of the rest for the others.
+    void start(std::size_t memory, bool first_is_manager) {
+        const std::size_t of_manager = first_is_manager ? std::min(memory / 4, std::size_t{64} << 10U) : 0;
+        const std::size_t others = std::max<std::size_t>(all_.size() - (first_is_manager ? 1 : 0), 1);
+        for (std::size_t i = 0; i != all_.size(); ++i)
+            all_[i].large = std::make_unique<large_data_memory>(
+                options_.large_data_sets, first_is_manager && i == 0 ? of_manager : (memory - of_manager) / others,
+                options_.large_data_patience);
+        stale_at_ = time::max();
+        going_ = true;
+    }
+    /// No component gets anything from now on.
+    void stop() noexcept { going_ = false; }
+
+  private:
+    [[nodiscard]] auto tell_lost(time now, const jaus::address& self) {
+        return [this, now, &self](const jaus::partial_data_set& set) {
+            log_(now, [&] {
+                return in_text(set.header) + ": at " + to_jausip(self) + ": a large data set is given up, of which " +
+                       std::to_string(set.packets) + " packets came";
+            });
+        };
+    }
+
+  public:
+    /// A message or a packet of a large data set, whose packets are acknowledged one by one: the last with what the
+    /// component makes of the whole.
+    void hand_on(std::uint16_t to, const jaus::header& head, bytes body, time now, jaus::message_sink out) {
+        if (!going_) return;
+        if (head.data_flag == jaus::data_flag::only) {
+            give(all_[to].it, head, body, now, out);
+            return;
+        }
+        bool taken = false;
+        const auto whole = [&](jaus::header first, bytes complete) {
+            first.ack_nak = jaus::ack_nak::none;
+            first.data_flag = jaus::data_flag::only;
+            taken = give(all_[to].it, first, complete, now, out) == jaus::component_outcome::taken;
+        };
+        using jaus::reassembled;
+        const auto what = (*all_[to].large)->on_packet(head, body, now, whole, tell_lost(now, all_[to].it.self));
+        if (what == reassembled::no_room || what == reassembled::too_large)
+            log_(now, [&] { return in_text(head) + ": refused: " + std::string{describe(what)}; });
+        if (what == reassembled::waiting) stale_at_ = std::min(stale_at_, now + options_.large_data_patience);
+        if (head.ack_nak != jaus::ack_nak::request || !jaus::names_one_component(head.destination)) return;
+        const bool kept =
+            what == reassembled::waiting || what == reassembled::repeated || (what == reassembled::whole && taken);
+        jaus::acknowledge(head, all_[to].it.self, kept ? jaus::ack_nak::ack : jaus::ack_nak::nak, out);
+    }
+
+    void on_time(time now, jaus::message_sink out) {
+        for (auto& one : all_)
+            if (going_) one.it.on_time(now, out);
+        if (!going_ || now < stale_at_) return;
+        stale_at_ = time::max();
+        for (auto& one : all_) {
+            (*one.large)->on_time(now, tell_lost(now, one.it.self));
+            for (const auto& set : (*one.large)->places())
+                if (set.packets != 0) stale_at_ = std::min(stale_at_, set.last_heard_at + options_.large_data_patience);
+        }
+    }
+    [[nodiscard]] std::optional<time> next_event() const {
+        time next = stale_at_;
+        for (const auto& one : all_) next = std::min(next, one.it.next_event().value_or(next));
+        return next == time::max() ? std::nullopt : std::optional{next};
+    }
+    void on_lost(const jaus::address& who) {
+        for (auto& one : all_)
+            if (going_) one.it.on_lost(who);
+    }
+
+  private:
+    struct entry {
+        attached_component it;
+        std::unique_ptr<large_data_memory> large;
+    };
+
+    jaus::component_outcome give(attached_component& to, const jaus::header& head, bytes body, time now,
+                                 jaus::message_sink out) {
+        using enum jaus::component_outcome;
+        const auto what = to.on_message(head, body, now, out);
+        if (what != taken && what != acknowledgement && what != repeated)
+            log_(now,
+                 [&] { return in_text(head) + ": at " + to_jausip(to.self) + ": " + std::string{describe(what)}; });
+        if (going_ && options_.seen) options_.seen(to.self, head, body, what);
+        return what;
+    }
+    const jaus_node_options& options_;
+    limited_log& log_;
+    std::vector<entry> all_{};
+    time stale_at_{time::max()}; ///< when a large data set may have to be given up
+    bool going_{};
+};
+
+} // namespace jauscat::net::detail

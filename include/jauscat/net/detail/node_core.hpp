@@ -1,0 +1,94 @@
+// What a node does with messages, without sockets: they are routed to components and neighbours.
+#pragma once
+
+#include <jauscat/net/detail/local_queue.hpp>
+#include <jauscat/net/detail/node_components.hpp>
+#include <jauscat/net/detail/node_routes.hpp>
+
+#include <functional>
+
+namespace jauscat::net::detail {
+
+/// A message that a component sends to another of the program is queued until the turn is over, so that no component
+/// is called while it is busy. A turn is a message from the network, or a look at the time.
+class node_core {
+  public:
+    using time = std::chrono::nanoseconds;
+    using bytes = std::span<const std::byte>;
+    using send_handler = std::function<void(bytes message, const node_routes::neighbour& to)>;
+
+    node_core(const jaus_node_options& options, limited_log& log, send_handler send)
+        : log_{log}, send_{std::move(send)}, local_{options.most_waiting}, components{options, log} {}
+
+    /// Throws `config_error`.
+    void start(const jaus_config& config, const jaus::address& manager, std::uint8_t primary) {
+        local_.clear();
+        routes_.emplace(config, components.addresses(), manager.subsystem, manager.node);
+        router_.emplace(routes_->table(), primary);
+    }
+    [[nodiscard]] const node_routes& routes() const noexcept { return *routes_; }
+    /// Whether a component may be at work.
+    [[nodiscard]] bool in_turn() const noexcept { return in_turn_; }
+    /// Whether components have sent each other what they have not got yet.
+    [[nodiscard]] bool has_more() const noexcept { return !local_.empty(); }
+
+    /// A message of a component here.
+    jaus::routing send(bytes message, time now) {
+        const auto m = jaus::split(message);
+        if (!m) return {.outcome = jaus::routed::invalid_source};
+        return route(message, m.header, jaus::here, [&](std::uint16_t component) {
+            if (!local_.push(component, message))
+                log_(now, [&] { return in_text(m.header) + ": lost: too many messages wait between components"; });
+        });
+    }
+    /// A message from the network.
+    jaus::routing received(bytes message, const jaus::split_message& m, jaus::hop from, time now,
+                           jaus::message_sink out) {
+        to_here_.clear();
+        const auto what = route(message, m.header, from, [&](std::uint16_t to) { to_here_.push_back(to); });
+        turn(now, out, [&] {
+            for (const auto to : to_here_) components.hand_on(to, m.header, m.body, now, out);
+        });
+        return what;
+    }
+    /// `work()` in a turn of its own; what components send each other because of it is handed on.
+    void turn(time now, jaus::message_sink out, auto&& work) {
+        struct guard {
+            bool& flag;
+            explicit guard(bool& f) : flag{f} { flag = true; }
+            ~guard() { flag = false; }
+        } const busy{in_turn_};
+        work();
+        for (int round = 0; !local_.empty() && round != most_rounds; ++round)
+            local_.hand_on([&](std::uint16_t to, bytes message) {
+                const auto m = jaus::split(message);
+                components.hand_on(to, m.header, m.body, now, out);
+            });
+    }
+    void tell(const jaus::header& head, const jaus::routing& what, time now) {
+        if (what.outcome < jaus::routed::no_such_component) return;
+        log_(now, [&] { return in_text(head) + ": " + std::string{describe(what.outcome)}; });
+    }
+
+  private:
+    jaus::routing route(bytes message, const jaus::header& head, jaus::hop from, auto&& to_component) {
+        return router_->route(
+            head, from, [&](std::uint16_t component, const jaus::address&) { to_component(component); },
+            [&](jaus::hop by) { send_(message, (*routes_)[by]); });
+    }
+
+    static constexpr int most_rounds = 16; ///< components that go on answering each other leave time for the network
+
+    limited_log& log_;
+    send_handler send_;
+    local_queue local_;
+    std::optional<node_routes> routes_{};
+    std::optional<jaus::router> router_{};
+    std::vector<std::uint16_t> to_here_{};
+    bool in_turn_{};
+
+  public:
+    node_components components;
+};
+
+} // namespace jauscat::net::detail

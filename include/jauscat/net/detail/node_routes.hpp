@@ -1,0 +1,122 @@
+// The configuration as a router needs it: neighbours with a number, and which addresses lead to whom.
+#pragma once
+
+#include <jauscat/jaus/router.hpp>
+#include <jauscat/net/access_list.hpp>
+#include <jauscat/net/detail/endpoint_text.hpp>
+#include <jauscat/net/jaus_config.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace jauscat::net::detail {
+
+/// The node manager of the node that a program is: `node`, or if that is 0 the one of its jausip, or else the first
+/// that it names, or 1. Throws `config_error`.
+inline jaus::address manager_of(const jaus_config& config, std::uint8_t node) {
+    const auto& me = config.me();
+    if (me.jausip.subsystem == 0)
+        throw config_error{config.source + ':' + std::to_string(me.line) + ": this system's jausip " +
+                               to_jausip(me.jausip) + " has no subsystem; a node needs one, such as 1.0.0.0",
+                           me.line};
+    if (node == 0) node = me.jausip.node;
+    if (node == 0) node = me.nodes.empty() ? std::uint8_t{1} : me.nodes.front().id;
+    return {.instance = 1, .component = 1, .node = node, .subsystem = me.jausip.subsystem};
+}
+
+/// A hop is an endpoint: systems of the configuration that share one are reached together. The multicast group of this
+/// system, if it has one, is the last hop. Systems that do not take part in the group get copies of their own.
+class node_routes {
+  public:
+    using endpoint = boost::asio::ip::udp::endpoint;
+
+    struct neighbour {
+        endpoint to{};
+        jaus::framing framing{};
+    };
+
+    /// `components` are those of this program, all of one node; the router calls them by their place. Throws
+    /// `config_error`.
+    node_routes(const jaus_config& config, std::span<const jaus::address> components, std::uint8_t subsystem,
+                std::uint8_t node)
+        : config_{config},
+          ways_(std::bit_ceil((config.systems.size() + components.size() + 2) * 3 / 2 + 2)),
+          states_(config.systems.size() + 1),
+          places_(config.systems.size() + components.size()),
+          table_{subsystem, node, ways_, states_, places_} {
+        for (std::size_t i = 0; i != components.size(); ++i)
+            if (const auto what = table_.add_component(components[i].component, components[i].instance,
+                                                       static_cast<std::uint16_t>(i));
+                what != jaus::added::ok)
+                throw config_error{
+                    config.source + ": component " + to_jausip(components[i]) + ": " + std::string{describe(what)}, 0};
+        for (const auto& system : config.systems)
+            hop_of_system_.push_back(&system == &config.me() ? jaus::unknown_hop : add(system));
+        if (config.me().multicast) add_group(*config.me().multicast);
+    }
+    node_routes(const node_routes&) = delete;
+    node_routes& operator=(const node_routes&) = delete;
+
+    [[nodiscard]] jaus::routing_table& table() noexcept { return table_; }
+    [[nodiscard]] const neighbour& operator[](jaus::hop hop) const noexcept { return neighbours_[hop]; }
+    /// Where a message comes from: a neighbour has the endpoint, or one that may send from others has the JAUS source;
+    /// else it comes from the group that heard it, or from nobody that is known.
+    [[nodiscard]] jaus::hop origin(const jaus::address& source, const endpoint& from, bool by_group,
+                                   const access_list& list) const {
+        if (const auto found = by_endpoint_.find(from); found != by_endpoint_.end()) return found->second;
+        if (const auto peer = list.check(source, from).peer) return hop_of_system_[*peer];
+        return by_group ? group_.value_or(jaus::unknown_hop) : jaus::unknown_hop;
+    }
+
+  private:
+    [[noreturn]] void fail(const system_entry& system, const std::string& why) const {
+        throw config_error{config_.source + ':' + std::to_string(system.line) + ": " + why, system.line};
+    }
+
+    jaus::hop add(const system_entry& system) {
+        const auto to = system.endpoint();
+        if (to == config_.me().endpoint())
+            fail(system, "the system " + detail::quoted(system.name) + " listens where this system does, at " +
+                             text(to) + "; give each its own port");
+        const auto [at, is_new] = by_endpoint_.emplace(to, static_cast<jaus::hop>(neighbours_.size()));
+        if (is_new)
+            neighbours_.push_back({to, system.framing});
+        else if (neighbours_[at->second].framing != system.framing)
+            fail(system, "another system at " + text(to) + " has another framing; give them the same");
+        const jaus::hop hop = at->second;
+        if (const auto what = table_.add_way(system.jausip, hop); what != jaus::added::ok)
+            fail(system, "the jausip " + to_jausip(system.jausip) + " of " + detail::quoted(system.name) +
+                             " cannot be used by this system: " + std::string{describe(what)});
+        if (!shares_group(system)) table_.keep_outside_groups(hop);
+        return hop;
+    }
+    [[nodiscard]] bool shares_group(const system_entry& system) const {
+        const auto &mine = config_.me().multicast, &its = system.multicast;
+        return mine && its && mine->group == its->group && mine->port == its->port;
+    }
+    void add_group(const multicast_options& options) {
+        group_ = static_cast<jaus::hop>(neighbours_.size());
+        neighbours_.push_back({{options.group, options.port}, config_.me().framing});
+        table_.add_way({.node = 255, .subsystem = 255}, *group_);
+        // It takes the place of single ways only where every node of the subsystem has it.
+        const bool by_all = std::ranges::all_of(config_.systems, [&](const system_entry& system) {
+            return system.jausip.subsystem != table_.subsystem() || shares_group(system);
+        });
+        if (by_all) table_.add_way({.node = 255, .subsystem = table_.subsystem()}, *group_);
+    }
+
+    const jaus_config& config_;
+    std::vector<jaus::address_place<jaus::way>> ways_;
+    std::vector<jaus::hop_state> states_;
+    std::vector<jaus::node_component> places_;
+    jaus::routing_table table_;
+    std::vector<neighbour> neighbours_{};
+    std::map<endpoint, jaus::hop> by_endpoint_{};
+    std::vector<jaus::hop> hop_of_system_{};
+    std::optional<jaus::hop> group_{};
+};
+
+} // namespace jauscat::net::detail

@@ -1,0 +1,63 @@
+// The sockets of a node: its own, and one that hears its multicast group.
+#pragma once
+
+#include <jauscat/net/jaus_config.hpp>
+#include <jauscat/net/udp_transport.hpp>
+
+#include <optional>
+
+namespace jauscat::net::detail {
+
+/// All is sent from the node's own socket, to a group too, so that others see where the answer belongs. What is sent to
+/// a group is heard by a second socket, bound to the group's address: any number of programs on a host can have one.
+class node_socket {
+  public:
+    using endpoint = udp_transport::endpoint;
+    using bytes = std::span<const std::byte>;
+
+    /// Throws `open_error` and `config_error`.
+    node_socket(boost::asio::io_context& context, const system_entry& me, const udp_options& options)
+        : own_{context, me.endpoint(), options}, local_{own_.local()} {
+        if (!me.multicast) return;
+        if (me.ip.is_unspecified())
+            throw config_error{"the system " + me.name + " has multicast and the ip " + me.ip.to_string() +
+                                   "; give the address by which others know it",
+                               me.line};
+        auto shared = options;
+        shared.reuse_address = true;
+        group_.emplace(context, endpoint{me.multicast->group, me.multicast->port}, shared);
+        group_->join(*me.multicast);
+        own_.send_multicast_by(*me.multicast);
+    }
+
+    void start(const udp_transport::filter& accept, auto on_message, const udp_transport::error_handler& on_error) {
+        own_.set_filter(accept);
+        own_.start(
+            [on_message](bytes message, const endpoint& from, jaus::framing) { on_message(message, from, false); },
+            on_error);
+        if (!group_) return;
+        group_->set_filter(accept);
+        group_->start(
+            [on_message](bytes message, const endpoint& from, jaus::framing) { on_message(message, from, true); },
+            on_error);
+    }
+    void post(bytes message, const endpoint& to, jaus::framing framing) { own_.post(message, to, framing); }
+    void stop() {
+        own_.stop();
+        if (group_) group_->stop();
+    }
+    [[nodiscard]] bool is_own(const endpoint& from) const noexcept { return from == local_; }
+    [[nodiscard]] udp_counters counts() const noexcept {
+        auto all = own_.counts();
+        if (group_)
+            for (const auto& counter : udp_counter_list) all.*counter.value += group_->counts().*counter.value;
+        return all;
+    }
+
+  private:
+    udp_transport own_;
+    endpoint local_;
+    std::optional<udp_transport> group_{};
+};
+
+} // namespace jauscat::net::detail

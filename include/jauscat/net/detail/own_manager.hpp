@@ -1,0 +1,117 @@
+// The node manager of a node, with what the configuration says of the node and the memory for who is there.
+#pragma once
+
+#include <jauscat/jaus/component.hpp>
+#include <jauscat/jaus/node_manager.hpp>
+#include <jauscat/net/jaus_config.hpp>
+#include <jauscat/net/jaus_node_options.hpp>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+namespace jauscat::net::detail {
+
+/// Who has come and gone since somebody looked.
+class presence_changes {
+    struct change {
+        jaus::address who{};
+        bool is_there{};
+    };
+    struct noter {
+        std::vector<change>& list;
+        bool is_there;
+        void operator()(const jaus::address& who) const { list.push_back({who, is_there}); }
+    };
+    std::vector<change> list_{}, current_{};
+
+  public:
+    presence_changes() = default;
+    presence_changes(const presence_changes&) = delete;
+    presence_changes& operator=(const presence_changes&) = delete;
+
+    noter appeared{list_, true}, disappeared{list_, false};
+
+    void clear() noexcept { list_.clear(); }
+    /// `use(who, is_there)` for each. Not from within `use`.
+    void take(auto&& use) {
+        std::swap(list_, current_);
+        for (const auto& [who, is_there] : current_) use(who, is_there);
+        current_.clear();
+    }
+};
+
+/// Knows from the start the components of this program and those that the configuration gives the node.
+class own_manager {
+  public:
+    /// Places for components that are heard of; three quarters of them can be used.
+    static constexpr std::size_t places = 4096;
+
+    own_manager(const jaus_config& config, const jaus::address& self, std::span<const jaus::address> components,
+                const jaus_node_options& options, presence_changes& changes)
+        : components_{listed(config, self, components)},
+          description_{described(config, self, components_)},
+          presences_(places),
+          lists_(8 * (places + components_.size() + 1) + 32 * 256),
+          report_(3 * 4096 + 4 * (places + components_.size())),
+          manager_{self,
+                   description_,
+                   {presences_, lists_, report_},
+                   {.beat = options.beat,
+                    .patience = options.patience,
+                    .appeared = changes.appeared,
+                    .disappeared = changes.disappeared}},
+          core{self, memory_, hooks_, {}, manager_} {
+        core.change(jaus::state_event::initialized);
+    }
+    own_manager(const own_manager&) = delete;
+    own_manager& operator=(const own_manager&) = delete;
+
+    [[nodiscard]] const jaus::presence_table& present() const noexcept { return manager_.present(); }
+    jaus::message_outcome operator()(const jaus::header&, std::span<const std::byte>) const noexcept {
+        return jaus::message_outcome::not_mine;
+    }
+
+  private:
+    static std::vector<jaus::configured_component> listed(const jaus_config& config, const jaus::address& self,
+                                                          std::span<const jaus::address> components) {
+        std::vector<jaus::configured_component> all;
+        const auto add = [&](const jaus::address& id) {
+            if (id.subsystem == self.subsystem && id.node == self.node && id != self)
+                all.push_back({id.component, id.instance});
+        };
+        for (const auto& id : components) add(id);
+        for (const auto& system : config.systems)
+            for (const auto& entry : system.components) add(entry.id);
+        return all;
+    }
+    static jaus::node_description described(const jaus_config& config, const jaus::address& self,
+                                            std::span<const jaus::configured_component> components) {
+        const auto name = [](std::string_view text) { return text.substr(0, 80); }; // what a report has room for
+        jaus::node_description made{.components = components};
+        const auto& me = config.me();
+        made.system.identification = made.subsystem.identification = made.node.identification = name(me.name);
+        made.manager.identification = "node manager";
+        for (const auto& node : me.nodes)
+            if (node.id == self.node && !node.name.empty()) made.node.identification = name(node.name);
+        for (const auto& entry : me.components)
+            if (entry.id == self) {
+                if (!entry.name.empty()) made.manager.identification = name(entry.name);
+                made.manager.authority_code = entry.authority;
+            }
+        return made;
+    }
+
+    std::vector<jaus::configured_component> components_;
+    jaus::node_description description_;
+    std::vector<jaus::presence_table::place> presences_;
+    std::vector<std::byte> lists_, report_;
+    jaus::node_manager manager_;
+    jaus::component_memory<> memory_{};
+    jaus::no_hooks hooks_{};
+
+  public:
+    jaus::component<jaus::no_hooks, jaus::node_manager> core;
+};
+
+} // namespace jauscat::net::detail

@@ -1,0 +1,48 @@
+// A timer that wakes a node for the earliest of what its parts want.
+#pragma once
+
+#include <boost/asio/steady_timer.hpp>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace jauscat::net::detail {
+
+/// Being woken early costs a look, moving a timer costs more: so it is only moved to earlier times.
+class wake_timer {
+  public:
+    using time = std::chrono::nanoseconds; ///< of the steady clock
+
+    wake_timer(boost::asio::io_context& context, std::function<void()> wake)
+        : timer_{context}, wake_{std::move(wake)} {}
+
+    /// Wakes at `at`, or sooner.
+    void arm(time at) {
+        if (armed_at_ && *armed_at_ <= at) return;
+        armed_at_ = at;
+        using clock = boost::asio::steady_timer::clock_type;
+        timer_.expires_at(clock::time_point{std::chrono::duration_cast<clock::duration>(at)});
+        timer_.async_wait([this, turn = std::weak_ptr<char>{turn_}](boost::system::error_code error) {
+            if (error || turn.expired()) return;
+            armed_at_.reset();
+            wake_();
+        });
+    }
+    /// Does not wake any more, also where it was about to.
+    void cancel() {
+        timer_.cancel();
+        armed_at_.reset();
+        turn_ = std::make_shared<char>();
+    }
+
+  private:
+    boost::asio::steady_timer timer_;
+    std::function<void()> wake_;
+    std::optional<time> armed_at_{};
+    std::shared_ptr<char> turn_{std::make_shared<char>()};
+};
+
+} // namespace jauscat::net::detail

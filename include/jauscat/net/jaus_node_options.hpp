@@ -1,0 +1,53 @@
+// How a JAUS node behaves, and whom it tells what.
+#pragma once
+
+#include <jauscat/jaus/component_outcome.hpp>
+#include <jauscat/jaus/node_description.hpp>
+#include <jauscat/net/access_list.hpp>
+#include <jauscat/net/rate_limit.hpp>
+#include <jauscat/net/udp_options.hpp>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+
+namespace jauscat::net {
+
+struct jaus_node_options {
+    /// Closed: only who is in the configuration, from where it says. See access_list.
+    access who{access::closed};
+    /// The node of its system that this is; 0: the one that the configuration names, or 1.
+    std::uint8_t node{};
+    /// The node that relays within the subsystem; 0: none. See jaus::router.
+    std::uint8_t primary{};
+    udp_options socket{};
+
+    jaus::heartbeat beat = jaus::heartbeat_to_all(); ///< of the node manager
+    /// A component that sends no heartbeat for so long is gone.
+    std::chrono::nanoseconds patience{std::chrono::seconds{3}};
+
+    /// Large data sets that each component can receive at a time. They share the configuration's `largedata` bytes, of
+    /// which the node manager has up to 64 KiB and the components equal parts of the rest.
+    std::size_t large_data_sets{4};
+    /// A large data set of which nothing has come for so long is given up.
+    std::chrono::nanoseconds large_data_patience{std::chrono::seconds{5}};
+    /// How fast large data sets are sent, in packets of 4 KiB each millisecond.
+    unsigned large_data_pace{4};
+    /// Bytes of large data sets that may wait to be sent, and of messages between components of the node.
+    std::size_t most_waiting{std::size_t{16} << 20U};
+
+    /// Gets a line about all that was refused, unroutable or lost, `log_limit` of them.
+    std::function<void(std::string_view line)> log{};
+    rate log_limit{.per_second = 20, .burst = 100};
+    /// Hears of each message that a component of the node got, the node manager's included, and what became of it.
+    std::function<void(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
+                       jaus::component_outcome what)>
+        seen{};
+    /// The node manager has heard of a component for the first time, or no longer hears it.
+    std::function<void(const jaus::address&who)> appeared{}, disappeared{};
+};
+
+} // namespace jauscat::net

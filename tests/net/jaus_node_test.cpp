@@ -1,0 +1,362 @@
+// Nodes of one process that talk over the loopback interface: what the sans-I/O parts do, done by sockets and a timer.
+#include "net/config_text.hpp"
+#include <jauscat/jaus/component.hpp>
+#include <jauscat/jaus/held_control.hpp>
+#include <jauscat/net/jaus_node.hpp>
+#include <jauscat/net/run_until.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+
+#include <random>
+
+namespace {
+
+namespace jaus = jauscat::jaus;
+namespace net = jauscat::net;
+namespace wire = jauscat::wire;
+using namespace std::chrono_literals;
+using udp = boost::asio::ip::udp;
+using bytes = std::vector<std::byte>;
+
+constexpr jaus::address make(unsigned subsystem, unsigned node, unsigned component = 1, unsigned instance = 1) {
+    const auto id = [](unsigned n) { return static_cast<std::uint8_t>(n); };
+    return {id(instance), id(component), id(node), id(subsystem)};
+}
+
+/// Ports that nobody has, all different.
+template <std::size_t N> std::array<std::uint16_t, N> free_ports() {
+    boost::asio::io_context context;
+    std::vector<udp::socket> sockets;
+    std::array<std::uint16_t, N> ports{};
+    for (auto& port : ports) {
+        sockets.emplace_back(context, udp::endpoint{boost::asio::ip::address_v4::loopback(), 0});
+        port = sockets.back().local_endpoint().port();
+    }
+    return ports;
+}
+
+std::string system(const std::string& name, const std::string& jausip, unsigned port, const std::string& inside = "") {
+    return "<system name='" + name + "' jausip='" + jausip + "' ip='127.0.0.1' port='" + std::to_string(port) + "'>" +
+           inside + "</system>\n";
+}
+net::jaus_config config(const std::string& self, const std::string& systems) {
+    return test::parse("<thissystem>" + self + "</thissystem>\n" + systems);
+}
+
+/// What a message of a node's components was.
+struct seen_message {
+    jaus::address component{};
+    jaus::header head{};
+    bytes body{};
+    jaus::component_outcome what{};
+};
+
+/// A node with one component, and what it says.
+struct program {
+    using time = std::chrono::nanoseconds;
+
+    program(boost::asio::io_context& context, const net::jaus_config& c, const jaus::address& id,
+            net::jaus_node_options options = {})
+        : self{id}, node{context, c, with_hooks(std::move(options))} {
+        core.change(jaus::state_event::initialized);
+        node.add(core, application);
+        node.start();
+    }
+    program(const program&) = delete;
+    program& operator=(const program&) = delete;
+
+    net::jaus_node_options with_hooks(net::jaus_node_options options) {
+        options.beat.period = 50ms;
+        options.patience = 400ms;
+        options.log = [this](std::string_view line) { log.emplace_back(line); };
+        options.seen = [this](const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
+                              jaus::component_outcome what) {
+            seen.push_back({component, head, {body.begin(), body.end()}, what});
+        };
+        options.appeared = [this](const jaus::address& who) { appeared.push_back(who); };
+        options.disappeared = [this](const jaus::address& who) { disappeared.push_back(who); };
+        return options;
+    }
+    [[nodiscard]] bool logged(std::string_view text) const {
+        return std::ranges::any_of(log, [&](const std::string& line) { return line.find(text) != line.npos; });
+    }
+    /// The first message of that code and source, or nullptr.
+    [[nodiscard]] const seen_message* find(std::uint16_t code, const jaus::address& from) const {
+        const auto found = std::ranges::find_if(
+            seen, [&](const seen_message& m) { return m.head.command_code == code && m.head.source == from; });
+        return found == seen.end() ? nullptr : &*found;
+    }
+
+    struct hooks_type {
+        std::vector<jaus::delivered> delivered{};
+        void on_delivered(const jaus::awaited_message&, jaus::delivered what) { delivered.push_back(what); }
+    };
+
+    jaus::address self;
+    std::vector<std::string> log{};
+    std::vector<seen_message> seen{};
+    std::vector<jaus::address> appeared{}, disappeared{};
+    std::vector<bytes> large{};
+    hooks_type hooks{};
+    jaus::component_memory<> memory{};
+    jaus::held_control other{self, make(2, 1, 33), {.patience = 200ms}};
+    jaus::component<hooks_type, jaus::held_control> core{self, memory, hooks, {}, other};
+    struct handler {
+        program& mine;
+        jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) const {
+            if (head.command_code != 0xD111) {
+                const bool is_wrench = head.command_code == jaus::set_wrench_effort::command_code;
+                return is_wrench ? jaus::message_outcome::taken : jaus::message_outcome::not_mine;
+            }
+            mine.large.emplace_back(body.begin(), body.end());
+            return jaus::message_outcome::taken;
+        }
+    } application{*this};
+    net::jaus_node node;
+};
+
+/// Two systems that know each other.
+struct pair {
+    boost::asio::io_context context{};
+    std::array<std::uint16_t, 2> ports = free_ports<2>();
+    std::string systems = system("ocu", "1.0.0.0", ports[0]) +
+                          system("robot", "2.0.0.0", ports[1],
+                                 "<framing>JAUS01.0</framing><node id='1' name='arm'/><component id='44'/>");
+    program ocu{context, config("ocu", systems), make(1, 1, 32)};
+    program robot{context, config("robot", systems), make(2, 1, 33)};
+
+    bool until(auto done) { return net::run_until(context, 5s, done); }
+    void run_for(std::chrono::milliseconds time) {
+        net::run_until(context, time, [] { return false; });
+    }
+};
+
+bool has(const std::vector<jaus::address>& list, const jaus::address& who) {
+    return std::ranges::find(list, who) != list.end();
+}
+
+} // namespace
+
+TEST_CASE("two nodes hear each other and identify themselves") {
+    pair p;
+    REQUIRE(p.until([&] { return has(p.ocu.appeared, make(2, 1)) && has(p.robot.appeared, make(1, 1)); }));
+    REQUIRE(p.ocu.node.present()->find(make(2, 1)) != nullptr);
+
+    REQUIRE(p.ocu.node.send({.destination = make(2, 1), .source = p.ocu.self},
+                            jaus::query_identification{jaus::query_type::node_identification}));
+    REQUIRE(p.until([&] { return p.ocu.find(0x4B00, make(2, 1)) != nullptr; }));
+    jaus::report_identification report{};
+    std::array<std::byte, 256> memory{};
+    wire::arena texts{memory};
+    REQUIRE(wire::decode(report, p.ocu.find(0x4B00, make(2, 1))->body, texts));
+    REQUIRE(report.identification == "arm");
+
+    // Its components: the program's own, and what the configuration has.
+    REQUIRE(p.ocu.node.send({.destination = make(2, 1), .source = p.ocu.self},
+                            jaus::query_configuration{jaus::query_field::node_configuration}));
+    REQUIRE(p.until([&] { return p.ocu.find(0x4B01, make(2, 1)) != nullptr; }));
+    REQUIRE(p.ocu.find(0x4B01, make(2, 1))->body.size() == 3 + 3 * 2);
+
+    p.robot.node.stop();
+    REQUIRE(p.until([&] { return has(p.ocu.disappeared, make(2, 1)); }));
+    REQUIRE(p.ocu.logged("closed port"));
+    p.ocu.appeared.clear();
+    p.robot.node.start();
+    REQUIRE(p.until([&] { return has(p.ocu.appeared, make(2, 1)); }));
+}
+
+TEST_CASE("control is asked for, refused to others, lost to a higher authority, and released") {
+    pair p;
+    auto& driven = p.robot.core;
+    p.ocu.other.ask(5, net::jaus_node::now(), p.ocu.node.out());
+    REQUIRE(p.until([&] { return p.ocu.other.state() == jaus::control_state::held; }));
+    REQUIRE(driven.control().controls(p.ocu.self));
+
+    // Another component of the same program may not command.
+    REQUIRE(p.ocu.node.send({.ack_nak = jaus::ack_nak::request, .destination = p.robot.self, .source = make(1, 1, 99)},
+                            jaus::standby{}));
+    REQUIRE(p.until([&] { return p.robot.logged("does not control the component"); }));
+    REQUIRE(driven.state() == jaus::primary_status_code::ready);
+    REQUIRE(p.until([&] { return p.ocu.logged("unroutable: this node has no such component"); })); // the NAK's way
+
+    const jaus::address higher = make(1, 1, 99);
+    REQUIRE(p.ocu.node.send({.destination = p.robot.self, .source = higher}, jaus::request_component_control{200}));
+    REQUIRE(p.until([&] { return p.ocu.other.state() == jaus::control_state::lost; }));
+    REQUIRE(driven.control().controls(higher));
+    p.ocu.other.ask(5, net::jaus_node::now(), p.ocu.node.out());
+    REQUIRE(p.until([&] { return p.ocu.other.state() == jaus::control_state::refused; }));
+    p.ocu.other.ask(201, net::jaus_node::now(), p.ocu.node.out());
+    REQUIRE(p.until([&] { return p.ocu.other.state() == jaus::control_state::held; }));
+
+    p.ocu.other.release(p.ocu.node.out());
+    REQUIRE(p.until([&] { return !driven.control().controller(); }));
+}
+
+TEST_CASE("who controls a component loses it when its node disappears") {
+    pair p;
+    p.ocu.other.ask(5, net::jaus_node::now(), p.ocu.node.out());
+    REQUIRE(p.until([&] { return has(p.robot.appeared, make(1, 1)) && p.robot.core.control().controls(p.ocu.self); }));
+    p.ocu.node.stop();
+    REQUIRE(p.until([&] { return has(p.robot.disappeared, make(1, 1)); }));
+    REQUIRE_FALSE(p.robot.core.control().controller());
+}
+
+TEST_CASE("a command is repeated by the timer until it is acknowledged or given up") {
+    pair p;
+    const jaus::header head{.destination = p.robot.self};
+    REQUIRE(p.ocu.core.send(head, jaus::set_wrench_effort{}, net::jaus_node::now(), p.ocu.node.out()));
+    REQUIRE(p.until([&] { return p.ocu.hooks.delivered.size() == 1; }));
+    REQUIRE(p.ocu.hooks.delivered.front() == jaus::delivered::acknowledged);
+    REQUIRE(p.ocu.core.send({.destination = make(2, 1, 88)}, jaus::standby{}, net::jaus_node::now(), p.ocu.node.out()));
+    REQUIRE(p.until([&] { return p.ocu.hooks.delivered.size() == 2; }));
+    REQUIRE(p.ocu.hooks.delivered.back() == jaus::delivered::timed_out);
+    REQUIRE(p.robot.logged("unroutable: this node has no such component"));
+    // To a component of the own node.
+    REQUIRE(p.ocu.core.send({.destination = make(1, 1)},
+                            jaus::query_identification{jaus::query_type::node_identification}, net::jaus_node::now(),
+                            p.ocu.node.out()));
+    REQUIRE(p.until([&] { return p.ocu.hooks.delivered.size() == 3; }));
+    REQUIRE(p.ocu.hooks.delivered.back() == jaus::delivered::acknowledged);
+    REQUIRE(p.ocu.find(0x4B00, make(1, 1)) != nullptr);
+}
+
+TEST_CASE("a large data set is cut, sent and put together") {
+    pair p;
+    std::mt19937 random{1};
+    bytes image(200'000);
+    for (auto& b : image) b = static_cast<std::byte>(random());
+    const jaus::header head{.command_code = 0xD111, .destination = p.robot.self, .source = p.ocu.self};
+    REQUIRE(p.ocu.node.send(head, std::span<const std::byte>{image}));
+    std::ranges::reverse(image);
+    REQUIRE(p.ocu.node.send(head, std::span<const std::byte>{image}));
+    REQUIRE(p.until([&] { return p.robot.large.size() == 2; }));
+    REQUIRE(p.robot.large.back() == image);
+    std::ranges::reverse(image);
+    REQUIRE(p.robot.large.front() == image);
+
+    const bytes too_large(2'000'000);
+    REQUIRE(p.ocu.node.send(head, std::span<const std::byte>{too_large}));
+    REQUIRE(p.until([&] { return p.robot.logged("more bytes or packets than there is room for"); }));
+    const bytes unsendable((std::size_t{16} << 20U) + 1);
+    REQUIRE_FALSE(p.ocu.node.send(head, std::span<const std::byte>{unsendable}));
+}
+
+TEST_CASE("an acknowledged command and a large data set go through a node in the middle") {
+    boost::asio::io_context context;
+    const auto ports = free_ports<3>();
+    // The subsystem 2 is entered by its node 1, behind which is node 2.
+    program ocu{context, config("ocu", system("ocu", "1.1.0.0", ports[0]) + system("robot", "2.0.0.0", ports[1])),
+                make(1, 1, 32)};
+    program gateway{context,
+                    config("gateway", system("ocu", "1.0.0.0", ports[0]) + system("gateway", "2.1.0.0", ports[1]) +
+                                          system("arm", "2.2.0.0", ports[2], "<framing>JAUS01.0</framing>")),
+                    make(2, 1, 40)};
+    program arm{context,
+                config("arm", system("others", "1.0.0.0", ports[1]) + system("gateway", "2.1.0.0", ports[1]) +
+                                  system("arm", "2.2.0.0", ports[2])),
+                make(2, 2, 33)};
+    REQUIRE(ocu.core.send({.destination = arm.self}, jaus::set_wrench_effort{}, net::jaus_node::now(), ocu.node.out()));
+    REQUIRE(net::run_until(context, 5s, [&] { return !ocu.hooks.delivered.empty(); }));
+    REQUIRE(ocu.hooks.delivered.front() == jaus::delivered::acknowledged);
+    REQUIRE(arm.find(0x0405, ocu.self) != nullptr);
+    REQUIRE(gateway.find(0x0405, ocu.self) == nullptr);
+
+    const bytes image(50'000, std::byte{7});
+    REQUIRE(ocu.node.send({.command_code = 0xD111, .destination = arm.self, .source = ocu.self},
+                          std::span<const std::byte>{image}));
+    REQUIRE(net::run_until(context, 5s, [&] { return !arm.large.empty(); }));
+    REQUIRE(arm.large.front() == image);
+    REQUIRE(gateway.large.empty());
+
+    // A node that nobody knows.
+    REQUIRE(ocu.node.send({.destination = make(2, 9, 33), .source = ocu.self}, jaus::standby{}));
+    REQUIRE(net::run_until(context, 5s, [&] { return gateway.logged("no way to the destination is known"); }));
+    const auto here = ocu.node.send({.destination = make(3, 1, 33), .source = ocu.self}, jaus::standby{});
+    REQUIRE(here.problem().find("unroutable: no way") != std::string::npos);
+}
+
+TEST_CASE("a datagram with the source of another is refused, logged and counted") {
+    pair p;
+    udp::socket attacker{p.context, udp::endpoint{boost::asio::ip::address_v4::loopback(), 0}};
+    std::array<std::byte, 64> message{};
+    const auto send = [&](const jaus::address& source, const jaus::address& to) {
+        const auto size = jaus::make_message({.destination = to, .source = source}, jaus::shutdown{}, message);
+        REQUIRE(size);
+        attacker.send_to(boost::asio::buffer(message.data(), size.size()),
+                         {boost::asio::ip::address_v4::loopback(), p.ports[1]});
+    };
+    send(p.ocu.self, p.robot.self);
+    send(make(7, 1), p.robot.self);
+    REQUIRE(
+        p.until([&] { return p.robot.node.counts().wrong_sender == 1 && p.robot.node.counts().unknown_peer == 1; }));
+    REQUIRE(p.robot.logged("wrong sender"));
+    REQUIRE(p.robot.logged("unknown peer"));
+    REQUIRE(p.robot.core.state() == jaus::primary_status_code::ready);
+    REQUIRE(p.robot.find(0x0002, p.ocu.self) == nullptr);
+    // A flood is counted to the last datagram, and logged in part.
+    const auto before = p.robot.log.size();
+    for (int i = 0; i != 1000; ++i) {
+        send(make(7, 1), p.robot.self);
+        if (i % 50 == 0) p.run_for(1ms);
+    }
+    REQUIRE(p.until([&] { return p.robot.node.counts().unknown_peer == 1001; }));
+    REQUIRE(p.robot.log.size() - before < 200);
+}
+
+TEST_CASE("what cannot be sent is told to the sender") {
+    pair p;
+    const auto source = p.ocu.self;
+    auto to = p.robot.self;
+    to.instance = 0;
+    REQUIRE(p.ocu.node.send({.destination = to, .source = source}, jaus::standby{}).problem().find("is 0") !=
+            std::string::npos);
+    REQUIRE_FALSE(p.ocu.node.send({.destination = p.robot.self, .source = make(2, 1, 33)}, jaus::standby{}));
+    REQUIRE_FALSE(p.ocu.node.send({.destination = make(9, 1), .source = source}, jaus::standby{}));
+    p.ocu.node.stop();
+    REQUIRE(p.ocu.node.send({.destination = p.robot.self, .source = source}, jaus::standby{}).problem() ==
+            "the node is not running");
+    REQUIRE_THROWS_AS(p.robot.node.start(), std::logic_error);
+}
+
+TEST_CASE("nodes find each other by multicast and ignore their own echo") {
+    boost::asio::io_context context;
+    const auto ports = free_ports<3>();
+    const std::string group =
+        "<multicast group='224.1.0.1' port='" + std::to_string(ports[2]) + "' interface='lo' ttl='0'/>";
+    const auto systems = system("ocu", "1.0.0.0", ports[0], group) + system("robot", "2.0.0.0", ports[1], group);
+    program ocu{context, config("ocu", systems), make(1, 1, 32)};
+    program robot{context, config("robot", systems), make(2, 1, 33)};
+    REQUIRE(
+        net::run_until(context, 5s, [&] { return has(ocu.appeared, make(2, 1)) && has(robot.appeared, make(1, 1)); }));
+    net::run_until(context, 300ms, [] { return false; });
+    REQUIRE(ocu.log.empty());
+    REQUIRE(robot.log.empty());
+    const auto beats = [](const program& p, const jaus::address& from) {
+        return std::ranges::count_if(
+            p.seen, [&](const seen_message& m) { return m.head.command_code == 0x4202 && m.head.source == from; });
+    };
+    REQUIRE(beats(ocu, make(2, 1)) >= 3);
+    REQUIRE(beats(ocu, make(1, 1)) == 0);
+}
+
+TEST_CASE("a configuration that cannot be routed by is refused with its line") {
+    boost::asio::io_context context;
+    const auto error = [&](const std::string& systems) -> std::string {
+        try {
+            net::jaus_node{context, config("a", systems)}.start();
+            return "accepted";
+        } catch (const net::config_error& e) {
+            return e.what();
+        }
+    };
+    const auto port = free_ports<1>()[0];
+    REQUIRE(error(system("a", "0.0.0.0", port)).find("test.xml:3: ") == 0);
+    REQUIRE(error(system("a", "1.0.0.0", port) + system("b", "2.0.0.0", port)).find("give each its own port") !=
+            std::string::npos);
+    REQUIRE(error(system("a", "1.0.0.0", port) + system("b", "2.0.0.0", 4000) +
+                  system("c", "3.0.0.0", 4000, "<framing>JAUS01.0</framing>"))
+                .find("another framing") != std::string::npos);
+    REQUIRE(error(system("a", "1.0.0.0", port)) == "accepted");
+}
