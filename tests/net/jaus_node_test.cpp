@@ -222,6 +222,21 @@ TEST_CASE("a command is repeated by the timer until it is acknowledged or given 
     REQUIRE(p.ocu.find(0x4B00, make(1, 1)) != nullptr);
 }
 
+TEST_CASE("a message that is whole already is sent acknowledged if the component is its source") {
+    pair p;
+    std::array<std::byte, 64> message{};
+    const auto send = [&](const jaus::address& source) {
+        const auto size = jaus::make_message({.destination = p.robot.self, .source = source}, jaus::standby{}, message);
+        REQUIRE(size);
+        return p.ocu.core.send(std::span<const std::byte>{message}.first(size.size()), net::jaus_node::now(),
+                               p.ocu.node.out());
+    };
+    REQUIRE(send(make(1, 1, 99)).error == jaus::send_errc::invalid);
+    REQUIRE(send(p.ocu.self));
+    REQUIRE(p.until([&] { return p.ocu.hooks.delivered.size() == 1; }));
+    REQUIRE(p.robot.core.state() == jaus::primary_status_code::standby);
+}
+
 TEST_CASE("a large data set is cut, sent and put together") {
     pair p;
     std::mt19937 random{1};

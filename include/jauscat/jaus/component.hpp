@@ -91,6 +91,12 @@ template <class Hooks, class... Parts> class component {
         head.source = self_;
         return sender_.send(head, body, now, out);
     }
+    /// The same for a whole message, whose source is this component.
+    constexpr send_result send(std::span<const std::byte> message, time now, message_sink out) noexcept {
+        header head{};
+        if (!wire::decode_prefix(head, message) || head.source != self_) return {send_errc::invalid};
+        return sender_.send(message, now, out);
+    }
     /// An event of the application's; see component_state::change.
     constexpr bool change(state_event event) {
         const bool changed = state_.change(event);
