@@ -480,6 +480,59 @@ ctrl_c() {
     says arm "arm: stopped"
 }
 
+communicators_talk() {
+    [ -x "$bin/communicator" ] || skip "communicator was not built: it needs libedit"
+    # The receiving one goes on until it is told to stop; `wait` keeps its input open.
+    "${wrapper[@]}" "$bin/communicator" --config "$config" --this b >"$work/b.log" 2>&1 < <(printf 'log on\nwait 600\n') &
+    pids+=($!)
+    local other=$!
+    wait_for b "communicator: 2.1.32.1 of b at 127.0.0.1"
+    talk() { # CODE LINES: what the other communicator makes of them
+        printf '%b' "$2" >"$work/lines"
+        expect "$1" "${wrapper[@]}" "$bin/communicator" --config "$config" --this a <"$work/lines"
+    }
+    talk 0 'send b set_component_authority authority_code=5\nsend b query_component_authority\nhelp\nq\n'
+    says out "Set Component Authority to 2.1.32.1: acknowledged"
+    says out "received Report Component Authority"
+    says out "authority_code = 5"
+    says out "send WHOM MESSAGE"
+    wait_for b "received Set Component Authority, 17 bytes, 1.1.32.1 -> 2.1.32.1"
+    # Control, and a list; the last line has no end.
+    talk 0 'send 2.1.32.1 request_component_control authority_code=9\nsend b standby\nsend b query_component_status\nwait 1\nsend b release_component_control\nsend 2.1.1.1 query_configuration query_field=node_configuration\npeers'
+    says out "received Confirm Component Control"
+    says out "received Report Component Status"
+    says out "primary_status_code = standby"
+    says out "received Report Configuration"
+    says out "b: 2.0.0.0 at 127.0.0.1 port $controller_port, framing bare"
+    says out "heard: 2.1.1.1"
+    wait_for b "controlled by 1.1.32.1"
+    wait_for b "state: standby"
+    wait_for b "controlled by nobody"
+    wait_for b "1.1.1.1 is there"
+    # A command that nobody there obeys, lines that are wrong, destinations that lead nowhere.
+    talk 1 'send b set_travel_speed desired_speed=2.5\nq\n'
+    says out "refused by the receiver (NAK)"
+    for wrong in "send c standby" "send b standy" "send b set_component_authority authority_code=x" "nonsense" \
+        "send 9.1.32.1 standby" "send 2.1.99.1 query_component_status" "wait x"; do
+        talk 1 "$wrong\n"
+    done
+    talk 1 'send b standy\n'
+    says out "did you mean standby?"
+    wait_for b "this node has no such component"
+    # Who is not in the configuration may not send. Standby from 7.1.32.1.
+    send_bytes "$controller_port" 06020300012001020120010700000000
+    wait_for b "unknown peer"
+    expect 2 "$bin/communicator" --nonsense
+    expect 0 "$bin/communicator" --help
+    says out "Examples:"
+    expect 1 "$bin/communicator" --config "$work/none.xml"
+    expect 1 "$bin/communicator" --config "$config" --this b </dev/null
+    says out "$controller_port"
+    kill -INT "$other" && wait "$other"
+    [ $? -eq 0 ] || fail "a communicator does not end well on Ctrl-C"
+    says b "communicator: stopped; received"
+}
+
 # Two network namespaces joined by a cable: master_ns has if_m, slave_ns has if_s.
 two_namespaces() {
     [ "$(id -u)" -eq 0 ] || skip "network namespaces need root"

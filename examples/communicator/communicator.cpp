@@ -1,0 +1,299 @@
+// The interactive node: shows the messages that arrive, and sends any message of the standard by its name.
+#include "line_source.hpp"
+#include "message_kinds.hpp"
+#include "support/program.hpp"
+#include <jauscat/jaus/component.hpp>
+#include <jauscat/text/from_text.hpp>
+#include <jauscat/text/jaus.hpp>
+
+#include <unistd.h>
+
+namespace {
+
+namespace jaus = jauscat::jaus;
+namespace net = jauscat::net;
+namespace text = jauscat::text;
+using namespace std::chrono_literals;
+
+constexpr const char* help = R"(communicator: a JAUS node to talk with others from the keyboard or a script.
+
+  communicator [options]
+
+Examples:
+  communicator --this a
+  communicator --this b --open
+  printf 'send b set_component_authority authority_code=5\nq\n' | communicator --this a
+  printf 'wait 10\n' | communicator --this b
+
+It is the component 32 of its system's node, or the first that the configuration names there.
+Exit code: 0; in a script 1 if a line was wrong, or a message was refused or not answered; 2 for a wrong command line;
+1 if the node cannot be started.
+)";
+
+constexpr const char* commands =
+    R"(  send WHOM MESSAGE [FIELD=VALUE ...]   WHOM: a system's name or a JAUS ID, such as b or 2.1.32.1
+                                        MESSAGE: as in the standard, such as set_component_authority or 0001
+  peers                                 the systems of the configuration, and who is heard
+  log on|off                            also show what the node manager gets, and lines that repeat
+  wait SECONDS                          take the next line later
+  help                                  this text
+  q                                     quit
+)";
+
+using words = std::vector<std::string>;
+
+class communicator {
+  public:
+    communicator(const net::jaus_config& config, net::jaus_node_options options, std::unique_ptr<line_source> input)
+        : input_{std::move(input)},
+          self_{own_component(config.me(), options.node)},
+          core_{self_, memory_, hooks_, {}},
+          node_{context_, config, with_hooks(std::move(options))} {
+        for (const auto& kinds : {command_kinds(), query_kinds(), inform_kinds()})
+            kinds_.insert(kinds_.end(), kinds.begin(), kinds.end());
+        core_.change(jaus::state_event::initialized);
+        node_.add(core_, application_);
+        node_.start();
+        show("communicator: " + text::to_text(self_) + " of " + config.this_system + " at " + net_address(config.me()) +
+             "; help tells what can be typed\n");
+    }
+
+    /// Until the user quits, the input ends or a signal comes. True if nothing went wrong.
+    bool run() {
+        while (!example::stop_requested && !done()) {
+            if (!quitting_ && now() >= next_line_at_) {
+                if (const auto line = input_->next())
+                    obey(*line);
+                else if (input_->ended())
+                    quit();
+            }
+            net::run_until(context_, 10ms, [] { return example::stop_requested.load(); });
+            std::erase_if(awaited_, [this](const awaited_report& report) {
+                if (now() < report.until) return false;
+                wrong("no " + text::message_name(report.command_code) + " from " + text::to_text(report.from));
+                return true;
+            });
+        }
+        node_.stop();
+        show("communicator: stopped; " + summary(node_.counts()) + "\n");
+        return !any_wrong_;
+    }
+
+  private:
+    using time = std::chrono::nanoseconds;
+    struct awaited_report {
+        std::uint16_t command_code{};
+        jaus::address from{};
+        time until{};
+    };
+    struct hooks_type {
+        communicator& mine;
+        void on_state(jaus::primary_status_code, jaus::primary_status_code to) const {
+            mine.show("state: " + state_name(to) + "\n");
+        }
+        void on_controller(const std::optional<jaus::controller>& who) const {
+            mine.show(who ? "controlled by " + text::to_text(who->address) + "\n" : "controlled by nobody\n");
+        }
+        void on_delivered(const jaus::awaited_message& m, jaus::delivered what) const {
+            const auto line = text::message_name(m.header.command_code) + " to " + text::to_text(m.header.destination) +
+                              ": " + std::string{describe(what)};
+            if (what == jaus::delivered::acknowledged)
+                mine.show(line + "\n");
+            else
+                mine.wrong(line);
+        }
+    };
+    // Reports and answers are shown and no more; a command that the core does not know cannot be obeyed.
+    struct application_type {
+        jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte>) const {
+            constexpr std::array<std::uint16_t, 5> answers{0x0009, 0x000F, 0x0010, 0x01F3, 0x01F4};
+            const bool informs = head.command_code >= 0x4000 && head.command_code < 0x6000;
+            return informs || std::ranges::find(answers, head.command_code) != answers.end()
+                       ? jaus::message_outcome::taken
+                       : jaus::message_outcome::not_mine;
+        }
+    };
+
+    static std::string state_name(jaus::primary_status_code state) { return std::string{text::enumerator_name(state)}; }
+    static time now() { return net::jaus_node::now(); }
+    static std::string net_address(const net::system_entry& me) {
+        return me.ip.to_string() + " port " + std::to_string(me.port);
+    }
+    /// Whom the name of a system stands for: its first component in the configuration, or the Subsystem Commander.
+    static jaus::address component_of(const net::system_entry& system) {
+        const auto is_manager = [](const net::component_entry& c) { return c.id.component == 1 && c.id.instance == 1; };
+        const auto found = std::ranges::find_if_not(system.components, is_manager);
+        if (found != system.components.end()) return found->id;
+        auto id = system.jausip;
+        if (id.node == 0) id.node = system.nodes.empty() ? std::uint8_t{1} : system.nodes.front().id;
+        if (id.component == 0) id.component = 32;
+        if (id.instance == 0) id.instance = 1;
+        return id;
+    }
+
+    static jaus::address own_component(const net::system_entry& me, std::uint8_t node) {
+        auto id = component_of(me);
+        if (node != 0) id.node = node;
+        return id;
+    }
+
+    net::jaus_node_options with_hooks(net::jaus_node_options options) {
+        options.log = [this](std::string_view line) {
+            if (!log_ && line == last_log_line_) return; // a peer that is not running is told of once
+            last_log_line_ = line;
+            show("log: " + last_log_line_ + "\n");
+        };
+        options.seen = [this](const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
+                              jaus::component_outcome what) { seen(component, head, body, what); };
+        options.appeared = [this](const jaus::address& who) { show(text::to_text(who) + " is there\n"); };
+        options.disappeared = [this](const jaus::address& who) { show(text::to_text(who) + " is gone\n"); };
+        return options;
+    }
+    void show(const std::string& text) { input_->show(text); }
+    void wrong(const std::string& line) {
+        any_wrong_ = true;
+        show(line + "\n");
+    }
+
+    void seen(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
+              jaus::component_outcome what) {
+        std::erase_if(awaited_, [&](const awaited_report& report) {
+            return report.command_code == head.command_code && report.from == head.source;
+        });
+        if (component != self_ && !log_) return;
+        auto lines = "received " + text::summary(head);
+        if (what != jaus::component_outcome::taken) lines += "; " + std::string{describe(what)};
+        lines += "\n";
+        const auto* const kind = find(head.command_code);
+        if (!body.empty()) lines += kind != nullptr ? kind->to_text(body) : text::hex_dump(body);
+        show(lines);
+    }
+    [[nodiscard]] const message_kind* find(std::uint16_t code) const {
+        const auto found = std::ranges::find(kinds_, code, &message_kind::command_code);
+        return found == kinds_.end() ? nullptr : &*found;
+    }
+
+    void obey(const std::string& line) {
+        words all;
+        if (const auto problem = text::split(line, all); !problem.empty()) return wrong(problem);
+        if (all.empty() || all.front().starts_with('#')) return;
+        const auto& verb = all.front();
+        if (verb == "send" && all.size() >= 3) return send(all);
+        if (verb == "send") return wrong("send WHOM MESSAGE [FIELD=VALUE ...], such as: send b query_component_status");
+        if (verb == "q" || verb == "quit") return quit();
+        if (verb == "help") return show(commands);
+        if (verb == "peers") return peers();
+        if (verb == "log" && all.size() == 2 && (all[1] == "on" || all[1] == "off")) {
+            log_ = all[1] == "on";
+            return show("log " + all[1] + "\n");
+        }
+        if (verb == "wait" && all.size() == 2) {
+            char* end{};
+            const double seconds = std::strtod(all[1].c_str(), &end);
+            if (end != all[1].c_str() && *end == '\0' && seconds >= 0 && seconds <= 86400) {
+                next_line_at_ = now() + std::chrono::duration_cast<time>(std::chrono::duration<double>{seconds});
+                return;
+            }
+        }
+        wrong("'" + line + "' is not understood; help tells what is");
+    }
+    void quit() { quitting_ = true; }
+    /// Quitting waits for answers; each comes or is given up within two seconds.
+    [[nodiscard]] bool done() const { return quitting_ && core_.waiting() == 0 && awaited_.empty(); }
+
+    void send(const words& all) {
+        jaus::header head{.source = self_};
+        if (const auto* const system = node_.config().find(all[1]))
+            head.destination = component_of(*system);
+        else if (const auto id = net::parse_jausip(all[1]))
+            head.destination = *id;
+        else
+            return wrong("'" + all[1] + "' is neither a system of the configuration nor a JAUS ID; see peers");
+        if (const auto problem = text::find_message(all[2], head.command_code); !problem.empty()) return wrong(problem);
+        const auto* const kind = find(head.command_code);
+        if (kind == nullptr) return wrong(text::message_name(head.command_code) + " cannot be sent by its name");
+        std::vector<std::byte> body;
+        if (const auto problem = kind->from_words(std::span{all}.subspan(3), body); !problem.empty())
+            return wrong(problem);
+        head.sequence_number = ++sequence_;
+        const auto report = jaus::report_code_of(head.command_code);
+        const bool to_one = jaus::names_one_component(head.destination);
+        if (report == 0 && to_one && body.size() <= jaus::max_body_size)
+            send_acknowledged(head, body);
+        else if (const auto sent = node_.send(head, std::span<const std::byte>{body}); !sent)
+            wrong(sent.problem());
+        else {
+            show("sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
+            if (report != 0 && to_one) awaited_.push_back({report, head.destination, now() + 2s});
+        }
+    }
+    void send_acknowledged(const jaus::header& head, std::span<const std::byte> body) {
+        std::array<std::byte, jaus::header_size + jaus::max_body_size> message{};
+        jaus::large_data_sender whole{head, body, message};
+        whole.next([&](std::span<const std::byte> bytes) {
+            show("sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
+            const auto what = core_.send(bytes, now(), node_.out());
+            if (!what) wrong(std::string{describe(what.error)});
+        });
+    }
+    void peers() {
+        std::string lines;
+        for (const auto& system : node_.config().systems)
+            lines += "  " + system.name + ": " + net::to_jausip(system.jausip) + " at " + net_address(system) +
+                     ", framing " + std::string{jaus::name(system.framing)} +
+                     (system.name == node_.config().this_system ? ", this system" : "") + "\n";
+        if (const auto* const present = node_.present(); present != nullptr && present->size() != 0) {
+            lines += "  heard:";
+            present->for_each([&](const jaus::address& who) { lines += ' ' + text::to_text(who); });
+            lines += "\n";
+        } else
+            lines += "  nobody is heard\n";
+        show(lines);
+    }
+
+    std::unique_ptr<line_source> input_;
+    jaus::address self_;
+    boost::asio::io_context context_{};
+    std::vector<message_kind> kinds_{};
+    std::string last_log_line_{};
+    bool log_{}, quitting_{}, any_wrong_{};
+    time next_line_at_{};
+    std::vector<awaited_report> awaited_{};
+    std::uint16_t sequence_{};
+    hooks_type hooks_{*this};
+    application_type application_{};
+    jaus::component_memory<16, jaus::header_size + jaus::max_body_size> memory_{};
+    jaus::component<hooks_type> core_;
+    net::jaus_node node_;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return example::run("communicator", [&] {
+        namespace po = boost::program_options;
+        po::options_description options{"Options"};
+        // clang-format off
+        options.add_options()
+            ("help", "show this text")
+            ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
+            ("this", po::value<std::string>(), "the system this node is, instead of the file's <thissystem>")
+            ("node", po::value<unsigned>()->default_value(0), "the node of its system that this is; 0: the file's, or 1")
+            ("primary", po::value<unsigned>()->default_value(0), "the node that relays within the subsystem; 0: none")
+            ("open", "take messages from everybody, for trials");
+        // clang-format on
+        const auto values = example::parse(argc, argv, options, help);
+        const auto id = [&](const char* name) {
+            const auto number = values[name].as<unsigned>();
+            if (number > 254) throw example::usage_error{std::string{"--"} + name + " must be 0 to 254"};
+            return static_cast<std::uint8_t>(number);
+        };
+        net::jaus_node_options how{.who = values.count("open") != 0 ? net::access::open : net::access::closed,
+                                   .node = id("node"),
+                                   .primary = id("primary")};
+        const bool by_hand = ::isatty(STDIN_FILENO) != 0;
+        communicator node{example::load_config(values), std::move(how),
+                          by_hand ? terminal_lines("> ") : script_lines()};
+        return node.run() || by_hand ? example::success : example::failure;
+    });
+}

@@ -1,0 +1,35 @@
+// What the source files of the message classes have in common.
+#pragma once
+#include "message_kinds.hpp"
+#include <jauscat/schema/jaus/messages.hpp>
+#include <jauscat/text/annotate.hpp>
+#include <jauscat/text/from_text.hpp>
+#include <jauscat/wire/encode.hpp>
+
+template <class Message> std::string body_from_words(std::span<const std::string> words, std::vector<std::byte>& body) {
+    std::vector<std::byte> lists(std::size_t{1} << 16U);
+    jauscat::wire::arena memory{lists};
+    Message message{};
+    if (auto wrong = jauscat::text::from_words(words, message, memory); !wrong.empty()) return wrong;
+    body.resize(std::size_t{1} << 16U);
+    const auto size = jauscat::wire::encode(message, body);
+    if (!size) return std::string{jauscat::wire::describe(size.error())};
+    body.resize(size.size());
+    return {};
+}
+
+template <class Message> std::string body_to_text(std::span<const std::byte> body) {
+    return jauscat::text::annotate<Message>(body, 0);
+}
+
+/// Those with codes from `First` to `Last`.
+template <std::uint16_t First, std::uint16_t Last, class... Messages>
+std::vector<message_kind> kinds_of(jauscat::jaus::message_list<Messages...>) {
+    std::vector<message_kind> made;
+    const auto add = [&]<class Message>() {
+        if constexpr (Message::command_code >= First && Message::command_code <= Last)
+            made.push_back({Message::command_code, &body_from_words<Message>, &body_to_text<Message>});
+    };
+    (add.template operator()<Messages>(), ...);
+    return made;
+}
