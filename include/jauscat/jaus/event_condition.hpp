@@ -4,21 +4,30 @@
 #include <jauscat/schema/jaus/event.hpp>
 
 #include <compare>
+#include <limits>
 
 namespace jauscat::jaus {
 
 namespace detail {
+template <std::floating_point Real> constexpr bool is_nan(Real value) noexcept {
+    return !(value <= std::numeric_limits<Real>::infinity());
+}
 template <std::integral Integer>
 constexpr std::partial_ordering compare_exactly(Integer integer, double real) noexcept {
     // 2^63 or 2^64, which a double holds; the largest integer it may not.
-    constexpr double above = 2.0 * static_cast<double>(std::numeric_limits<Integer>::max() / 2 + 1);
+    constexpr Integer half = std::numeric_limits<Integer>::max() / 2 + 1;
+    constexpr double above = 2.0 * static_cast<double>(half);
     constexpr double lowest = static_cast<double>(std::numeric_limits<Integer>::min());
-    if (real != real) return std::partial_ordering::unordered;
+    if (is_nan(real)) return std::partial_ordering::unordered;
     if (real >= above) return std::partial_ordering::less;
     if (real < lowest) return std::partial_ordering::greater;
     const auto whole = static_cast<Integer>(real);
     if (integer != whole) return integer <=> whole;
     return 0.0 <=> real - static_cast<double>(whole);
+}
+constexpr std::partial_ordering reversed(std::partial_ordering order) noexcept {
+    if (std::is_lt(order)) return std::partial_ordering::greater;
+    return std::is_gt(order) ? std::partial_ordering::less : order;
 }
 template <class A, class B> constexpr std::partial_ordering compare_numbers(A a, B b) noexcept {
     if constexpr (std::floating_point<A> && std::floating_point<B>)
@@ -26,7 +35,7 @@ template <class A, class B> constexpr std::partial_ordering compare_numbers(A a,
     else if constexpr (std::floating_point<B>)
         return compare_exactly(a, b);
     else if constexpr (std::floating_point<A>)
-        return 0 <=> compare_exactly(b, a);
+        return reversed(compare_exactly(b, a));
     else
         return std::cmp_less(a, b)    ? std::partial_ordering::less
                : std::cmp_equal(a, b) ? std::partial_ordering::equivalent
@@ -47,7 +56,7 @@ template <class A, class B> constexpr std::partial_ordering compare_numbers(A a,
         wire_number number{};
         if constexpr (std::floating_point<decltype(value)>) {
             if (field.scale != nullptr) {
-                if (value != value) return std::partial_ordering::unordered;
+                if (detail::is_nan(value)) return std::partial_ordering::unordered;
                 if (value < field.scale->lowest) return std::partial_ordering::greater;
                 if (value > field.scale->highest) return std::partial_ordering::less;
                 number = field.scale->to_raw(value);
@@ -112,16 +121,16 @@ struct event_condition {
     if (!c.boundary) return true;
     const auto with = [&](const typed_value* limit) { return compare(value, *limit); };
     switch (*c.boundary) {
-    case event_boundary::equal: return with(single_limit(c)) == 0;
-    case event_boundary::not_equal: return with(single_limit(c)) != 0;
-    case event_boundary::inside_inclusive: return with(&*c.lower) >= 0 && with(&*c.upper) <= 0;
-    case event_boundary::inside_exclusive: return with(&*c.lower) > 0 && with(&*c.upper) < 0;
-    case event_boundary::outside_inclusive: return with(&*c.lower) <= 0 || with(&*c.upper) >= 0;
-    case event_boundary::outside_exclusive: return with(&*c.lower) < 0 || with(&*c.upper) > 0;
-    case event_boundary::greater_than_or_equal: return with(single_limit(c)) >= 0;
-    case event_boundary::strictly_greater_than: return with(single_limit(c)) > 0;
-    case event_boundary::less_than_or_equal: return with(single_limit(c)) <= 0;
-    case event_boundary::strictly_less_than: return with(single_limit(c)) < 0;
+    case event_boundary::equal: return std::is_eq(with(single_limit(c)));
+    case event_boundary::not_equal: return std::is_neq(with(single_limit(c)));
+    case event_boundary::inside_inclusive: return std::is_gteq(with(&*c.lower)) && std::is_lteq(with(&*c.upper));
+    case event_boundary::inside_exclusive: return std::is_gt(with(&*c.lower)) && std::is_lt(with(&*c.upper));
+    case event_boundary::outside_inclusive: return std::is_lteq(with(&*c.lower)) || std::is_gteq(with(&*c.upper));
+    case event_boundary::outside_exclusive: return std::is_lt(with(&*c.lower)) || std::is_gt(with(&*c.upper));
+    case event_boundary::greater_than_or_equal: return std::is_gteq(with(single_limit(c)));
+    case event_boundary::strictly_greater_than: return std::is_gt(with(single_limit(c)));
+    case event_boundary::less_than_or_equal: return std::is_lteq(with(single_limit(c)));
+    case event_boundary::strictly_less_than: return std::is_lt(with(single_limit(c)));
     }
     return false;
 }

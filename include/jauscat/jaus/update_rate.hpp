@@ -23,7 +23,7 @@ using update_rate_codec = wire::scaled<wire::u16le, update_rate>;
 
 /// The period of a rate above 0 Hz, to the nearest nanosecond.
 [[nodiscard]] constexpr std::chrono::nanoseconds period_of(double rate) noexcept {
-    return std::chrono::nanoseconds{static_cast<std::int64_t>(1e9 / rate + 0.5)};
+    return std::chrono::round<std::chrono::nanoseconds>(std::chrono::duration<double, std::nano>{1e9 / rate});
 }
 
 /// The first instant after `now` of those that lie `period` apart and hold `due`, which is not after `now`.

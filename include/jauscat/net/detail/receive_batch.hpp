@@ -59,7 +59,7 @@ template <std::size_t MaxSize> class receive_batch {
     [[nodiscard]] std::span<const std::byte> bytes() const noexcept {
         return {memory_.get() + next_ * stride, messages_[next_].msg_len};
     }
-    [[nodiscard]] const endpoint& from() noexcept {
+    [[nodiscard]] const endpoint& from() {
         senders_[next_].resize(messages_[next_].msg_hdr.msg_namelen);
         return senders_[next_];
     }
