@@ -27,7 +27,7 @@ namespace jauscat::net {
 ///     context.run();
 ///
 /// Use it from the thread that runs the io_context. It must outlive the handlers that call it; components must outlive
-/// it.
+/// it. An exception that a component or a handler throws leaves `run`; then stop the node, and start it again.
 class jaus_node {
   public:
     using time = std::chrono::nanoseconds;

@@ -6,8 +6,10 @@
 #include <jauscat/net/jaus_node_options.hpp>
 #include <jauscat/net/jausip.hpp>
 #include <jauscat/net/limited_log.hpp>
-#include <jauscat/text/hex.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -15,7 +17,9 @@ namespace jauscat::net::detail {
 
 /// `command code 0x0405 1.1.32.1 -> 2.1.33.1`, for logs.
 inline std::string in_text(const jaus::header& head) {
-    return "command code " + text::hex_number(head.command_code, 4) + ' ' + to_jausip(head.source) + " -> " +
+    std::array<char, 8> code{};
+    std::snprintf(code.data(), code.size(), "0x%04X", unsigned{head.command_code});
+    return std::string{"command code "} + code.data() + ' ' + to_jausip(head.source) + " -> " +
            to_jausip(head.destination);
 }
 

@@ -32,7 +32,10 @@ class presence_changes {
 
     noter appeared{list_, true}, disappeared{list_, false};
 
-    void clear() noexcept { list_.clear(); }
+    void clear() noexcept {
+        list_.clear();
+        current_.clear();
+    }
     /// `use(who, is_there)` for each. Not from within `use`.
     void take(auto&& use) {
         std::swap(list_, current_);
