@@ -8,7 +8,6 @@ using namespace jauscat::hilscher;
 using jauscat::test::from_hex;
 using jauscat::test::hex_of;
 using jauscat::test::packet_bench;
-using jauscat::test::to_hex;
 using bytes = std::vector<std::byte>;
 
 namespace {

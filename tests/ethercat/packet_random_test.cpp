@@ -8,7 +8,6 @@
 
 using namespace jauscat::ethercat;
 using namespace jauscat::hilscher;
-using jauscat::test::from_hex;
 using jauscat::test::packet_bench;
 using bytes = std::vector<std::byte>;
 namespace wire = jauscat::wire;

@@ -7,7 +7,6 @@
 #include <jauscat/ethercat/standard_objects.hpp>
 
 using namespace jauscat::ethercat;
-using jauscat::test::from_hex;
 using jauscat::test::to_hex;
 namespace test = jauscat::test;
 

@@ -18,7 +18,6 @@ using namespace std::chrono_literals;
 using jauscat::test::from_hex;
 using jauscat::test::to_hex;
 namespace test = jauscat::test;
-namespace wire = jauscat::wire;
 
 namespace {
 

@@ -246,7 +246,7 @@ std::string text(const jaus::address& a) {
     return std::to_string(a.subsystem) + "." + std::to_string(a.node) + "." + std::to_string(a.component) + "." +
            std::to_string(a.instance);
 }
-std::string text(std::vector<jaus::address> all) {
+std::string text(const std::vector<jaus::address>& all) {
     std::vector<std::string> names;
     for (const auto& a : all) names.push_back(text(a));
     std::ranges::sort(names);

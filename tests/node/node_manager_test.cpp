@@ -179,8 +179,8 @@ TEST_CASE("identification is that of the level which is asked for") {
         REQUIRE(n.out.messages.front().size() == jaus::header_size + 84);
         const auto report = n.out.only<jaus::report_identification>(n.lists);
         REQUIRE(static_cast<int>(report.query_type) == level);
-        const auto all = std::string{report.identification} + " " + std::to_string(report.type) + " " +
-                         std::to_string(report.authority_code);
+        auto all = std::string{report.identification} + " " + std::to_string(report.type) + " " +
+                   std::to_string(report.authority_code);
         n.out.take();
         return all;
     };

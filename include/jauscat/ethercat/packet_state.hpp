@@ -104,7 +104,7 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
         case stage::look: return is_known(m, member.slave);
         case stage::bring_up: return goal_ != al_state::init && (state < al_state::pre_op || state == al_state::boot);
         case stage::lower: return state > goal_ || (state == goal_ && error);
-        case stage::configure: return goal_ > al_state::pre_op && state == al_state::pre_op;
+        case stage::configure:
         case stage::safe_op: return goal_ > al_state::pre_op && state == al_state::pre_op;
         default: return goal_ == al_state::op && state != al_state::op;
         }

@@ -48,7 +48,12 @@ class jaus_node {
         make_manager({});
         core_.components.add({manager_->core, *manager_});
     }
-    ~jaus_node() { stop(); }
+    ~jaus_node() {
+        try {
+            stop();
+        } catch (...) { // a log that throws is not worth more than the sockets that go anyway
+        }
+    }
     jaus_node(const jaus_node&) = delete;
     jaus_node& operator=(const jaus_node&) = delete;
 

@@ -44,7 +44,7 @@ inline constexpr esc_register sii_data{0x0508, 8};
 inline constexpr esc_register fmmu{0x0600, 16};        ///< FMMU 0; the next ones follow
 inline constexpr esc_register sync_manager{0x0800, 8}; ///< SyncManager 0; the next ones follow
 inline constexpr esc_register dc_activation{0x0981, 1};
-inline constexpr esc_register process_ram{0x1000, 0};  ///< mailboxes and process data; size by `ram_size`
+inline constexpr esc_register process_ram{0x1000, 0}; ///< mailboxes and process data; size by `ram_size`
 } // namespace esc_registers
 
 /// A register of 2 bytes that is a plain number, such as the station address.
