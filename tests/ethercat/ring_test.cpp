@@ -19,7 +19,6 @@ using jauscat::test::from_hex;
 using jauscat::test::simulated_link;
 using jauscat::test::to_hex;
 namespace test = jauscat::test;
-namespace wire = jauscat::wire;
 
 namespace {
 
