@@ -229,12 +229,11 @@ class communicator {
     }
     void send_acknowledged(const jaus::header& head, std::span<const std::byte> body) {
         std::array<std::byte, jaus::header_size + jaus::max_body_size> message{};
-        jaus::large_data_sender whole{head, body, message};
-        whole.next([&](std::span<const std::byte> bytes) {
-            show("sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
-            const auto what = core_.send(bytes, now(), node_.out());
-            if (!what) wrong(std::string{describe(what.error)});
-        });
+        const auto size = jaus::join(head, body, message);
+        if (!size) return wrong(std::string{describe(size.error())});
+        show("sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
+        const auto what = core_.send(std::span{message}.first(size.size()), now(), node_.out());
+        if (!what) wrong(std::string{describe(what.error)});
     }
     void peers() {
         std::string lines;

@@ -142,6 +142,28 @@ TEST_CASE("a source with an octet of 0 or 255 is invalid, a destination is not")
     }
 }
 
+TEST_CASE("header and body that were taken apart join to the same message") {
+    constexpr auto joined = [] {
+        const auto parts = jaus::split(report_wrench_effort);
+        std::array<std::byte, report_wrench_effort.size()> out{};
+        jaus::header head = parts.header;
+        head.data_size = 99; // is taken from the body
+        return std::pair{jaus::join(head, parts.body, out).size(), out};
+    }();
+    STATIC_REQUIRE(joined.first == report_wrench_effort.size());
+    STATIC_REQUIRE(joined.second == report_wrench_effort);
+
+    std::vector<std::byte> body(jaus::max_body_size + 1), out(jaus::header_size + body.size());
+    CHECK(jaus::join(report_header, body, out).error() == errc::body_too_large);
+    body.pop_back();
+    CHECK(jaus::join(report_header, body, out).size() == jaus::header_size + body.size());
+    CHECK(jaus::join(report_header, body, std::span{out}.first(jaus::header_size + body.size() - 1)).error() ==
+          errc::no_space);
+    jaus::header wrong = report_header;
+    wrong.priority = 16;
+    CHECK(jaus::join(wrong, body, out).error() == errc::invalid_header);
+}
+
 TEST_CASE("a message that does not fit its buffer says no space") {
     std::array<std::byte, 21> out{};
     for (std::size_t size = 0; size != 18; ++size)

@@ -79,15 +79,19 @@ class esc : public esc_memory {
     // However many FMMUs take part, the slave counts once for each direction.
     constexpr void execute_logical(const basic_datagram<std::byte>& d, bool reads, bool writes) noexcept {
         const auto address = logical_address(d.header);
-        std::array<std::byte, max_datagram_data> sent{}; // a mapping for both directions reads over what it writes
-        std::ranges::copy(d.data, sent.begin());
+        std::array<std::byte, max_datagram_data> copy;
+        std::span<const std::byte> sent = d.data;
+        if (reads && writes) { // a mapping for both directions reads over what it writes
+            std::ranges::copy(d.data, copy.begin());
+            sent = std::span{copy}.first(d.data.size());
+        }
         bool read_any = false, written_any = false;
         for (std::size_t n = 0; n != fmmu_count; ++n) {
             const auto map = mapping(n);
             const auto overlap = overlap_of(map, address, d.data.size());
             if (overlap.bits == 0) continue;
             if (reads && map.read && read_mapped(overlap, d.data)) read_any = true;
-            if (writes && map.write && write_mapped(overlap, std::span{sent}.first(d.data.size()))) written_any = true;
+            if (writes && map.write && write_mapped(overlap, sent)) written_any = true;
         }
         const unsigned write_count = reads ? 2 : 1;
         if (read_any || written_any)

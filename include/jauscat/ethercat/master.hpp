@@ -344,8 +344,7 @@ class master {
     void transfer_complete() noexcept {
         if (!configuring_) return finish(ended_);
         job_ = job::configure;
-        if (setup_.uploaded(ended_) == progress::done) return configured();
-        if (setup_.wants_upload()) start(setup_.upload());
+        if (setup_.uploaded(ended_) == progress::done) configured();
     }
 
     void configured() noexcept {

@@ -36,16 +36,14 @@ template <std::size_t MaxBody, std::size_t Places = 4> class message_assembly {
             take(message);
             return jaus::reassembled::only;
         }
-        const auto join = [&](jaus::header whole, std::span<const std::byte> body) {
+        const auto deliver = [&](jaus::header whole, std::span<const std::byte> body) {
             whole.data_flag = jaus::data_flag::only;
             whole.sequence_number = head.sequence_number;
             whole.ack_nak = head.ack_nak;
-            whole.data_size = static_cast<std::uint16_t>(body.size());
-            static_cast<void>(wire::encode(whole, message_));
-            std::ranges::copy(body, std::span{message_}.subspan(jaus::header_size).begin());
-            take(std::span<const std::byte>{message_}.first(jaus::header_size + body.size()));
+            const auto size = jaus::join(whole, body, message_); // decoded from packets: it fits
+            take(std::span<const std::byte>{message_}.first(size.size()));
         };
-        return large_.on_packet(head, message.subspan(jaus::header_size), now, join, [](const auto&) {});
+        return large_.on_packet(head, message.subspan(jaus::header_size), now, deliver, [](const auto&) {});
     }
 
   private:

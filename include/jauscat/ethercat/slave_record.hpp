@@ -71,6 +71,7 @@ struct process_place {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return std::size_t{output_size} + input_size; }
 };
 
+/// What a master knows of a slave.
 struct slave_record {
     std::uint16_t position{}; ///< in the ring, from 0
     std::uint16_t station{};  ///< configured station address

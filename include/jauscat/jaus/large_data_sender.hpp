@@ -77,12 +77,10 @@ class large_data_sender {
     constexpr void put(std::size_t number, data_flag flag, message_sink out) {
         const auto part = body_.subspan(number * share_, std::min(share_, body_.size() - number * share_));
         header head = header_;
-        head.data_size = static_cast<std::uint16_t>(part.size());
         head.data_flag = flag;
         if (packets_ != 1) head.sequence_number = static_cast<std::uint16_t>(number);
-        if (!wire::encode(head, packet_)) return; // encoded when this was made, with other values of the same width
-        std::ranges::copy(part, packet_.subspan(header_size).begin());
-        out(packet_.first(header_size + part.size()));
+        const auto size = join(head, part, packet_); // encoded when this was made, with other values of the same width
+        out(packet_.first(size.size()));
     }
 
     header header_;

@@ -4,6 +4,7 @@
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>
 
+#include <algorithm>
 #include <concepts>
 
 namespace jauscat::jaus {
@@ -85,6 +86,18 @@ struct split_message {
     return m;
 }
 
+/// The inverse of `split`: writes `head`, with the data size taken from `body`, and `body` to the front of `out`;
+/// returns the number of bytes. `body` may lie where it goes to. Errors: no_space, body_too_large, invalid_header.
+[[nodiscard]] constexpr result join(header head, std::span<const std::byte> body, std::span<std::byte> out) noexcept {
+    if (body.size() > max_body_size) return errc::body_too_large;
+    if (out.size() < header_size + body.size()) return errc::no_space;
+    head.data_size = static_cast<std::uint16_t>(body.size());
+    const auto place = out.subspan(header_size, body.size());
+    if (place.data() != body.data()) std::ranges::copy(body, place.begin());
+    if (!wire::encode(head, out)) return errc::invalid_header;
+    return header_size + body.size();
+}
+
 /// Writes `header`, with command code and data size taken from `body`, and `body` to the front of `out`; returns the
 /// number of bytes. Errors: no_space, body_too_large, invalid_body, invalid_header.
 template <coded_message T>
@@ -92,11 +105,8 @@ constexpr result make_message(header head, const T& body, std::span<std::byte> o
     if (out.size() < header_size) return errc::no_space;
     const wire::result size = wire::encode(body, out.subspan(header_size));
     if (!size) return size.error() == wire::errc::no_space ? errc::no_space : errc::invalid_body;
-    if (size.size() > max_body_size) return errc::body_too_large;
     head.command_code = command_code_of<T>;
-    head.data_size = static_cast<std::uint16_t>(size.size());
-    if (!wire::encode(head, out)) return errc::invalid_header;
-    return header_size + size.size();
+    return join(head, out.subspan(header_size, size.size()), out);
 }
 
 /// An acknowledgement carries no body, whatever its command code. RA 3.3 part 2, ACK/NAK.

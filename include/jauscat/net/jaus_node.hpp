@@ -118,10 +118,9 @@ class jaus_node {
             return {};
         }
         std::array<std::byte, jaus::header_size + jaus::max_body_size> message{};
-        jaus::large_data_sender sender{head, body, message};
-        if (sender.error() != jaus::errc::ok) return outcome{std::string{describe(sender.error())}};
-        jaus::routing what{};
-        sender.next([&](bytes whole) { what = core_.send(whole, now()); });
+        const auto size = jaus::join(head, body, message);
+        if (!size) return outcome{std::string{describe(size.error())}};
+        const auto what = core_.send(bytes{message}.first(size.size()), now());
         wake_after_sending();
         if (what.outcome >= jaus::routed::no_such_component)
             return outcome{std::string{describe(what.outcome)} + ": " + to_jausip(head.destination)};
