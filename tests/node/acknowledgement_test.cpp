@@ -182,6 +182,22 @@ TEST_CASE("a whole message is sent with a number of its own") {
     REQUIRE(o.sent.body<jaus::set_component_authority>(1).authority_code == 3);
 }
 
+TEST_CASE("a program that starts again begins with another number, so that its first message is no repeat") {
+    arm a;
+    for (const std::uint16_t first : {std::uint16_t{0}, std::uint16_t{40000}, std::uint16_t{0xFFFF}}) {
+        std::array<jaus::awaited_message, 2> places{};
+        std::array<std::byte, 2 * 20> copies{};
+        jaus::acknowledged_sender commands{places, copies, {.first_number = first}};
+        sent_messages sent{};
+        REQUIRE(commands.send(to_arm, jaus::release_component_control{}, 0s, sent.sink()).sequence_number == first);
+        REQUIRE(a.hear(0x000E, first) == received::handed_on);
+        REQUIRE(a.hear(0x000E, first) == received::repeated);
+        REQUIRE(commands.send(to_arm, jaus::standby{}, 0s, sent.sink()).sequence_number ==
+                static_cast<std::uint16_t>(first + 1));
+    }
+    REQUIRE(a.handed_on == 3);
+}
+
 TEST_CASE("numbers go around and leave out the ones that wait") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).sequence_number == 0);

@@ -258,6 +258,11 @@ TEST_CASE("a confirmation that nobody waits for any more is answered with a rele
     REQUIRE(control.state() == control_state::asking);
     control.lose(arm_address);
     REQUIRE(control.state() == control_state::lost);
+    control.ask(1, 0s, sent.sink());
+    control.lose({255, 255, 1, 1}); // a node that is not the arm's
+    REQUIRE(control.state() == control_state::asking);
+    control.lose({255, 255, arm_address.node, arm_address.subsystem});
+    REQUIRE(control.state() == control_state::lost);
     REQUIRE(hear(jaus::report_component_authority{}, arm_address) == message_outcome::not_mine);
 }
 

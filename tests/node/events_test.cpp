@@ -490,6 +490,8 @@ TEST_CASE("a request that comes twice makes one event") {
     REQUIRE(p.events.lose(other) == 0);
     REQUIRE(p.events.lose(viewer) == 2);
     REQUIRE(p.drive(2, 2s) == 0);
+    REQUIRE(p.create(request) != 0);
+    REQUIRE(p.events.lose({255, 255, viewer.node, viewer.subsystem}) == 1); // its node
 }
 
 TEST_CASE("event IDs are not used again at once") {

@@ -67,11 +67,15 @@ struct acknowledgement_options {
     /// From sending a message to sending it again. The defaults give a message up after one second.
     std::chrono::nanoseconds timeout{std::chrono::milliseconds{250}};
     unsigned retries{3}; ///< how often a message is sent again; 0: sent once
+    /// The first sequence number. A program that is started again should not begin where it did before: who remembers
+    /// its messages would take the new ones for repeats. A random number will do.
+    std::uint16_t first_number{};
 };
 
 /// Sends messages that ask for an acknowledgement, keeps a copy of each, and sends it again until the ACK or NAK is
 /// there or the retries are used up. A message is known by its command code, sequence number and destination; sequence
-/// numbers are given here, from 0 on and around at 65536, never one that still waits. Each message has one outcome.
+/// numbers are given here, one after the other and around at 65536, never one that still waits. Each message has one
+/// outcome.
 ///
 ///     std::array<jaus::awaited_message, 16> places{};
 ///     std::array<std::byte, 16 * 64> copies{};
@@ -84,7 +88,10 @@ class acknowledged_sender {
     /// places 65535 are used at most: fewer than there are sequence numbers.
     constexpr acknowledged_sender(std::span<awaited_message> places, std::span<std::byte> copies,
                                   const acknowledgement_options& options = {}) noexcept
-        : places_{places.first(std::min<std::size_t>(places.size(), 0xFFFF))}, copies_{copies}, options_{options} {}
+        : places_{places.first(std::min<std::size_t>(places.size(), 0xFFFF))},
+          copies_{copies},
+          options_{options},
+          next_{options.first_number} {}
 
     /// Sends `body` with `head`, whose command code, sequence number and wish for an acknowledgement are filled in.
     template <coded_message T>
@@ -189,7 +196,7 @@ class acknowledged_sender {
     std::span<awaited_message> places_;
     std::span<std::byte> copies_;
     acknowledgement_options options_;
-    std::uint16_t next_{};
+    std::uint16_t next_;
 };
 
 } // namespace jauscat::jaus

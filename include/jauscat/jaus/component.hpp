@@ -5,18 +5,12 @@
 #include <jauscat/jaus/component_options.hpp>
 #include <jauscat/jaus/component_outcome.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
+#include <jauscat/jaus/stands_for.hpp>
 
 #include <tuple>
 #include <utility>
 
 namespace jauscat::jaus {
-
-/// Whether `levels`, in which an octet of 255 stands for all of its level, stands for the component `one`.
-[[nodiscard]] constexpr bool stands_for(const address& levels, const address& one) noexcept {
-    const auto same = [](std::uint8_t all, std::uint8_t octet) { return all == 255 || all == octet; };
-    return same(levels.subsystem, one.subsystem) && same(levels.node, one.node) &&
-           same(levels.component, one.component) && same(levels.instance, one.instance);
-}
 
 /// Hears of nothing.
 struct no_hooks {};
@@ -34,7 +28,8 @@ struct no_hooks {};
 ///     void on_delivered(const jaus::awaited_message&, jaus::delivered);
 /// which are called before the message that caused it is acknowledged. `Parts` are further state machines, such as
 /// service_connections, events and held_control: each has on_time and next_event; it is asked about messages if its
-/// on_message returns message_outcome, and hears of lost components if it has `lose(const address&)`.
+/// on_message returns message_outcome, and hears of lost components if it has `lose(const address&)`,
+/// which gets what on_lost gets.
 ///
 /// Messages must be whole (large data sets put together) and meant for this component: the node sees to that.
 ///

@@ -3,6 +3,7 @@
 #pragma once
 #include <jauscat/jaus/answer.hpp>
 #include <jauscat/jaus/event_record.hpp>
+#include <jauscat/jaus/stands_for.hpp>
 
 namespace jauscat::jaus {
 
@@ -78,11 +79,11 @@ template <std::size_t Capacity> class events {
         return first;
     }
 
-    /// Cancels the events of a component that has disappeared; returns how many.
+    /// Cancels the events of those that have disappeared, see stands_for; returns how many.
     constexpr std::size_t lose(const address& requester) noexcept {
         std::size_t count = 0;
         for (event_record& e : events_) {
-            if (e.message_code == 0 || e.requester != requester) continue;
+            if (e.message_code == 0 || !stands_for(requester, e.requester)) continue;
             e = {};
             ++count;
         }

@@ -3,6 +3,7 @@
 #pragma once
 #include <jauscat/jaus/answer.hpp>
 #include <jauscat/jaus/callback.hpp>
+#include <jauscat/jaus/stands_for.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
 #include <chrono>
@@ -91,10 +92,10 @@ class held_control {
         if (state_ == control_state::held && options_.renewal != options_.renewal.zero()) return at_ + options_.renewal;
         return std::nullopt;
     }
-    /// The component `who` has disappeared.
+    /// The component `who` has disappeared, or all of a level for which an octet is 255.
     constexpr void lose(const address& who) noexcept {
         const bool wanted = state_ == control_state::held || state_ == control_state::asking;
-        if (who == target_ && wanted) enter(control_state::lost);
+        if (wanted && stands_for(who, target_)) enter(control_state::lost);
     }
 
   private:

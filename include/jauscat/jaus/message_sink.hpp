@@ -21,7 +21,7 @@ class message_sink {
           }} {}
 
     /// `message` is valid during the call.
-    void operator()(std::span<const std::byte> message) const { call_(take_, message); }
+    constexpr void operator()(std::span<const std::byte> message) const { call_(take_, message); }
 
   private:
     void* take_;

@@ -3,6 +3,7 @@
 #pragma once
 #include <jauscat/jaus/answer.hpp>
 #include <jauscat/jaus/callback.hpp>
+#include <jauscat/jaus/stands_for.hpp>
 #include <jauscat/jaus/update_rate.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
@@ -102,11 +103,11 @@ template <std::size_t Capacity> class service_connections {
         return next;
     }
 
-    /// Terminates the connections of a component that has disappeared; returns how many.
+    /// Terminates the connections of those that have disappeared, see stands_for; returns how many.
     constexpr std::size_t lose(const address& consumer) noexcept {
         std::size_t count = 0;
         for (service_connection& c : connections_) {
-            if (c.command_code == 0 || c.consumer != consumer) continue;
+            if (c.command_code == 0 || !stands_for(consumer, c.consumer)) continue;
             c = {};
             ++count;
         }
