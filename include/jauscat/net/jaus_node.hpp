@@ -72,8 +72,9 @@ class jaus_node {
     /// handler of this node. Throws `open_error` and `config_error`.
     void start() {
         if (running() || core_.in_turn()) throw std::logic_error{"the node is running"};
-        core_.start(config_, self_, options_.primary);
         gate_.emplace(config_, options_.who);
+        core_.start(config_, self_, options_.primary,
+                    gate_->list().is_open() ? std::optional{options_.patience} : std::nullopt);
         if (has_manager()) {
             make_manager(core_.components.addresses());
             core_.components.replace(0, {manager_->core, *manager_});
@@ -81,10 +82,9 @@ class jaus_node {
         core_.components.start(config_.me().limits.large_data_memory, has_manager());
         socket_.emplace(context_, config_.me(), options_.socket);
         running_ = true;
-        socket_->start(
-            [this](bytes message, const endpoint& from) { return check(message, from); },
-            [this](bytes message, const endpoint& from, bool by_group) { received(message, from, by_group); },
-            [this](std::string_view problem) { log([&] { return std::string{problem}; }); });
+        socket_->start([this](bytes message, const endpoint& from) { return check(message, from); },
+                       [this](bytes message, const auto&... from) { received(message, from...); },
+                       [this](std::string_view problem) { log([&] { return std::string{problem}; }); });
         arm(now());
     }
 
@@ -168,14 +168,14 @@ class jaus_node {
             });
         return what;
     }
-    void received(bytes message, const endpoint& from, bool by_group) {
+    void received(bytes message, const endpoint& from, jaus::framing how, bool by_group) {
         if (socket_->is_own(from)) return;
         const auto m = jaus::split(message);
         if (!m)
             return log([&] {
                 return "a datagram from " + detail::text(from) + " is dropped: " + std::string{describe(m.error)};
             });
-        const auto origin = core_.routes().origin(m.header.source, from, by_group, gate_->list());
+        const auto origin = core_.routes().origin(m.header.source, from, how, by_group, gate_->list(), now());
         const auto what = core_.received(message, m, origin, now(), out_);
         // Members of a group hear what is for others.
         const auto& to = m.header.destination;

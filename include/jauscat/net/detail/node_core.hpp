@@ -20,13 +20,14 @@ class node_core {
     node_core(const jaus_node_options& options, limited_log& log, send_handler send)
         : log_{log}, send_{std::move(send)}, local_{options.most_waiting}, components{options, log} {}
 
-    /// Throws `config_error`.
-    void start(const jaus_config& config, const jaus::address& manager, std::uint8_t primary) {
+    /// `strangers`: see node_routes. Throws `config_error`.
+    void start(const jaus_config& config, const jaus::address& manager, std::uint8_t primary,
+               std::optional<time> strangers) {
         local_.clear();
-        routes_.emplace(config, components.addresses(), manager.subsystem, manager.node);
+        routes_.emplace(config, components.addresses(), manager.subsystem, manager.node, strangers);
         router_.emplace(routes_->table(), primary);
     }
-    [[nodiscard]] const node_routes& routes() const noexcept { return *routes_; }
+    [[nodiscard]] node_routes& routes() noexcept { return *routes_; }
     /// Whether a component may be at work.
     [[nodiscard]] bool in_turn() const noexcept { return in_turn_; }
     /// Whether components have sent each other what they have not got yet.
@@ -36,7 +37,7 @@ class node_core {
     jaus::routing send(bytes message, time now) {
         const auto m = jaus::split(message);
         if (!m) return {.outcome = jaus::routed::invalid_source};
-        return route(message, m.header, jaus::here, [&](std::uint16_t component) {
+        return route(message, m.header, jaus::here, now, [&](std::uint16_t component) {
             if (!local_.push(component, message))
                 log_(now, [&] { return in_text(m.header) + ": lost: too many messages wait between components"; });
         });
@@ -45,7 +46,7 @@ class node_core {
     jaus::routing received(bytes message, const jaus::split_message& m, jaus::hop from, time now,
                            jaus::message_sink out) {
         to_here_.clear();
-        const auto what = route(message, m.header, from, [&](std::uint16_t to) { to_here_.push_back(to); });
+        const auto what = route(message, m.header, from, now, [&](std::uint16_t to) { to_here_.push_back(to); });
         turn(now, out, [&] {
             for (const auto to : to_here_) components.hand_on(to, m.header, m.body, now, out);
         });
@@ -71,10 +72,13 @@ class node_core {
     }
 
   private:
-    jaus::routing route(bytes message, const jaus::header& head, jaus::hop from, auto&& to_component) {
+    jaus::routing route(bytes message, const jaus::header& head, jaus::hop from, time now, auto&& to_component) {
         return router_->route(
             head, from, [&](std::uint16_t component, const jaus::address&) { to_component(component); },
-            [&](jaus::hop by) { send_(message, (*routes_)[by]); });
+            [&](jaus::hop by) {
+                const auto& to = (*routes_)[by];
+                if (now <= to.quiet_after || jaus::names_one_component(head.destination)) send_(message, to);
+            });
     }
 
     static constexpr int most_rounds = 16; ///< components that go on answering each other leave time for the network

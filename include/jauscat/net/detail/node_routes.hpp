@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,23 +30,31 @@ inline jaus::address manager_of(const jaus_config& config, std::uint8_t node) {
 }
 
 /// A hop is an endpoint: systems of the configuration that share one are reached together. The multicast group of this
-/// system, if it has one, is the last hop. Systems that do not take part in the group get copies of their own.
+/// system, if it has one, is a hop too. Systems that do not take part in the group get copies of their own.
+///
+/// Where everybody may send (an open access list), a subsystem that the configuration does not cover is answered where
+/// it was last heard: one hop for each, and nothing that others can make grow. What is sent to all goes to such a hop
+/// as long as it is heard, so that a forged datagram does not make this node send heartbeats to its victim for ever.
 class node_routes {
   public:
     using endpoint = boost::asio::ip::udp::endpoint;
 
+    using time = std::chrono::nanoseconds;
+
     struct neighbour {
         endpoint to{};
         jaus::framing framing{};
+        time quiet_after{time::max()}; ///< gets nothing that is sent to all after this
     };
 
-    /// `components` are those of this program, all of one node; the router calls them by their place. Throws
-    /// `config_error`.
+    /// `components` are those of this program, all of one node; the router calls them by their place. `strangers`: ways
+    /// to those who are not in the configuration are learned, and kept for so long. Throws `config_error`.
     node_routes(const jaus_config& config, std::span<const jaus::address> components, std::uint8_t subsystem,
-                std::uint8_t node)
+                std::uint8_t node, std::optional<time> strangers)
         : config_{config},
-          ways_(std::bit_ceil((config.systems.size() + components.size() + 2) * 3 / 2 + 2)),
-          states_(config.systems.size() + 1),
+          strangers_{strangers},
+          ways_(std::bit_ceil((config.systems.size() + components.size() + most_strangers() + 2) * 3 / 2 + 2)),
+          states_(config.systems.size() + most_strangers() + 1),
           places_(config.systems.size() + components.size()),
           table_{subsystem, node, ways_, states_, places_} {
         for (std::size_t i = 0; i != components.size(); ++i)
@@ -64,8 +74,9 @@ class node_routes {
     [[nodiscard]] const neighbour& operator[](jaus::hop hop) const noexcept { return neighbours_[hop]; }
     /// Where a message comes from: a neighbour has the endpoint, or one that may send from others has the JAUS source;
     /// else it comes from the group that heard it, or from nobody that is known.
-    [[nodiscard]] jaus::hop origin(const jaus::address& source, const endpoint& from, bool by_group,
-                                   const access_list& list) const {
+    [[nodiscard]] jaus::hop origin(const jaus::address& source, const endpoint& from, jaus::framing framing,
+                                   bool by_group, const access_list& list, time now) {
+        if (strangers_) learn(source, {from, framing, now + *strangers_}, by_group);
         if (const auto found = by_endpoint_.find(from); found != by_endpoint_.end()) return found->second;
         if (const auto peer = list.check(source, from).peer) return hop_of_system_[*peer];
         return by_group ? group_.value_or(jaus::unknown_hop) : jaus::unknown_hop;
@@ -74,6 +85,29 @@ class node_routes {
   private:
     [[noreturn]] void fail(const system_entry& system, const std::string& why) const {
         throw config_error{config_.source + ':' + std::to_string(system.line) + ": " + why, system.line};
+    }
+
+    [[nodiscard]] std::size_t most_strangers() const noexcept { return strangers_ ? 254 : 0; } // subsystems
+    void learn(const jaus::address& source, const neighbour& heard, bool by_group) {
+        if (source.subsystem == table_.subsystem()) return;
+        const auto known = learned_.find(source.subsystem);
+        if (known == learned_.end()) {
+            if (table_.next_hop(source)) return; // by the configuration
+            const auto hop = static_cast<jaus::hop>(neighbours_.size());
+            if (table_.add_way({.subsystem = source.subsystem}, hop) != jaus::added::ok) return;
+            if (!by_group) table_.keep_outside_groups(hop);
+            neighbours_.push_back(heard);
+            by_endpoint_.emplace(heard.to, hop);
+            learned_.emplace(source.subsystem, hop);
+            return;
+        }
+        auto& last = neighbours_[known->second];
+        if (last.to != heard.to) {
+            const auto old = by_endpoint_.find(last.to);
+            if (old != by_endpoint_.end() && old->second == known->second) by_endpoint_.erase(old);
+            by_endpoint_.emplace(heard.to, known->second);
+        }
+        last = heard;
     }
 
     jaus::hop add(const system_entry& system) {
@@ -109,6 +143,7 @@ class node_routes {
     }
 
     const jaus_config& config_;
+    std::optional<time> strangers_;
     std::vector<jaus::address_place<jaus::way>> ways_;
     std::vector<jaus::hop_state> states_;
     std::vector<jaus::node_component> places_;
@@ -117,6 +152,7 @@ class node_routes {
     std::map<endpoint, jaus::hop> by_endpoint_{};
     std::vector<jaus::hop> hop_of_system_{};
     std::optional<jaus::hop> group_{};
+    std::map<std::uint8_t, jaus::hop> learned_{}; ///< of subsystems
 };
 
 } // namespace jauscat::net::detail

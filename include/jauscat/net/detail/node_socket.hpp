@@ -32,14 +32,14 @@ class node_socket {
 
     void start(const udp_transport::filter& accept, auto on_message, const udp_transport::error_handler& on_error) {
         own_.set_filter(accept);
-        own_.start(
-            [on_message](bytes message, const endpoint& from, jaus::framing) { on_message(message, from, false); },
-            on_error);
+        own_.start([on_message](bytes message, const endpoint& from,
+                                jaus::framing how) { on_message(message, from, how, false); },
+                   on_error);
         if (!group_) return;
         group_->set_filter(accept);
-        group_->start(
-            [on_message](bytes message, const endpoint& from, jaus::framing) { on_message(message, from, true); },
-            on_error);
+        group_->start([on_message](bytes message, const endpoint& from,
+                                   jaus::framing how) { on_message(message, from, how, true); },
+                      on_error);
     }
     void post(bytes message, const endpoint& to, jaus::framing framing) { own_.post(message, to, framing); }
     void stop() {
