@@ -12,6 +12,7 @@
 #include <jauscat/schema/ethercat/watchdog.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -30,16 +31,17 @@ class cyclic_path {
 
     /// `watchdog`: after which the slave leaves OP if it gets no outputs; 0 leaves that to the slave (100 ms).
     cyclic_path(any_link& link, jauscat::ethercat::master& master, const jauscat::ethercat::slave_identity& slave,
-                std::chrono::nanoseconds period, std::chrono::milliseconds watchdog)
-        : link_{link},
+                std::chrono::nanoseconds period, std::chrono::milliseconds watchdog, const std::string& who = {})
+        : link_{link, who},
           master_{master},
           station_{slave.station},
           exchange_{slave, component},
           period_{period},
           watchdog_{watchdog} {}
 
-    /// From PRE-OP to OP. `prepare()` is called before each cycle, here and in the functions below.
-    template <class Prepare> jauscat::ethercat::outcome start(Prepare&& prepare) {
+    /// From PRE-OP to OP.
+    jauscat::ethercat::outcome start() {
+        const auto prepare = [this] { began_ = std::chrono::steady_clock::now(); };
         runs_ = checking_ = false;
         using jauscat::ethercat::al_state;
         master_.configure(station_);
@@ -61,16 +63,21 @@ class cyclic_path {
         return result;
     }
 
-    /// One cycle.
-    void cycle(auto&& prepare) {
-        note(cycles_->run(prepare));
+    /// Waits for the next cycle's instant and exchanges the process data.
+    void cycle() {
+        note(cycles_->run([this] { began_ = std::chrono::steady_clock::now(); }));
         check_state();
+    }
+    /// When the outputs should be ready for the next cycle: a bit before its instant.
+    [[nodiscard]] std::chrono::steady_clock::time_point next_outputs_by() const noexcept {
+        return began_ + period_ - std::min<std::chrono::nanoseconds>(period_ / 4, most_margin);
     }
     /// The master is busy with a job of this path's: another has to wait for a cycle or two.
     [[nodiscard]] bool busy() const noexcept { return checking_; }
     /// Cycles until the master's job is done.
-    jauscat::ethercat::outcome run_job(std::chrono::nanoseconds limit, auto&& prepare) {
-        return cycles_->run_job(limit, prepare, [this](const auto& report) { note(report); });
+    jauscat::ethercat::outcome run_job(std::chrono::nanoseconds limit) {
+        return cycles_->run_job(
+            limit, [this] { began_ = std::chrono::steady_clock::now(); }, [this](const auto& report) { note(report); });
     }
 
     /// The slave is in OP, has answered lately, and takes commands.
@@ -87,6 +94,7 @@ class cyclic_path {
     static constexpr auto patience = std::chrono::seconds{2};
     static constexpr auto longest_silence = std::chrono::seconds{1};
     static constexpr auto check_interval = std::chrono::milliseconds{50};
+    static constexpr auto most_margin = std::chrono::microseconds{200};
 
     // The register's unit is 100 us where nobody has changed the divider.
     jauscat::ethercat::outcome set_watchdog() {
@@ -139,6 +147,7 @@ class cyclic_path {
     std::chrono::milliseconds watchdog_;
     jauscat::ethercat::process_data data_{};
     std::optional<jauscat::net::cycle_runner<traced_link<any_link>>> cycles_{};
+    std::chrono::steady_clock::time_point began_{}; ///< the last cycle
     bool runs_{};
     std::string problem_{};
     bool checking_{};

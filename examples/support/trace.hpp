@@ -1,5 +1,6 @@
 // Shows what passes: SDO packets in decimal, and SDOs on the EtherCAT wire.
 #pragma once
+#include "support/say.hpp"
 #include <jauscat/ethercat/describe.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/schema/ethercat/coe.hpp>
@@ -9,9 +10,9 @@
 #include <jauscat/wire/view.hpp>
 
 #include <chrono>
-#include <iostream>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace example {
 
@@ -78,7 +79,8 @@ inline std::string sdo_text(std::span<const std::byte> mailbox) {
 /// A link that says each SDO that passes. Models the link concept over any other link.
 template <class Link> class traced_link {
   public:
-    explicit traced_link(Link& link) : link_{link} {}
+    /// `who` stands in front of each line.
+    explicit traced_link(Link& link, std::string who = {}) : link_{link}, who_{std::move(who)} {}
 
     bool send(std::span<const std::byte> frame) {
         show("  -> ", frame, jauscat::ethercat::command::fpwr);
@@ -91,7 +93,7 @@ template <class Link> class traced_link {
     }
 
   private:
-    static void show(const char* arrow, std::span<const std::byte> frame, jauscat::ethercat::command mailbox_command) {
+    void show(const char* arrow, std::span<const std::byte> frame, jauscat::ethercat::command mailbox_command) const {
         jauscat::ethercat::frame_view datagrams;
         if (!datagrams.parse(frame)) return;
         for (const auto& datagram : datagrams) {
@@ -99,12 +101,14 @@ template <class Link> class traced_link {
             if (mailbox_command == jauscat::ethercat::command::fprd && datagram.working_counter == 0)
                 continue; // a poll
             const auto text = sdo_text(datagram.data);
-            if (!text.empty()) std::cout << arrow << "station " << datagram.header.adp << ": " << text << "\n";
+            if (!text.empty())
+                write_lines(who_ + arrow + "station " + std::to_string(datagram.header.adp) + ": " + text + "\n");
         }
     }
     static constexpr std::uint16_t first_ram_address = 0x1000; // registers lie below
 
     Link& link_;
+    std::string who_;
 };
 
 } // namespace example
