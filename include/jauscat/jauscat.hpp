@@ -17,6 +17,7 @@
 #include <jauscat/ethercat/standard_objects.hpp>
 #include <jauscat/jaus/component.hpp>
 #include <jauscat/jaus/copy_present.hpp>
+#include <jauscat/jaus/core_service.hpp>
 #include <jauscat/jaus/described_component.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/jaus/event_consumer.hpp>

@@ -187,11 +187,6 @@ template <class Hooks, class... Parts> class component {
         }
         return outcome;
     }
-    static constexpr message_outcome outcome_of(message_outcome outcome) noexcept { return outcome; }
-    static constexpr message_outcome outcome_of(dispatched what) noexcept {
-        if (what == dispatched::unknown) return message_outcome::not_mine;
-        return what == dispatched::malformed ? message_outcome::malformed : message_outcome::taken;
-    }
 
     constexpr void tell_changes() {
         if (const auto from = std::exchange(told_state_, state_.state()); from != told_state_)

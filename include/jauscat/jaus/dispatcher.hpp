@@ -1,6 +1,6 @@
 // From a received message to the handler of its type, in constant time and without a heap.
 #pragma once
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/answer.hpp>
 #include <jauscat/wire/code_index.hpp>
 
 #include <utility>
@@ -9,6 +9,13 @@ namespace jauscat::jaus {
 
 /// What became of a message.
 enum class dispatched : std::uint8_t { handled, unknown, malformed, acknowledgement };
+
+/// What an application made of a message, whether it says so itself or has a dispatcher.
+[[nodiscard]] constexpr message_outcome outcome_of(message_outcome outcome) noexcept { return outcome; }
+[[nodiscard]] constexpr message_outcome outcome_of(dispatched what) noexcept {
+    if (what == dispatched::unknown) return message_outcome::not_mine;
+    return what == dispatched::malformed ? message_outcome::malformed : message_outcome::taken;
+}
 
 namespace detail {
 

@@ -41,10 +41,9 @@ class node_manager {
                 body, [&](const query_identification& query) { return identify(query.query_type, head, body, out); });
         case query_configuration::command_code:
             return decode_for<query_configuration>(body, [&](const query_configuration& query) {
-                const bool of_node = query.query_field == query_field::node_configuration;
-                if (!of_node && query.query_field != query_field::subsystem_configuration)
-                    return message_outcome::refused;
-                return report_components(head, of_node, out);
+                return done(with_components(query.query_field, [&](const report_configuration& report) {
+                    return answer_in_packets(head, self_, report, memory_.report, out);
+                }));
             });
         case query_subsystem_list::command_code:
             return decode_for<query_subsystem_list>(body, [&](const auto&) { return report_subsystems(head, out); });
@@ -82,6 +81,16 @@ class node_manager {
     [[nodiscard]] const presence_table& present() const noexcept { return present_; }
     /// `who` counts as there for good, also if it sends no heartbeats; false when there is no room.
     bool keep(const address& who) noexcept { return present_.keep(who); }
+    /// The body of Report Configuration of the subsystem or the node, at the front of `body`; its size, or nothing
+    /// where `what` is neither or there is no room. For events of this report.
+    std::optional<std::size_t> configuration(query_field what, std::span<std::byte> body) const noexcept {
+        std::optional<std::size_t> used;
+        with_components(what, [&](const report_configuration& report) {
+            if (const wire::result size = wire::encode(report, body)) used = size.size();
+            return used.has_value();
+        });
+        return used;
+    }
     /// Components that were not remembered for want of room, counted at each heartbeat and report.
     [[nodiscard]] std::uint64_t not_remembered() const noexcept { return not_remembered_; }
 
@@ -160,7 +169,10 @@ class node_manager {
         std::ranges::sort(all, {}, key);
         return all.first(static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin()));
     }
-    message_outcome report_components(const header& head, bool of_node, message_sink out) noexcept {
+    // False, and no report, for another field and for want of room; else what `use(report)` says.
+    bool with_components(query_field what, auto&& use) const noexcept {
+        const bool of_node = what == query_field::node_configuration;
+        if (!of_node && what != query_field::subsystem_configuration) return false;
         wire::arena lists{memory_.lists};
         const auto all = collect(
             lists,
@@ -174,15 +186,14 @@ class node_manager {
         std::size_t node_count = 0;
         for (std::size_t i = 0; i != all.size(); ++i) node_count += i == 0 || all[i].node != all[i - 1].node ? 1 : 0;
         auto* const nodes = lists.allocate<configured_node>(node_count);
-        if (all.empty() || components == nullptr || nodes == nullptr) return message_outcome::refused;
+        if (all.empty() || components == nullptr || nodes == nullptr) return false;
         for (std::size_t i = 0, begin = 0, node = 0; i != all.size(); ++i) {
             components[i] = {all[i].component, all[i].instance};
             if (i + 1 != all.size() && all[i + 1].node == all[i].node) continue;
             nodes[node++] = {all[i].node, std::span<const configured_component>{components + begin, i + 1 - begin}};
             begin = i + 1;
         }
-        const report_configuration report{std::span<const configured_node>{nodes, node_count}};
-        return done(answer_in_packets(head, self_, report, memory_.report, out));
+        return use(report_configuration{std::span<const configured_node>{nodes, node_count}});
     }
     // Each subsystem once, by its first node manager if it has one.
     message_outcome report_subsystems(const header& head, message_sink out) noexcept {

@@ -65,7 +65,7 @@ class jaus_node {
         if (id.subsystem != self_.subsystem || id.node != self_.node || (has_manager() && id == self_))
             throw std::invalid_argument{"the component " + to_jausip(id) + " is not one of the node " +
                                         std::to_string(self_.subsystem) + '.' + std::to_string(self_.node)};
-        core_.components.add({component, application});
+        core_.components.add({component, application, std::make_shared<detail::default_answers>(config_, id)});
     }
 
     /// Opens the sockets and begins, after `stop` from the start: who was there is forgotten. Not from within a
@@ -204,10 +204,8 @@ class jaus_node {
     void end_turn() {
         if (running())
             changes_.take([this](const jaus::address& who, bool is_there) {
-                // With its node manager the whole node is gone: nobody hears of its other components from elsewhere.
-                const bool is_node = who.component == 1 && who.instance == 1;
-                if (!is_there)
-                    core_.components.on_lost(is_node ? jaus::address{255, 255, who.node, who.subsystem} : who);
+                manager_->tell_change(who, now(), out_);
+                if (!is_there) core_.components.on_lost(manager_->gone_with(who));
                 const auto& hear = is_there ? options_.appeared : options_.disappeared;
                 if (running() && hear) hear(who);
             });

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <jauscat/jaus/component_outcome.hpp>
+#include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/jaus/large_data_set.hpp>
 #include <jauscat/jaus/message_sink.hpp>
+#include <jauscat/net/detail/default_answers.hpp>
 
 #include <functional>
 #include <vector>
@@ -14,12 +16,16 @@ struct attached_component {
     using time = std::chrono::nanoseconds;
     using bytes = std::span<const std::byte>;
 
-    /// Refers to both.
+    /// Refers to both. `answers` gets what they leave.
     template <class Component, class Application>
-    attached_component(Component& component, Application& application)
+    attached_component(Component& component, Application& application, std::shared_ptr<default_answers> answers = {})
         : self{component.self()},
-          on_message{[&](const jaus::header& head, bytes body, time now, jaus::message_sink out) {
-              return component.on_message(head, body, now, out, application);
+          on_message{[&, answers](const jaus::header& head, bytes body, time now, jaus::message_sink out) {
+              return component.on_message(head, body, now, out, [&](const jaus::header& h, bytes b) {
+                  const auto what = jaus::outcome_of(application(h, b));
+                  const bool is_left = what == jaus::message_outcome::not_mine && answers != nullptr;
+                  return is_left ? answers->on_message(h, b, now, out) : what;
+              });
           }},
           on_time{[&](time now, jaus::message_sink out) { component.on_time(now, out); }},
           next_event{[&] { return component.next_event(); }},

@@ -3,6 +3,7 @@
 
 #include <jauscat/jaus/component.hpp>
 #include <jauscat/jaus/node_manager.hpp>
+#include <jauscat/net/detail/configuration_events.hpp>
 #include <jauscat/net/jaus_config.hpp>
 #include <jauscat/net/jaus_node_options.hpp>
 
@@ -64,13 +65,32 @@ class own_manager {
                     .patience = options.patience,
                     .appeared = changes.appeared,
                     .disappeared = changes.disappeared}},
-          core{self, memory_, hooks_, {}, manager_} {
+          events_{self, manager_},
+          core{self, memory_, hooks_, {}, manager_, events_.part} {
         core.change(jaus::state_event::initialized);
     }
     own_manager(const own_manager&) = delete;
     own_manager& operator=(const own_manager&) = delete;
 
     [[nodiscard]] const jaus::presence_table& present() const noexcept { return manager_.present(); }
+    /// Tells those who asked for it that `who` has appeared or disappeared.
+    void tell_change(const jaus::address& who, std::chrono::nanoseconds now, jaus::message_sink out) {
+        if (who.subsystem == core.self().subsystem) events_.changed(now, out);
+    }
+    /// All that is gone when `who` is no longer heard, with 255 for all of a level: a node with its node manager, and
+    /// of another subsystem what nobody is heard of any more. Its heartbeats are one component's, often the
+    /// communicator's, and nobody hears of its other components.
+    [[nodiscard]] jaus::address gone_with(const jaus::address& who) const noexcept {
+        const bool is_own = who.subsystem == core.self().subsystem;
+        bool of_subsystem = is_own, of_node = is_own;
+        present().for_each([&](const jaus::address& other) {
+            of_subsystem = of_subsystem || other.subsystem == who.subsystem;
+            of_node = of_node || (other.subsystem == who.subsystem && other.node == who.node);
+        });
+        if (!of_subsystem) return {255, 255, 255, who.subsystem};
+        const bool is_manager = who.component == 1 && who.instance == 1;
+        return is_manager || !of_node ? jaus::address{255, 255, who.node, who.subsystem} : who;
+    }
     jaus::message_outcome operator()(const jaus::header&, std::span<const std::byte>) const noexcept {
         return jaus::message_outcome::not_mine;
     }
@@ -110,11 +130,12 @@ class own_manager {
     std::vector<jaus::presence_table::place> presences_;
     std::vector<std::byte> lists_, report_;
     jaus::node_manager manager_;
+    configuration_events events_;
     jaus::component_memory<> memory_{};
     jaus::no_hooks hooks_{};
 
   public:
-    jaus::component<jaus::no_hooks, jaus::node_manager> core;
+    jaus::component<jaus::no_hooks, jaus::node_manager, jaus::events<configuration_events::most>> core;
 };
 
 } // namespace jauscat::net::detail

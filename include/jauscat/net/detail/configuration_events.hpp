@@ -1,0 +1,47 @@
+// Events of a node manager: Report Configuration, whenever components of the subsystem come or go.
+#pragma once
+
+#include <jauscat/jaus/events.hpp>
+#include <jauscat/jaus/node_manager.hpp>
+
+#include <array>
+
+namespace jauscat::net::detail {
+
+/// Node managers and communicators of others create such an event once they have found a node, and rely on it from then
+/// on.
+class configuration_events {
+    struct filler {
+        const jaus::node_manager& manager;
+        std::optional<std::size_t> operator()(std::uint16_t, std::span<const std::byte> query,
+                                              std::span<std::byte> body) const noexcept {
+            jaus::query_configuration wanted{jaus::query_field::subsystem_configuration};
+            if (!query.empty() && !wire::decode(wanted, query)) return std::nullopt;
+            return manager.configuration(wanted.query_field, body);
+        }
+    };
+    static constexpr auto code = jaus::report_configuration::command_code;
+    static constexpr std::array reports{jaus::eventful_report{.command_code = code}};
+
+    filler fill_;
+    std::array<std::byte, 2 * 4096> memory_{};
+    std::array<std::byte, jaus::max_body_size> report_{};
+
+  public:
+    static constexpr std::size_t most = 32;
+
+    configuration_events(const jaus::address& self, const jaus::node_manager& manager)
+        : fill_{manager}, part{self, reports, fill_, memory_} {}
+    configuration_events(const configuration_events&) = delete;
+    configuration_events& operator=(const configuration_events&) = delete;
+
+    /// To be called when a component of the subsystem has appeared or disappeared.
+    void changed(std::chrono::nanoseconds now, jaus::message_sink out) {
+        if (const auto size = fill_(code, {}, report_))
+            part.changed(code, std::span<const std::byte>{report_}.first(*size), now, out);
+    }
+
+    jaus::events<most> part;
+};
+
+} // namespace jauscat::net::detail
