@@ -43,6 +43,7 @@ class slave_component {
         if (head.command_code == jaus::clear_emergency::command_code && what == jaus::component_outcome::taken &&
             core_.state() != jaus::primary_status_code::emergency)
             deliver(head, body, send);
+        if (what == jaus::component_outcome::repeated) say_(std::string{describe(what)});
         initialize(); // after a Reset
         return what;
     }
@@ -84,7 +85,7 @@ class slave_component {
         std::array<std::byte, jauscat::jaus::header_size + jauscat::jaus::max_body_size> message{};
         const auto size = jauscat::jaus::join(head, body, message);
         if (size)
-            say_("received " + jauscat::text::summary(head),
+            say_("received " + jauscat::text::summary(jauscat::jaus::split(bytes{message}.first(size.size())).header),
                  jauscat::text::annotate_message(bytes{message}.first(size.size()), robot_messages{}));
         else
             say_("received " + jauscat::text::message_name(head.command_code) + ", a large data set of " +

@@ -190,11 +190,12 @@ strict_arm() {
 }
 jaus01_prefix_in_front() {
     sed -i 's|</port>|</port><framing>JAUS01.0</framing>|' "$config"
+    master_options+=(--open)
     start_robot
     the_command_arrives
     # A bare message is taken all the same.
-    send_bytes "$controller_port" 0602010001210202012001010100090007
-    wait_for arm "authority 7"
+    send_bytes "$controller_port" 060205040121020201200101040009000100ff3f
+    wait_for arm "raw 16383"
 }
 query_alone() {
     start_robot
@@ -274,7 +275,14 @@ closed_port() {
     says out "FAILED"
 }
 garbage_on_the_sockets() {
+    # Closed, as it is by default, the controller takes nothing from a port that is nobody's: Set Wrench Effort.
     start_robot
+    send_bytes "$controller_port" 160205040121020201200101040009000100ff3f
+    wait_for controller "is refused: wrong sender"
+    says_not controller "received Set Wrench Effort"
+    kill "$controller_pid" && wait "$controller_pid"
+    master_options+=(--open)
+    start_controller
     for port in "$controller_port" "$slave_port"; do
         send_bytes "$port" 00
         send_bytes "$port" 4a41555330312e30
@@ -285,8 +293,7 @@ garbage_on_the_sockets() {
     # A Set Wrench Effort whose presence vector announces more than there is, asking for an acknowledgement.
     send_bytes "$controller_port" 1602050401210202012001010200630000ff0f
     send_bytes "$controller_port" 16020504012102020120010102006300ff0f
-    wait_for controller "dropped 24 bytes"
-    wait_for controller "wrong size"
+    wait_for controller "is refused: malformed"
     wait_for arm "refused the body of Set Wrench Effort"
     wait_for controller "not delivered: value out of range (ulSta 0xC065003B, abort code 0x06090030)"
     wait_for controller "sent Set Wrench Effort (NAK)"
@@ -298,10 +305,10 @@ garbage_on_the_sockets() {
 unknown_node() {
     start_robot
     expect_ocu 1 --to 2.9.33.1 propulsive_linear_effort_x=1
-    says out "was refused (NAK)"
-    says controller "no slave has node 9"
-    expect_ocu 1 --to 2.255.33.1 propulsive_linear_effort_x=1
-    says controller "the destination node names no slave"
+    wait_for controller "-> 2.9.33.1: unroutable: no way to the destination is known"
+    expect_ocu 1 --to 2.2.99.1 propulsive_linear_effort_x=1
+    wait_for controller "-> 2.2.99.1: unroutable: this node has no such component"
+    says_not arm "received"
 }
 other_subsystem() {
     start_robot
@@ -309,21 +316,21 @@ other_subsystem() {
     says out "3.2.33.1"
 }
 large_data_set_is_delivered() {
+    master_options+=(--open)
     start_robot
     local head=160205040121020201200101 # Set Wrench Effort with one field; each packet asks for an acknowledgement
     send_bytes "$controller_port" "${head}0210000001"   # wrong size: dropped
     send_bytes "$controller_port" "${head}021000000100" # the first packet: presence vector
-    wait_for controller "part of a large data set of which packets are missing"
-    wait_for controller "sent Set Wrench Effort (ACK)"
+    sleep 0.2
     says_not controller "translated to"
     send_bytes "$controller_port" "${head}02800100ff3f" # the last packet: the effort
     wait_for controller "ulDataCnt = 12"
     wait_for arm "raw 16383"
     # More than an SDO packet holds.
     send_bytes "$controller_port" "${head}f4110000$(printf '%01000d' 0)"
-    for i in 1 2 3; do send_bytes "$controller_port" "${head}f4210${i}00$(printf '%01000d' 0)"; done
-    wait_for controller "not delivered: the large data set has more bytes or packets than there is room for"
-    wait_for controller "sent Set Wrench Effort (NAK)"
+    for i in 1 2; do send_bytes "$controller_port" "${head}f4210${i}00$(printf '%01000d' 0)"; done
+    send_bytes "$controller_port" "${head}f4810300$(printf '%01000d' 0)"
+    wait_for controller "not delivered: too large"
 }
 small_mailbox() { # of 8 bytes of data in a first message and 15 in a segment
     arm_options=(--mailbox-size 24)
@@ -334,7 +341,7 @@ small_mailbox() { # of 8 bytes of data in a first message and 15 in a segment
     says out "--mailbox-size must be 24 to 1486"
 }
 command_by_process_data() {
-    master_options+=("${cyclic[@]}")
+    master_options+=("${cyclic[@]}" --open)
     start_robot
     wait_for arm "state op, station address 2"
     the_command_arrives
@@ -376,7 +383,8 @@ other_messages_between_cycles() {
     done
     says out "propulsive_linear_effort_x = 0 % (raw 0)"
     expect_ocu 1 propulsive_linear_effort_x=1
-    wait_for arm "in emergency: efforts ignored"
+    wait_for controller "refused: the component is not ready"
+    says_not arm "command 3" # the second one brought it to rest
 }
 arm_restarts_between_cycles() {
     master_options+=("${cyclic[@]}")
@@ -468,6 +476,7 @@ arm_restarts() {
     expect_ocu 1 --timeout 5000 propulsive_linear_effort_x=1
     says out "was refused (NAK)"
     start_arm
+    wait_for controller "slave 2 is in PRE-OP" 2
     the_command_arrives
 }
 ctrl_c() {
