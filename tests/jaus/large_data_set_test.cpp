@@ -25,9 +25,10 @@ struct receiver {
     std::vector<std::size_t> lost{}; ///< packets that each incomplete data set had
 
     reassembled hear(data_flag flag, std::uint16_t number, const std::string& body, std::chrono::nanoseconds now = 0ms,
-                     std::uint8_t sender = 1, std::uint16_t code = 0x4807) {
+                     std::uint8_t sender = 1, std::uint16_t code = 0x4807, jaus::ack_nak wish = jaus::ack_nak::none) {
         const auto bytes = from_hex(body);
-        const jaus::header head{.command_code = code,
+        const jaus::header head{.ack_nak = wish,
+                                .command_code = code,
                                 .source = {sender, 37, 1, 2},
                                 .data_size = static_cast<std::uint16_t>(bytes.size()),
                                 .data_flag = flag,
@@ -215,6 +216,24 @@ TEST_CASE("a straggler of a data set that was handed on is no part of the next o
     }
     REQUIRE(r.whole.size() == 4);
     REQUIRE(r.lost.empty());
+}
+
+TEST_CASE("a last packet that is repeated for want of its acknowledgement begins no data set") {
+    receiver r;
+    const auto hear = [&](data_flag flag, std::uint16_t number, const std::string& body, std::chrono::nanoseconds now) {
+        return r.hear(flag, number, body, now, 1, 0x4807, jaus::ack_nak::request);
+    };
+    REQUIRE(hear(data_flag::first, 0, "01", 0ms) == reassembled::waiting);
+    REQUIRE(hear(data_flag::last, 1, "02", 0ms) == reassembled::whole);
+    REQUIRE(hear(data_flag::last, 1, "02", 1999ms) == reassembled::repeated);
+    // Another one, and the same one again, are received all the same.
+    for (const auto now : {1999ms, 2010ms}) {
+        REQUIRE(hear(data_flag::first, 0, "03", now) == reassembled::waiting);
+        REQUIRE(hear(data_flag::last, 1, "02", now) == reassembled::whole);
+    }
+    REQUIRE(r.whole == texts{"01 02", "03 02", "03 02"});
+    REQUIRE(r.lost.empty());
+    REQUIRE(hear(data_flag::last, 1, "02", 4010ms) == reassembled::waiting);
 }
 
 TEST_CASE("a silent data set gives its place to another") {

@@ -59,6 +59,9 @@ struct reassembly_limits {
     /// So long after a data set is whole, packets equal to its own are taken for stragglers of it, not for parts of an
     /// equal or similar next one. As long as the network may hold packets back, and shorter than senders pause.
     std::chrono::nanoseconds linger{std::chrono::milliseconds{2}};
+    /// The same for a last packet that asks for acknowledgement: its sender repeats it until it gets one, and that may
+    /// be lost. As long as senders repeat.
+    std::chrono::nanoseconds linger_of_repeats{std::chrono::seconds{2}};
 };
 
 /// Puts data sets together by command code and source. Packets may come out of order and more than once.
@@ -166,8 +169,10 @@ class reassembler {
     // Its body still lies in the memory of its place.
     [[nodiscard]] constexpr bool is_straggler(const header& head, std::span<const std::byte> body,
                                               std::chrono::nanoseconds now) const noexcept {
+        const bool repeats = head.data_flag == data_flag::last && head.ack_nak == ack_nak::request;
+        const auto linger = std::max(limits_.linger, repeats ? limits_.linger_of_repeats : limits_.linger);
         return std::ranges::any_of(places_, [&](const partial_data_set& set) {
-            return set.handed_on > head.sequence_number && now - set.last_heard_at < limits_.linger &&
+            return set.handed_on > head.sequence_number && now - set.last_heard_at < linger &&
                    set.header.command_code == head.command_code && set.header.source == head.source &&
                    std::ranges::equal(body_of(set, share(packets_, set)[head.sequence_number]), body);
         });

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <jauscat/net/datagram_gate.hpp>
-#include <jauscat/net/detail/large_data_queue.hpp>
 #include <jauscat/net/detail/node_core.hpp>
 #include <jauscat/net/detail/node_socket.hpp>
 #include <jauscat/net/detail/own_manager.hpp>
@@ -42,7 +41,6 @@ class jaus_node {
           self_{detail::manager_of(config_, options_.node)},
           log_{options_.log, options_.log_limit},
           core_{options_, log_, [this](bytes message, const auto& to) { socket_->post(message, to.to, to.framing); }},
-          large_{options_.most_waiting, options_.large_data_pace},
           timer_{context, [this] { on_time(); }} {
         if (!has_manager()) return;
         make_manager({});
@@ -96,20 +94,21 @@ class jaus_node {
         core_.components.stop();
         timer_.cancel();
         socket_->stop();
-        if (large_.size() != 0)
-            log([&] { return std::to_string(large_.size()) + " large data sets were not sent to their end"; });
-        large_.clear();
+        if (core_.large.size() != 0)
+            log([&] { return std::to_string(core_.large.size()) + " large data sets were not sent to their end"; });
+        core_.large.clear();
         changes_.clear();
     }
     [[nodiscard]] bool running() const noexcept { return running_; }
 
     /// Sends a message of a component of this node; one of more than 4080 bytes of body as a large data set, bit by
-    /// bit. Only `destination`, `source`, `command_code`, `ack_nak`, `priority` and `sequence_number` of `head` count.
+    /// bit; where `ack_nak` asks for acknowledgement its packets are repeated until they have it. Only `destination`,
+    /// `source`, `command_code`, `ack_nak`, `priority` and `sequence_number` of `head` count.
     outcome send(jaus::header head, bytes body) {
         if (!running()) return outcome{"the node is not running"};
         head.data_flag = jaus::data_flag::only;
         if (body.size() > jaus::max_body_size) {
-            const auto what = large_.push(head, body);
+            const auto what = core_.large.push(head, body);
             if (what != jaus::errc::ok)
                 return outcome{"a large data set is not sent: " + std::string{what == jaus::errc::no_space
                                                                                   ? "too many bytes wait to be sent"
@@ -197,7 +196,7 @@ class jaus_node {
     void on_time() {
         core_.turn(now(), out_, [&] {
             core_.components.on_time(now(), out_);
-            if (running()) large_.on_time(now(), out_);
+            if (running()) core_.large.on_time(now(), out_, options_.large_data_done);
         });
         end_turn();
     }
@@ -213,7 +212,7 @@ class jaus_node {
     }
     void arm_for_next() {
         time next = core_.components.next_event().value_or(time::max());
-        next = std::min(next, large_.next_event().value_or(next));
+        next = std::min(next, core_.large.next_event().value_or(next));
         if (core_.has_more()) next = now();
         if (next != time::max()) arm(std::max(next, now()));
     }
@@ -232,7 +231,6 @@ class jaus_node {
     jaus::address self_; ///< of the node manager
     limited_log log_;
     detail::node_core core_; ///< of its components the node manager is the first
-    detail::large_data_queue large_;
     detail::wake_timer timer_;
     component_output out_{*this};
     detail::presence_changes changes_{};

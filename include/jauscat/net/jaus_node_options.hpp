@@ -1,6 +1,7 @@
 // How a JAUS node behaves, and whom it tells what.
 #pragma once
 
+#include <jauscat/jaus/acknowledged_sender.hpp>
 #include <jauscat/jaus/component_outcome.hpp>
 #include <jauscat/jaus/node_description.hpp>
 #include <jauscat/net/access_list.hpp>
@@ -36,6 +37,8 @@ struct jaus_node_options {
     std::chrono::nanoseconds large_data_patience{std::chrono::seconds{5}};
     /// How fast large data sets are sent, in packets of 4 KiB each millisecond.
     unsigned large_data_pace{4};
+    /// How their packets are repeated where `ack_nak` of the header asks for acknowledgement.
+    jaus::acknowledgement_options large_data_acknowledgement{.timeout = std::chrono::milliseconds{50}, .retries = 20};
     /// Bytes of large data sets that may wait to be sent, and of messages between components of the node.
     std::size_t most_waiting{std::size_t{16} << 20U};
 
@@ -48,6 +51,9 @@ struct jaus_node_options {
         seen{};
     /// The node manager has heard of a component for the first time, or no longer hears it.
     std::function<void(const jaus::address&who)> appeared{}, disappeared{};
+    /// What became of a large data set that asked for acknowledgement: each of its packets has its ACK, one of them a
+    /// NAK, or one of them no answer. The last packet's is what the receiving component made of the whole.
+    std::function<void(const jaus::header& head, jaus::delivered what)> large_data_done{};
 };
 
 } // namespace jauscat::net

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace jauscat::net::detail {
@@ -31,7 +32,7 @@ class node_components {
 
     node_components(const jaus_node_options& options, limited_log& log) : options_{options}, log_{log} {}
 
-    void add(attached_component component) { all_.push_back({std::move(component), nullptr}); }
+    void add(attached_component component) { all_.push_back({std::move(component), nullptr, {}}); }
     void replace(std::size_t place, attached_component component) { all_[place].it = std::move(component); }
     [[nodiscard]] std::vector<jaus::address> addresses() const {
         std::vector<jaus::address> list;
@@ -85,8 +86,16 @@ class node_components {
             log_(now, [&] { return in_text(head) + ": refused: " + std::string{describe(what)}; });
         if (what == reassembled::waiting) stale_at_ = std::min(stale_at_, now + options_.large_data_patience);
         if (head.ack_nak != jaus::ack_nak::request || !jaus::names_one_component(head.destination)) return;
-        const bool kept =
-            what == reassembled::waiting || what == reassembled::repeated || (what == reassembled::whole && taken);
+        auto& refused = all_[to].refused;
+        const auto is_of = [&](const jaus::header& other) {
+            return other.source == head.source && other.command_code == head.command_code;
+        };
+        if (what == reassembled::whole && !taken) refused = head;
+        // Its sender has not got the NAK.
+        const bool again = what == reassembled::repeated && refused && is_of(*refused) &&
+                           refused->sequence_number == head.sequence_number;
+        if (what == reassembled::waiting && refused && is_of(*refused)) refused.reset(); // another one
+        const bool kept = (what == reassembled::waiting || what == reassembled::repeated || taken) && !again;
         jaus::acknowledge(head, all_[to].it.self, kept ? jaus::ack_nak::ack : jaus::ack_nak::nak, out);
     }
 
@@ -115,6 +124,7 @@ class node_components {
     struct entry {
         attached_component it;
         std::unique_ptr<large_data_memory> large;
+        std::optional<jaus::header> refused{}; ///< the packet that made a large data set whole, which was refused
     };
 
     jaus::component_outcome give(attached_component& to, const jaus::header& head, bytes body, time now,

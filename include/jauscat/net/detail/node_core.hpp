@@ -1,6 +1,7 @@
 // What a node does with messages, without sockets: they are routed to components and neighbours.
 #pragma once
 
+#include <jauscat/net/detail/large_data_queue.hpp>
 #include <jauscat/net/detail/local_queue.hpp>
 #include <jauscat/net/detail/node_components.hpp>
 #include <jauscat/net/detail/node_routes.hpp>
@@ -18,7 +19,11 @@ class node_core {
     using send_handler = std::function<void(bytes message, const node_routes::neighbour& to)>;
 
     node_core(const jaus_node_options& options, limited_log& log, send_handler send)
-        : log_{log}, send_{std::move(send)}, local_{options.most_waiting}, components{options, log} {}
+        : large{options.most_waiting, options.large_data_pace, options.large_data_acknowledgement},
+          log_{log},
+          send_{std::move(send)},
+          local_{options.most_waiting},
+          components{options, log} {}
 
     /// `strangers`: see node_routes. Throws `config_error`.
     void start(const jaus_config& config, const jaus::address& manager, std::uint8_t primary,
@@ -48,7 +53,7 @@ class node_core {
         to_here_.clear();
         const auto what = route(message, m.header, from, now, [&](std::uint16_t to) { to_here_.push_back(to); });
         turn(now, out, [&] {
-            for (const auto to : to_here_) components.hand_on(to, m.header, m.body, now, out);
+            for (const auto to : to_here_) hand_on(to, m.header, m.body, now, out);
         });
         return what;
     }
@@ -63,7 +68,7 @@ class node_core {
         for (int round = 0; !local_.empty() && round != most_rounds; ++round)
             local_.hand_on([&](std::uint16_t to, bytes message) {
                 const auto m = jaus::split(message);
-                components.hand_on(to, m.header, m.body, now, out);
+                hand_on(to, m.header, m.body, now, out);
             });
     }
     void tell(const jaus::header& head, const jaus::routing& what, time now) {
@@ -71,7 +76,13 @@ class node_core {
         log_(now, [&] { return in_text(head) + ": " + std::string{describe(what.outcome)}; });
     }
 
+    large_data_queue large;
+
   private:
+    void hand_on(std::uint16_t to, const jaus::header& head, bytes body, time now, jaus::message_sink out) {
+        if (jaus::is_acknowledgement(head) && large.on_acknowledgement(head, now)) return;
+        components.hand_on(to, head, body, now, out);
+    }
     jaus::routing route(bytes message, const jaus::header& head, jaus::hop from, time now, auto&& to_component) {
         return router_->route(
             head, from, [&](std::uint16_t component, const jaus::address&) { to_component(component); },

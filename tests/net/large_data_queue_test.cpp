@@ -1,0 +1,225 @@
+// Large data sets on their way out, repeated packet by packet over a bad network, in simulated time.
+#include "support/catch.hpp"
+#include <jauscat/jaus/component.hpp>
+#include <jauscat/jaus/large_data_set.hpp>
+#include <jauscat/net/detail/large_data_queue.hpp>
+#include <jauscat/net/detail/node_components.hpp>
+
+#include <map>
+#include <random>
+
+namespace {
+
+namespace jaus = jauscat::jaus;
+using jauscat::net::detail::large_data_queue;
+using namespace std::chrono_literals;
+using bytes = std::vector<std::byte>;
+using nanoseconds = std::chrono::nanoseconds;
+
+constexpr jaus::address camera{1, 40, 1, 1}, screen{1, 32, 1, 2};
+constexpr jaus::header head{
+    .ack_nak = jaus::ack_nak::request, .command_code = 0xD111, .destination = screen, .source = camera};
+
+struct conditions {
+    unsigned loss{};       ///< percent, each way
+    nanoseconds longest{}; ///< that a datagram is on its way
+    bool takes{true};      ///< what the receiver makes of a whole data set
+    bool receiver_is_there{true};
+};
+
+/// A sender, a receiver that acknowledges each packet, and a network between them that loses and delays.
+struct transfer {
+    explicit transfer(const conditions& c) : network{c} {}
+
+    conditions network;
+    large_data_queue queue{std::size_t{1} << 20U, 4, {.timeout = 50ms, .retries = 20}};
+    std::vector<bytes> arrived{};
+    std::vector<jaus::delivered> outcomes{};
+    std::size_t packets{};
+
+    void run(nanoseconds end) {
+        while (now < end) {
+            queue.on_time(
+                now, [&](std::span<const std::byte> packet) { ++packets, put(packet, to_receiver); },
+                [&](const jaus::header& of, jaus::delivered what) {
+                    CHECK(of.command_code == head.command_code);
+                    outcomes.push_back(what);
+                });
+            arrive(to_receiver, [&](const jaus::header& h, std::span<const std::byte> body) { receive(h, body); });
+            arrive(to_sender,
+                   [&](const jaus::header& h, std::span<const std::byte>) { queue.on_acknowledgement(h, now); });
+            if (queue.size() == 0) break;
+            now += 500us;
+        }
+    }
+
+    nanoseconds now{};
+
+  private:
+    using wire = std::multimap<nanoseconds, bytes>;
+
+    void put(std::span<const std::byte> packet, wire& on) {
+        if (random() % 100 < network.loss) return;
+        const auto takes_time =
+            network.longest == 0ns ? 0ns : nanoseconds{random() % static_cast<unsigned>(network.longest.count())};
+        on.emplace(now + takes_time, bytes(packet.begin(), packet.end()));
+    }
+    void arrive(wire& from, auto&& use) {
+        while (!from.empty() && from.begin()->first <= now) {
+            const bytes packet = from.extract(from.begin()).mapped();
+            const auto m = jaus::split(packet);
+            REQUIRE(m);
+            use(m.header, m.body);
+        }
+    }
+    void receive(const jaus::header& h, std::span<const std::byte> body) {
+        if (!network.receiver_is_there) return;
+        bool kept = true;
+        const auto what = large.on_packet(
+            h, body, now,
+            [&](const jaus::header&, std::span<const std::byte> whole) {
+                arrived.emplace_back(whole.begin(), whole.end());
+                kept = network.takes;
+            },
+            [](const jaus::partial_data_set&) { FAIL_CHECK("a data set was given up"); });
+        kept = kept && what != jaus::reassembled::no_room && what != jaus::reassembled::too_large;
+        jaus::acknowledge(h, screen, kept ? jaus::ack_nak::ack : jaus::ack_nak::nak,
+                          [&](std::span<const std::byte> answer) { put(answer, to_sender); });
+    }
+
+    std::mt19937 random{5};
+    wire to_receiver{}, to_sender{};
+    std::array<jaus::partial_data_set, 4> places{};
+    std::vector<jaus::held_packet> held = std::vector<jaus::held_packet>(4 * 64);
+    bytes memory = bytes(4 * 64 * jaus::max_body_size);
+    jaus::reassembler large{places, held, memory, 5s};
+};
+
+bytes image(std::size_t size, unsigned seed) {
+    std::mt19937 random{seed};
+    bytes made(size);
+    for (auto& b : made) b = static_cast<std::byte>(random());
+    return made;
+}
+
+} // namespace
+
+TEST_CASE("large data sets arrive once each, in order, although datagrams get lost and overtake each other") {
+    transfer t{conditions{.loss = 20, .longest = 3ms}};
+    std::vector<bytes> sent;
+    for (unsigned i = 0; i != 60; ++i) {
+        // Some are equal to the one before, some differ in one packet only.
+        bytes one = image(i % 3 == 0 ? 5'000 : 150'000, i % 5 < 2 ? 1 : i);
+        if (i % 7 == 0) one[4500] ^= std::byte{1};
+        REQUIRE(t.queue.push(head, one) == jaus::errc::ok);
+        sent.push_back(std::move(one));
+        t.run(t.now + 20s);
+        REQUIRE(t.queue.size() == 0);
+    }
+    REQUIRE(t.arrived == sent);
+    REQUIRE(t.outcomes == std::vector(60, jaus::delivered::acknowledged));
+}
+
+TEST_CASE("a good network carries each packet of a large data set once") {
+    transfer t{conditions{}};
+    for (unsigned i = 0; i != 4; ++i) REQUIRE(t.queue.push(head, image(150'000, i)) == jaus::errc::ok);
+    t.run(20s);
+    REQUIRE(t.arrived.size() == 4);
+    REQUIRE(t.packets == 4 * 37);
+    REQUIRE(t.now < 4 * (37ms / 4 + 12ms));
+}
+
+TEST_CASE("a large data set without an answer is given up after its retries, and the next one goes on") {
+    transfer t{conditions{.receiver_is_there = false}};
+    REQUIRE(t.queue.push(head, image(150'000, 1)) == jaus::errc::ok);
+    t.run(20s);
+    REQUIRE(t.outcomes == std::vector{jaus::delivered::timed_out});
+    REQUIRE(t.packets == 21); // the first, and nothing behind it
+    REQUIRE(t.now >= 21 * 50ms);
+    t.network.receiver_is_there = true;
+    REQUIRE(t.queue.push(head, image(150'000, 2)) == jaus::errc::ok);
+    t.run(40s);
+    REQUIRE(t.arrived.size() == 1);
+    REQUIRE(t.arrived.front() == image(150'000, 2));
+    REQUIRE(t.outcomes.back() == jaus::delivered::acknowledged);
+}
+
+TEST_CASE("a large data set that is refused ends with the first NAK") {
+    transfer refused{conditions{.takes = false}};
+    REQUIRE(refused.queue.push(head, image(20'000, 1)) == jaus::errc::ok);
+    refused.run(20s);
+    REQUIRE(refused.outcomes == std::vector{jaus::delivered::refused});
+    REQUIRE(refused.now < 100ms);
+}
+
+TEST_CASE("what asks for no acknowledgement, or goes to all of a level, is sent once and waited for by nobody") {
+    transfer t{conditions{.receiver_is_there = false}};
+    auto other = head;
+    other.ack_nak = jaus::ack_nak::none;
+    REQUIRE(t.queue.push(other, image(20'000, 1)) == jaus::errc::ok);
+    other = head;
+    other.destination.subsystem = 255;
+    REQUIRE(t.queue.push(other, image(20'000, 1)) == jaus::errc::ok);
+    t.run(20s);
+    REQUIRE(t.packets == 2 * 5);
+    REQUIRE(t.outcomes.empty());
+    REQUIRE(t.now < 100ms);
+}
+
+TEST_CASE("acknowledgements of others are not the queue's") {
+    large_data_queue queue{100'000, 4, {}};
+    const auto answer = [](jaus::header to) {
+        to = jaus::answer_to(to);
+        to.command_code = head.command_code;
+        to.ack_nak = jaus::ack_nak::ack;
+        return to;
+    };
+    REQUIRE_FALSE(queue.on_acknowledgement(answer(head), 0ns));
+    REQUIRE(queue.push(head, image(20'000, 1)) == jaus::errc::ok);
+    auto other = head;
+    other.destination.component = 99;
+    REQUIRE_FALSE(queue.on_acknowledgement(answer(other), 0ns));
+    other = head;
+    other.sequence_number = 5; // of 0 to 4
+    REQUIRE_FALSE(queue.on_acknowledgement(answer(other), 0ns));
+    REQUIRE(queue.on_acknowledgement(answer(head), 0ns));
+    REQUIRE(queue.push(head, image(100'000, 1)) == jaus::errc::no_space);
+}
+
+TEST_CASE("a large data set that the component refused is refused again when the NAK was lost") {
+    jaus::component_memory<> memory{};
+    jaus::no_hooks hooks{};
+    jaus::component core{screen, memory, hooks, {}};
+    unsigned count = 0;
+    auto application = [&](const jaus::header&, std::span<const std::byte>) {
+        return ++count % 2 == 1 ? jaus::message_outcome::refused : jaus::message_outcome::taken;
+    };
+    const jauscat::net::jaus_node_options options{};
+    jauscat::net::limited_log log{{}};
+    jauscat::net::detail::node_components components{options, log};
+    components.add({core, application});
+    components.start(1U << 20U, false);
+    nanoseconds now{};
+    const auto answer_to = [&](jaus::data_flag flag, std::uint16_t number, std::byte content) {
+        auto packet = head;
+        packet.data_flag = flag;
+        packet.sequence_number = number;
+        jaus::ack_nak what{};
+        components.hand_on(0, packet, std::span{&content, 1}, now += 10ms, [&](std::span<const std::byte> message) {
+            const auto m = jaus::split(message);
+            REQUIRE(m);
+            REQUIRE(m.header.sequence_number == number);
+            what = m.header.ack_nak;
+        });
+        return what;
+    };
+    using enum jaus::data_flag;
+    REQUIRE(answer_to(first, 0, std::byte{1}) == jaus::ack_nak::ack);
+    REQUIRE(answer_to(last, 1, std::byte{2}) == jaus::ack_nak::nak);
+    REQUIRE(answer_to(last, 1, std::byte{2}) == jaus::ack_nak::nak);
+    // The next one is taken.
+    REQUIRE(answer_to(first, 0, std::byte{1}) == jaus::ack_nak::ack);
+    REQUIRE(answer_to(last, 1, std::byte{2}) == jaus::ack_nak::ack);
+    REQUIRE(answer_to(last, 1, std::byte{2}) == jaus::ack_nak::ack);
+    REQUIRE(count == 2);
+}

@@ -1,0 +1,376 @@
+// The two programs of the soak: a robot that obeys, and an operator with a supervisor who takes control from him.
+#pragma once
+
+#include "soak/large_traffic.hpp"
+#include "soak/ledger.hpp"
+#include <jauscat/jaus/component.hpp>
+#include <jauscat/jaus/held_control.hpp>
+#include <jauscat/net/jaus_node.hpp>
+#include <jauscat/net/latency_histogram.hpp>
+
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace soak {
+
+using namespace std::chrono_literals;
+using std::chrono::nanoseconds;
+
+constexpr jaus::address operator_id{1, 32, 1, 1}, supervisor_id{1, 34, 1, 1}, robot_id{1, 33, 1, 2};
+
+/// What both ends have: a thread, a node that notices whom it hears, large data sets.
+class end {
+  public:
+    end(const net::jaus_config& config, const jaus::address& self, const jaus::address& other)
+        : large{self, other}, node_{context_, config, options()} {}
+    end(const end&) = delete;
+    end& operator=(const end&) = delete;
+    virtual ~end() = default;
+
+    void start() {
+        node_.start();
+        thread_ = std::thread{[this] {
+            try {
+                context_.run();
+            } catch (const std::exception& error) {
+                note(std::string{"ended: "} + error.what());
+            }
+        }};
+    }
+    /// In the end's own thread; returns when it is done.
+    void call(std::function<void()> work) {
+        std::promise<void> done;
+        boost::asio::post(context_, [&] {
+            work();
+            done.set_value();
+        });
+        done.get_future().wait();
+    }
+    void stop() {
+        if (!thread_.joinable()) return;
+        call([this] {
+            stopped();
+            node_.stop();
+        });
+        thread_.join();
+    }
+    [[nodiscard]] net::udp_counters counts() {
+        net::udp_counters found{};
+        call([&] { found = node_.counts(); });
+        return found;
+    }
+    [[nodiscard]] std::vector<std::string> notes() {
+        const std::lock_guard lock{mutex_};
+        return notes_;
+    }
+
+    large_traffic large;
+    std::atomic<unsigned> appeared{}, disappeared{};
+    std::atomic<std::uint64_t> heartbeats{};
+
+  protected:
+    virtual void stopped() = 0;
+
+    /// The first lines are kept: of thousands of one kind nobody reads the last.
+    void note(std::string line) {
+        const std::lock_guard lock{mutex_};
+        if (notes_.size() < 20) notes_.push_back(std::move(line));
+    }
+
+    boost::asio::io_context context_{1};
+
+  private:
+    net::jaus_node_options options() {
+        net::jaus_node_options made{};
+        made.beat.period = 200ms;
+        made.patience = 2s; // 9 of 10 heartbeats may be lost
+        made.socket.receive_buffer = std::size_t{4} << 20U;
+        made.log = [this](std::string_view line) {
+            // The scene has such.
+            if (line.find("the sender does not control the component") == line.npos) note(std::string{line});
+        };
+        made.appeared = [this](const jaus::address&) { ++appeared; };
+        made.disappeared = [this](const jaus::address&) { ++disappeared; };
+        made.seen = [this](const jaus::address&, const jaus::header& head, std::span<const std::byte>,
+                           jaus::component_outcome) {
+            if (head.command_code == jaus::report_heartbeat_pulse::command_code) ++heartbeats;
+        };
+        made.large_data_done = [this](const jaus::header&, jaus::delivered what) { large.done(what); };
+        return made;
+    }
+
+    std::mutex mutex_{};
+    std::vector<std::string> notes_{};
+    std::thread thread_{};
+
+  protected:
+    net::jaus_node node_;
+};
+
+/// What comes large is for `large`.
+inline jaus::message_outcome take_large(large_traffic& large, const jaus::header& head,
+                                        std::span<const std::byte> body) {
+    if (head.command_code != image_code) return jaus::message_outcome::not_mine;
+    large.received(body);
+    return jaus::message_outcome::taken;
+}
+
+/// Applies efforts, and remembers who has controlled it.
+class robot_end : public end {
+  public:
+    robot_end(const net::jaus_config& config, ledger& book) : end{config, robot_id, operator_id}, book_{book} {
+        core_.change(jaus::state_event::initialized);
+        node_.add(core_, application_);
+    }
+    ~robot_end() override { stop(); }
+
+    void send_large() {
+        call([this] { large.send(node_); });
+    }
+    /// Nobody has no address.
+    [[nodiscard]] std::vector<std::optional<jaus::address>> controllers() {
+        std::vector<std::optional<jaus::address>> found;
+        call([&] { found = controllers_; });
+        return found;
+    }
+    [[nodiscard]] std::uint64_t count(jaus::component_outcome what) {
+        std::uint64_t found{};
+        call([&] { found = core_.count(what); });
+        return found;
+    }
+
+    std::atomic<std::uint64_t> applied{};
+
+  private:
+    void stopped() override {}
+
+    struct hooks_type {
+        robot_end& mine;
+        void on_controller(const std::optional<jaus::controller>& now) {
+            mine.controllers_.push_back(now ? std::optional{now->address} : std::nullopt);
+        }
+    } hooks_{*this};
+    struct handler {
+        robot_end& mine;
+        jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) const {
+            if (head.command_code != jaus::set_wrench_effort::command_code) return take_large(mine.large, head, body);
+            return jaus::decode_for<jaus::set_wrench_effort>(body, [&](const jaus::set_wrench_effort& effort) {
+                mine.book_.applied(number_of(effort));
+                ++mine.applied;
+            });
+        }
+    } application_{*this};
+
+    ledger& book_;
+    std::vector<std::optional<jaus::address>> controllers_{};
+    // 1000 a second for two seconds are at most half of what can be remembered.
+    jaus::component_memory<16, 256, 5000> memory_{};
+    jaus::component<hooks_type> core_{robot_id, memory_, hooks_, {}};
+};
+
+/// One who wants to control the robot. Commands are repeated for 1.5 s, which outlasts the stalls of a busy machine.
+struct commander {
+    struct hooks_type {
+        std::function<void(const jaus::awaited_message&, jaus::delivered)> tell;
+        void on_delivered(const jaus::awaited_message& m, jaus::delivered what) const { tell(m, what); }
+    };
+    struct handler {
+        large_traffic& large;
+        jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) const {
+            return take_large(large, head, body);
+        }
+    };
+
+    commander(const jaus::address& self, large_traffic& large,
+              std::function<void(const jaus::awaited_message&, jaus::delivered)> tell)
+        : hooks{std::move(tell)},
+          application{large},
+          control{self, robot_id, {.patience = 100ms, .requests = 10, .renewal = 250ms}},
+          core{self, memory, hooks, {.acknowledgement = {.timeout = 50ms, .retries = 29}}, control} {
+        core.change(jaus::state_event::initialized);
+    }
+
+    hooks_type hooks;
+    handler application;
+    jaus::held_control control;
+    jaus::component_memory<512, 64, 64> memory{};
+    jaus::component<hooks_type, jaus::held_control> core;
+    /// By the sequence number of what waits for its acknowledgement.
+    struct sent_effort {
+        std::uint32_t number{};
+        nanoseconds at{};
+    };
+    std::vector<sent_effort> efforts = std::vector<sent_effort>(65536);
+    std::optional<jaus::delivered> released{}; ///< what became of the last Release Component Control
+};
+
+/// Commands 1000 efforts each second, and plays the same scene again and again: control is taken, lost to the
+/// supervisor, refused, given back and released.
+class operator_end : public end {
+  public:
+    operator_end(const net::jaus_config& config, ledger& book, unsigned cycles)
+        : end{config, operator_id, robot_id}, book_{book}, left_{cycles} {
+        node_.add(operator_.core, operator_.application);
+        node_.add(supervisor_.core, supervisor_.application);
+    }
+    ~operator_end() override { stop(); }
+
+    static constexpr std::chrono::milliseconds cycle{10'000};
+
+    void begin() {
+        call([this] {
+            started_ = due_ = net::jaus_node::now();
+            tick();
+        });
+    }
+    /// After the last cycle, when every effort has its outcome and the operator has control again.
+    std::atomic<bool> done{};
+    std::atomic<std::uint64_t> sent{}, delivered{}, held_back{};
+
+    /// Send no more; what is under way is brought to its end.
+    void end_early() {
+        call([this] { left_ = 0; });
+    }
+    void send_large() {
+        call([this] { large.send(node_); });
+    }
+    [[nodiscard]] std::vector<std::string> failures() {
+        std::vector<std::string> found;
+        call([&] { found = failures_; });
+        return found;
+    }
+    /// Of acknowledged efforts: all, and those that were not repeated. Read when the end is stopped.
+    net::latency_histogram latency{}, first_try{};
+    /// From the beginning of a step of the scene until it was so.
+    net::latency_histogram steps{};
+    unsigned cycles_done{};
+
+  private:
+    using state = jaus::control_state;
+    struct step {
+        std::chrono::milliseconds at;
+        const char* what;
+        std::function<void()> act;
+        std::function<bool()> so;
+    };
+
+    void stopped() override { timer_.cancel(); }
+
+    void tick() {
+        const auto now = net::jaus_node::now();
+        for (; due_ <= now; due_ += 1ms)
+            if (!finishing_) command(now);
+        play(now);
+        timer_.expires_at(boost::asio::steady_timer::time_point{
+            std::chrono::duration_cast<boost::asio::steady_timer::duration>(due_)});
+        timer_.async_wait([this](boost::system::error_code error) {
+            if (!error) tick();
+        });
+    }
+    void command(nanoseconds now) {
+        const bool hijacks = now < hijack_until_;
+        auto& who = supervisor_.control.state() == state::held && !hijacks ? supervisor_ : operator_;
+        const auto number = book_.next(hijacks);
+        if (!number) return;
+        const auto result = who.core.send({.destination = robot_id}, effort_of(*number), now, node_.out());
+        if (!result) { // as many wait as there are places: the next tick brings another
+            book_.take_back();
+            ++held_back;
+            return;
+        }
+        who.efforts[result.sequence_number] = {*number, now};
+        ++sent;
+    }
+    void on_delivered(commander& who, const jaus::awaited_message& m, jaus::delivered what) {
+        if (m.header.command_code != jaus::set_wrench_effort::command_code) {
+            who.released = what;
+            return;
+        }
+        const auto& [number, at] = who.efforts[m.header.sequence_number];
+        book_.delivered(number, what);
+        ++delivered;
+        if (what != jaus::delivered::acknowledged) return;
+        const auto took = net::jaus_node::now() - at;
+        latency.add(took);
+        if (m.sent == 1) first_try.add(took);
+    }
+
+    void play(nanoseconds now) {
+        if (waits_) {
+            if (script_[next_ - 1].so()) {
+                steps.add(now - step_at_);
+                waits_ = false;
+            } else if (now - step_at_ > 1s) {
+                failures_.push_back(std::string{script_[next_ - 1].what} + " did not come within 1 s in cycle " +
+                                    std::to_string(cycles_done + 1));
+                waits_ = false;
+            } else
+                return;
+        }
+        if (next_ == script_.size() && now - started_ >= cycle) {
+            next_ = 0;
+            started_ += cycle;
+            ++cycles_done;
+            if (left_ != 0) --left_;
+        }
+        if (left_ == 0 && next_ == 0) return finish(now);
+        if (next_ == script_.size() || now - started_ < script_[next_].at) return;
+        step_at_ = now;
+        waits_ = true;
+        script_[next_++].act();
+    }
+    void finish(nanoseconds now) {
+        if (!finishing_) operator_.control.ask(5, now, node_.out());
+        finishing_ = true;
+        if (operator_.core.waiting() + supervisor_.core.waiting() == 0 && operator_.control.state() != state::asking)
+            done = true;
+    }
+    // A plain release may be lost; this one is repeated.
+    void release(commander& who) {
+        who.released.reset();
+        who.core.send({.destination = robot_id}, jaus::release_component_control{}, net::jaus_node::now(), node_.out());
+        who.control.release([](std::span<const std::byte>) {});
+    }
+
+    ledger& book_;
+    boost::asio::steady_timer timer_{context_};
+    commander operator_{operator_id, large, [this](const auto& m, auto what) { on_delivered(operator_, m, what); }};
+    commander supervisor_{supervisor_id, large,
+                          [this](const auto& m, auto what) { on_delivered(supervisor_, m, what); }};
+    std::vector<step> script_{
+        {0ms, "control for the operator", [this] { operator_.control.ask(5, net::jaus_node::now(), node_.out()); },
+         [this] { return operator_.control.state() == state::held; }},
+        {2000ms, "control for the supervisor, and the operator's loss of it",
+         [this] { supervisor_.control.ask(200, net::jaus_node::now(), node_.out()); },
+         [this] { return supervisor_.control.state() == state::held && operator_.control.state() == state::lost; }},
+        {3500ms, "a refusal for the operator, who asks again",
+         [this] { operator_.control.ask(5, net::jaus_node::now(), node_.out()); },
+         [this] { return operator_.control.state() == state::refused; }},
+        {5000ms, "commands of the operator, who has no control",
+         [this] { hijack_until_ = net::jaus_node::now() + 50ms; },
+         [this] { return net::jaus_node::now() > hijack_until_ + 300ms; }},
+        {6500ms, "the supervisor's release", [this] { release(supervisor_); },
+         [this] { return supervisor_.released == jaus::delivered::acknowledged; }},
+        {8000ms, "control back to the operator",
+         [this] { operator_.control.ask(5, net::jaus_node::now(), node_.out()); },
+         [this] { return operator_.control.state() == state::held; }},
+        {9000ms, "the operator's release", [this] { release(operator_); },
+         [this] { return operator_.released == jaus::delivered::acknowledged; }},
+    };
+    std::size_t next_{};
+    bool waits_{}, finishing_{};
+    nanoseconds started_{}, due_{}, step_at_{}, hijack_until_{};
+    unsigned left_{};
+    std::vector<std::string> failures_{};
+};
+
+} // namespace soak

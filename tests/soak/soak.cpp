@@ -1,0 +1,292 @@
+// Two nodes that talk over a bad network for a long time. What must not happen: a command that is acknowledged and not
+// done, or done twice; a heartbeat missed; control that is not as it was given; memory that grows.
+#include "net/allocations.hpp"
+#include "soak/ends.hpp"
+#include "soak/memory.hpp"
+#include "soak/relay.hpp"
+
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <string_view>
+
+namespace {
+
+using namespace soak;
+using std::chrono::seconds;
+
+constexpr const char* help =
+    R"(soak [SECONDS] [--loss PERCENT] [--seed NUMBER]
+
+A robot and an operator, each a JAUS node with a thread of its own, joined over the loopback interface by a relay that
+loses datagrams. For SECONDS (600; in steps of 10, at least 20) there are, at the same time:
+  1000 Set Wrench Effort each second, acknowledged, each with a value of its own
+  heartbeats both ways, 5 each second
+  large data sets both ways, 64 KiB to 1 MiB, 3 each second, acknowledged
+  control of the robot, which is requested, taken over by a higher authority, given back and released, every 10 s
+At the end the relay is cut, which both must notice. Ctrl-C ends the run early, and the checks are made all the same.
+
+  --loss PERCENT   of datagrams that the relay loses each way, 0 to 20; 1 unless given
+  --seed NUMBER    which ones it loses; 1 unless given
+
+Exit code: 0 all was as it must be; 1 something was not; 2 wrong arguments.
+
+Examples:
+  soak                 10 minutes
+  soak 30              half a minute
+  soak 60 --loss 5     a worse network
+)";
+
+std::atomic<bool> interrupted{false};
+
+struct arguments {
+    unsigned seconds{600}, loss{1}, seed{1};
+};
+
+std::optional<arguments> read(int argc, char** argv) {
+    arguments found{};
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view text{argv[i]};
+        unsigned* into = &found.seconds;
+        if (text == "--loss" || text == "--seed") {
+            into = text == "--loss" ? &found.loss : &found.seed;
+            if (++i == argc) return {};
+        }
+        const std::string_view number{argv[i]};
+        const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), *into);
+        if (error != std::errc{} || stop != number.data() + number.size()) return {};
+    }
+    if (found.seconds == 0 || found.seconds > 86'400 || found.loss > 20) return {};
+    found.seconds = std::max(20U, (found.seconds + 9) / 10 * 10);
+    return found;
+}
+
+/// A port that nobody has now.
+std::uint16_t free_port() {
+    boost::asio::io_context context;
+    return udp::socket{context, loopback()}.local_endpoint().port();
+}
+
+/// This end listens at `own`; it finds the other at `other`, which is a port of the relay.
+net::jaus_config config(bool of_robot, std::uint16_t own, std::uint16_t other) {
+    const auto ip = boost::asio::ip::make_address("127.0.0.1");
+    net::system_entry op{.name = "operator", .jausip = {.subsystem = 1}, .ip = ip, .port = of_robot ? other : own};
+    net::system_entry robot{.name = "robot", .jausip = {.subsystem = 2}, .ip = ip, .port = of_robot ? own : other};
+    // Two data sets of 1 MiB and more at a time, for each of two components.
+    op.limits.large_data_memory = robot.limits.large_data_memory = std::size_t{16} << 20U;
+    return {.this_system = of_robot ? "robot" : "operator", .systems = {op, robot}, .source = "soak"};
+}
+
+/// Waits, looking every 10 ms.
+bool wait_until(nanoseconds patience, auto&& so) {
+    const auto deadline = net::jaus_node::now() + patience;
+    while (!so()) {
+        if (net::jaus_node::now() >= deadline) return false;
+        std::this_thread::sleep_for(10ms);
+    }
+    return true;
+}
+
+double ms(nanoseconds time) { return static_cast<double>(time.count()) / 1e6; }
+double mib(std::size_t bytes) { return static_cast<double>(bytes) / (1U << 20U); }
+unsigned long long number(std::uint64_t n) { return n; }
+
+class run {
+  public:
+    explicit run(const arguments& a)
+        : wanted_{a}, relay_{a.loss / 100.0, a.seed}, book_{std::size_t{a.seconds} * 1100 + 5000} {
+        std::array<std::uint16_t, 2> ports{free_port(), free_port()};
+        while (ports[0] == ports[1]) ports[1] = free_port();
+        relay_.start(ports);
+        operator_.emplace(config(false, ports[0], relay_.port(0)), book_, a.seconds / 10);
+        robot_.emplace(config(true, ports[1], relay_.port(1)), book_);
+        operator_->start();
+        robot_->start();
+    }
+
+    int operator()() {
+        check("the nodes hear each other", wait_until(10s, [&] { return operator_->appeared && robot_->appeared; }));
+        if (failed_) return finish();
+        operator_->begin();
+        work();
+        const auto after = memory_.peek();
+        const auto counts = std::array{operator_->counts(), robot_->counts()};
+        const auto notes = std::array{operator_->notes(), robot_->notes()};
+        const unsigned missed = operator_->disappeared + robot_->disappeared;
+        const bool controlled = robot_->controllers().size() > 0 && robot_->controllers().back() == operator_id;
+
+        relay_.cut();
+        const bool noticed = wait_until(5s, [&] { return operator_->disappeared && robot_->disappeared; });
+        const auto controllers = robot_->controllers();
+        const auto no_room = robot_->count(jaus::component_outcome::no_room);
+        const auto repeated = robot_->count(jaus::component_outcome::repeated);
+        const auto failures = operator_->failures();
+        operator_->stop();
+        robot_->stop();
+        const auto b = book_.close();
+
+        std::printf("\nefforts: %zu sent (%llu repeats came to the robot), %zu acknowledged, %zu refused for want of "
+                    "control, %llu held back\n",
+                    b.sent, number(repeated), b.acknowledged, b.refused, number(operator_->held_back));
+        std::printf("  acknowledged after      p50 %.3f ms, p99 %.3f ms, p99.9 %.3f ms, max %.3f ms\n",
+                    ms(operator_->latency.quantile(0.5)), ms(operator_->latency.quantile(0.99)),
+                    ms(operator_->latency.quantile(0.999)), ms(operator_->latency.max()));
+        std::printf("  those not repeated      p50 %.3f ms, p99 %.3f ms\n", ms(operator_->first_try.quantile(0.5)),
+                    ms(operator_->first_try.quantile(0.99)));
+        for (const auto& [name, from, to] : {std::tuple{"operator to robot", &operator_->large, &robot_->large},
+                                             std::tuple{"robot to operator", &robot_->large, &operator_->large}})
+            std::printf("large data sets, %s: %llu sent, %llu acknowledged, %llu arrived intact, %llu damaged, %llu "
+                        "twice, %llu not begun for want of room\n",
+                        name, number(from->counts.sent), number(from->counts.acknowledged), number(to->counts.intact),
+                        number(to->counts.damaged), number(to->counts.repeated), number(from->counts.not_sent));
+        std::printf(
+            "heartbeats: %llu at the operator, %llu at the robot; control: %u scenes, the slowest step took %.0f "
+            "ms\n",
+            number(operator_->heartbeats), number(robot_->heartbeats), operator_->cycles_done,
+            ms(operator_->steps.max()));
+        for (std::size_t end : {0U, 1U})
+            std::printf("datagrams from the %s: %llu, of which the relay lost %llu (the cut included); its node: %s\n",
+                        end == 0 ? "operator" : "robot", number(relay_.of(end).taken), number(relay_.of(end).lost),
+                        net::summary(counts[end]).c_str());
+        std::printf("memory: %.2f MiB after the warm-up, %.2f MiB at the end\n\n", mib(memory_.first()), mib(after));
+        for (const auto& lines : notes)
+            for (const auto& line : lines) std::printf("log: %s\n", line.c_str());
+        for (const auto& line : failures) std::printf("missed: %s\n", line.c_str());
+
+        check("every effort has one outcome, none timed out", b.without_outcome == 0 && b.timed_out == 0);
+        check("every acknowledged effort was applied", b.lost == 0 && b.acknowledged > 0);
+        check("no effort was applied twice", b.twice == 0);
+        check("no refused effort was applied, nor one that nobody sent", b.refused_done == 0 && b.unknown == 0);
+        check("every effort without control was refused", b.forbidden_done == 0 && b.forbidden > 0);
+        check("nothing was dropped for want of places", no_room == 0);
+        check("no heartbeat timed out while the network was there", missed == 0);
+        check("both noticed that it was cut, and the robot has no controller then",
+              noticed && controlled && !controllers.empty() && !controllers.back());
+        check("control went as in the scene", failures.empty() && controllers == expected_controllers());
+        check("every large data set arrived once, as it was sent", all_arrived());
+        check("memory is flat (at most 1 MiB or 2 % more)",
+              after <= memory_.first() + std::max(std::size_t{1} << 20U, memory_.first() / 50));
+        check("neither node has anything in its log", notes[0].empty() && notes[1].empty());
+        return finish();
+    }
+
+  private:
+    /// Until all is sent and has its outcome.
+    void work() {
+        const auto start = net::jaus_node::now();
+        const auto end = start + seconds{wanted_.seconds};
+        auto next_large = start, next_line = start + 10s, next_peek = start + 10s;
+        bool ending = false;
+        memory_.peek();
+        while (!operator_->done) {
+            std::this_thread::sleep_for(50ms);
+            const auto now = net::jaus_node::now();
+            if (interrupted && !ending) {
+                std::printf("interrupted: what is under way is brought to its end\n");
+                operator_->end_early();
+                ending = true;
+            }
+            if (now >= end || ending) {
+                ending = true;
+                if (now > end + 30s) break; // then the checks tell
+                continue;
+            }
+            if (now >= next_large) {
+                next_large += 333ms;
+                operator_->send_large();
+                robot_->send_large();
+            }
+            memory_.look();
+            if (now >= next_peek) {
+                next_peek += 10s;
+                memory_.next_window();
+            }
+            if (now >= next_line) {
+                next_line += 10s;
+                progress(std::chrono::duration_cast<seconds>(now - start));
+            }
+        }
+        wait_until(20s, [&] { return all_through(operator_->large) && all_through(robot_->large); });
+        std::this_thread::sleep_for(100ms);
+    }
+    static bool all_through(const large_traffic& large) {
+        return large.counts.acknowledged + large.counts.failed == large.counts.sent;
+    }
+    bool all_arrived() const {
+        const auto one_way = [](const large_traffic::counters& from, const large_traffic::counters& to) {
+            return from.sent > 0 && from.acknowledged == from.sent && to.intact == from.sent && to.damaged == 0 &&
+                   to.repeated == 0;
+        };
+        return one_way(operator_->large.counts, robot_->large.counts) &&
+               one_way(robot_->large.counts, operator_->large.counts);
+    }
+    /// The scene as the robot saw it, then the operator's control until the cut.
+    std::vector<std::optional<jaus::address>> expected_controllers() const {
+        std::vector<std::optional<jaus::address>> all;
+        for (unsigned i = 0; i != operator_->cycles_done; ++i)
+            for (const auto& who :
+                 {std::optional{operator_id}, std::optional{supervisor_id}, std::optional<jaus::address>{},
+                  std::optional{operator_id}, std::optional<jaus::address>{}})
+                all.push_back(who);
+        all.emplace_back(operator_id);
+        all.emplace_back(std::nullopt);
+        return all;
+    }
+    void progress(seconds at) {
+        const auto sent = operator_->sent.load(), delivered = operator_->delivered.load();
+        const std::uint64_t taken = support::allocations();
+        std::printf(
+            "%5lld s: %llu efforts sent (%llu/s), %llu without an outcome yet; large sets %llu and %llu intact; "
+            "%.2f MiB, %llu allocations/s\n",
+            static_cast<long long>(at.count()), number(sent), number((sent - last_sent_) / 10),
+            number(sent - std::min(sent, delivered)), number(robot_->large.counts.intact),
+            number(operator_->large.counts.intact), mib(memory_.lowest()), number((taken - last_allocations_) / 10));
+        std::fflush(stdout);
+        last_sent_ = sent;
+        last_allocations_ = taken;
+    }
+    void check(const char* what, bool good) {
+        std::printf("%-6s %s\n", good ? "ok" : "FAILED", what);
+        failed_ = failed_ || !good;
+    }
+    int finish() {
+        std::printf("%s\n", failed_ ? "FAILED" : "all as it must be");
+        return failed_ ? 1 : 0;
+    }
+
+    arguments wanted_;
+    lossy_relay relay_;
+    ledger book_;
+    std::optional<operator_end> operator_{};
+    std::optional<robot_end> robot_{};
+    resident_memory memory_{};
+    std::uint64_t last_sent_{}, last_allocations_{};
+    bool failed_{};
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc == 2 && std::strcmp(argv[1], "--help") == 0) {
+        std::fputs(help, stdout);
+        return 0;
+    }
+    const auto wanted = read(argc, argv);
+    if (!wanted) {
+        std::fputs("soak: wrong arguments; see soak --help\n", stderr);
+        return 2;
+    }
+    large_blocks_go_back();
+    std::signal(SIGINT, [](int) { interrupted = true; });
+    std::signal(SIGTERM, [](int) { interrupted = true; });
+    std::printf("%u s, %u %% of the datagrams are lost each way, seed %u\n", wanted->seconds, wanted->loss,
+                wanted->seed);
+    std::fflush(stdout);
+    try {
+        return run{*wanted}();
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "soak: %s\n", error.what());
+        return 1;
+    }
+}
