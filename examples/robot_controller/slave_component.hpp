@@ -28,8 +28,9 @@ class slave_component {
 
     [[nodiscard]] const jauscat::jaus::address& self() const noexcept { return core_.self(); }
 
+    /// What `application` leaves is the slave's.
     jauscat::jaus::component_outcome on_message(const jauscat::jaus::header& head, bytes body, time now,
-                                                jauscat::jaus::message_sink out, auto&&) {
+                                                jauscat::jaus::message_sink out, auto&& application) {
         namespace jaus = jauscat::jaus;
         show_received(head, body);
         const auto send = [&](bytes message) {
@@ -37,6 +38,8 @@ class slave_component {
             say_("sent " + jauscat::text::summary(jaus::split(message).header));
         };
         const auto what = core_.on_message(head, body, now, send, [&](const jaus::header& own, bytes own_body) {
+            const jaus::message_outcome answered = application(own, own_body);
+            if (answered != jaus::message_outcome::not_mine) return answered;
             return deliver(own, own_body, send) ? jaus::message_outcome::taken : jaus::message_outcome::refused;
         });
         // Whose emergency it was, the slave cannot know: it is told when the last has cleared his.

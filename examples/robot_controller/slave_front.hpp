@@ -82,7 +82,12 @@ class slave_front {
     static constexpr auto retry_interval = std::chrono::milliseconds{500};
     static constexpr auto longest_wait = std::chrono::milliseconds{100};
 
-    struct no_application {}; // the components know what to do
+    // The node answers for its components who they are; all else is theirs.
+    struct no_application {
+        jauscat::jaus::message_outcome operator()(const jauscat::jaus::header&, std::span<const std::byte>) const {
+            return jauscat::jaus::message_outcome::not_mine;
+        }
+    };
 
     jauscat::net::jaus_node_options options(std::uint8_t node, jauscat::net::access who) {
         return {.who = who,
