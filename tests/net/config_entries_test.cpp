@@ -156,6 +156,64 @@ TEST_CASE("nodes and components that cannot be are refused at their line") {
           "test.xml:4: the component 2.1.1.1 is taken by the <component> in line 3; give each its own id or instance");
 }
 
+TEST_CASE("a system has a master behind it, which its own program drives or another's") {
+    const auto own = system_b("<ethercat interface='eth0'/>", "2.2.0.0").ethercat;
+    REQUIRE(own);
+    CHECK(own->controller == "b");
+    CHECK(own->interface_name == "eth0");
+    CHECK(own->udp_host.empty());
+    CHECK(own->line == 4);
+    const auto others = system_b("<ethercat><controller>a</controller><interface>udp:fd00::7:34980</interface>"
+                                 "</ethercat>",
+                                 "2.2.34.0")
+                            .ethercat;
+    REQUIRE(others);
+    CHECK(others->controller == "a");
+    CHECK(others->interface_name.empty());
+    CHECK(others->udp_host == "fd00::7");
+    CHECK(others->udp_port == 34980);
+    CHECK_FALSE(system_b("").ethercat);
+}
+
+TEST_CASE("a controller has the masters whose entries name it, in the order of the file") {
+    const auto config = parse("<thissystem>a</thissystem>" + system_a +
+                              "<system name='b' jausip='2.2.0.0' ip='::1' port='1'><ethercat interface='x'/></system>"
+                              "<system name='c' jausip='2.3.0.0' ip='::1' port='2'>"
+                              "<ethercat interface='y' controller='b'/></system>"
+                              "<system name='d' jausip='3.2.0.0' ip='::2' port='1'><ethercat interface='x'/></system>");
+    REQUIRE(config.masters_of("b").size() == 2);
+    CHECK(config.masters_of("b")[0]->name == "b");
+    CHECK(config.masters_of("b")[1]->name == "c");
+    CHECK(config.masters_of("d").size() == 1);
+    CHECK(config.masters_of("a").empty());
+}
+
+TEST_CASE("masters that cannot be are refused at their line") {
+    const std::string node = "2.2.0.0";
+    CHECK(complaint_in_b("<ethercat interface='eth0'/>", node) == "accepted");
+    CHECK(complaint_in_b("<ethercat/>", node) == "test.xml:4: this <ethercat> needs <interface>");
+    CHECK(complaint_in_b("<ethercat interface='eth0'/>") ==
+          "test.xml:4: the jausip 2.0.0.0 of a <system> with <ethercat> must name its node, such as 2.2.0.0: the slave "
+          "has its number as station address");
+    CHECK(complaint_in_b("<ethercat interface='eth0' controller='c'/>", node) ==
+          "test.xml:4: there is no system \"c\"; the file has: a, b");
+    for (const auto* name : {"a/b", "sixteen-letters-", "eth0:1", "udp:", "udp:34980", "udp::34980", "e 0"})
+        CHECK(complaint_in_b("<ethercat>\n<interface>" + std::string{name} + "</interface></ethercat>", node) ==
+              "test.xml:5: interface \"" + std::string{name} +
+                  "\" is neither a network interface, such as eth0, nor udp:HOST:PORT");
+    for (const auto* port : {"", "0", "65536", "x"})
+        CHECK(complaint_in_b("<ethercat interface='udp:arm:" + std::string{port} + "'/>", node) ==
+              "test.xml:4: port of the interface \"" + std::string{port} + "\" is not a UDP port, 1 to 65535");
+    CHECK(complaint_in_b("<ethercat interface='eth0'/>\n<ethercat interface='eth1'/>", node) ==
+          "test.xml:5: \"ethercat\" is given twice in <system>; keep one");
+    CHECK(complaint_in_b("<ethercat interface='eth0' station='2'/>", node) ==
+          "test.xml:4: unknown \"station\" in <ethercat>; remove it or correct its name");
+    CHECK(complaint_about("<system name='b' jausip='2.2.0.0' ip='::1' port='1'><ethercat interface='x'/></system>\n"
+                          "<system name='c' jausip='2.3.0.0' ip='::1' port='2'>\n"
+                          "<ethercat interface='x' controller='b'/></system>") ==
+          "test.xml:5: the interface is that of the <ethercat> in line 3; give each master its own");
+}
+
 TEST_CASE("the root element may name its schema") {
     CHECK(complaint("<jausconfig xmlns:xsi='http://www.w3.org/2001/XMLSchema-instance' "
                     "xsi:noNamespaceSchemaLocation='JausConfig.xsd' thissystem='a'>" +
@@ -190,4 +248,5 @@ TEST_CASE("a file with everything is read to the last value") {
     CHECK(config.find("ocu")->more_ips.size() == 1);
     CHECK(config.find("ocu")->any_source_port);
     CHECK(config.find("ocu")->limits.messages == net::rate{2000, 200});
+    CHECK(config.masters_of("arm").size() == 2);
 }

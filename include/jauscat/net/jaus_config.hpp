@@ -49,6 +49,21 @@ struct node_entry {
     friend bool operator==(const node_entry&, const node_entry&) = default;
 };
 
+/// The EtherCAT master behind a system, and who drives it. The slave's station address is the system's node.
+struct ethercat_entry {
+    std::string controller{};     ///< the name of the system whose program drives the master
+    std::string interface_name{}; ///< network interface, such as `eth0`; empty: EtherCAT in UDP
+    std::string udp_host{};       ///< where the slave is, for EtherCAT in UDP
+    std::uint16_t udp_port{};
+    std::size_t line{}; ///< where the file declares it
+
+    /// Whether both would use the same wire on the same host.
+    [[nodiscard]] bool same_wire(const ethercat_entry& other) const noexcept {
+        return interface_name == other.interface_name && udp_host == other.udp_host && udp_port == other.udp_port;
+    }
+    friend bool operator==(const ethercat_entry&, const ethercat_entry&) = default;
+};
+
 /// What a system may send, and how much memory it sets aside.
 struct system_limits {
     rate messages{.per_second = 50'000, .burst = 5'000}; ///< that others take from this system
@@ -74,6 +89,7 @@ struct system_entry {
     system_limits limits{};
     std::vector<node_entry> nodes{};           ///< those that have a name; ids are unique
     std::vector<component_entry> components{}; ///< ids are unique in the whole file
+    std::optional<ethercat_entry> ethercat{};  ///< the master that its messages go on to
 
     boost::asio::ip::udp::endpoint endpoint() const { return {ip, port}; }
     friend bool operator==(const system_entry&, const system_entry&) = default;
@@ -100,6 +116,9 @@ struct jaus_config {
     /// A level of 0 in an entry covers every ID. Of several entries that match, the one that names the higher level
     /// is taken: 1.2.0.0 before 1.0.33.0 before 1.0.0.0 before 0.0.0.0.
     const system_entry* next_hop(const jaus::address& destination) const noexcept;
+
+    /// The systems whose masters the program of the system `controller` drives, in the order of the file.
+    std::vector<const system_entry*> masters_of(std::string_view controller) const;
 };
 
 namespace detail {
@@ -149,6 +168,13 @@ inline const system_entry* jaus_config::next_hop(const jaus::address& destinatio
             (!best || detail::rank(entry.jausip) > detail::rank(best->jausip)))
             best = &entry;
     return best;
+}
+
+inline std::vector<const system_entry*> jaus_config::masters_of(std::string_view controller) const {
+    std::vector<const system_entry*> found;
+    for (const auto& entry : systems)
+        if (entry.ethercat && entry.ethercat->controller == controller) found.push_back(&entry);
+    return found;
 }
 
 } // namespace jauscat::net

@@ -10,6 +10,7 @@
 // <system> may contain is in docs/configuration.md.
 #pragma once
 
+#include <jauscat/net/detail/config_ethercat.hpp>
 #include <jauscat/net/detail/config_values.hpp>
 
 #include <array>
@@ -41,6 +42,7 @@ class config_reader {
         if (config_.systems.empty())
             fail(source_.line_of(root), "no <system>; give at least one, with <name>, <jausip>, <ip> and <port>");
 
+        check_ethercat(source_, config_);
         const auto& this_system = values[0];
         if (!this_system.given)
             fail(source_.line_of(root), "no <thissystem>; name there the <system> that this program is");
@@ -62,7 +64,7 @@ class config_reader {
                           config_value{"port"}, config_value{"framing"}, config_value{"sourceport"}};
         auto& [name, jausip, ip, port, framing, source_port] = values;
         std::vector<config_value> ips;
-        source_.collect(node, values, {"multicast", "limits", "node", "component"}, "ip", &ips);
+        source_.collect(node, values, {"multicast", "limits", "ethercat", "node", "component"}, "ip", &ips);
         if (!ips.empty()) ip = ips.front();
         source_.need(node, {name, jausip, ip, port});
         system_entry made{.name = unique_name(name),
@@ -76,6 +78,8 @@ class config_reader {
         made.any_source_port = config_choice(source_, source_port, "same", "any");
         if (const auto child = source_.only_child(node, "multicast")) made.multicast = multicast(child, made);
         if (const auto child = source_.only_child(node, "limits")) made.limits = limits(child);
+        if (const auto child = source_.only_child(node, "ethercat"))
+            made.ethercat = config_ethercat(source_, child, made);
         for (const auto child : node.children("node")) add_node(made, child);
         const std::uint8_t own_node = made.jausip.node == 0 ? std::uint8_t{1} : made.jausip.node;
         for (const auto child : node.children("component")) add_component(made, child, own_node);
