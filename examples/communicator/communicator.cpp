@@ -1,6 +1,7 @@
 // The interactive node: shows the messages that arrive, and sends any message of the standard by its name.
 #include "line_source.hpp"
 #include "message_kinds.hpp"
+#include "support/component_of.hpp"
 #include "support/program.hpp"
 #include <jauscat/jaus/component.hpp>
 #include <jauscat/text/from_text.hpp>
@@ -47,7 +48,7 @@ class communicator {
     communicator(const net::jaus_config& config, net::jaus_node_options options, std::unique_ptr<line_source> input)
         : input_{std::move(input)},
           self_{own_component(config.me(), options.node)},
-          core_{self_, memory_, hooks_, {}},
+          core_{self_, memory_, hooks_, {.acknowledgement = {.first_number = example::any_number()}}},
           node_{context_, config, with_hooks(std::move(options))} {
         for (const auto& kinds : {command_kinds(), query_kinds(), inform_kinds()})
             kinds_.insert(kinds_.end(), kinds.begin(), kinds.end());
@@ -119,20 +120,8 @@ class communicator {
     static std::string net_address(const net::system_entry& me) {
         return me.ip.to_string() + " port " + std::to_string(me.port);
     }
-    /// Whom the name of a system stands for: its first component in the configuration, or the Subsystem Commander.
-    static jaus::address component_of(const net::system_entry& system) {
-        const auto is_manager = [](const net::component_entry& c) { return c.id.component == 1 && c.id.instance == 1; };
-        const auto found = std::ranges::find_if_not(system.components, is_manager);
-        if (found != system.components.end()) return found->id;
-        auto id = system.jausip;
-        if (id.node == 0) id.node = system.nodes.empty() ? std::uint8_t{1} : system.nodes.front().id;
-        if (id.component == 0) id.component = 32;
-        if (id.instance == 0) id.instance = 1;
-        return id;
-    }
-
     static jaus::address own_component(const net::system_entry& me, std::uint8_t node) {
-        auto id = component_of(me);
+        auto id = example::component_of(me);
         if (node != 0) id.node = node;
         return id;
     }
@@ -204,7 +193,7 @@ class communicator {
     void send(const words& all) {
         jaus::header head{.source = self_};
         if (const auto* const system = node_.config().find(all[1]))
-            head.destination = component_of(*system);
+            head.destination = example::component_of(*system);
         else if (const auto id = net::parse_jausip(all[1]))
             head.destination = *id;
         else

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <random>
 #include <string>
 
 namespace example {
@@ -83,5 +84,8 @@ inline jauscat::jaus::address parse_address(const std::string& text) {
             .node = static_cast<std::uint8_t>(n),
             .subsystem = static_cast<std::uint8_t>(s)};
 }
+
+/// A sequence number to begin with: not the one of the last time, whose messages may still be remembered.
+inline std::uint16_t any_number() { return static_cast<std::uint16_t>(std::random_device{}()); }
 
 } // namespace example

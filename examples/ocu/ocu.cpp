@@ -1,0 +1,181 @@
+// The operator control unit: takes control of a robot arm over JAUS, commands a wrench effort, asks for it back and
+// compares; or sends any other message that the robot knows.
+#include "operator_messages.hpp"
+#include "operator_unit.hpp"
+#include "support/program.hpp"
+#include <jauscat/jaus/requested_fields.hpp>
+#include <jauscat/text/from_text.hpp>
+#include <jauscat/text/jaus.hpp>
+
+#include <random>
+
+namespace {
+
+namespace jaus = jauscat::jaus;
+namespace text = jauscat::text;
+namespace wire = jauscat::wire;
+using ocu::operator_unit;
+using ocu::order;
+using ocu::reply;
+using words = std::vector<std::string>;
+
+constexpr const char* help = R"(ocu: commands the efforts of a robot arm and asks them back.
+
+  ocu [options] [FIELD=VALUE ...]
+
+Examples:
+  ocu propulsive_linear_effort_x=50 resistive_linear_effort_x=12.5
+  ocu --to 2.2.33.1 --random 7
+  ocu --query
+  ocu --authority 200 --hold 30 propulsive_linear_effort_x=10
+  ocu --send set_travel_speed desired_speed=2.5
+  ocu --send set_emergency emergency_code=transition_to_emergency
+
+It takes control of the arm first if the command is one of those that a controlled component takes from its controller
+only, and releases it at the end, also after Ctrl-C. Queries, reports, Set and Clear Emergency go without.
+Without --send the fields are those of Set Wrench Effort.
+Exit code: 0 when the report equals the command, or the message of --send was answered as it should be; 1 when not,
+nobody answers, control is refused, or it is lost before all is done; 2 for a wrong command line.
+)";
+
+/// The order to send the message `name` with the fields that the command line names.
+order order_from(const std::string& name, const words& assignments) {
+    order made;
+    if (const auto wrong = text::find_message(name, made.command_code); !wrong.empty())
+        throw example::usage_error{wrong};
+    const bool known = text::with_message(made.command_code, ocu::operator_messages{}, [&]<class Message>() {
+        Message message{};
+        wire::arena no_lists{{}};
+        if (const auto wrong = text::from_words(assignments, message, no_lists); !wrong.empty())
+            throw example::usage_error{wrong};
+        made.body.resize(wire::max_size<Message>);
+        const auto size = wire::encode(message, made.body);
+        if (!size) throw example::usage_error{std::string{wire::describe(size.error())}};
+        made.body.resize(size.size());
+    });
+    if (!known) throw example::usage_error{"the robot does not know " + text::message_name(made.command_code)};
+    return made;
+}
+
+order random_command(std::uint32_t seed) {
+    std::mt19937 random{seed};
+    jaus::set_wrench_effort command{};
+    wire::visit(command, [&]<class Item>(Item, auto& effort) {
+        using range = typename Item::codec_type::range_type;
+        if (random() % 2 != 0) effort = std::uniform_real_distribution<double>{range::min, range::max}(random);
+    });
+    order made{command.command_code, std::vector<std::byte>(wire::max_size<jaus::set_wrench_effort>)};
+    made.body.resize(wire::encode(command, made.body).size());
+    return made;
+}
+
+order query_efforts(std::uint16_t presence_vector) {
+    std::vector<std::byte> body(wire::max_size<jaus::query_wrench_effort>);
+    body.resize(wire::encode(jaus::query_wrench_effort{presence_vector}, body).size());
+    return {jaus::query_wrench_effort::command_code, std::move(body)};
+}
+
+/// Asks for the fields of the command and compares. Both messages have the same layout, so equal efforts are equal
+/// bytes.
+bool is_in_force(operator_unit& unit, const order& command) {
+    jaus::set_wrench_effort efforts{};
+    if (!wire::decode(efforts, command.body)) throw std::logic_error{"a command that does not decode"};
+    const auto vector = static_cast<std::uint16_t>(jaus::presence_vector_of(efforts));
+    if (unit.give(query_efforts(vector)) != reply::taken) return false;
+    const bool equal = std::ranges::equal(unit.report(), command.body);
+    ocu::say(equal ? "OK: the report equals the command" : "FAILED: the report differs from the command");
+    return equal;
+}
+
+/// Whether a component under control takes the command from its controller only. Who has set an emergency may clear it
+/// without.
+bool needs_control(std::uint16_t command_code) {
+    return command_code != jaus::clear_emergency::command_code &&
+           std::ranges::find(jaus::controlled_commands, command_code) != jaus::controlled_commands.end();
+}
+
+/// What the command line asks for.
+struct task {
+    order first{};
+    bool compare{}; ///< with the report
+    bool control{};
+    std::uint8_t authority{};
+    std::chrono::milliseconds wait{}, hold{};
+};
+
+bool perform(operator_unit& unit, const task& what) {
+    if (what.wait.count() != 0 && !unit.hear_robot(what.wait)) return false;
+    if (what.control && !unit.take_control(what.authority)) return false;
+    if (unit.give(what.first) != reply::taken) return false;
+    if (!what.compare)
+        ocu::say("OK");
+    else if (!is_in_force(unit, what.first))
+        return false;
+    if (unit.has_lost_control()) return false;
+    unit.hold(what.hold);
+    return true;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return example::run("ocu", [&] {
+        namespace po = boost::program_options;
+        po::options_description options{"Options"};
+        // clang-format off
+        options.add_options()
+            ("help", "show this text")
+            ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
+            ("this", po::value<std::string>(), "the system this unit is, instead of the file's <thissystem>")
+            ("to", po::value<std::string>()->default_value("2.2.33.1"), "JAUS ID of the arm")
+            ("authority", po::value<unsigned>()->default_value(128), "with which control is asked for, 0 to 255: a higher one takes it from a lower one")
+            ("no-control", po::bool_switch(), "send without taking control first")
+            ("hold", po::value<double>()->default_value(0), "seconds to keep control when all is done")
+            ("wait", po::value<double>()->default_value(0), "seconds to wait for a heartbeat of the robot's node before the first message; 0: begin at once")
+            ("random", po::value<std::uint32_t>(), "command random fields, from this seed")
+            ("query", "ask for all efforts, command nothing")
+            ("send", po::value<std::string>(), "send this message instead, with the FIELD=VALUE arguments")
+            ("timeout", po::value<unsigned>()->default_value(400), "milliseconds after which an unanswered message is repeated, three times")
+            ("field", po::value<words>(), "FIELD=VALUE; --field itself may be left out");
+        // clang-format on
+        po::positional_options_description positional;
+        positional.add("field", -1);
+        const auto values = example::parse(argc, argv, options, help, positional);
+
+        const bool query_only = values.count("query") != 0, random = values.count("random") != 0;
+        const bool send = values.count("send") != 0, has_fields = values.count("field") != 0;
+        if (query_only + random + (send || has_fields) != 1)
+            throw example::usage_error{"give either FIELD=VALUE arguments, or --random SEED, or --query, or --send"};
+        const auto in_range = [&](const char* name, auto least, auto most) {
+            const auto value = values[name].as<decltype(least)>();
+            if (!(value >= least && value <= most))
+                throw example::usage_error{std::string{"--"} + name + " must be " + text::to_text(least) + " to " +
+                                           text::to_text(most)};
+            return value;
+        };
+        const auto seconds = [&](const char* name) {
+            return std::chrono::duration_cast<std::chrono::milliseconds>(
+                std::chrono::duration<double>{in_range(name, 0.0, 86400.0)});
+        };
+        task what{.authority = static_cast<std::uint8_t>(in_range("authority", 0U, 255U)),
+                  .wait = seconds("wait"),
+                  .hold = seconds("hold")};
+        const std::chrono::milliseconds timeout{in_range("timeout", 1U, 60000U)};
+        const auto robot = example::parse_address(values["to"].as<std::string>());
+        if (!jaus::names_one_component(robot)) throw example::usage_error{"--to must name one component"};
+
+        const words fields = has_fields ? values["field"].as<words>() : words{};
+        if (query_only)
+            what.first = query_efforts(0x0FFF);
+        else if (random)
+            what.first = random_command(values["random"].as<std::uint32_t>());
+        else
+            what.first = order_from(send ? values["send"].as<std::string>() : "set_wrench_effort", fields);
+        what.compare = !query_only && !send;
+        what.control = !values["no-control"].as<bool>() && needs_control(what.first.command_code);
+
+        operator_unit unit{example::load_config(values), robot, timeout};
+        const bool done = perform(unit, what);
+        return unit.finish() && done ? example::success : example::failure;
+    });
+}

@@ -1,0 +1,244 @@
+#include "operator_unit.hpp"
+
+#include "operator_messages.hpp"
+#include "support/component_of.hpp"
+#include "support/program.hpp"
+#include <jauscat/text/from_text.hpp>
+#include <jauscat/text/jaus.hpp>
+
+#include <utility>
+
+namespace ocu {
+
+namespace {
+
+namespace text = jauscat::text;
+namespace wire = jauscat::wire;
+
+// The header in one line of hex, for its values are in the summary, and a line for each field of the body.
+void show(const char* verb, std::span<const std::byte> message) {
+    const auto parts = jaus::split(message);
+    std::cout << "ocu " << verb << " " << text::summary(parts.header) << "\n";
+    if (jaus::is_acknowledgement(parts.header)) return;
+    std::cout << text::hex_dump(message.first(jaus::header_size));
+    const bool known = text::with_message(parts.header.command_code, operator_messages{}, [&]<class Message>() {
+        std::cout << text::annotate<Message>(parts.body, jaus::header_size);
+    });
+    if (!known) std::cout << text::hex_dump(parts.body);
+}
+
+std::chrono::nanoseconds now() { return net::jaus_node::now(); }
+
+} // namespace
+
+void say(const std::string& line) { std::cout << "ocu: " << line << "\n"; }
+
+operator_unit::operator_unit(const net::jaus_config& config, const jaus::address& robot, milliseconds timeout)
+    : self_{example::component_of(config.me())},
+      robot_{robot},
+      manager_of_robot_{.instance = 1, .component = 1, .node = robot.node, .subsystem = robot.subsystem},
+      timeout_{timeout},
+      held_{self_, robot, {.patience = timeout, .requests = retries + 1, .renewal = std::chrono::seconds{1}}},
+      described_{self_,
+                 {.name = {.identification = "operator control unit", .type = 60001}},
+                 jaus::heartbeat_to_node_manager(self_),
+                 services_},
+      core_{
+          self_,  memory_,
+          hooks_, {.acknowledgement = {.timeout = timeout, .retries = retries, .first_number = example::any_number()}},
+          held_,  described_},
+      node_{context_, config, node_options()} {
+    core_.change(jaus::state_event::initialized);
+    node_.add(core_, application_);
+    node_.start();
+}
+
+bool operator_unit::hear_robot(milliseconds patience) {
+    if (wait([this] { return heartbeats_ != 0; }, patience)) return true;
+    if (!example::stop_requested)
+        say("FAILED: no heartbeat of " + text::to_text(manager_of_robot_) + " within " +
+            std::to_string(patience.count()) + " ms; is robot_controller running?");
+    return false;
+}
+
+bool operator_unit::take_control(std::uint8_t authority) {
+    held_.ask(authority, now(), out_);
+    wait([this] { return held_.state() != control_state::asking; }, longest());
+    if (held_.state() == control_state::refused) tell_why();
+    return holds();
+}
+
+bool operator_unit::has_lost_control() const noexcept {
+    return held_.state() == control_state::lost || held_.state() == control_state::unanswered;
+}
+
+reply operator_unit::give(const order& what) {
+    const auto answer = exchange(what);
+    const auto name = text::message_name(what.command_code);
+    if (answer == reply::silence)
+        say("FAILED: no answer to " + name + "; " + hint());
+    else if (answer == reply::refused) {
+        say("FAILED: " + name + " was refused (NAK); robot_controller's output says why");
+        tell_why();
+    }
+    return answer;
+}
+
+void operator_unit::hold(milliseconds how_long) {
+    if (how_long.count() == 0) return;
+    const bool held = holds();
+    say((held ? "keeps control for " : "listens for ") + std::to_string(how_long.count()) + " ms; Ctrl-C ends");
+    wait([&] { return held && !holds(); }, how_long);
+}
+
+bool operator_unit::finish() {
+    bool released = true;
+    if (holds() || held_.state() == control_state::asking) {
+        outcome_.reset();
+        held_.release([this](bytes message) { send(message); });
+        work([this] { return outcome_.has_value(); }, longest(), [] { return false; });
+        const auto name = text::to_text(robot_);
+        released = outcome_ && outcome_ != jaus::delivered::timed_out;
+        if (!released)
+            say("FAILED: nobody acknowledged that control of " + name + " is released");
+        else
+            say(outcome_ == jaus::delivered::acknowledged ? "control of " + name + " is released"
+                                                          : "control of " + name + " is another's already");
+    }
+    if (heartbeats_ != 0)
+        say("heard " + std::to_string(heartbeats_) + (heartbeats_ == 1 ? " heartbeat" : " heartbeats") + " of " +
+            text::to_text(manager_of_robot_));
+    node_.stop();
+    return released;
+}
+
+void operator_unit::hooks_type::on_delivered(const jaus::awaited_message& m, jaus::delivered what) const {
+    if (m.sent > 1) say(text::message_name(m.header.command_code) + " was sent " + std::to_string(m.sent) + " times");
+    if (m.header.sequence_number == mine.number_) mine.outcome_ = what;
+}
+
+// What the robot tells is for the operator; commands are for robots.
+jaus::message_outcome operator_unit::application_type::operator()(const jaus::header& head, bytes) const noexcept {
+    return head.command_code >= 0x4000 ? jaus::message_outcome::taken : jaus::message_outcome::not_mine;
+}
+
+void operator_unit::shown_output::operator()(bytes message) const {
+    show("sends", message);
+    mine.node_.out()(message);
+}
+
+net::jaus_node_options operator_unit::node_options() {
+    net::jaus_node_options options{.node = self_.node};
+    options.log = [this](std::string_view line) {
+        constexpr std::size_t most = 64;
+        if (told_.size() < most && told_.insert(std::string{line}).second) say(std::string{line});
+    };
+    options.seen = [this](const jaus::address& component, const jaus::header& head, bytes body, auto) {
+        seen(component, head, body);
+    };
+    options.appeared = [this](const jaus::address& who) { robot_is_there(who, true); };
+    options.disappeared = [this](const jaus::address& who) { robot_is_there(who, false); };
+    return options;
+}
+
+void operator_unit::robot_is_there(const jaus::address& who, bool is_there) {
+    if (who != manager_of_robot_) return;
+    is_gone_ = !is_there;
+    say((is_there ? "hears the robot: heartbeat of " : "the robot is silent: no heartbeat of ") + text::to_text(who));
+}
+
+void operator_unit::seen(const jaus::address& component, const jaus::header& head, bytes body) {
+    if (head.command_code == jaus::report_heartbeat_pulse::command_code) { // counted: they come all the time
+        if (head.source == manager_of_robot_) ++heartbeats_;
+        return;
+    }
+    if (component != self_) return;
+    const bool renews =
+        head.command_code == jaus::confirm_component_control::command_code && told_state_ == control_state::held;
+    std::vector<std::byte> message(jaus::header_size + body.size());
+    if (!(renews && holds()) && jaus::join(head, body, message)) show("receives", message);
+    if (head.command_code == awaited_report_ && head.source == robot_ && !jaus::is_acknowledgement(head))
+        report_.emplace(body.begin(), body.end());
+}
+
+/// Lets the node work until `done()`, at most so long. Returns `done()`.
+bool operator_unit::work(const std::function<bool()>& done, milliseconds how_long,
+                         const std::function<bool()>& given_up) {
+    const auto until = now() + how_long;
+    const auto look = [&] {
+        tell_control();
+        return done();
+    };
+    while (!look() && !given_up() && now() < until) net::run_until(context_, milliseconds{10}, look);
+    return done();
+}
+bool operator_unit::wait(const std::function<bool()>& done, milliseconds how_long) {
+    return work(done, how_long, [] { return example::stop_requested.load(); });
+}
+
+reply operator_unit::exchange(const order& what) {
+    outcome_.reset();
+    report_.reset();
+    awaited_report_ = jaus::report_code_of(what.command_code);
+    std::vector<std::byte> message(jaus::header_size + what.body.size());
+    const jaus::header head{.command_code = what.command_code, .destination = robot_, .source = self_};
+    if (const auto size = jaus::join(head, what.body, message); !size) {
+        say("FAILED: " + std::string{describe(size.error())});
+        return reply::not_sent;
+    }
+    if (!send(message)) return reply::not_sent;
+    const bool asks = awaited_report_ != 0;
+    wait([&] { return report_ || (outcome_ && !(asks && outcome_ == jaus::delivered::acknowledged)); }, longest());
+    if (outcome_ == jaus::delivered::refused) return reply::refused;
+    if (asks ? report_.has_value() : outcome_ == jaus::delivered::acknowledged) return reply::taken;
+    return example::stop_requested ? reply::stopped : reply::silence;
+}
+
+/// To be acknowledged: the component repeats it.
+bool operator_unit::send(bytes message) {
+    const auto sent = core_.send(message, now(), [&](bytes numbered) {
+        jaus::header head{};
+        if (wire::decode_prefix(head, numbered)) number_ = head.sequence_number;
+        out_(numbered);
+    });
+    if (!sent) say("FAILED: " + std::string{describe(sent.error)});
+    return static_cast<bool>(sent);
+}
+
+/// Where to look when nobody answers.
+std::string operator_unit::hint() const {
+    return heartbeats_ == 0 ? "is robot_controller running?"
+                            : "its node " + text::to_text(manager_of_robot_) + " is there, so look at the JAUS ID";
+}
+
+void operator_unit::tell_control() {
+    if (std::exchange(told_state_, held_.state()) == held_.state()) return;
+    const auto name = text::to_text(robot_);
+    switch (told_state_) {
+    case control_state::held: say("controls " + name); break;
+    case control_state::refused: say("FAILED: control of " + name + " is refused: another has it"); break;
+    case control_state::unanswered: say("FAILED: " + name + " does not answer requests for control; " + hint()); break;
+    case control_state::lost:
+        say("LOST control of " + name + (is_gone_ ? ": the robot is gone" : ": it was taken away"));
+        break;
+    case control_state::none:
+    case control_state::asking: break;
+    }
+}
+
+/// Who controls the robot, and its state: mostly the reason of a refusal.
+void operator_unit::tell_why() {
+    const auto name = text::to_text(robot_);
+    jaus::report_component_control control{};
+    if (exchange({jaus::query_component_control::command_code}) == reply::taken && wire::decode(control, report())) {
+        const jaus::address who{control.instance_id, control.component_id, control.node_id, control.subsystem_id};
+        say(who == jaus::address{} ? "nobody controls " + name
+                                   : name + " is controlled by " + text::to_text(who) + ", authority " +
+                                         std::to_string(control.authority_code));
+    }
+    jaus::report_component_status status{};
+    if (exchange({jaus::query_component_status::command_code}) == reply::taken && wire::decode(status, report()))
+        say(name + " is in the state " + text::to_text(status.primary_status_code));
+}
+
+} // namespace ocu

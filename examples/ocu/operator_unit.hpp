@@ -1,0 +1,114 @@
+// The operator's side of a session with one component of a robot: control, commands, questions, heartbeats.
+#pragma once
+#include <jauscat/jaus/component.hpp>
+#include <jauscat/jaus/described_component.hpp>
+#include <jauscat/jaus/held_control.hpp>
+#include <jauscat/net.hpp>
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ocu {
+
+namespace jaus = jauscat::jaus;
+namespace net = jauscat::net;
+
+/// A message to the robot.
+struct order {
+    std::uint16_t command_code{};
+    std::vector<std::byte> body{};
+};
+/// How it was answered.
+enum class reply : std::uint8_t {
+    taken,    ///< acknowledged; a query: its report is there
+    refused,  ///< NAK
+    silence,  ///< no answer to any of its copies
+    not_sent, ///< it cannot be sent
+    stopped,  ///< by the user
+};
+
+void say(const std::string& line);
+
+/// A JAUS component on a node of its own. Each call lets the node work until there is an answer, or none is to be
+/// expected any more, or the user stops the program; what happens meanwhile comes out as lines.
+class operator_unit {
+  public:
+    using bytes = std::span<const std::byte>;
+    using milliseconds = std::chrono::milliseconds;
+
+    /// `timeout`: from sending a message that must be answered to sending it again, three times at most.
+    operator_unit(const net::jaus_config& config, const jaus::address& robot, milliseconds timeout);
+
+    /// Waits for a heartbeat of the robot's node. False: none came.
+    bool hear_robot(milliseconds patience);
+    /// Asks the robot for control. False: it is refused, or nobody answers.
+    bool take_control(std::uint8_t authority);
+    [[nodiscard]] bool has_lost_control() const noexcept;
+    /// Sends an order and waits until it is acknowledged, and for the report if it is a query.
+    reply give(const order& what);
+    /// The body of the report to the last query that was taken.
+    [[nodiscard]] bytes report() const { return report_.value(); }
+    /// Goes on hearing the robot, and controlling it if that is so; ends when control is lost.
+    void hold(milliseconds how_long);
+    /// Releases control if it is held, also when the user has stopped the program. False: nobody acknowledged it.
+    bool finish();
+
+  private:
+    static constexpr unsigned retries = 3;
+    using control_state = jaus::control_state;
+
+    struct hooks_type {
+        operator_unit& mine;
+        void on_delivered(const jaus::awaited_message& m, jaus::delivered what) const;
+    };
+    struct application_type {
+        jaus::message_outcome operator()(const jaus::header& head, bytes body) const noexcept;
+    };
+    /// Shows what goes out.
+    struct shown_output {
+        operator_unit& mine;
+        void operator()(bytes message) const;
+    };
+
+    [[nodiscard]] bool holds() const noexcept { return held_.state() == control_state::held; }
+    /// The longest that an answer can take.
+    [[nodiscard]] milliseconds longest() const noexcept { return (retries + 2) * timeout_; }
+    net::jaus_node_options node_options();
+    void seen(const jaus::address& component, const jaus::header& head, bytes body);
+    void robot_is_there(const jaus::address& who, bool is_there);
+    bool work(const std::function<bool()>& done, milliseconds how_long, const std::function<bool()>& given_up);
+    bool wait(const std::function<bool()>& done, milliseconds how_long);
+    reply exchange(const order& what);
+    bool send(bytes message);
+    [[nodiscard]] std::string hint() const;
+    void tell_control();
+    void tell_why();
+
+    jaus::address self_, robot_, manager_of_robot_;
+    milliseconds timeout_;
+    boost::asio::io_context context_{};
+
+    // What the message that was sent last has come to.
+    std::uint16_t number_{}, awaited_report_{};
+    std::optional<jaus::delivered> outcome_{};
+    std::optional<std::vector<std::byte>> report_{};
+
+    control_state told_state_{};
+    bool is_gone_{};
+    std::uint64_t heartbeats_{};
+    std::set<std::string> told_{}; ///< lines of the node's log: each is shown once
+
+    hooks_type hooks_{*this};
+    application_type application_{};
+    shown_output out_{*this};
+    std::array<std::byte, 512> services_{};
+    jaus::component_memory<16, jaus::header_size + jaus::max_body_size> memory_{};
+    jaus::held_control held_;
+    jaus::described_component described_;
+    jaus::component<hooks_type, jaus::held_control, jaus::described_component> core_;
+    net::jaus_node node_;
+};
+
+} // namespace ocu
