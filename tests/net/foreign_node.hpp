@@ -6,6 +6,7 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>
+#include <boost/asio/steady_timer.hpp>
 
 #include <algorithm>
 #include <array>
@@ -76,6 +77,15 @@ class foreign_node {
     }
     void send(std::uint16_t to, const raw_message& m) { send(to, datagram_of(m)); }
 
+    /// Sends this every 100 ms while the context runs, until the end of this.
+    void repeat(std::uint16_t to, const raw_message& m) {
+        send(to, m);
+        timer_.expires_after(std::chrono::milliseconds{100});
+        timer_.async_wait([this, to, m](boost::system::error_code error) {
+            if (!error) repeat(to, m);
+        });
+    }
+
     /// The next datagram, while the node that is tested runs; empty when none comes.
     std::vector<std::byte> receive(std::chrono::milliseconds patience = std::chrono::seconds{5}) {
         if (!jauscat::net::run_until(context_, patience, [&] { return socket_.available() != 0; })) return {};
@@ -100,6 +110,7 @@ class foreign_node {
   private:
     boost::asio::io_context& context_;
     udp::socket socket_;
+    boost::asio::steady_timer timer_{context_};
 };
 
 } // namespace test

@@ -227,6 +227,7 @@ TEST_CASE("a foreign communicator hears of changes by the event that it has crea
                         .source = communicator,
                         .destination = manager,
                         .body = {0x80, 0, 0x01, 0x4B, 1, 1, 0, 0, 0, 2}});
+    other.repeat(r.port, {.code = 0x4202, .source = communicator, .destination = all_managers});
     const auto confirmed = other.wait_for(0x01F3);
     REQUIRE(confirmed);
     program tool{context, config("tool", system("robot", "2.1.0.0", r.port) + second), make(2, 2, 50)};
@@ -265,7 +266,14 @@ TEST_CASE("a stranger is answered where it was last heard, and gets no heartbeat
     net::run_until(context, 600ms, [] { return false; });
     while (!after.receive(1ms).empty()) {}
     REQUIRE(after.receive(300ms).empty());
-    // What is for it alone goes out all the same.
+    // Nor reports that go on by themselves. What is for it alone goes out all the same.
+    after.send(
+        r.port,
+        {.code = 0x0008, .source = commander, .destination = driver, .body = {0x05, 0x44, 0xB0, 4, 0xFF, 0xFF, 0, 0}});
+    REQUIRE(after.wait_for(0x4405));
+    net::run_until(context, 600ms, [] { return false; });
+    while (!after.receive(1ms).empty()) {}
+    REQUIRE(after.receive(300ms).empty());
     REQUIRE(r.node.send({.destination = make(7, 1, 32), .source = make(2, 1, 33)}, jaus::query_component_status{}));
     REQUIRE_FALSE(after.receive().empty());
 }

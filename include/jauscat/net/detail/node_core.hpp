@@ -5,6 +5,7 @@
 #include <jauscat/net/detail/local_queue.hpp>
 #include <jauscat/net/detail/node_components.hpp>
 #include <jauscat/net/detail/node_routes.hpp>
+#include <jauscat/schema/jaus/event.hpp>
 
 #include <functional>
 
@@ -88,8 +89,14 @@ class node_core {
             head, from, [&](std::uint16_t component, const jaus::address&) { to_component(component); },
             [&](jaus::hop by) {
                 const auto& to = (*routes_)[by];
-                if (now <= to.quiet_after || jaus::names_one_component(head.destination)) send_(message, to);
+                if (now <= to.quiet_after || is_answer(head)) send_(message, to);
             });
+    }
+
+    // Not to all, of no service connection and no event: not what goes on without being asked for again.
+    static bool is_answer(const jaus::header& head) noexcept {
+        return jaus::names_one_component(head.destination) && !head.service_connection &&
+               head.command_code != jaus::event::command_code;
     }
 
     static constexpr int most_rounds = 16; ///< components that go on answering each other leave time for the network

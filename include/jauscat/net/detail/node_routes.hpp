@@ -33,8 +33,9 @@ inline jaus::address manager_of(const jaus_config& config, std::uint8_t node) {
 /// system, if it has one, is a hop too. Systems that do not take part in the group get copies of their own.
 ///
 /// Where everybody may send (an open access list), a subsystem that the configuration does not cover is answered where
-/// it was last heard: one hop for each, and nothing that others can make grow. What is sent to all goes to such a hop
-/// as long as it is heard, so that a forged datagram does not make this node send heartbeats to its victim for ever.
+/// it was last heard: one hop for each, and nothing that others can make grow. Heartbeats, reports of service
+/// connections and events go to such a hop as long as it is heard, so that a forged datagram does not make this node
+/// send them to its victim for ever.
 class node_routes {
   public:
     using endpoint = boost::asio::ip::udp::endpoint;
@@ -44,7 +45,7 @@ class node_routes {
     struct neighbour {
         endpoint to{};
         jaus::framing framing{};
-        time quiet_after{time::max()}; ///< gets nothing that is sent to all after this
+        time quiet_after{time::max()}; ///< gets answers only after this
     };
 
     /// `components` are those of this program, all of one node; the router calls them by their place. `strangers`: ways
