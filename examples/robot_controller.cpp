@@ -2,6 +2,7 @@
 #include "robot_controller/slave_front.hpp"
 #include "support/link_options.hpp"
 
+#include <exception>
 #include <thread>
 
 namespace {
@@ -17,6 +18,10 @@ translated into SDO downloads. After a query the report is uploaded and sent to 
 
 A component obeys when it is ready. In every other state, and when its controller is lost, the slave is brought to rest.
 
+A configuration may put several masters behind this program: those of all systems whose <ethercat> entry names it as
+their controller, each with its own interface, slave and JAUS node (docs/configuration.md). Then the file says which
+interfaces and stations there are.
+
 With --cycle the slave runs in OP, and wrench efforts take the cyclic path: a Set Wrench Effort is in the slave's outputs
 in the next cycle, and Query Wrench Effort is answered from its inputs. All other messages go by the mailbox, in between.
 
@@ -25,7 +30,81 @@ Examples:
   robot_controller --this b --table self-contained
   robot_controller --this b --link raw --interface eth0
   robot_controller --this b --link raw --interface eth0 --cycle 1000
+  robot_controller --config robot.xml --this arm      the masters of arm in robot.xml
 )";
+
+using values_map = boost::program_options::variables_map;
+
+/// A system in front of a slave, and the link to it.
+struct place {
+    jauscat::net::jaus_config config{}; ///< seen by the system
+    std::uint16_t station{};
+    example::opened_link link{};
+};
+
+/// The masters of the configuration, or else the one of the command line.
+std::vector<place> open_places(const values_map& values) {
+    const auto config = example::load_config(values);
+    const auto masters = config.masters_of(config.this_system);
+    std::vector<place> places;
+    if (masters.empty()) {
+        const auto station = values["station"].as<std::uint16_t>();
+        if (station < 1 || station > 254) throw example::usage_error{"--station must be 1 to 254"};
+        places.push_back({config, station, example::open_link(values, example::link_end::master)});
+        return places;
+    }
+    for (const auto* option : {"station", "link", "interface", "ethercat-host", "ethercat-port"})
+        if (values.count(option) != 0 && !values[option].defaulted())
+            throw example::usage_error{std::string{"--"} + option + " is not for " + config.this_system +
+                                       ", whose masters are in " + config.source};
+    for (const auto* system : masters) {
+        const auto& wire = *system->ethercat;
+        places.push_back({config.with_this(system->name), system->jausip.node,
+                          wire.interface_name.empty()
+                              ? example::open_udp_link(example::link_end::master, wire.udp_host, wire.udp_port)
+                              : example::open_raw_link(wire.interface_name)});
+    }
+    return places;
+}
+
+example::slave_settings settings_for(const place& at, const std::string& trace_name, const values_map& values) {
+    return {.slave = {.subsystem = at.config.me().jausip.subsystem, .station = at.station},
+            .frame_timeout = std::chrono::milliseconds{values["frame-timeout"].as<unsigned>()},
+            .download = {.clear_subindex_0 = values["clear-subindex-0"].as<bool>()},
+            .period = std::chrono::microseconds{values["cycle"].as<unsigned>()},
+            .watchdog = std::chrono::milliseconds{values["watchdog"].as<unsigned>()},
+            .trace_name = trace_name};
+}
+
+std::unique_ptr<example::any_exchange> exchange_with(const ethercat::slave_identity& slave, const values_map& values) {
+    std::unique_ptr<example::any_exchange> made;
+    example::with_table(values, [&]<class Table>() {
+        made = std::make_unique<example::exchange_under<Table>>(slave);
+        return example::success;
+    });
+    return made;
+}
+
+/// Each front on a thread of its own, until Ctrl-C. The error of a single one is thrown.
+int run_all(std::deque<example::slave_front>& fronts, std::chrono::milliseconds patience) {
+    std::vector<std::exception_ptr> errors(fronts.size());
+    const bool alone = fronts.size() == 1;
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t i = 0; i != fronts.size(); ++i)
+            threads.emplace_back([&front = fronts[i], &error = errors[i], patience, alone] {
+                try {
+                    front.run(patience, !alone);
+                } catch (const std::exception& problem) {
+                    if (!alone) front.say(problem.what());
+                    error = std::current_exception();
+                }
+            });
+    }
+    if (alone && errors.front()) std::rethrow_exception(errors.front());
+    const bool well = std::ranges::all_of(errors, [](const auto& error) { return error == nullptr; });
+    return well ? example::success : example::failure;
+}
 
 } // namespace
 
@@ -48,33 +127,22 @@ int main(int argc, char** argv) {
         // clang-format on
         example::add_link_options(options);
         const auto values = example::parse(argc, argv, options, help);
-        const auto station = values["station"].as<std::uint16_t>();
-        if (station < 1 || station > 254) throw example::usage_error{"--station must be 1 to 254"};
         if (values["watchdog"].as<unsigned>() > 6500) throw example::usage_error{"--watchdog must be 0 to 6500"};
-        const auto config = example::load_config(values);
-        return example::with_link(values, example::link_end::master, [&](auto& link, const std::string& where) {
-            const example::speaker say{"controller"};
-            say(where);
-            const example::slave_settings settings{
-                .slave = {.subsystem = config.me().jausip.subsystem, .station = station},
-                .frame_timeout = std::chrono::milliseconds{values["frame-timeout"].as<unsigned>()},
-                .download = {.clear_subindex_0 = values["clear-subindex-0"].as<bool>()},
-                .period = std::chrono::microseconds{values["cycle"].as<unsigned>()},
-                .watchdog = std::chrono::milliseconds{values["watchdog"].as<unsigned>()}};
-            std::unique_ptr<example::any_exchange> exchange;
-            example::with_table(values, [&]<class Table>() {
-                exchange = std::make_unique<example::exchange_under<Table>>(settings.slave);
-                return example::success;
-            });
-            example::slave_front front{config,
-                                       link,
-                                       std::move(exchange),
-                                       settings,
-                                       values.count("open") != 0 ? jauscat::net::access::open
-                                                                 : jauscat::net::access::closed,
-                                       say};
-            front.run(std::chrono::milliseconds{values["wait"].as<unsigned>()}, false);
-            return int{example::success};
-        });
+        const auto who = values.count("open") != 0 ? jauscat::net::access::open : jauscat::net::access::closed;
+        const auto places = open_places(values);
+        if (std::ranges::any_of(places, [](const place& at) { return at.link.is_raw; })) example::give_up_privileges();
+        std::deque<example::slave_front> fronts;
+        for (const auto& at : places) {
+            const auto name = places.size() == 1 ? std::string{} : at.config.this_system;
+            const example::speaker say{name.empty() ? "controller" : "controller " + name};
+            const auto settings = settings_for(at, name, values);
+            say(at.link.where);
+            fronts.emplace_back(at.config, *at.link.link, exchange_with(settings.slave, values), settings, who, say);
+        }
+        for (auto& front : fronts)
+            front.disappeared = [&](const auto& gone) {
+                for (auto& other : fronts) other.lose(gone);
+            };
+        return run_all(fronts, std::chrono::milliseconds{values["wait"].as<unsigned>()});
     });
 }

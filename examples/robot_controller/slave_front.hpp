@@ -44,6 +44,8 @@ class slave_front {
         node_.start();
     }
 
+    /// For what is said of this front.
+    void say(const std::string& line) const { say_(line); }
     /// Hears of everybody whom this front's node manager no longer hears. Before `run`.
     std::function<void(const jauscat::jaus::address& who)> disappeared{};
 

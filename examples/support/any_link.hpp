@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace example {
 
@@ -17,10 +18,10 @@ class any_link {
     [[nodiscard]] virtual const std::string& problem() const = 0;
 };
 
-/// Refers to a link, which must outlive it.
-template <class Link> class link_reference final : public any_link {
+/// Holds a link.
+template <class Link> class held_link final : public any_link {
   public:
-    explicit link_reference(Link& link) : link_{link} {}
+    explicit held_link(Link link) : link_{std::move(link)} {}
     bool send(std::span<const std::byte> frame) override { return link_.send(frame); }
     std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) override {
         return link_.receive(buffer, timeout);
@@ -28,7 +29,7 @@ template <class Link> class link_reference final : public any_link {
     [[nodiscard]] const std::string& problem() const override { return link_.problem(); }
 
   private:
-    Link& link_;
+    Link link_;
 };
 
 } // namespace example

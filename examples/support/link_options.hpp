@@ -6,6 +6,8 @@
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/translate/fixed_length.hpp>
 
+#include <memory>
+
 namespace example {
 
 /// The options that `with_table` looks at.
@@ -43,27 +45,48 @@ inline void add_link_options(boost::program_options::options_description& option
 enum class link_end { master, slave };
 enum class privileges { dropped, kept };
 
+/// A link, and what to say of it.
+struct opened_link {
+    std::unique_ptr<any_link> link{};
+    std::string where{};
+    bool is_raw{}; ///< it took privileges to open it
+};
+
+/// Raw Ethernet on a network interface.
+inline opened_link open_raw_link(const std::string& interface_name) {
+    return {std::make_unique<held_link<jauscat::net::raw_link>>(jauscat::net::raw_link{interface_name}),
+            "raw Ethernet on " + interface_name, true};
+}
+/// EtherCAT in UDP, to a slave or as one.
+inline opened_link open_udp_link(link_end end, const std::string& host, std::uint16_t port) {
+    using jauscat::net::udp_link;
+    return {std::make_unique<held_link<udp_link>>(end == link_end::slave ? udp_link::serve(port, host)
+                                                                         : udp_link::connect(host, port)),
+            "EtherCAT in UDP, " + host + ":" + std::to_string(port), false};
+}
+/// The link that the options choose.
+inline opened_link open_link(const boost::program_options::variables_map& values, link_end end) {
+    const auto& kind = values["link"].as<std::string>();
+    if (kind != "raw" && kind != "udp") throw usage_error{"--link must be udp or raw, not '" + kind + "'"};
+    if (kind == "udp")
+        return open_udp_link(end, values["ethercat-host"].as<std::string>(),
+                             values["ethercat-port"].as<std::uint16_t>());
+    if (values.count("interface") == 0) throw usage_error{"--link raw needs --interface NAME"};
+    return open_raw_link(values["interface"].as<std::string>());
+}
+
+/// Gives up for good what raw Ethernet needs. Before threads are started.
+inline void give_up_privileges() {
+    if (const auto dropped = jauscat::net::drop_privileges(); !dropped) throw std::runtime_error{dropped.problem()};
+}
+
 /// Opens the link that the options choose and hands it to `use(any_link&, const std::string& where)`, after giving up
 /// what raw Ethernet needs, unless something else needs it later.
 int with_link(const boost::program_options::variables_map& values, link_end end, auto&& use,
               privileges after = privileges::dropped) {
-    const auto& kind = values["link"].as<std::string>();
-    if (kind == "raw") {
-        if (values.count("interface") == 0) throw usage_error{"--link raw needs --interface NAME"};
-        jauscat::net::raw_link link{values["interface"].as<std::string>()};
-        if (after == privileges::dropped)
-            if (const auto dropped = jauscat::net::drop_privileges(); !dropped)
-                throw std::runtime_error{dropped.problem()};
-        link_reference chosen{link};
-        return use(static_cast<any_link&>(chosen), "raw Ethernet on " + values["interface"].as<std::string>());
-    }
-    if (kind != "udp") throw usage_error{"--link must be udp or raw, not '" + kind + "'"};
-    const auto port = values["ethercat-port"].as<std::uint16_t>();
-    const auto& host = values["ethercat-host"].as<std::string>();
-    auto link = end == link_end::slave ? jauscat::net::udp_link::serve(port, host)
-                                       : jauscat::net::udp_link::connect(host, port);
-    link_reference chosen{link};
-    return use(static_cast<any_link&>(chosen), "EtherCAT in UDP, " + host + ":" + std::to_string(port));
+    const auto opened = open_link(values, end);
+    if (opened.is_raw && after == privileges::dropped) give_up_privileges();
+    return use(*opened.link, opened.where);
 }
 
 /// Calls `use` with the translation table that the options choose.

@@ -656,6 +656,10 @@ tshark_reads_process_data() {
     grep -q "^$data$data\$" "$work/cycles.log" || fail "no cycle with the command and the report"
 }
 
+for cases in "$(dirname "$0")"/*_cases.sh; do
+    # shellcheck source=tests/nodes/controller_cases.sh
+    . "$cases"
+done
 declare -F "$2" >/dev/null || fail "there is no case '$2'"
 "$2"
 if [ ${#wrapper[@]} -gt 0 ]; then

@@ -1,0 +1,111 @@
+# shellcheck shell=bash disable=SC2154 # read by nodes.sh
+# Cases of the robot controller: several masters, and what it does to a slave when a component is not to move it.
+
+# The systems b (2.2.0.0), g (2.3.0.0) and h (2.2.34.0), whose masters are on the interfaces given; b drives all.
+several_masters_on() { # INTERFACE_B INTERFACE_G INTERFACE_H
+    cat >"$config" <<EOF2
+<jausconfig thissystem="a">
+  <system name="a" jausip="1.0.0.0" ip="127.0.0.1" port="$ocu_port"/>
+  <system name="b" jausip="2.2.0.0" ip="127.0.0.1" port="$controller_port"><ethercat interface="$1"/></system>
+  <system name="g" jausip="2.3.0.0" ip="127.0.0.1" port="$(free_port)">
+    <ethercat controller="b" interface="$2"/>
+  </system>
+  <system name="h" jausip="2.2.34.0" ip="127.0.0.1" port="$(free_port)">
+    <ethercat controller="b" interface="$3"/>
+  </system>
+</jausconfig>
+EOF2
+}
+start_several_masters() {
+    node robot_controller controller "${master_options[@]}"
+    controller_pid=$last_pid
+    for system in b g h; do wait_for controller "controller $system: ready: JAUS on"; done
+}
+each_command_reaches_its_slave() {
+    expect_ocu 0 --to 2.2.33.1 propulsive_linear_effort_x=50
+    says arm "raw 16384"
+    says_not arm2 "received Set Wrench Effort"
+    expect_ocu 0 --to 2.3.33.1 propulsive_linear_effort_y=-100
+    says arm2 "raw -32767"
+    says_not arm "raw -32767"
+    # All fields, as long as the object of the emulated slave.
+    expect_ocu 0 --to 2.2.34.1 --send set_wrench_effort "${full_command[@]}"
+    wait_for bus "0x1B16:26 = 16 02"
+    grep -c "received Set Wrench Effort" "$work/arm.log" | grep -qx 1 || fail "the arm has got the command of another"
+    says controller "controller h: received Set Wrench Effort"
+    says controller "controller g: translated to an SDO download packet"
+    says controller "g  -> station 3: SDO request"
+}
+several_masters() {
+    local second third
+    second=$(free_port) third=$(free_port)
+    several_masters_on "udp:127.0.0.1:$slave_port" "udp:127.0.0.1:$second" "udp:127.0.0.1:$third"
+    start_arm
+    node robot_arm arm2 --ethercat-port "$second" && wait_for arm2 "waiting for a master"
+    start_bus --ethercat-port "$third" --object 0x1B16:26=28
+    start_several_masters
+    each_command_reaches_its_slave
+    # A slave that is gone holds nobody up.
+    kill "$arm_pid" && wait "$arm_pid" 2>/dev/null
+    wait_for controller "controller b: slave 2 does not answer"
+    expect_ocu 0 --to 2.3.33.1 propulsive_linear_effort_y=100
+    says arm2 "raw 32767"
+    expect_ocu 1 --to 2.2.33.1 propulsive_linear_effort_x=20
+    says controller "controller b: not delivered: slave 2 does not answer"
+    start_arm
+    wait_for controller "controller b: slave 2 is in PRE-OP" 2
+    expect_ocu 0 --to 2.2.33.1 propulsive_linear_effort_x=30
+    kill -INT "$controller_pid" && wait "$controller_pid"
+    [ $? -eq 0 ] || fail "the controller does not end well on Ctrl-C"
+    for system in b g h; do says controller "controller $system: stopped"; done
+    expect 2 "$bin/robot_controller" --config "$config" --this b --ethercat-port "$slave_port"
+    says out "--ethercat-port is not for b"
+    expect 2 "$bin/robot_controller" --config "$config" --this b --station 4
+}
+a_master_may_start_without_its_slave() {
+    several_masters_on "udp:127.0.0.1:$slave_port" "udp:127.0.0.1:$(free_port)" "udp:127.0.0.1:$(free_port)"
+    start_arm
+    master_options+=(--wait 300)
+    start_several_masters
+    says controller "controller g: ready: JAUS on 127.0.0.1"
+    says controller "waiting for its slave: "
+    expect_ocu 0 --to 2.2.33.1 propulsive_linear_effort_x=50
+    expect_ocu 1 --to 2.3.33.1 propulsive_linear_effort_x=50
+}
+# master_ns has if_m and if_g, slave_ns has if_s; the ends of if_g and if_h are in namespaces of their own.
+add_cable() { # INTERFACE NAMESPACE
+    ip netns add "$2" && namespaces+=("$2")
+    ip -n "$master_ns" link add "$1" type veth peer name if_s netns "$2" || fail "no veth pair $1"
+    ip -n "$master_ns" link set "$1" up
+    ip -n "$2" link set if_s up
+}
+several_masters_on_wires() {
+    two_namespaces
+    local second_ns=jc-2-$$ third_ns=jc-3-$$
+    add_cable if_g "$second_ns"
+    add_cable if_h "$third_ns"
+    several_masters_on if_m if_g if_h
+    prefix=(ip netns exec "$slave_ns")
+    link=(--link raw --interface if_s)
+    start_arm
+    prefix=(ip netns exec "$second_ns")
+    node robot_arm arm2 "${link[@]}" && wait_for arm2 "waiting for a master"
+    prefix=(ip netns exec "$third_ns")
+    start_bus "${link[@]}" --object 0x1B16:26=28
+    prefix=(ip netns exec "$master_ns")
+    start_several_masters
+    says controller "controller g: raw Ethernet on if_g"
+    each_command_reaches_its_slave
+    # No thread of the program has kept the privilege that the sockets took.
+    for task in /proc/"$controller_pid"/task/*/status; do
+        grep -q '^CapEff:[[:space:]]*0*$' "$task" || fail "a thread has privileges: $task"
+    done
+    # A cable is cut: the others work on.
+    ip -n "$slave_ns" link set if_s down
+    wait_for controller "controller b: slave 2 does not answer"
+    expect_ocu 0 --to 2.3.33.1 propulsive_linear_effort_y=100
+    says arm2 "raw 32767"
+    ip -n "$slave_ns" link set if_s up
+    wait_for controller "controller b: slave 2 is in PRE-OP" 2
+    expect_ocu 0 --to 2.2.33.1 propulsive_linear_effort_x=30
+}
