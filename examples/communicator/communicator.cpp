@@ -268,7 +268,8 @@ int main(int argc, char** argv) {
             ("this", po::value<std::string>(), "the system this node is, instead of the file's <thissystem>")
             ("node", po::value<unsigned>()->default_value(0), "the node of its system that this is; 0: the file's, or 1")
             ("primary", po::value<unsigned>()->default_value(0), "the node that relays within the subsystem; 0: none")
-            ("open", "take messages from everybody, for trials");
+            ("open", "take messages from everybody, for trials")
+            ("reuse", "share address and port with other programs (SO_REUSEADDR)");
         // clang-format on
         const auto values = example::parse(argc, argv, options, help);
         const auto id = [&](const char* name) {
@@ -278,7 +279,8 @@ int main(int argc, char** argv) {
         };
         net::jaus_node_options how{.who = values.count("open") != 0 ? net::access::open : net::access::closed,
                                    .node = id("node"),
-                                   .primary = id("primary")};
+                                   .primary = id("primary"),
+                                   .socket = {.reuse_address = values.count("reuse") != 0}};
         const bool by_hand = ::isatty(STDIN_FILENO) != 0;
         communicator node{example::load_config(values), std::move(how),
                           by_hand ? terminal_lines("> ") : script_lines()};

@@ -1,0 +1,52 @@
+// The smallest whole JAUS component: a primitive driver that keeps the wrench effort it is told, and reports it.
+//     primitive_driver JausConfig.xml b
+#include <jauscat/jauscat.hpp>
+#include <jauscat/net.hpp>
+
+#include <boost/asio/signal_set.hpp>
+
+#include <csignal>
+#include <iostream>
+
+namespace jaus = jauscat::jaus;
+namespace net = jauscat::net;
+using state = jaus::primary_status_code;
+
+int main(int argc, char** argv) try {
+    if (argc != 3) return std::cerr << "primitive_driver CONFIGURATION SYSTEM, such as JausConfig.xml b\n", 2;
+    boost::asio::io_context context;
+    net::jaus_node node{context, net::read_jaus_config(argv[1]).with_this(argv[2]), {.log = [](std::string_view line) {
+                            std::cout << line << std::endl;
+                        }}};
+    auto self = node.manager();
+    self.component = 33; // Primitive Driver
+
+    jaus::report_wrench_effort effort{};
+    jaus::dispatcher own{
+        jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const jaus::set_wrench_effort& told) {
+            jaus::copy_present(told, effort); // and here the motors
+        }),
+        jaus::on<jaus::query_wrench_effort>([&](const jaus::header& head, const jaus::query_wrench_effort& query) {
+            auto answer = effort;
+            jaus::keep_requested(answer, query.presence_vector);
+            const auto sent = node.send({.destination = head.source, .source = self}, answer);
+            if (!sent) std::cout << sent.problem() << std::endl;
+        })};
+    const auto rest = [&effort](state, state now) {
+        if (now != state::ready) effort = {}; // standby, emergency, shutdown: the motors rest
+    };
+    struct {
+        decltype(rest) on_state;
+    } hooks{rest};
+    jaus::component_memory<> memory{};
+    jaus::component driver{self, memory, hooks, {}};
+    node.add(driver, own);
+    node.start();
+    driver.change(jaus::state_event::initialized); // Ready: obeys from now on
+
+    boost::asio::signal_set signals{context, SIGINT, SIGTERM};
+    signals.async_wait([&](auto, int) { node.stop(); });
+    context.run();
+} catch (const std::exception& e) {
+    return std::cerr << "primitive_driver: " << e.what() << '\n', 1;
+}
