@@ -38,7 +38,7 @@ operator_unit::operator_unit(const net::jaus_config& config, const jaus::address
       robot_{robot},
       manager_of_robot_{.instance = 1, .component = 1, .node = robot.node, .subsystem = robot.subsystem},
       timeout_{timeout},
-      held_{self_, robot, {.patience = timeout, .requests = retries + 1, .renewal = std::chrono::seconds{1}}},
+      held_{self_, robot, {.patience = timeout, .requests = retries + 1, .renewal = std::chrono::seconds{5}}},
       described_{self_,
                  {.name = {.identification = "operator control unit", .type = 60001}},
                  jaus::heartbeat_to_node_manager(self_),
@@ -123,7 +123,7 @@ jaus::message_outcome operator_unit::application_type::operator()(const jaus::he
 }
 
 void operator_unit::shown_output::operator()(bytes message) const {
-    show("sends", message);
+    if (!mine.quiet_) show("sends", message);
     mine.node_.out()(message);
 }
 
@@ -155,8 +155,11 @@ void operator_unit::seen(const jaus::address& component, const jaus::header& hea
     if (component != self_) return;
     const bool renews =
         head.command_code == jaus::confirm_component_control::command_code && told_state_ == control_state::held;
+    const bool is_second_answer =
+        head.ack_nak == jaus::ack_nak::ack && jaus::report_code_of(head.command_code) != 0; // the report is the first
     std::vector<std::byte> message(jaus::header_size + body.size());
-    if (!(renews && holds()) && jaus::join(head, body, message)) show("receives", message);
+    if (!quiet_ && !is_second_answer && !(renews && holds()) && jaus::join(head, body, message))
+        show("receives", message);
     if (head.command_code == awaited_report_ && head.source == robot_ && !jaus::is_acknowledgement(head))
         report_.emplace(body.begin(), body.end());
 }
@@ -226,8 +229,9 @@ void operator_unit::tell_control() {
     }
 }
 
-/// Who controls the robot, and its state: mostly the reason of a refusal.
+/// Who controls the robot, and its state: mostly the reason of a refusal. Only what comes of it is shown.
 void operator_unit::tell_why() {
+    quiet_ = true;
     const auto name = text::to_text(robot_);
     jaus::report_component_control control{};
     if (exchange({jaus::query_component_control::command_code}) == reply::taken && wire::decode(control, report())) {
@@ -239,6 +243,7 @@ void operator_unit::tell_why() {
     jaus::report_component_status status{};
     if (exchange({jaus::query_component_status::command_code}) == reply::taken && wire::decode(status, report()))
         say(name + " is in the state " + text::to_text(status.primary_status_code));
+    quiet_ = false;
 }
 
 } // namespace ocu

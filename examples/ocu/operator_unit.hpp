@@ -96,7 +96,7 @@ class operator_unit {
     std::optional<std::vector<std::byte>> report_{};
 
     control_state told_state_{};
-    bool is_gone_{};
+    bool is_gone_{}, quiet_{};
     std::uint64_t heartbeats_{};
     std::set<std::string> told_{}; ///< lines of the node's log: each is shown once
 

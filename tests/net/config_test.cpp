@@ -19,9 +19,9 @@ std::string hop(const jaus_config& config, std::string_view destination) {
 
 } // namespace
 
-TEST_CASE("the example file names systems a and b") {
+TEST_CASE("the example file names systems a, b and c") {
     const auto config = read_jaus_config(std::filesystem::path{JAUSCAT_TEST_DATA} / "../../examples/JausConfig.xml");
-    REQUIRE(config.systems.size() == 2);
+    REQUIRE(config.systems.size() == 3);
     CHECK(config.this_system == "a");
     CHECK(config.me().name == "a");
     CHECK(config.me().jausip == jaus::address{0, 0, 0, 1});
@@ -30,7 +30,10 @@ TEST_CASE("the example file names systems a and b") {
     REQUIRE(config.find("b") != nullptr);
     CHECK(config.find("b")->jausip == jaus::address{0, 0, 0, 2});
     CHECK(config.find("b")->port == 39778);
-    CHECK(config.find("c") == nullptr);
+    REQUIRE(config.find("c") != nullptr);
+    CHECK(config.find("c")->jausip == jaus::address{0, 0, 0, 3});
+    CHECK(config.find("c")->port == 39779);
+    CHECK(config.find("d") == nullptr);
 }
 
 TEST_CASE("attributes, any case of the root, spaces, comments, a byte order mark and a framing are taken") {
