@@ -20,8 +20,9 @@ class configuration_events {
             return manager.configuration(wanted.query_field, body);
         }
     };
+    static constexpr double most_a_second = 10; ///< so that no event floods whom it goes to
     static constexpr auto code = jaus::report_configuration::command_code;
-    static constexpr std::array reports{jaus::eventful_report{.command_code = code}};
+    static constexpr std::array reports{jaus::eventful_report{.command_code = code, .max_rate = most_a_second}};
 
     filler fill_;
     std::array<std::byte, 2 * 4096> memory_{};
