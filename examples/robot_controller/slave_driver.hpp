@@ -174,6 +174,7 @@ class slave_driver {
     /// Executes a request packet and returns its confirmation.
     bytes execute(bytes request) {
         jauscat::ethercat::packet_job job{request, confirmation_, {.download = download_}};
+        while (cyclic_ && cyclic_->busy()) cyclic_->cycle(); // one datagram's time
         traced_link traced{link_, trace_name_};
         for (bool runs = job.start(master_); runs; runs = job.next(master_))
             static_cast<void>(cyclic_ ? cyclic_->run_job(exchange_timeout)

@@ -109,3 +109,93 @@ several_masters_on_wires() {
     wait_for controller "controller b: slave 2 is in PRE-OP" 2
     expect_ocu 0 --to 2.2.33.1 propulsive_linear_effort_x=30
 }
+
+at_rest() { # TIMES: so often the arm has shown that nothing drives it
+    wait_for arm "received Set Wrench Effort, 36 bytes, 2.2.33.1 -> 2.2.33.1" "$1"
+    for _ in $(seq 100); do
+        [ "$(grep " raw " "$work/arm.log" | tail -12 | grep -c " raw 0$")" -eq 12 ] && return
+        sleep 0.05
+    done
+    fail "the arm is not at rest"
+}
+states_bring_the_arm_to_rest() {
+    start_robot
+    expect_ocu 0 propulsive_linear_effort_x=50
+    expect_ocu 0 --send standby
+    says controller "2.2.33.1: standby: efforts go to zero"
+    at_rest 1
+    expect_ocu 1 propulsive_linear_effort_x=20
+    says controller "refused: the component is not ready"
+    expect_ocu 0 --send resume
+    expect_ocu 0 propulsive_linear_effort_x=30
+    # Reset: at rest, and ready again, since there is a slave.
+    expect_ocu 0 --send reset
+    says controller "2.2.33.1: initialize -> ready"
+    at_rest 2
+    expect_ocu 0 propulsive_linear_effort_x=40
+    # Who stops the machine lets it go on, and then it waits for a Resume. The arm hears of both.
+    expect_ocu 0 --send set_emergency emergency_code=transition_to_emergency
+    says controller "2.2.33.1: emergency: efforts go to zero"
+    wait_for arm "EMERGENCY: all efforts to zero"
+    expect_ocu 1 propulsive_linear_effort_x=20
+    expect_ocu 0 --send clear_emergency emergency_code=clear_emergency
+    wait_for arm "emergency cleared"
+    expect_ocu 1 propulsive_linear_effort_x=20
+    expect_ocu 0 --send resume
+    the_command_arrives
+    expect_ocu 0 --send shutdown
+    says controller "2.2.33.1: shutdown: efforts go to zero"
+    expect_ocu 1 propulsive_linear_effort_x=20
+}
+lost_controller_brings_the_arm_to_rest() {
+    start_robot
+    "${wrapper[@]}" "$bin/ocu" --config "$config" --this a --hold 60 propulsive_linear_effort_x=50 >"$work/hold.log" 2>&1 &
+    local holder=$!
+    pids+=("$holder")
+    wait_for controller "2.2.33.1 is controlled by 1.1.32.1, authority 128"
+    wait_for controller "1.1.1.1 is heard"
+    wait_for arm "raw 16384"
+    kill -KILL "$holder" && wait "$holder" 2>/dev/null
+    wait_for controller "1.1.1.1 is no longer heard"
+    wait_for controller "2.2.33.1 is controlled by nobody"
+    says controller "2.2.33.1: its controller is lost: efforts go to zero"
+    at_rest 1
+    # Who releases control leaves the arm as it is.
+    expect_ocu 0 propulsive_linear_effort_x=50
+    wait_for controller "2.2.33.1 is controlled by nobody" 2
+    expect_ocu 0 --query
+    says out "propulsive_linear_effort_x = 50.001526 %"
+}
+emergency_while_the_slave_is_away() {
+    two_namespaces
+    start_raw_robot
+    expect_ocu 0 propulsive_linear_effort_x=50
+    ip -n "$slave_ns" link set if_s down
+    wait_for controller "slave 2 does not answer"
+    expect_ocu 0 --send set_emergency emergency_code=transition_to_emergency
+    says controller "2.2.33.1: emergency: efforts go to zero when the slave is back"
+    ip -n "$slave_ns" link set if_s up
+    wait_for arm "EMERGENCY: all efforts to zero"
+    says controller "2.2.33.1: the slave is back: efforts go to zero"
+    at_rest 1
+}
+the_state_reaches_a_slave_with_process_data() {
+    master_options+=("${cyclic[@]}")
+    start_robot
+    expect_ocu 0 propulsive_linear_effort_x=50
+    expect_ocu 0 --send standby
+    says controller "into the process image, command 2: 02 00 ff 0f 00 00 00 00 00 00"
+    wait_for arm "efforts by process data, command 2"
+    expect_ocu 0 --send resume
+    the_command_arrives
+}
+components_of_the_configuration() {
+    sed -i 's|<jausip>2.0.0.0</jausip>|&<node id="2"><component id="33" authority="7"/><component id="49"/></node>|' "$config"
+    start_robot
+    the_command_arrives
+    says controller "2.2.49.1: initialize -> ready"
+    expect_ocu 1 --to 2.2.49.1 propulsive_linear_effort_x=1 # the arm has no objects of component 49
+    says controller "no such object in the dictionary"
+    expect_ocu 0 --send query_component_authority
+    says out "authority_code = 7"
+}

@@ -608,8 +608,8 @@ check_capture() {
     local downloads
     downloads=$(tshark -r "$work/wire.pcap" -Y 'ecat_mailbox.coe.sdoreq == 1 && ecat.cnt == 1' -T fields -E separator=' ' \
         -e ecat_mailbox.coe.sdoidx -e ecat_mailbox.coe.sdosub -e ecat_mailbox.coe.sdolength -e ecat_mailbox.coe.dsoldata 2>/dev/null)
-    # Message properties 16 02 (acknowledgement wanted), source 1.1.32.1, sequence 1, then the body.
-    data=1602012001010100ff0f00400040004001c001c001c0808080ffffff
+    # Message properties 16 02 (acknowledgement wanted), source 1.1.32.1, any sequence number, then the body.
+    data=160201200101....ff0f00400040004001c001c001c0808080ffffff
     grep -qi "^0x1b15 0x1a 0x0000001c $data\$" <<<"$downloads" || fail "tshark reads: $downloads (expected $data)"
     check_frames
 }
