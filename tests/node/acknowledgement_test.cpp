@@ -267,6 +267,41 @@ TEST_CASE("a message is remembered for a time") {
     REQUIRE(a.hear(0x0001, 5, 0, 1s) == received::handed_on);
 }
 
+TEST_CASE("a memory or a timeout without end does not end") {
+    arm a;
+    a.commands = {arm_address, a.places, nanoseconds::max()};
+    a.hear(0x0001, 5, 0, 1s);
+    REQUIRE(a.hear(0x0001, 5, 0, 1000h) == received::repeated);
+    ocu o;
+    o.commands = {o.places, o.copies, {.timeout = nanoseconds::max()}};
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 1s, o.sent.sink()));
+    o.on_time(1000h);
+    REQUIRE(o.sent.size() == 1);
+}
+
+TEST_CASE("of a sender that numbers all its messages 0 only the same one twice in a row is a repeat") {
+    arm a;
+    REQUIRE(a.hear(0x0003, 0) == received::handed_on);
+    REQUIRE(a.hear(0x0003, 0) == received::repeated);
+    REQUIRE(a.hear(0x0004, 0) == received::handed_on);
+    REQUIRE(a.hear(0x0003, 0, 0, 0s, message_outcome::taken, other) == received::handed_on);
+    REQUIRE(a.hear(0x0003, 0) == received::handed_on);
+    REQUIRE(a.hear(0x0003, 0, 0, 0s, message_outcome::taken, other) == received::repeated);
+    for (std::uint8_t body = 0; body != 100; ++body) // one place is enough for them
+        REQUIRE(a.hear(0x0405, 0, body) == received::handed_on);
+    REQUIRE(a.handed_on == 104);
+}
+
+TEST_CASE("a Set Emergency and a query that come again are obeyed again") {
+    arm a;
+    for (const std::uint16_t code : {std::uint16_t{0x0006}, std::uint16_t{0x2002}})
+        for (int i = 0; i != 20; ++i) REQUIRE(a.hear(code, 5) == received::handed_on);
+    REQUIRE(a.handed_on == 40);
+    REQUIRE(a.sent.size() == 40);
+    REQUIRE(a.hear(0x0006, 5, 0, 0s, message_outcome::malformed) == received::handed_on);
+    REQUIRE(a.answer(40) == ack_nak::nak);
+}
+
 TEST_CASE("without a wish for an acknowledgement every message is handed on") {
     arm a;
     for (int i = 0; i != 20; ++i)

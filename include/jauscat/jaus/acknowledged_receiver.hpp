@@ -1,6 +1,7 @@
 // Acknowledges messages that ask for it, and hands each on once although its sender repeats it. RA 3.3 part 2, ACK/NAK.
 #pragma once
 #include <jauscat/jaus/answer.hpp>
+#include <jauscat/jaus/later.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
 #include <algorithm>
@@ -30,13 +31,16 @@ enum class received : std::uint8_t {
 /// acknowledgement is handed on without a second look, as are messages to all of a level: they are not acknowledged,
 /// for all their receivers would answer at once.
 ///
-/// A repeat has source, command code, sequence number and body of a message that came within `memory`; the body counts
-/// because there are nodes that number all messages 0. The RA sets no time: it must be longer than a sender goes on
-/// repeating (a second with acknowledged_sender's defaults) and than copies are delayed on their way, and shorter than
-/// a sender takes to use its 65536 numbers. Within it no message is handed on twice: when the places are used up, or
-/// one source has half of them, its next message is not taken. So there must be twice as many places as one source
-/// sends messages that ask for an acknowledgement within `memory`. Set Emergency is handed on even then: doing it twice
-/// does no harm.
+/// A repeat has source, command code, sequence number and body of a message that came within `memory`. The RA sets no
+/// time: it must be longer than a sender goes on repeating (a second with acknowledged_sender's defaults) and than
+/// copies are delayed on their way, and shorter than a sender takes to use its 65536 numbers. Within it no message is
+/// handed on twice: when the places are used up, or one source has half of them, its next message is not taken. So
+/// there must be twice as many places as one source sends messages that ask for an acknowledgement within `memory`.
+///
+/// There are nodes that number all messages 0. So the body counts too, and of those numbered 0 only the last one of a
+/// source is remembered: Standby after Standby and Resume is no repeat. What does no harm when it is done twice is
+/// always handed on and never remembered: Set Emergency, for one that is new must not be taken for the one before, and
+/// queries, for the answer may have been lost.
 class acknowledged_receiver {
   public:
     /// `places` must outlive this.
@@ -52,23 +56,33 @@ class acknowledged_receiver {
             static_cast<void>(handle());
             return received::handed_on;
         }
+        const auto answer = [&] {
+            const ack_nak how = handle() == message_outcome::taken ? ack_nak::ack : ack_nak::nak;
+            acknowledge(head, self_, how, out);
+            return how;
+        };
+        if (may_be_repeated(head.command_code)) {
+            answer();
+            return received::handed_on;
+        }
         const acknowledged_message key{head.source, head.command_code, head.sequence_number, digest_of(body)};
         const search found = find(key, now);
         if (found.same != nullptr) {
             acknowledge(head, self_, found.same->answer, out);
             return received::repeated;
         }
-        acknowledged_message* const place = 2 * found.of_source < places_.size() ? found.free : nullptr;
-        if (place == nullptr && head.command_code != set_emergency::command_code) return received::no_room;
-        if (place != nullptr) *place = key, place->answer = ack_nak::nak, place->until = now + memory_; // while handled
-        const message_outcome outcome = handle();
-        const ack_nak how = outcome == message_outcome::taken ? ack_nak::ack : ack_nak::nak;
-        if (place != nullptr) place->answer = how;
-        acknowledge(head, self_, how, out);
+        if (found.free == nullptr || 2 * found.of_source >= places_.size()) return received::no_room;
+        *found.free = key;
+        found.free->answer = ack_nak::nak; // while it is handled
+        found.free->until = later(now, memory_);
+        found.free->answer = answer();
         return received::handed_on;
     }
 
   private:
+    [[nodiscard]] static constexpr bool may_be_repeated(std::uint16_t command_code) noexcept {
+        return command_code == set_emergency::command_code || report_code_of(command_code) != 0;
+    }
     struct search {
         acknowledged_message* same{};
         acknowledged_message* free{};
@@ -77,14 +91,15 @@ class acknowledged_receiver {
     [[nodiscard]] constexpr search find(const acknowledged_message& key, std::chrono::nanoseconds now) const noexcept {
         search found{};
         for (acknowledged_message& m : places_) {
-            if (m.answer == ack_nak::none || m.until <= now) {
+            const bool is_of_source = m.source == key.source && m.answer != ack_nak::none && m.until > now;
+            const bool has_number = is_of_source && m.sequence_number == key.sequence_number;
+            if (has_number && m.command_code == key.command_code && m.digest == key.digest) found.same = &m;
+            const bool is_superseded = has_number && key.sequence_number == 0 && found.same != &m;
+            if (m.answer == ack_nak::none || m.until <= now || is_superseded) {
                 m.answer = ack_nak::none;
                 found.free = &m;
-            } else if (m.source == key.source) {
+            } else if (is_of_source) {
                 ++found.of_source;
-                if (m.sequence_number == key.sequence_number && m.command_code == key.command_code &&
-                    m.digest == key.digest)
-                    found.same = &m;
             }
         }
         return found;

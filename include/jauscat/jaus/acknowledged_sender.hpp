@@ -1,6 +1,7 @@
 // Messages that are sent again until they are acknowledged, without anybody waiting: RA 3.3 part 2, ACK/NAK.
 #pragma once
 #include <jauscat/jaus/answer.hpp>
+#include <jauscat/jaus/later.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -138,7 +139,7 @@ class acknowledged_sender {
             if (place.size == 0 || now < place.due) continue;
             if (place.sent <= options_.retries) {
                 ++place.sent;
-                place.due = now + options_.timeout;
+                place.due = later(now, options_.timeout);
                 out(copy_of(place).first(place.size));
             } else {
                 const awaited_message m = std::exchange(place, {});
@@ -173,7 +174,7 @@ class acknowledged_sender {
             return {large ? send_errc::too_large : send_errc::invalid};
         }
         head.data_size = static_cast<std::uint16_t>(size.size() - header_size);
-        *place = {head, size.size(), 1, now + options_.timeout};
+        *place = {head, size.size(), 1, later(now, options_.timeout)};
         next_ = static_cast<std::uint16_t>(head.sequence_number + 1);
         out(copy.first(size.size()));
         return {send_errc::ok, head.sequence_number};

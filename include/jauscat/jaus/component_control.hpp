@@ -2,6 +2,7 @@
 // controlled component refuses from others. RA 3.3 part 3, core subgroup, and the notes on authority.
 #pragma once
 #include <jauscat/jaus/answer.hpp>
+#include <jauscat/jaus/later.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/wire/code_index.hpp>
 
@@ -144,7 +145,7 @@ class component_control {
     }
     [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
         if (!controller_ || options_.timeout == options_.timeout.zero()) return std::nullopt;
-        return heard_ + options_.timeout;
+        return later(heard_, options_.timeout);
     }
 
   private:

@@ -1,6 +1,7 @@
 // What every component says of itself: that it is alive, what it is called and what it can do.
 #pragma once
 #include <jauscat/jaus/answer_in_packets.hpp>
+#include <jauscat/jaus/later.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
 
@@ -74,7 +75,8 @@ class described_component {
     /// Sends a heartbeat when it is time, the first at once. A late call sends one, not what has been missed.
     constexpr void on_time(time now, message_sink out) noexcept {
         if (beat_.period <= time{} || now < next_) return;
-        next_ = now - next_ < beat_.period ? next_ + beat_.period : now + beat_.period;
+        const time following = later(next_, beat_.period);
+        next_ = following > now ? following : later(now, beat_.period);
         put({.destination = beat_.to, .source = self_}, report_heartbeat_pulse{}, out);
     }
     [[nodiscard]] constexpr std::optional<time> next_event() const noexcept {

@@ -2,6 +2,7 @@
 // 3.3 part 3, codes 01F0h to 01F4h and 41F1h. The side that reports is events.hpp.
 #pragma once
 #include <jauscat/jaus/answer.hpp>
+#include <jauscat/jaus/later.hpp>
 #include <jauscat/jaus/requested_event.hpp>
 
 namespace jauscat::jaus {
@@ -145,7 +146,7 @@ template <std::size_t Capacity> class event_consumer {
                      .local_request_id = e.local_request_id, .message_code = e.message_code, .event_id = e.event_id},
                  out);
         ++e.requests;
-        e.due = now + patience_;
+        e.due = later(now, patience_);
     }
     template <coded_message T> constexpr void send(const requested_event& e, const T& body, message_sink out) noexcept {
         std::array<std::byte, header_size + max_create_event_size + 1> bytes{}; // Update Event has one more: the ID

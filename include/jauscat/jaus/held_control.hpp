@@ -3,6 +3,7 @@
 #pragma once
 #include <jauscat/jaus/answer.hpp>
 #include <jauscat/jaus/callback.hpp>
+#include <jauscat/jaus/later.hpp>
 #include <jauscat/jaus/stands_for.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
@@ -88,8 +89,9 @@ class held_control {
     }
     [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
         if (state_ == control_state::asking || (state_ == control_state::held && asked_ != 0))
-            return at_ + options_.patience;
-        if (state_ == control_state::held && options_.renewal != options_.renewal.zero()) return at_ + options_.renewal;
+            return later(at_, options_.patience);
+        if (state_ == control_state::held && options_.renewal != options_.renewal.zero())
+            return later(at_, options_.renewal);
         return std::nullopt;
     }
     /// The component `who` has disappeared, or all of a level for which an octet is 255.

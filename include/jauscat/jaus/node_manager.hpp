@@ -65,7 +65,7 @@ class node_manager {
                 },
                 [&](const address& who) { tell(options_.disappeared, who); });
         if (options_.survey <= time{} || now < next_survey_) return;
-        next_survey_ = now + options_.survey;
+        next_survey_ = later(now, options_.survey);
         present_.for_each([&](const address& who) { ask(who, out); });
     }
     /// Never later than that on_time has something to do.
@@ -128,7 +128,8 @@ class node_manager {
         const wire::result read = wire::decode(report, body, lists);
         if (!read)
             return read.error() == wire::errc::arena_full ? message_outcome::refused : message_outcome::malformed;
-        const time patience = options_.survey > time{} ? 3 * options_.survey : time::max();
+        const time patience =
+            options_.survey > time{} ? later(later(options_.survey, options_.survey), options_.survey) : time::max();
         bool all = true;
         for (const configured_node& node : report.node)
             for (const auto& [component, instance] : node.component) {

@@ -1,6 +1,7 @@
 // Who has been heard of lately.
 #pragma once
 #include <jauscat/jaus/address_map.hpp>
+#include <jauscat/jaus/later.hpp>
 
 #include <chrono>
 #include <optional>
@@ -33,7 +34,7 @@ class presence_table {
 
     /// `who`, with an ID on each level, was heard at `now`. `patience`: 0 or more.
     constexpr heard hear(const address& who, time now, time patience) noexcept {
-        const time gone_at = now > time::max() - patience ? time::max() : now + patience;
+        const time gone_at = later(now, patience);
         if (place* const found = map_.exactly(who)) {
             found->value.last_heard_at = now;
             found->value.gone_at = std::max(found->value.gone_at, gone_at);

@@ -5,6 +5,7 @@
 #include <jauscat/jaus/answer.hpp>
 #include <jauscat/jaus/callback.hpp>
 #include <jauscat/jaus/consumed_connection.hpp>
+#include <jauscat/jaus/later.hpp>
 #include <jauscat/jaus/update_rate.hpp>
 
 #include <optional>
@@ -51,7 +52,7 @@ template <std::size_t Capacity> class service_consumer {
         if (place >= Capacity || connections_[place].state != consumed_state::suspended) return false;
         consumed_connection& c = connections_[place];
         tell<activate_service_connection>(c, now, out);
-        c.due = now + silence(c);
+        c.due = later(now, silence(c));
         enter(c, consumed_state::active);
         return true;
     }
@@ -61,7 +62,7 @@ template <std::size_t Capacity> class service_consumer {
         if (place >= Capacity || connections_[place].state == consumed_state::free) return;
         consumed_connection& c = connections_[place];
         if (c.confirmed) tell<terminate_service_connection>(c, now, out);
-        c.due = now + std::max(silence(c), options_.patience);
+        c.due = later(now, std::max(silence(c), options_.patience));
         enter(c, consumed_state::ending);
     }
 
@@ -83,7 +84,7 @@ template <std::size_t Capacity> class service_consumer {
         case consumed_state::ending:
             if (c->confirmed && now - c->asked_at >= options_.patience)
                 tell<terminate_service_connection>(*c, now, out);
-            c->due = now + std::max(silence(*c), options_.patience);
+            c->due = later(now, std::max(silence(*c), options_.patience));
             break;
         default: break;
         }
@@ -153,7 +154,7 @@ template <std::size_t Capacity> class service_consumer {
         put(head_to(c), c.request, out);
         ++c.requests;
         c.asked_at = now;
-        c.due = now + options_.patience;
+        c.due = later(now, options_.patience);
     }
     template <class Message>
     constexpr void tell(place_type& c, std::chrono::nanoseconds now, message_sink out) noexcept {
@@ -187,7 +188,7 @@ template <std::size_t Capacity> class service_consumer {
         c->rate = answered.confirmed_periodic_update_rate;
         if (c->state != consumed_state::active) {
             if (c->state == consumed_state::stale) c->heard = false; // it may have started anew, and count from 0
-            c->due = now + silence(*c);
+            c->due = later(now, silence(*c));
             enter(*c, consumed_state::active);
         }
         return {consumer_news::confirmed, place};
@@ -208,7 +209,7 @@ template <std::size_t Capacity> class service_consumer {
         ++c.received;
         c.lost += lost;
         if (c.state != consumed_state::asking) {
-            c.due = now + silence(c);
+            c.due = later(now, silence(c));
             enter(c, consumed_state::active);
         }
         return {consumer_news::report, place, lost};
