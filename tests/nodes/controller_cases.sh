@@ -199,3 +199,21 @@ components_of_the_configuration() {
     expect_ocu 0 --send query_component_authority
     says out "authority_code = 7"
 }
+a_component_behind_its_own_master_hears_of_losses() { # from the node manager, which is behind another
+    local third
+    third=$(free_port)
+    several_masters_on "udp:127.0.0.1:$slave_port" "udp:127.0.0.1:$(free_port)" "udp:127.0.0.1:$third"
+    start_arm
+    start_bus --ethercat-port "$third" --object 0x1B16:26=28
+    master_options+=(--wait 300)
+    start_several_masters
+    "${wrapper[@]}" "$bin/ocu" --config "$config" --this a --hold 60 --to 2.2.34.1 --send set_wrench_effort \
+        "${full_command[@]}" >"$work/hold.log" 2>&1 &
+    local holder=$!
+    pids+=("$holder")
+    wait_for controller "controller h: 2.2.34.1 is controlled by 1.1.32.1"
+    wait_for controller "controller b: 1.1.1.1 is heard"
+    kill -KILL "$holder" && wait "$holder" 2>/dev/null
+    wait_for controller "controller h: 2.2.34.1: its controller is lost: efforts go to zero"
+    wait_for bus "0x1B16:26 =" 2
+}
