@@ -3,6 +3,7 @@
 
 #include <jauscat/jaus/framing.hpp>
 #include <jauscat/net/detail/bind_udp.hpp>
+#include <jauscat/net/detail/handler_memory.hpp>
 #include <jauscat/net/detail/icmp_errors.hpp>
 #include <jauscat/net/detail/mapped_address.hpp>
 #include <jauscat/net/detail/receive_batch.hpp>
@@ -34,10 +35,8 @@ namespace jauscat::net {
 class udp_transport {
   public:
     using endpoint = boost::asio::ip::udp::endpoint;
-
     /// Largest datagram over IPv4, prefix included, in bytes.
     static constexpr std::size_t max_datagram_size = 65507;
-
     /// Called with each message: its bytes (valid during the call), its sender, and how it was framed.
     using message_handler =
         std::function<void(std::span<const std::byte> message, const endpoint& from, jaus::framing framing)>;
@@ -57,7 +56,6 @@ class udp_transport {
         detail::want_icmp_errors(socket_, local.protocol());
         detail::want_drop_count(socket_);
     }
-
     udp_transport(const udp_transport&) = delete;
     udp_transport& operator=(const udp_transport&) = delete;
 
@@ -124,7 +122,7 @@ class udp_transport {
   private:
     void receive() {
         // The token outlives nothing: it tells a completion that was already queued that the transport is gone.
-        const auto complete = [this, token = std::weak_ptr<char>{alive_}](boost::system::error_code error) {
+        auto complete = [this, token = std::weak_ptr<char>{alive_}](boost::system::error_code error) {
             if (token.expired() || !socket_.is_open()) return;
             if (error)
                 report("waiting for datagrams failed: " + error.message());
@@ -133,7 +131,8 @@ class udp_transport {
             if (socket_.is_open()) receive();
         };
         // What an exception left is handed on as soon as the io_context runs: a UDP socket can always be written to.
-        socket_.async_wait(batch_.empty() ? socket_.wait_read : socket_.wait_write, complete);
+        const auto event = batch_.empty() ? socket_.wait_read : socket_.wait_write;
+        socket_.async_wait(event, detail::remembered_handler{std::move(complete), memory_});
     }
 
     /// Going to sleep and being woken costs as much as several datagrams; so it looks once more before it does, though
@@ -243,6 +242,7 @@ class udp_transport {
     filter filter_{};
     udp_counters counters_{};
     std::uint32_t dropped_{}; ///< the kernel's count, modulo 2^32, at the last datagram
+    std::shared_ptr<detail::handler_memory> memory_{std::make_shared<detail::handler_memory>()};
     std::shared_ptr<char> alive_{std::make_shared<char>()};
 };
 

@@ -1,6 +1,8 @@
 // A timer that wakes a node for the earliest of what its parts want.
 #pragma once
 
+#include <jauscat/net/detail/handler_memory.hpp>
+
 #include <boost/asio/steady_timer.hpp>
 
 #include <chrono>
@@ -25,11 +27,13 @@ class wake_timer {
         armed_at_ = at;
         using clock = boost::asio::steady_timer::clock_type;
         timer_.expires_at(clock::time_point{std::chrono::duration_cast<clock::duration>(at)});
-        timer_.async_wait([this, turn = std::weak_ptr<char>{turn_}](boost::system::error_code error) {
-            if (error || turn.expired()) return;
-            armed_at_.reset();
-            wake_();
-        });
+        timer_.async_wait(
+            remembered_handler{[this, turn = std::weak_ptr<char>{turn_}](boost::system::error_code error) {
+                                   if (error || turn.expired()) return;
+                                   armed_at_.reset();
+                                   wake_();
+                               },
+                               memory_});
     }
     /// Does not wake any more, also where it was about to.
     void cancel() {
@@ -42,6 +46,7 @@ class wake_timer {
     boost::asio::steady_timer timer_;
     std::function<void()> wake_;
     std::optional<time> armed_at_{};
+    std::shared_ptr<handler_memory> memory_{std::make_shared<handler_memory>()};
     std::shared_ptr<char> turn_{std::make_shared<char>()};
 };
 
