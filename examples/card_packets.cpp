@@ -26,12 +26,14 @@ template <ethercat::link Link> class channel {
   public:
     explicit channel(Link& link) : link_{link} {}
 
+    // [put_packet]
     void put_packet(std::span<const std::byte> request) {
         ethercat::packet_job job{request, confirmation_};
         for (bool runs = job.start(master_); runs; runs = job.next(master_))
             static_cast<void>(net::run(link_, master_));
         size_ = job.finish(master_.result());
     }
+    // [put_packet end]
     [[nodiscard]] std::span<const std::byte> get_packet() const { return std::span{confirmation_}.first(size_); }
 
   private:

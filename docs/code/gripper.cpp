@@ -1,0 +1,24 @@
+// The sample of the README: a message of one's own, encoded and decoded.
+#include <jauscat/text/hex.hpp>
+#include <jauscat/wire/wire.hpp>
+
+#include <iostream>
+
+// clang-format off
+struct gripper { double force{}; std::optional<std::uint8_t> finger{}; };
+struct newton { static constexpr double min = 0, max = 500; static constexpr std::string_view unit = "N"; };
+// clang-format on
+
+template <> struct jauscat::wire::schema<gripper> {
+    using T = gripper;
+    using type = layout<field<&T::force, scaled<u16le, newton>>, presence<u8, field<&T::finger, u8>>>;
+};
+
+int main() {
+    std::array<std::byte, 8> buffer{};
+    const auto size = jauscat::wire::encode(gripper{.force = 120, .finger = 2}, buffer); // size.size() or size.error()
+    const auto bytes = std::span{buffer}.first(size.size());
+    gripper received{};
+    const auto used = jauscat::wire::decode(received, bytes);
+    std::cout << jauscat::text::hex(bytes) << ": " << received.force << " N, " << (used ? "ok" : "refused") << '\n';
+}

@@ -1,0 +1,32 @@
+// A raw link, and nothing else that takes privileges: "privileges eth0". Without an interface it only gives them up.
+#include <jauscat/net/drop_privileges.hpp>
+#include <jauscat/net/raw_link.hpp>
+
+#include <iostream>
+
+namespace {
+
+int report(const std::string& problem) {
+    std::cerr << problem << '\n';
+    return 1;
+}
+
+int open_and_drop(const std::string& interface) {
+    // [drop]
+    jauscat::net::raw_link link{interface};
+    // real-time priority and locked memory, if wanted, come here
+    if (const auto dropped = jauscat::net::drop_privileges(); !dropped) return report(dropped.problem());
+    // threads are started here
+    // [drop end]
+    return link.problem().empty() ? 0 : report(link.problem());
+}
+
+} // namespace
+
+int main(int argc, char** argv) try {
+    if (argc > 1) return open_and_drop(argv[1]);
+    if (const auto dropped = jauscat::net::drop_privileges(); !dropped) return report(dropped.problem());
+    std::cout << "no privileges\n";
+} catch (const jauscat::net::open_error& e) {
+    return report(e.what());
+}
