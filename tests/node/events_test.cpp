@@ -684,6 +684,40 @@ TEST_CASE("a consumer gives up what is rejected or never answered") {
     REQUIRE(c.first().request.size() == jaus::max_create_event_size);
 }
 
+TEST_CASE("an event that is confirmed when it was given up is cancelled") {
+    consumer c;
+    const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
+    c.events.create(sensor, wanted, 0s, c.sent.sink());
+    while (c.events.next_event()) c.events.on_time(*c.events.next_event(), c.sent.sink());
+    REQUIRE(c.first().state == requested_state::unanswered);
+    c.sent.clear();
+    c.hear(confirmed("00 01 04 44 07 00"), 10s);
+    REQUIRE(to_hex(c.sent[0]) == "06 02 f2 01 01 2a 01 02 01 28 01 01 05 00 00 00 03 02 04 44 07");
+    REQUIRE(c.hear(confirmed("00 01 04 44 07 00"), 10s).what == event_news::unknown); // twice
+    REQUIRE(c.events.next_event() == 11s);                                            // the cancel may get lost
+    REQUIRE(c.hear(confirmed("00 02 04 44 07 00"), 11s).what == event_news::cancelled);
+    REQUIRE(c.first().state == requested_state::free);
+}
+
+TEST_CASE("a consumer gives up the events of a provider that has disappeared") {
+    consumer c;
+    const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
+    c.events.create(sensor, wanted, 0s, c.sent.sink());
+    c.events.create(sensor, wanted, 0s, c.sent.sink());
+    c.hear(confirmed("00 01 04 44 07 00"));
+    c.hear(confirmed("00 02 04 44 08 00"));
+    c.events.cancel(1, 1s, c.sent.sink());
+    REQUIRE(c.events.lose({255, 255, 1, 1}) == 0);
+    REQUIRE(c.events.lose({255, 255, sensor.node, sensor.subsystem}) == 2);
+    REQUIRE(c.first().state == requested_state::unanswered);
+    REQUIRE(c.events.requested()[1].state == requested_state::free);
+    REQUIRE(c.hear(occurred("00")).what == event_news::unknown);
+    REQUIRE(c.events.lose(sensor) == 0);
+    c.sent.clear();
+    REQUIRE(c.events.create(sensor, wanted, 2s, c.sent.sink()) == 0);
+    REQUIRE(c.hear(confirmed("00 04 04 44 01 00")).what == event_news::confirmed);
+}
+
 TEST_CASE("over a network that loses a third of all messages events come about, come and end") {
     std::mt19937 random{5};
     std::uint64_t received = 0, lost = 0;

@@ -368,6 +368,20 @@ TEST_CASE("a consumer gives up what is refused or never answered") {
     REQUIRE(c.service.ask(other, velocity, 1093, 15, 9s, c.sent.sink()) == std::nullopt);
 }
 
+TEST_CASE("a connection that is confirmed when it was given up is terminated") {
+    consumer c;
+    c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink());
+    while (c.service.next_event()) c.service.on_time(*c.service.next_event(), c.sent.sink());
+    REQUIRE(c.first().state == consumed_state::unanswered);
+    c.sent.clear();
+    REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 07 58 02 00"), 10s).what ==
+            consumer_news::ignored);
+    REQUIRE(to_hex(c.sent[0]) == "06 02 0c 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 07");
+    REQUIRE(c.first().state == consumed_state::ending);
+    c.report(0, 11s); // the provider has not got it
+    REQUIRE(c.sent[1] == c.sent[0]);
+}
+
 TEST_CASE("a confirmation from elsewhere or of another report is none") {
     consumer c;
     c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink());

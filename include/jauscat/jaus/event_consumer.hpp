@@ -4,6 +4,7 @@
 #include <jauscat/jaus/answer.hpp>
 #include <jauscat/jaus/later.hpp>
 #include <jauscat/jaus/requested_event.hpp>
+#include <jauscat/jaus/stands_for.hpp>
 
 namespace jauscat::jaus {
 
@@ -117,12 +118,31 @@ template <std::size_t Capacity> class event_consumer {
         return next;
     }
 
+    /// Gives up the events of those that have disappeared, see stands_for: should they come back, they know nothing of
+    /// them. Returns how many.
+    constexpr std::size_t lose(const address& provider) noexcept {
+        std::size_t count = 0;
+        for (requested_event& e : requested_) {
+            if ((!waits(e) && e.state != requested_state::active) || !stands_for(provider, e.provider)) continue;
+            if (e.state == requested_state::cancelling)
+                e = {};
+            else
+                e.state = requested_state::unanswered;
+            ++count;
+        }
+        return count;
+    }
+
     [[nodiscard]] constexpr std::span<const requested_event> requested() const noexcept { return requested_; }
 
   private:
     [[nodiscard]] static constexpr bool waits(const requested_event& e) noexcept {
         return e.state == requested_state::asking || e.state == requested_state::updating ||
                e.state == requested_state::cancelling;
+    }
+    // A confirmation that comes late makes an event at the provider all the same, which must be cancelled.
+    [[nodiscard]] static constexpr bool may_be_answered(const requested_event& e) noexcept {
+        return waits(e) || (e.state == requested_state::unanswered && !e.confirmed);
     }
     constexpr bool keep(requested_event& e, create_event& wanted) noexcept {
         wanted.local_request_id = e.local_request_id = ++last_id_;
@@ -155,7 +175,7 @@ template <std::size_t Capacity> class event_consumer {
     }
     constexpr void answered(const address& source, std::uint8_t id, event_outcome& outcome, auto handle) noexcept {
         const auto e = std::ranges::find_if(requested_, [&](const requested_event& r) {
-            return waits(r) && r.provider == source && r.local_request_id == id;
+            return may_be_answered(r) && r.provider == source && r.local_request_id == id;
         });
         if (e == requested_.end()) {
             outcome.what = event_news::unknown;
@@ -167,15 +187,16 @@ template <std::size_t Capacity> class event_consumer {
     constexpr void confirmed(requested_event& e, event_outcome& outcome, std::chrono::nanoseconds now,
                              message_sink out) noexcept {
         e.requests = 0;
-        if (e.state != requested_state::cancelling) {
+        if (e.state == requested_state::asking || e.state == requested_state::updating) {
             e.confirmed = true;
             e.state = requested_state::active;
             outcome.what = event_news::confirmed;
         } else if (e.confirmed) {
             e = {};
             outcome.what = event_news::cancelled;
-        } else { // cancelled before its ID was known
+        } else { // cancelled before its ID was known, or given up
             e.confirmed = true;
+            e.state = requested_state::cancelling;
             e.local_request_id = ++last_id_;
             ask(e, now, out);
             outcome.what = event_news::confirmed;

@@ -13,7 +13,7 @@ enum class requested_state : std::uint8_t {
     active,     ///< confirmed
     updating,   ///< by update(), not answered yet; until then it goes on as it was, or as it will be
     rejected,   ///< by the provider, for the reason in `response`
-    unanswered, ///< given up: no answer to as many requests as were to be made
+    unanswered, ///< given up: no answer to as many requests as were to be made, or the provider has disappeared
     cancelling, ///< by cancel(); until the provider has answered, or as many cancels were not
 };
 

@@ -173,10 +173,9 @@ template <std::size_t Capacity> class service_consumer {
             c->instance_id = answered.instance_id;
             c->confirmed = true;
         }
-        if (c->state == consumed_state::ending) { // it came after all
-            if (accepted) tell<terminate_service_connection>(*c, now, out);
-            return {consumer_news::ignored, place};
-        }
+        // It came after all, and nobody wants it any more.
+        if (accepted && (c->state == consumed_state::ending || c->state == consumed_state::unanswered))
+            end(place, now, out);
         if (c->state != consumed_state::asking && !going_on(*c)) return {consumer_news::ignored, place};
         c->requests = 0;
         c->response = answered.response_code;
