@@ -1,10 +1,11 @@
 // Messages received, dispatched and answered each second over the loopback interface, next to a bare echo by recvfrom
-// and sendto, in turns: what a node costs beside its sockets. Prints Markdown.
+// and sendto, in turns: what a node costs beside its sockets, and what the way through another node costs. Prints
+// Markdown. scripts/measure-node runs it.
 #include "node/client.hpp"
 #include "wire/report.hpp"
-#include <jauscat/jaus/dispatcher.hpp>
-#include <jauscat/net/datagram_gate.hpp>
-#include <jauscat/net/udp_transport.hpp>
+#include <jauscat/jaus/component.hpp>
+#include <jauscat/net/jaus_node.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -42,13 +43,21 @@ class bare_echo {
     int socket_{open_socket()};
 };
 
-/// The client as the only peer, without a limit.
-net::jaus_config config_for(std::uint16_t client_port) {
-    const auto loopback = boost::asio::ip::make_address("127.0.0.1");
-    net::system_entry client{.name = "client", .jausip = {.subsystem = 1}, .ip = loopback, .port = client_port};
-    client.limits.messages.per_second = 0;
-    return {.this_system = "here",
-            .systems = {{.name = "here", .jausip = {.subsystem = 2}, .ip = loopback, .port = 1}, client}};
+net::system_entry entry(std::string name, const jaus::address& jausip, std::uint16_t port) {
+    net::system_entry made{
+        .name = std::move(name), .jausip = jausip, .ip = boost::asio::ip::make_address("127.0.0.1"), .port = port};
+    made.limits.messages.per_second = 0; // none
+    return made;
+}
+/// The system "here" and its neighbours.
+net::jaus_config config_of(std::vector<net::system_entry> systems) {
+    return {.this_system = "here", .systems = std::move(systems), .source = "node_bench"};
+}
+std::uint16_t free_port() {
+    const int socket = open_socket();
+    const auto port = port_of(socket);
+    ::close(socket);
+    return port;
 }
 
 /// A component that is asked for its status: transport, dispatcher, typed answer.
@@ -60,7 +69,7 @@ class component {
     }
     /// Takes messages from the client alone.
     void guard(std::uint16_t client_port) {
-        gate_.emplace(config_for(client_port));
+        gate_.emplace(config_of({entry("here", {.subsystem = 2}, 1), entry("client", {.subsystem = 1}, client_port)}));
         udp_.set_filter([this](auto message, const auto& from) {
             return (*gate_)(message, from, clock::now().time_since_epoch());
         });
@@ -91,6 +100,59 @@ class component {
     std::optional<net::datagram_gate> gate_{};
     boost::asio::io_context context_{1};
     net::udp_transport udp_{context_, {boost::asio::ip::address_v4::loopback(), 0}};
+};
+
+/// A whole node with a component of its own, 33, that is asked for its status: transport, gate, router, node manager,
+/// the component's state machines and its dispatcher.
+class component_node {
+  public:
+    component_node(boost::asio::io_context& context, const net::jaus_config& config, const jaus::address& self)
+        : core_{self, memory_, hooks_, {}}, node_{context, config, {.log = [](std::string_view line) {
+                                                      std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()),
+                                                                   line.data());
+                                                  }}} {
+        core_.change(jaus::state_event::initialized);
+        node_.add(core_, own_);
+        node_.start();
+    }
+
+  private:
+    static constexpr auto ignore = [](const jaus::header&, const auto&) {};
+    jaus::component_memory<> memory_{};
+    jaus::no_hooks hooks_{};
+    jaus::component<jaus::no_hooks> core_;
+    decltype(jaus::dispatcher{jaus::on<jaus::set_wrench_effort>(ignore)}) own_{
+        jaus::on<jaus::set_wrench_effort>(ignore)};
+    net::jaus_node node_;
+};
+
+/// Node 1 of subsystem 2, by which the client gets to node 2. They share a thread, so that the difference of one and
+/// two is a node's work, not the scheduler's.
+class two_nodes {
+  public:
+    explicit two_nodes(std::uint16_t client_port) : client_port_{client_port} {}
+
+    std::uint16_t port() const { return ports_[0]; }
+    void run(const std::atomic<bool>&) {
+        context_.restart();
+        context_.run();
+    }
+    void stop() { context_.stop(); }
+
+  private:
+    std::uint16_t client_port_;
+    std::array<std::uint16_t, 2> ports_{free_port(), free_port()};
+    boost::asio::io_context context_{1};
+    component_node first_{context_,
+                          config_of({entry("client", {.subsystem = 1}, client_port_),
+                                     entry("here", {.node = 1, .subsystem = 2}, ports_[0]),
+                                     entry("behind", {.node = 2, .subsystem = 2}, ports_[1])}),
+                          {1, 33, 1, 2}};
+    component_node second_{
+        context_,
+        config_of({entry("others", {.subsystem = 1}, ports_[0]), entry("first", {.node = 1, .subsystem = 2}, ports_[0]),
+                   entry("here", {.node = 2, .subsystem = 2}, ports_[1])}),
+        {1, 33, 2, 2}};
 };
 
 struct measured {
@@ -133,24 +195,37 @@ void print(const char* name, std::size_t window, const measured& m, double share
 void run(unsigned rounds, nanoseconds time) {
     std::printf(
         "| who answers | on their way | messages/s | of the echo | processor us each | p50 us | p99 us | lost |\n"
-        "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+        "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
     client asking;
     bare_echo echo;
-    component node, guarded;
+    component bare, guarded;
     guarded.guard(asking.port());
+    two_nodes nodes{asking.port()};
+    const jaus::address first{1, 33, 1, 2}, second{1, 33, 2, 2};
     wire_bench::pin(0);
     for (const std::size_t window : {1u, 8u, 64u}) {
-        std::vector<measured> echoes, nodes, guardeds;
-        for (unsigned i = 0; i != rounds; ++i) { // in turns, so that what else the machine does hits both
-            echoes.push_back(measure(echo, asking, window, time));
-            nodes.push_back(measure(node, asking, window, time));
-            guardeds.push_back(measure(guarded, asking, window, time));
+        struct row {
+            const char* name;
+            std::vector<measured> runs{};
+        };
+        std::array<row, 5> rows{{{"recvfrom, sendto"},
+                                 {"transport and dispatcher"},
+                                 {"the same behind a gate"},
+                                 {"jaus_node"},
+                                 {"jaus_node through another"}}};
+        for (unsigned i = 0; i != rounds; ++i) { // in turns, so that what else the machine does hits all
+            asking.to = first;
+            rows[0].runs.push_back(measure(echo, asking, window, time));
+            rows[1].runs.push_back(measure(bare, asking, window, time));
+            rows[2].runs.push_back(measure(guarded, asking, window, time));
+            rows[3].runs.push_back(measure(nodes, asking, window, time));
+            asking.to = second;
+            rows[4].runs.push_back(measure(nodes, asking, window, time));
         }
-        const auto bare = median(echoes);
-        print("recvfrom, sendto", window, bare, 1);
-        for (auto& [name, runs] : {std::pair{"component", &nodes}, std::pair{"component behind a gate", &guardeds}}) {
-            const auto m = median(*runs);
-            print(name, window, m, m.load.per_second() / bare.load.per_second());
+        const auto echoed = median(rows[0].runs).load.per_second();
+        for (auto& [name, runs] : rows) {
+            const auto m = median(runs);
+            print(name, window, m, m.load.per_second() / echoed);
         }
     }
 }

@@ -1,4 +1,4 @@
-// The asking side of node_bench: keeps a number of requests on their way and times each answer.
+// The asking side of node_bench, component 1.1.32.1: keeps a number of requests on their way and times each answer.
 #pragma once
 
 #include <jauscat/jaus/message.hpp>
@@ -75,10 +75,13 @@ class client {
 
     std::uint16_t port() const { return port_of(socket_); }
 
+    /// Who is asked.
+    jaus::address to{1, 33, 1, 2};
+
     /// Keeps `window` requests, at most 64, on their way to `port` for `time`.
     load_result run(std::uint16_t port, std::size_t window, nanoseconds time) {
-        const auto to = loopback(port);
-        if (::connect(socket_, reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0)
+        const auto target = loopback(port);
+        if (::connect(socket_, reinterpret_cast<const sockaddr*>(&target), sizeof target) != 0)
             throw std::runtime_error{"cannot connect on the loopback interface"};
         load_result result;
         const auto start = clock::now();
@@ -113,8 +116,7 @@ class client {
 
     void send(std::size_t count) {
         for (std::size_t i = 0; i != count; ++i) {
-            const jaus::header head{
-                .destination = {1, 33, 1, 2}, .source = {1, 32, 1, 1}, .sequence_number = ++sequence_};
+            const jaus::header head{.destination = to, .source = {1, 32, 1, 1}, .sequence_number = ++sequence_};
             if (!jaus::make_message(head, jaus::query_component_status{}, out_[i]))
                 throw std::runtime_error{"no message"};
             sent_[sequence_] = clock::now();

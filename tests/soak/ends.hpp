@@ -95,8 +95,11 @@ class end {
         made.patience = 2s; // 9 of 10 heartbeats may be lost
         made.socket.receive_buffer = std::size_t{4} << 20U;
         made.log = [this](std::string_view line) {
-            // The scene has such.
-            if (line.find("the sender does not control the component") == line.npos) note(std::string{line});
+            // The scene has the first; repeats that cross their acknowledgement have the second.
+            for (const std::string_view usual :
+                 {"the sender does not control the component", "acknowledgement that no message waits for"})
+                if (line.find(usual) != line.npos) return;
+            note(std::string{line});
         };
         made.appeared = [this](const jaus::address&) { ++appeared; };
         made.disappeared = [this](const jaus::address&) { ++disappeared; };
