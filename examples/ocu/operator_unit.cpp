@@ -57,7 +57,7 @@ bool operator_unit::hear_robot(milliseconds patience) {
     if (wait([this] { return heartbeats_ != 0; }, patience)) return true;
     if (!example::stop_requested)
         say("FAILED: no heartbeat of " + text::to_text(manager_of_robot_) + " within " +
-            std::to_string(patience.count()) + " ms; is robot_controller running?");
+            text::to_text(std::chrono::duration<double>{patience}.count()) + " s; is robot_controller running?");
     return false;
 }
 
@@ -87,7 +87,8 @@ reply operator_unit::give(const order& what) {
 void operator_unit::hold(milliseconds how_long) {
     if (how_long.count() == 0) return;
     const bool held = holds();
-    say((held ? "keeps control for " : "listens for ") + std::to_string(how_long.count()) + " ms; Ctrl-C ends");
+    say((held ? "keeps control for " : "listens for ") +
+        text::to_text(std::chrono::duration<double>{how_long}.count()) + " s; Ctrl-C ends");
     wait([&] { return held && !holds(); }, how_long);
 }
 

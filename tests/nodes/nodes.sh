@@ -228,8 +228,8 @@ wrong_arguments() {
     says out "did you mean set_travel_speed?"
     expect 2 "$bin/ocu" --send set_travel_speed
     says out "desired_speed is missing"
-    expect 2 "$bin/ocu" --send shutdown
-    says out "the robot does not know Shutdown"
+    expect 2 "$bin/ocu" --send set_camera_pose
+    says out "the robot does not know Set Camera Pose"
     expect 2 "$bin/ocu" --to 1.2.3 --query
     says out "is no JAUS ID"
     expect 2 "$bin/robot_arm" --link token-ring --config "$config"

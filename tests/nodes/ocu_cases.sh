@@ -75,7 +75,7 @@ ocu_is_refused() {
     expect_c 1 --no-control propulsive_linear_effort_x=-20
     says out "Set Wrench Effort was refused (NAK)"
     says out "2.2.33.1 is controlled by 1.1.32.1, authority 100"
-    expect_c 1 --send standby
+    expect_c 1 --no-control --send standby
     # What asks or reports is anybody's.
     expect_c 0 --query
     says out "propulsive_linear_effort_x = 50.001526 % (raw 16384)"
