@@ -1,0 +1,62 @@
+# Sourced by the scripts that try something in an empty Debian 12: makes one in a folder. It needs root. Packages come from
+# where this machine's own apt takes them.
+# shellcheck disable=SC2016 # $(REPO_URI) and its like are apt's
+
+# empty_debian FOLDER: a minimal system in FOLDER, ready for in_chroot; what was there is removed. The first one takes a
+# minute, the next ones are unpacked from build/debian12.tar.
+empty_debian() {
+    local folder=$1 mirror kept=build/debian12.tar
+    if [ "$(id -u)" -ne 0 ]; then
+        echo "Run this as root: it makes a system of its own in $folder (debootstrap, chroot)." >&2
+        return 1
+    fi
+    need debootstrap || return 1
+    remove_chroot "$folder"
+    mkdir -p "$folder" build
+    if [ ! -e "$kept" ]; then
+        mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Codename: bookworm' | head -n 1)
+        if [ -z "$mirror" ]; then
+            echo "This machine's apt sources do not have Debian 12 (bookworm)." >&2
+            return 1
+        fi
+        debootstrap --variant=minbase bookworm "$folder" "$mirror" >build/debootstrap.log ||
+            { tail build/debootstrap.log >&2; return 1; }
+        tar -C "$folder" -cf "$kept.part" . && mv "$kept.part" "$kept"
+    else
+        tar -C "$folder" -xf "$kept"
+    fi
+    # All of Debian 12 that this machine knows: updates and security too, by the same proxy if there is one.
+    apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian' |
+        grep -F ' bookworm' >"$folder/etc/apt/sources.list"
+    apt-config dump Acquire >"$folder/etc/apt/apt.conf.d/00machine"
+    [ ! -e /etc/apt/auth.conf.d ] || cp -r /etc/apt/auth.conf.d "$folder/etc/apt/"
+    printf '#!/bin/sh\nexit 101\n' >"$folder/usr/sbin/policy-rc.d" # no service is started in there
+    chmod +x "$folder/usr/sbin/policy-rc.d"
+    cp -L /etc/resolv.conf /etc/hosts "$folder/etc/"
+    mount -t proc proc "$folder/proc"
+    mount --bind /dev "$folder/dev"
+    mount --bind /dev/pts "$folder/dev/pts"
+    in_chroot "$folder" apt-get update -qq
+}
+
+# in_chroot FOLDER COMMAND...: runs it in there, as root, with an environment of its own.
+in_chroot() {
+    local folder=$1
+    shift
+    env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive TERM="${TERM:-dumb}" \
+        ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} chroot "$folder" "$@"
+}
+
+# remove_chroot FOLDER: takes its mounts off and removes it. For a trap, too.
+remove_chroot() {
+    local mounted
+    [ -d "$1" ] || return 0
+    for mounted in dev/pts dev proc; do
+        ! mountpoint -q "$1/$mounted" || umount "$1/$mounted" || umount -l "$1/$mounted"
+    done
+    if mount | grep -qF " on $(realpath "$1")/"; then
+        echo "Something is still mounted in $1; it is left." >&2
+        return 1
+    fi
+    rm -rf --one-file-system "$1"
+}
