@@ -105,11 +105,11 @@ class slave_component {
         return false;
     }
     /// A message of the component's own.
-    template <class Message> void tell_slave(const Message& body) {
+    template <class Message> bool tell_slave(const Message& body) {
         std::array<std::byte, jauscat::jaus::header_size + jauscat::wire::max_size<Message>> message{};
         const auto size = jauscat::jaus::make_message(
             {.ack_nak = jauscat::jaus::ack_nak::request, .destination = self(), .source = self()}, body, message);
-        if (size) driver_.deliver(bytes{message}.first(size.size()), [](bytes) {});
+        return size && driver_.deliver(bytes{message}.first(size.size()), [](bytes) {});
     }
 
     void bring_to_rest(const std::string& why) {
@@ -120,13 +120,13 @@ class slave_component {
         if (owes_rest_) return;
         set_wrench_effort nothing{};
         jauscat::wire::visit(nothing, [](auto, auto& effort) { effort = 0.0; });
-        tell_slave(nothing);
+        bool told = tell_slave(nothing);
         if (core_.state() == primary_status_code::emergency) {
             set_emergency stop{};
             stop.emergency_code.set(set_emergency_code::transition_to_emergency);
-            tell_slave(stop);
+            told = tell_slave(stop) && told;
         }
-        owes_rest_ = !driver_.up();
+        owes_rest_ = !told;
     }
     void changed_state(jauscat::jaus::primary_status_code from, jauscat::jaus::primary_status_code to) {
         say_(name() + ": " + jauscat::text::to_text(from) + " -> " + jauscat::text::to_text(to));
@@ -143,7 +143,7 @@ class slave_component {
     slave_driver& driver_;
     speaker say_;
     bool losing_{};    ///< who loses control now has not given it away
-    bool owes_rest_{}; ///< the slave was down when it had to be brought to rest
+    bool owes_rest_{}; ///< the slave has not confirmed that it was brought to rest: once more when it is back
     hooks_type hooks_{*this};
     jauscat::jaus::component_memory<16, 256, 4096> memory_{};
     jauscat::jaus::component<hooks_type> core_;

@@ -212,6 +212,7 @@ a_component_behind_its_own_master_hears_of_losses() { # from the node manager, w
     local holder=$!
     pids+=("$holder")
     wait_for controller "controller h: 2.2.34.1 is controlled by 1.1.32.1"
+    wait_for bus "0x1B16:26 ="
     wait_for controller "controller b: 1.1.1.1 is heard"
     kill -KILL "$holder" && wait "$holder" 2>/dev/null
     wait_for controller "controller h: 2.2.34.1: its controller is lost: efforts go to zero"
