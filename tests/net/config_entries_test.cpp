@@ -1,6 +1,7 @@
 // JausConfig.xml beyond who is where: several addresses, multicast, limits, nodes and components.
 #include "net/config_text.hpp"
 
+#include <chrono>
 #include <filesystem>
 
 using namespace jauscat;
@@ -249,4 +250,25 @@ TEST_CASE("a file with everything is read to the last value") {
     CHECK(config.find("ocu")->any_source_port);
     CHECK(config.find("ocu")->limits.messages == net::rate{2000, 200});
     CHECK(config.masters_of("arm").size() == 2);
+}
+
+TEST_CASE("a file with 250 subsystems of 254 nodes is read in a moment, with the lines of all") {
+    std::string text = "<jausconfig>\n<thissystem>s1</thissystem>\n";
+    for (int id = 1; id <= 250; ++id) {
+        const auto number = std::to_string(id);
+        text += "<system name=\"s" + number + "\" jausip=\"" + number + ".0.0.0\" ip=\"127.0.0.1\" port=\"3794\">\n";
+        for (int node = 1; node <= 254; ++node)
+            text += "<node id=\"" + std::to_string(node) + "\"><component id=\"33\"/></node>\n";
+        text += "</system>\n";
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    const auto config = net::parse_jaus_config(text + "</jausconfig>", "large");
+    REQUIRE(std::chrono::steady_clock::now() - begin <
+            std::chrono::seconds{30}); // minutes, if time grew with its square
+    REQUIRE(config.systems.size() == 250);
+    const auto& last = config.systems.back();
+    REQUIRE(last.line == 3 + 249 * 256);
+    REQUIRE(last.components.size() == 254);
+    REQUIRE(last.components.back().id == jauscat::jaus::address{1, 33, 254, 250});
+    REQUIRE(last.components.back().line == last.line + 254);
 }

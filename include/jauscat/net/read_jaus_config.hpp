@@ -14,11 +14,13 @@
 #include <jauscat/net/detail/config_values.hpp>
 
 #include <array>
+#include <bit>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <unordered_map>
 
 namespace jauscat::net {
 
@@ -59,7 +61,7 @@ class config_reader {
         return std::ranges::equal(name, std::string_view{"jausconfig"}, {}, lower);
     }
 
-    system_entry system(pugi::xml_node node) const {
+    system_entry system(pugi::xml_node node) {
         std::array values{config_value{"name"}, config_value{"jausip"},  config_value{"ip"},
                           config_value{"port"}, config_value{"framing"}, config_value{"sourceport"}};
         auto& [name, jausip, ip, port, framing, source_port] = values;
@@ -158,7 +160,7 @@ class config_reader {
         return made;
     }
 
-    void add_node(system_entry& entry, pugi::xml_node node) const {
+    void add_node(system_entry& entry, pugi::xml_node node) {
         std::array values{config_value{"id"}, config_value{"name"}};
         source_.collect(node, values, {"component"});
         const auto& [id, name] = values;
@@ -176,7 +178,7 @@ class config_reader {
         for (const auto child : node.children("component")) add_component(entry, child, made.id);
     }
 
-    void add_component(system_entry& entry, pugi::xml_node node, std::uint8_t of_node) const {
+    void add_component(system_entry& entry, pugi::xml_node node, std::uint8_t of_node) {
         std::array values{config_value{"id"}, config_value{"instance"}, config_value{"name"},
                           config_value{"authority"}};
         source_.collect(node, values);
@@ -195,20 +197,16 @@ class config_reader {
         if (!covers(entry.jausip, made.id))
             fail(line, "the component " + to_jausip(made.id) + " is outside of its system's jausip " +
                            to_jausip(entry.jausip));
-        check_unique(entry.components, made);
-        for (const auto& other : config_.systems) check_unique(other.components, made);
+        const auto [taken, is_new] = component_lines_.emplace(std::bit_cast<std::uint32_t>(made.id), line);
+        if (!is_new)
+            fail(line, "the component " + to_jausip(made.id) + " is taken by the <component> in line " +
+                           std::to_string(taken->second) + "; give each its own id or instance");
         entry.components.push_back(std::move(made));
-    }
-
-    void check_unique(const std::vector<component_entry>& among, const component_entry& made) const {
-        const auto taken = std::ranges::find(among, made.id, &component_entry::id);
-        if (taken != among.end())
-            fail(made.line, "the component " + to_jausip(made.id) + " is taken by the <component> in line " +
-                                std::to_string(taken->line) + "; give each its own id or instance");
     }
 
     const config_source& source_;
     jaus_config config_;
+    std::unordered_map<std::uint32_t, std::size_t> component_lines_{}; ///< by the address
 };
 
 } // namespace detail

@@ -32,9 +32,10 @@ struct config_value {
 
 class config_source {
   public:
-    /// `text` must outlive this. Throws `config_error` when it is not well-formed XML.
-    config_source(std::string_view text, std::string source) : text_{text}, source_{std::move(source)} {
-        const auto parsed = document_.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
+    /// Throws `config_error` when it is not well-formed XML.
+    config_source(std::string_view text, std::string source) : source_{std::move(source)} {
+        for (auto end = text.find('\n'); end != text.npos; end = text.find('\n', end + 1)) line_ends_.push_back(end);
+        const auto parsed = document_.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
         if (!parsed) fail(line_at(parsed.offset), std::string{"not well-formed XML: "} + parsed.description());
     }
 
@@ -95,11 +96,11 @@ class config_source {
 
   private:
     [[nodiscard]] std::size_t line_at(std::ptrdiff_t offset) const {
-        const auto before = std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(text_));
-        return 1 + static_cast<std::size_t>(std::count(text_.begin(), text_.begin() + before, '\n'));
+        const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0));
+        return 1 + static_cast<std::size_t>(std::ranges::lower_bound(line_ends_, at) - line_ends_.begin());
     }
 
-    std::string_view text_;
+    std::vector<std::size_t> line_ends_{}; ///< where the line feeds are
     std::string source_;
     pugi::xml_document document_{};
 };
