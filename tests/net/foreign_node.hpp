@@ -1,6 +1,7 @@
 // A node that knows nothing of this library: a plain socket, and bytes put together by hand.
 #pragma once
 
+#include <jauscat/net/multicast.hpp>
 #include <jauscat/net/run_until.hpp>
 
 #include <boost/asio/buffer.hpp>
@@ -77,6 +78,10 @@ class foreign_node {
     }
     void send(std::uint16_t to, const raw_message& m) { send(to, datagram_of(m)); }
 
+    void send_to_group(const jauscat::net::multicast_options& group, const raw_message& m) {
+        jauscat::net::set_multicast_sending(socket_, group);
+        socket_.send_to(boost::asio::buffer(datagram_of(m)), {group.group, group.port});
+    }
     /// Sends this every 100 ms while the context runs, until the end of this.
     void repeat(std::uint16_t to, const raw_message& m) {
         send(to, m);

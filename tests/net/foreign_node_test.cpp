@@ -299,6 +299,57 @@ TEST_CASE("a closed node answers no stranger, and a stranger cannot take the way
     REQUIRE(stranger.wait_for(0x4002));
 }
 
+TEST_CASE("a foreign node of the own subsystem is asked for its components, and asks for those of all") {
+    boost::asio::io_context context;
+    foreign_node other{context};
+    robot r{context, system("tool", "2.2.0.0", other.port(), "<framing>JAUS01.0</framing>"), net::access::closed};
+    constexpr jaus_id tool{2, 2, 1, 1};
+    other.send(r.port, {.code = 0x4202, .source = tool, .destination = {2, 255, 1, 1}}); // within the subsystem
+    const auto query = other.wait_for(0x2B01);
+    REQUIRE(query);
+    REQUIRE(query->source == manager);
+    REQUIRE(query->destination == tool);
+    REQUIRE(query->body == numbers{3});
+    other.send(
+        r.port,
+        {.code = 0x4B01, .source = tool, .destination = manager, .body = {1, 2, 3, 1, 1, 37, 1, 37, 2}}); // two cameras
+    REQUIRE(net::run_until(context, 5s, [&] { return has(r.appeared, make(2, 2, 37, 2)); }));
+    other.send(r.port, {.code = 0x2B01, .source = tool, .destination = manager, .body = {2}});
+    const auto report = other.wait_for(0x4B01);
+    REQUIRE(report);
+    REQUIRE(report->body == numbers{2, 1, 3, 1, 1, 33, 1, 34, 1, 2, 3, 1, 1, 37, 1, 37, 2});
+    // With its node manager go its components.
+    REQUIRE(net::run_until(context, 5s, [&] { return has(r.disappeared, make(2, 2, 37, 1)); }));
+}
+
+TEST_CASE("a stranger that is heard by multicast is answered by unicast, and hears the group itself") {
+    boost::asio::io_context context;
+    const auto group_port = free_ports<1>()[0], port = free_ports<1>()[0];
+    const std::string group =
+        "<multicast group='224.1.0.1' port='" + std::to_string(group_port) + "' interface='lo' ttl='0'/>";
+    program robot{context, config("robot", system("robot", "2.1.0.0", port, group + "<framing>JAUS01.0</framing>")),
+                  make(2, 1, 33)};
+    foreign_node other{context};
+    const net::multicast_options options{.port = group_port, .interface_name = "lo", .ttl = 0};
+    other.send_to_group(options, {.code = 0x4202, .source = communicator, .destination = all_managers});
+    REQUIRE(net::run_until(context, 5s, [&] { return has(robot.appeared, make(7, 1, 35)); }));
+    REQUIRE(robot.node.send({.destination = make(7, 1, 35), .source = robot.self}, jaus::query_services{}));
+    const auto query = other.wait_for(0x2B03);
+    REQUIRE(query);
+    REQUIRE(query->destination == communicator);
+    // The heartbeats go to the group alone, where such a node listens.
+    REQUIRE_FALSE(other.wait_for(0x4202, 300ms));
+    udp::socket member{context, udp::v4()};
+    member.set_option(udp::socket::reuse_address{true});
+    member.bind({options.group, group_port});
+    net::join_group(member, options);
+    REQUIRE(net::run_until(context, 5s, [&] { return member.available() != 0; }));
+    std::vector<std::byte> beat(100);
+    beat.resize(member.receive(boost::asio::buffer(beat)));
+    REQUIRE(read_datagram(beat));
+    REQUIRE(read_datagram(beat)->code == 0x4202);
+}
+
 TEST_CASE("what a recorded foreign node asked for is answered as its recorded peer did") {
     // Robot 152 of the recording: its node 5. 120 is the operator, 130 another.
     boost::asio::io_context context;

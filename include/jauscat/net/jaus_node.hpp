@@ -174,12 +174,13 @@ class jaus_node {
             return log([&] {
                 return "a datagram from " + detail::text(from) + " is dropped: " + std::string{describe(m.error)};
             });
-        const auto origin = core_.routes().origin(m.header.source, from, how, by_group, gate_->list(), now());
-        const auto what = core_.received(message, m, origin, now(), out_);
+        const auto at = now();
+        const auto origin = core_.routes().origin(m.header.source, from, how, by_group, gate_->list(), at);
+        const auto what = core_.received(message, m, origin, at, out_);
         // Members of a group hear what is for others.
         const auto& to = m.header.destination;
         const bool is_for_others = by_group && to.subsystem != 255 && to.subsystem != self_.subsystem;
-        if (!is_for_others) core_.tell(m.header, what, now());
+        if (!is_for_others) core_.tell(m.header, what, at);
         end_turn();
     }
     void send_for_component(bytes message) {
