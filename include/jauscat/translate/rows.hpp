@@ -75,7 +75,9 @@ template <class From, class To, std::uint32_t Base> struct offset {
     static_assert(largest <= 0xFFFF, "offset: base plus the largest value does not fit an object index of 16 bits");
 
     [[gnu::always_inline]] static constexpr errc forth(const auto& header, auto& packet, sizes) noexcept {
-        To::of(packet) = Base + detail::to_word(From::of(header));
+        static_assert(largest <= std::numeric_limits<typename To::type>::max(),
+                      "offset: base plus the largest value does not fit the packet's field");
+        To::of(packet) = static_cast<typename To::type>(Base + detail::to_word(From::of(header)));
         return errc::ok;
     }
     [[gnu::always_inline]] static constexpr errc back(const auto& packet, auto& header, sizes) noexcept {
@@ -97,7 +99,7 @@ template <class From, class To, const auto& Codes> struct rank {
     [[gnu::always_inline]] static constexpr errc forth(const auto& header, auto& packet, sizes) noexcept {
         const std::size_t place = wire::code_index<Codes>::find(From::of(header));
         if (place == wire::code_index<Codes>::npos) return errc::unknown_command_code;
-        To::of(packet) = static_cast<std::uint32_t>(place + 1);
+        To::of(packet) = static_cast<typename To::type>(place + 1);
         return errc::ok;
     }
     [[gnu::always_inline]] static constexpr errc back(const auto& packet, auto& header, sizes) noexcept {

@@ -110,6 +110,8 @@ template <wire::fixed_message Header, wire::fixed_message Packet, std::size_t Ma
 
     using body_size_row = typename detail::row_of_kind<detail::states_body_size, Rows...>::type;
     using data_count_row = typename detail::row_of_kind<detail::counts_data, Rows...>::type;
+    static_assert(MaxData <= std::numeric_limits<typename data_count_row::counts_data::type>::max(),
+                  "table: the packet field that counts the data is too narrow for the largest data");
     /// The rows that say at which object a message lies; void where the packet is not for an object dictionary.
     using index_row = typename detail::row_of_kind<detail::gives_index, Rows...>::type;
     using subindex_row = typename detail::row_of_kind<detail::gives_subindex, Rows...>::type;
