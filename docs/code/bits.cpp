@@ -1,0 +1,37 @@
+// Step 3 of declare-a-message.md: several members in one integer.
+#include <jauscat/text/annotate.hpp>
+#include <jauscat/wire/wire.hpp>
+
+#include <array>
+#include <iostream>
+
+// [declare]
+enum class grip_mode : std::uint8_t { idle = 0, opening = 1, closing = 2, holding = 3 };
+
+struct report_gripper {
+    grip_mode mode{};
+    bool object_seen{};
+    std::uint8_t temperature_class{}; ///< 0 to 7
+};
+
+// clang-format off
+template <> struct jauscat::wire::schema<report_gripper> {
+    using T = report_gripper;
+    using type = layout<
+        bits<u8,
+            bit<&T::mode, 2>,              // the least significant bits
+            bit<&T::object_seen, 1>,
+            bit<&T::temperature_class, 3>,
+            reserved<2>>>;
+};
+// clang-format on
+// [declare end]
+
+int main() {
+    // [use]
+    std::array<std::byte, 1> buffer{};
+    const report_gripper report{.mode = grip_mode::holding, .object_seen = true, .temperature_class = 5};
+    const auto size = jauscat::wire::encode(report, buffer);
+    std::cout << jauscat::text::annotate<report_gripper>(std::span{buffer}.first(size.size()));
+    // [use end]
+}

@@ -1,0 +1,58 @@
+// Step 5 of declare-a-message.md: any number of elements.
+#include <jauscat/text/annotate.hpp>
+#include <jauscat/wire/wire.hpp>
+
+#include <array>
+#include <iostream>
+
+// [declare]
+struct newtons {
+    static constexpr double min = 0, max = 500;
+    static constexpr std::string_view unit = "N";
+};
+
+struct grasp {
+    std::uint8_t object{}; ///< number of the object
+    std::uint16_t milliseconds{};
+    friend constexpr bool operator==(const grasp&, const grasp&) = default;
+};
+
+struct report_gripper {
+    jauscat::wire::inline_list<double, 4> force{}; ///< newtons, of each finger; held in the message
+    jauscat::wire::list<grasp> history{};          ///< lies elsewhere
+};
+
+// clang-format off
+template <> struct jauscat::wire::schema<grasp> {
+    using T = grasp;
+    using type = layout<
+        field<&T::object, u8>,
+        field<&T::milliseconds, u16le>>;
+};
+template <> struct jauscat::wire::schema<report_gripper> {
+    using T = report_gripper;
+    using type = layout<
+        repeated<&T::force, count<"number_of_fingers", u8>, element<"force", scaled<u8, newtons>>>,
+        repeated<&T::history, count<"number_of_grasps", u8>>>;
+};
+// clang-format on
+// [declare end]
+
+int main() {
+    // [use]
+    const std::array<grasp, 2> grasps{grasp{.object = 7, .milliseconds = 850}, {.object = 9, .milliseconds = 1200}};
+    std::array<std::byte, 32> buffer{};
+    const auto size = jauscat::wire::encode(report_gripper{.force = {100, 250}, .history = grasps}, buffer);
+    const auto bytes = std::span{buffer}.first(size.size());
+    std::cout << jauscat::text::annotate<report_gripper>(bytes);
+
+    // The list's elements are decoded into memory of yours; the message is good for as long as that is.
+    std::array<std::byte, 256> memory{};
+    jauscat::wire::arena arena{memory};
+    report_gripper received{};
+    if (const auto used = jauscat::wire::decode(received, bytes, arena); !used)
+        return std::cerr << describe(used.error()) << '\n', 1;
+    for (const grasp& each : received.history)
+        std::cout << "object " << int{each.object} << ": " << each.milliseconds << " ms\n";
+    // [use end]
+}

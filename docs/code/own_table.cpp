@@ -1,0 +1,100 @@
+// mapping-table.md: a table of one's own, for a packet that is not an EtherCAT card's.
+#include <jauscat/schema/jaus/header.hpp>
+#include <jauscat/text/annotate.hpp>
+#include <jauscat/translate/translator.hpp>
+
+#include <array>
+#include <iostream>
+
+namespace jaus = jauscat::jaus;
+namespace translate = jauscat::translate;
+
+// [packet]
+/// In front of the data of a radio link: 8 bytes, big endian.
+struct radio_packet {
+    std::uint16_t station{};
+    std::uint8_t channel{};
+    std::uint8_t message{}; ///< number of the message, from 1
+    std::uint8_t place{};   ///< 0: a whole message, 1 to 3: first, middle, last part of one
+    std::uint8_t counter{}; ///< the sender's own
+    std::uint16_t size{};   ///< bytes of data behind this
+};
+
+// clang-format off
+template <> struct jauscat::wire::schema<radio_packet> {
+    using T = radio_packet;
+    using type = layout<
+        field<&T::station, u16be>,
+        field<&T::channel, u8>,
+        field<&T::message, u8>,
+        field<&T::place, u8>,
+        field<&T::counter, u8>,
+        field<&T::size, u16be>>;
+};
+// clang-format on
+// [packet end]
+
+// [row]
+/// The packet's value is `Factor` times the JAUS value.
+template <class From, class To, std::uint32_t Factor> struct times {
+    using uses = translate::path_list<From>;
+    using writes = translate::path_list<To>;
+    static constexpr translate::errc forth(const auto& header, auto& packet, translate::sizes) noexcept {
+        To::of(packet) = static_cast<typename To::type>(From::of(header) * Factor);
+        return translate::errc::ok;
+    }
+    static constexpr translate::errc back(const auto& packet, auto& header, translate::sizes) noexcept {
+        if (To::of(packet) % Factor != 0 || To::of(packet) / Factor > 255) return translate::errc::out_of_range;
+        From::of(header) = static_cast<std::uint8_t>(To::of(packet) / Factor);
+        return translate::errc::ok;
+    }
+};
+// [row end]
+
+// [table]
+using J = jaus::header;
+using A = jaus::address;
+using P = radio_packet;
+using translate::at;
+
+inline constexpr std::array<std::uint16_t, 3> codes{0x0405, 0x2405, 0x4405}; // the messages that the radio carries
+
+// clang-format off
+using radio_table = translate::table<J, P, 200, // at most 200 bytes of data
+    times<at<&J::destination, &A::node>, at<&P::station>, 16>,           // node 2 is station 32
+    translate::move<at<&J::destination, &A::component>, at<&P::channel>>,
+    translate::rank<at<&J::command_code>, at<&P::message>, codes>,       // 0405h is 1, 2405h is 2, 4405h is 3
+    translate::relabel<at<&J::data_flag>, at<&P::place>,
+        translate::same<jaus::data_flag::only, 0>,
+        translate::same<jaus::data_flag::first, 1>,
+        translate::same<jaus::data_flag::middle, 2>,
+        translate::same<jaus::data_flag::last, 3>>,                      // all other flags are refused
+    translate::body_size<at<&J::data_size>>,                             // not carried: the packet's size says it
+    translate::data_count<at<&P::size>>,
+    translate::given<at<&P::counter>>,                                   // the caller's
+    translate::rest>;                                                    // all else goes into the data
+// clang-format on
+// [table end]
+
+int main() {
+    // [use]
+    using radio = translate::translator<radio_table>;
+    // A Set Wrench Effort for 2.2.33.1: half of the force forward.
+    const std::array<unsigned char, 20> octets{0x06, 0x02, 0x05, 0x04, 1,    33,   2,    2,    1,    32,
+                                               1,    1,    4,    0,    0x22, 0x00, 0x01, 0x00, 0x00, 0x40};
+    const auto message = std::as_bytes(std::span{octets});
+
+    std::array<std::byte, radio::max_packet_size> packet{};
+    const auto size = radio::forth(message, packet, {.counter = 7});
+    if (!size) return std::cerr << describe(size.error()) << '\n', 1;
+    const auto sent = std::span{packet}.first(size.size());
+    std::cout << jauscat::text::annotate<radio_packet>(sent)
+              << "  data: " << jauscat::text::hex(sent.subspan(radio::packet_size)) << '\n';
+
+    std::array<std::byte, radio::max_message_size> again{};
+    const auto back = radio::back(sent, again);
+    if (!back) return std::cerr << describe(back.error()) << '\n', 1;
+    std::cout << "back: " << jauscat::text::hex(std::span{again}.first(back.size())) << '\n';
+    // [use end]
+    return std::ranges::equal(std::span{again}.first(back.size()), message) ? 0 : 1;
+}

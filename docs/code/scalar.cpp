@@ -1,0 +1,37 @@
+// Step 1 of declare-a-message.md: whole numbers.
+#include <jauscat/text/annotate.hpp>
+#include <jauscat/wire/wire.hpp>
+
+#include <array>
+#include <iostream>
+
+// [declare]
+/// What a gripper says of itself.
+struct report_gripper {
+    std::uint8_t finger{};   ///< 1 is the first
+    std::uint32_t strokes{}; ///< since it was built
+};
+
+template <> struct jauscat::wire::schema<report_gripper> {
+    using T = report_gripper;
+    using type = layout<field<&T::finger, u8>, field<&T::strokes, u32le>>;
+};
+// [declare end]
+
+static_assert(jauscat::wire::max_size<report_gripper> == 5);
+
+int main() {
+    // [use]
+    std::array<std::byte, jauscat::wire::max_size<report_gripper>> buffer{}; // 5 bytes: no padding on the wire
+    const auto size = jauscat::wire::encode(report_gripper{.finger = 2, .strokes = 70000}, buffer);
+    if (!size) return std::cerr << describe(size.error()) << '\n', 1;
+
+    const auto bytes = std::span{buffer}.first(size.size());
+    report_gripper received{};
+    if (const auto used = jauscat::wire::decode(received, bytes); !used)
+        return std::cerr << describe(used.error()) << '\n', 1;
+
+    std::cout << jauscat::text::annotate<report_gripper>(bytes);
+    // [use end]
+    return received.strokes == 70000 ? 0 : 1;
+}
