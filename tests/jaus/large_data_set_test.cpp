@@ -63,6 +63,15 @@ TEST_CASE("a single packet is left to the caller") {
     REQUIRE(r.whole.empty());
 }
 
+TEST_CASE("an acknowledgement is no packet, whatever its data flag") {
+    receiver r;
+    for (const auto flag : {data_flag::first, data_flag::middle, data_flag::last, data_flag::repeated})
+        for (const auto how : {jaus::ack_nak::ack, jaus::ack_nak::nak})
+            REQUIRE(r.hear(flag, 0, "", 0ms, 1, 0x4807, how) == reassembled::only);
+    REQUIRE(r.whole.empty());
+    REQUIRE(r.places[0].packets == 0);
+}
+
 TEST_CASE("every order of the packets gives the same body") {
     struct packet {
         data_flag flag;

@@ -182,7 +182,9 @@ TEST_CASE("acknowledgements of others are not the queue's") {
     other = head;
     other.sequence_number = 5; // of 0 to 4
     REQUIRE_FALSE(queue.on_acknowledgement(answer(other), 0ns));
-    REQUIRE(queue.on_acknowledgement(answer(head), 0ns));
+    REQUIRE_FALSE(queue.on_acknowledgement(answer(head), 0ns)); // nothing is sent yet
+    queue.on_time(1s, [](std::span<const std::byte>) {}, {});
+    REQUIRE(queue.on_acknowledgement(answer(head), 1s));
     REQUIRE(queue.push(head, image(100'000, 1)) == jaus::errc::no_space);
 }
 
@@ -222,4 +224,10 @@ TEST_CASE("a large data set that the component refused is refused again when the
     REQUIRE(answer_to(last, 1, std::byte{2}) == jaus::ack_nak::ack);
     REQUIRE(answer_to(last, 1, std::byte{2}) == jaus::ack_nak::ack);
     REQUIRE(count == 2);
+    // An acknowledgement that came too late for the queue, with the data flag of what it acknowledges.
+    auto late = head;
+    late.ack_nak = jaus::ack_nak::ack;
+    late.data_flag = first;
+    components.hand_on(0, late, {}, now, [](std::span<const std::byte>) { FAIL("answered"); });
+    REQUIRE(core.count(jaus::component_outcome::not_waited_for) == 1);
 }

@@ -13,7 +13,7 @@ namespace jauscat::jaus {
 
 /// What became of a packet.
 enum class reassembled : std::uint8_t {
-    only,      ///< no part of a large data set: it is the caller's
+    only,      ///< no part of a large data set, or an acknowledgement: it is the caller's
     waiting,   ///< kept; others are missing
     whole,     ///< the last one that was missing: the whole has been handed on
     repeated,  ///< held already, or a straggler of the data set that was just handed on, and dropped
@@ -100,7 +100,8 @@ class reassembler {
     /// `lost(const partial_data_set&)` hears of one that is given up.
     constexpr reassembled on_packet(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds now,
                                     auto&& take, auto&& lost) {
-        if (head.data_flag == data_flag::only) return reassembled::only;
+        // There are nodes that repeat the data flag when they acknowledge.
+        if (head.data_flag == data_flag::only || is_acknowledgement(head)) return reassembled::only;
         partial_data_set* set = find(head);
         if (set == nullptr && is_straggler(head, body, now)) return reassembled::repeated;
         if (set != nullptr && begins_another(*set, head, body)) forget(*set, lost);

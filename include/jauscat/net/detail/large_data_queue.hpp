@@ -65,7 +65,8 @@ class large_data_queue {
             head.destination != first.head.source || head.sequence_number >= first.packets.size())
             return false;
         auto& packet = first.packets[head.sequence_number];
-        if (packet.sent == 0 || first.outcome) return true;
+        if (packet.sent == 0) return false;
+        if (first.outcome) return true;
         if (head.ack_nak == jaus::ack_nak::nak)
             first.outcome = jaus::delivered::refused;
         else if (!std::exchange(packet.acknowledged, true) && ++first.acknowledged == first.packets.size())

@@ -70,7 +70,7 @@ class node_components {
     /// component makes of the whole.
     void hand_on(std::uint16_t to, const jaus::header& head, bytes body, time now, jaus::message_sink out) {
         if (!going_) return;
-        if (head.data_flag == jaus::data_flag::only) {
+        if (head.data_flag == jaus::data_flag::only || jaus::is_acknowledgement(head)) {
             give(all_[to].it, head, body, now, out);
             return;
         }
