@@ -82,7 +82,7 @@ class foreign_node {
         jauscat::net::set_multicast_sending(socket_, group);
         socket_.send_to(boost::asio::buffer(datagram_of(m)), {group.group, group.port});
     }
-    /// Sends this every 100 ms while the context runs, until the end of this.
+    /// Sends this every 100 ms while the context runs, until the end of this or fall_silent().
     void repeat(std::uint16_t to, const raw_message& m) {
         send(to, m);
         timer_.expires_after(std::chrono::milliseconds{100});
@@ -90,6 +90,8 @@ class foreign_node {
             if (!error) repeat(to, m);
         });
     }
+
+    void fall_silent() { timer_.cancel(); }
 
     /// The next datagram, while the node that is tested runs; empty when none comes.
     std::vector<std::byte> receive(std::chrono::milliseconds patience = std::chrono::seconds{5}) {

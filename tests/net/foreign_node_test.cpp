@@ -145,7 +145,7 @@ TEST_CASE("a foreign operator connects, takes control, commands and loses it wit
         REQUIRE(got);
         return got->body;
     };
-    other.send(r.port, {.code = 0x4202, .source = communicator, .destination = all_managers});
+    other.repeat(r.port, {.code = 0x4202, .source = communicator, .destination = all_managers});
 
     // 20 Hz of Report Wrench Effort, all fields. Rates are scaled: 1092 Hz are FFFFh.
     const unsigned rate = 20 * 65535 / 1092;
@@ -213,6 +213,7 @@ TEST_CASE("a foreign operator connects, takes control, commands and loses it wit
     REQUIRE(r.core.control().controls(make(7, 1, 32)));
 
     // Only the communicator sends heartbeats: with them the whole subsystem is gone.
+    other.fall_silent();
     REQUIRE(net::run_until(context, 5s, [&] { return has(r.disappeared, make(7, 1, 35)); }));
     REQUIRE_FALSE(r.core.control().controller());
 }

@@ -84,13 +84,13 @@ TEST_CASE("a peer that floods is held to its rate while another is served") {
     const auto flood = datagram_of(effort(operator_id));
     const auto start = net::jaus_node::now();
     std::uint64_t sent = 0;
-    for (int round = 0; round != 50; ++round) {
-        for (int i = 0; i != 400; ++i) b.ocu.send(b.port, flood);
+    for (int round = 0; round != 100; ++round) {
+        for (int i = 0; i != 200; ++i) b.ocu.send(b.port, flood);
         auto other = query;
         other.source = second_id;
         b.second.send(b.port, other);
         REQUIRE(b.second.wait_for(0x4002)); // each time
-        b.settle(sent += 401);
+        b.settle(sent += 201);
     }
     const auto seconds = std::chrono::duration<double>(net::jaus_node::now() - start).count();
     const auto counts = b.robot.node.counts();
@@ -231,7 +231,7 @@ TEST_CASE("one million random and mutated datagrams are all counted, and the nod
         auto& from = kind == 3 ? b.stranger : b.ocu;
         from.send(b.port, datagram);
         ++sent;
-        if (sent % 250 == 0 || sent == all) {
+        if (sent % 125 == 0 || sent == all) {
             REQUIRE(net::run_until(b.context, 20s, [&] { return looked_at() == sent; }));
             if (sent % 5000 == 0)
                 while (!b.ocu.receive(0ms).empty()) {}

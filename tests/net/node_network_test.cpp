@@ -103,7 +103,7 @@ TEST_CASE("the primary relays between the nodes of its subsystem, and nobody els
             const auto before = beats(two, make(5, 3)), own = beats(one, make(5, 3));
             run_for(context, 500ms);
             REQUIRE(beats(two, make(5, 3)) - before <= beats(one, make(5, 3)) - own + 1);
-            REQUIRE(beats(two, make(5, 3)) - before >= 5);
+            REQUIRE(beats(two, make(5, 3)) - before >= 3);
             REQUIRE(beats(two, make(5, 2)) == 0); // never its own
         } else {
             REQUIRE(command(two, three.self, context) == jaus::delivered::timed_out);
