@@ -243,3 +243,18 @@ TEST_CASE("a configuration that cannot be routed by is refused with its line") {
                 .find("another framing") != std::string::npos);
     REQUIRE(error(system("a", "1.0.0.0", port)) == "accepted");
 }
+
+TEST_CASE("who hears of a change may stop the node, and hears of no further one") {
+    net::detail::presence_changes changes{};
+    changes.disappeared(make(1, 1));
+    changes.disappeared(make(2, 1));
+    std::vector<jaus::address> heard{};
+    changes.take([&](const jaus::address& who, bool) {
+        changes.clear();
+        changes.appeared(make(3, 1));
+        heard.push_back(who);
+    });
+    REQUIRE(heard == std::vector{make(1, 1)});
+    changes.take([&](const jaus::address& who, bool) { heard.push_back(who); });
+    REQUIRE(heard == std::vector{make(1, 1), make(3, 1)});
+}

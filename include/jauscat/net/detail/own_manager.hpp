@@ -37,10 +37,13 @@ class presence_changes {
         list_.clear();
         current_.clear();
     }
-    /// `use(who, is_there)` for each. Not from within `use`.
+    /// `use(who, is_there)` for each, until one of them calls `clear`. Not from within `use`.
     void take(auto&& use) {
         std::swap(list_, current_);
-        for (const auto& [who, is_there] : current_) use(who, is_there);
+        for (std::size_t i = 0; i < current_.size(); ++i) {
+            const auto [who, is_there] = current_[i];
+            use(who, is_there);
+        }
         current_.clear();
     }
 };
