@@ -160,7 +160,8 @@ class jaus_node {
 
     verdict check(bytes message, const endpoint& from) {
         if (socket_->is_own(from)) return verdict::taken; // the echo of a multicast; ends in received()
-        const auto what = (*gate_)(message, from, now());
+        at_ = now();
+        const auto what = (*gate_)(message, from, at_);
         if (what != verdict::taken)
             log([&] {
                 return "a datagram from " + detail::text(from) + " is refused: " + std::string{describe(what)};
@@ -174,20 +175,17 @@ class jaus_node {
             return log([&] {
                 return "a datagram from " + detail::text(from) + " is dropped: " + std::string{describe(m.error)};
             });
-        const auto at = now();
-        const auto origin = core_.routes().origin(m.header.source, from, how, by_group, gate_->list(), at);
-        const auto what = core_.received(message, m, origin, at, out_);
+        const auto origin = core_.routes().origin(m.header.source, from, how, by_group, gate_->list(), at_);
+        const auto what = core_.received(message, m, origin, at_, out_);
         // Members of a group hear what is for others.
         const auto& to = m.header.destination;
         const bool is_for_others = by_group && to.subsystem != 255 && to.subsystem != self_.subsystem;
-        if (!is_for_others) core_.tell(m.header, what, at);
+        if (!is_for_others) core_.tell(m.header, what, at_);
         end_turn();
     }
     void send_for_component(bytes message) {
         if (!running()) return;
-        const auto what = core_.send(message, now());
-        jaus::header head{};
-        if (wire::decode_prefix(head, message)) core_.tell(head, what, now());
+        core_.send_or_tell(message, core_.in_turn() ? at_ : now());
         wake_after_sending();
     }
     // Outside of a turn: there may be something for a component here, or to be repeated.
@@ -195,9 +193,10 @@ class jaus_node {
         if (!core_.in_turn()) arm(now());
     }
     void on_time() {
-        core_.turn(now(), out_, [&] {
-            core_.components.on_time(now(), out_);
-            if (running()) core_.large.on_time(now(), out_, options_.large_data_done);
+        at_ = now();
+        core_.turn(at_, out_, [&] {
+            core_.components.on_time(at_, out_);
+            if (running()) core_.large.on_time(at_, out_, options_.large_data_done);
         });
         end_turn();
     }
@@ -214,8 +213,8 @@ class jaus_node {
     void arm_for_next() {
         time next = core_.components.next_event().value_or(time::max());
         next = std::min(next, core_.large.next_event().value_or(next));
-        if (core_.has_more()) next = now();
-        if (next != time::max()) arm(std::max(next, now()));
+        if (core_.has_more()) next = at_;
+        if (next != time::max()) arm(std::max(next, at_));
     }
     void arm(time at) {
         if (running()) timer_.arm(at);
@@ -239,6 +238,7 @@ class jaus_node {
     std::optional<detail::own_manager> manager_{};
     std::optional<detail::node_socket> socket_{};
     bool running_{};
+    time at_{}; ///< of the turn: a look at the clock costs as much as a component's work
 };
 
 } // namespace jauscat::net

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace jauscat::net::detail {
 
@@ -32,8 +33,8 @@ class node_components {
 
     node_components(const jaus_node_options& options, limited_log& log) : options_{options}, log_{log} {}
 
-    void add(attached_component component) { all_.push_back({std::move(component), nullptr, {}}); }
-    void replace(std::size_t place, attached_component component) { all_[place].it = std::move(component); }
+    void add(attached_component component) { all_.push_back({.it = std::move(component)}); }
+    void replace(std::size_t place, attached_component component) { all_[place] = {.it = std::move(component)}; }
     [[nodiscard]] std::vector<jaus::address> addresses() const {
         std::vector<jaus::address> list;
         for (const auto& one : all_) list.push_back(one.it.self);
@@ -71,14 +72,14 @@ class node_components {
     void hand_on(std::uint16_t to, const jaus::header& head, bytes body, time now, jaus::message_sink out) {
         if (!going_) return;
         if (head.data_flag == jaus::data_flag::only || jaus::is_acknowledgement(head)) {
-            give(all_[to].it, head, body, now, out);
+            give(all_[to], head, body, now, out);
             return;
         }
         bool taken = false;
         const auto whole = [&](jaus::header first, bytes complete) {
             first.ack_nak = jaus::ack_nak::none;
             first.data_flag = jaus::data_flag::only;
-            taken = give(all_[to].it, first, complete, now, out) == jaus::component_outcome::taken;
+            taken = give(all_[to], first, complete, now, out) == jaus::component_outcome::taken;
         };
         using jaus::reassembled;
         const auto what = (*all_[to].large)->on_packet(head, body, now, whole, tell_lost(now, all_[to].it.self));
@@ -100,8 +101,10 @@ class node_components {
     }
 
     void on_time(time now, jaus::message_sink out) {
-        for (auto& one : all_)
+        for (auto& one : all_) {
+            one.changed = true;
             if (going_) one.it.on_time(now, out);
+        }
         if (!going_ || now < stale_at_) return;
         stale_at_ = time::max();
         for (auto& one : all_) {
@@ -110,26 +113,41 @@ class node_components {
                 if (set.packets != 0) stale_at_ = std::min(stale_at_, set.last_heard_at + options_.large_data_patience);
         }
     }
-    [[nodiscard]] std::optional<time> next_event() const {
+    /// Asks those that have got, sent or done something since: each looks through all that it waits for.
+    [[nodiscard]] std::optional<time> next_event() {
         time next = stale_at_;
-        for (const auto& one : all_) next = std::min(next, one.it.next_event().value_or(next));
+        for (auto& one : all_) {
+            if (std::exchange(one.changed, false)) one.next = one.it.next_event().value_or(time::max());
+            next = std::min(next, one.next);
+        }
         return next == time::max() ? std::nullopt : std::optional{next};
     }
-    void on_lost(const jaus::address& who) {
+    /// It sends something: there may be more to do for it.
+    void sends(const jaus::address& who) noexcept {
         for (auto& one : all_)
+            if (one.it.self == who) one.changed = true;
+    }
+    void on_lost(const jaus::address& who) {
+        for (auto& one : all_) {
+            one.changed = true;
             if (going_) one.it.on_lost(who);
+        }
     }
 
   private:
     struct entry {
         attached_component it;
-        std::unique_ptr<large_data_memory> large;
+        std::unique_ptr<large_data_memory> large{};
         std::optional<jaus::header> refused{}; ///< the packet that made a large data set whole, which was refused
+        bool changed{true};                    ///< since `next` was asked for
+        time next{};                           ///< when it wants to be driven
     };
 
-    jaus::component_outcome give(attached_component& to, const jaus::header& head, bytes body, time now,
+    jaus::component_outcome give(entry& receiver, const jaus::header& head, bytes body, time now,
                                  jaus::message_sink out) {
         using enum jaus::component_outcome;
+        auto& to = receiver.it;
+        receiver.changed = true;
         const auto what = to.on_message(head, body, now, out);
         if (what != taken && what != acknowledgement && what != repeated)
             log_(now,

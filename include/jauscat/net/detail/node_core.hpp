@@ -42,10 +42,20 @@ class node_core {
     /// A message of a component here.
     jaus::routing send(bytes message, time now) {
         const auto m = jaus::split(message);
-        if (!m) return {.outcome = jaus::routed::invalid_source};
-        return route(message, m.header, jaus::here, now, [&](std::uint16_t component) {
+        return m ? send(message, m.header, now) : jaus::routing{.outcome = jaus::routed::invalid_source};
+    }
+    /// The same, where what is unroutable is told to the log.
+    void send_or_tell(bytes message, time now) {
+        if (const auto m = jaus::split(message))
+            tell(m.header, send(message, m.header, now), now);
+        else
+            log_(now, [&] { return "a message of a component is not sent: " + std::string{describe(m.error)}; });
+    }
+    jaus::routing send(bytes message, const jaus::header& head, time now) {
+        components.sends(head.source);
+        return route(message, head, jaus::here, now, [&](std::uint16_t component) {
             if (!local_.push(component, message))
-                log_(now, [&] { return in_text(m.header) + ": lost: too many messages wait between components"; });
+                log_(now, [&] { return in_text(head) + ": lost: too many messages wait between components"; });
         });
     }
     /// A message from the network.
