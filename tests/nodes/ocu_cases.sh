@@ -7,15 +7,21 @@ second_unit() { # system c, subsystem 3, in the configuration
     sed -i "s|^</jausconfig>|<system><name>c</name><jausip>3.0.0.0</jausip><ip>127.0.0.1</ip><port>$port</port></system>\n&|" "$config"
 }
 expect_c() { expect "$1" "${wrapper[@]}" "$bin/ocu" --config "$config" --this c "${@:2}"; }
-hold() { # SYSTEM ARGUMENTS...: a unit in the background that keeps control; its lines are in SYSTEM.log
+hold() { # SYSTEM ARGUMENTS...: a unit in the background that stays, with control if it needs that; SYSTEM.log has its lines
     "${wrapper[@]}" "$bin/ocu" --config "$config" --this "$1" --hold 60 "${@:2}" >"$work/$1.log" 2>&1 &
     unit_pid=$!
     pids+=("$unit_pid")
-    wait_for "$1" "keeps control for 60 s"
+    wait_for "$1" " for 60 s; Ctrl-C ends"
+}
+forget() { # PID: it has ended
+    local pid left=()
+    for pid in "${pids[@]}"; do [ "$pid" = "$1" ] || left+=("$pid"); done
+    pids=("${left[@]}")
 }
 unit_ends() { # CODE
     wait "$unit_pid"
     local got=$?
+    forget "$unit_pid"
     [ "$got" -eq "$1" ] || fail "the unit ended with exit code $got, expected $1"
 }
 nobody_controls() {
@@ -98,6 +104,7 @@ ocu_loses_control() {
     hold a propulsive_linear_effort_x=50
     wait_for a "hears the robot: heartbeat of 2.2.1.1"
     kill -KILL "$controller_pid"
+    forget "$controller_pid"
     unit_ends 0
     says a "the robot is silent: no heartbeat of 2.2.1.1"
     says a "LOST control of 2.2.33.1: the robot is gone"
@@ -110,15 +117,23 @@ ocu_stops_an_arm_that_another_controls() {
     second_unit
     start_robot
     hold a propulsive_linear_effort_x=50
-    expect_c 0 --send set_emergency emergency_code=transition_to_emergency
-    wait_for arm "EMERGENCY: all efforts to zero"
+    local unit_a=$unit_pid
     expect_ocu_busy
-    expect_c 1 --no-control propulsive_linear_effort_x=1
-    says out "2.2.33.1 is in the state emergency"
-    kill -INT "$unit_pid"
+    hold c --send set_emergency emergency_code=transition_to_emergency # as long as it is there, the emergency is its
+    local unit_c=$unit_pid
+    says arm "EMERGENCY: all efforts to zero"
+    says controller "2.2.33.1 is controlled by 1.1.32.1"
+    kill -INT "$unit_a"
+    unit_pid=$unit_a
     unit_ends 0
-    expect_ocu 1 --send clear_emergency emergency_code=clear_emergency # it is c's
+    says a "control of 2.2.33.1 is released"
+    expect_ocu 1 propulsive_linear_effort_x=1
+    says out "2.2.33.1 is in the state emergency"
+    expect_ocu 1 --send clear_emergency emergency_code=clear_emergency
     says out "Clear Emergency was refused (NAK)"
+    kill -INT "$unit_c"
+    unit_pid=$unit_c
+    unit_ends 0
     expect_c 0 --send clear_emergency emergency_code=clear_emergency
     expect_ocu 1 propulsive_linear_effort_x=1
     says out "2.2.33.1 is in the state standby"
