@@ -42,6 +42,11 @@ expect() { # CODE COMMAND...: its output goes to out.log
     local got=$?
     [ "$got" -eq "$code" ] || fail "exit code $got, expected $code: $*"
 }
+forget() { # PID: it has ended
+    local pid left=()
+    for pid in "${pids[@]}"; do [ "$pid" = "$1" ] || left+=("$pid"); done
+    pids=("${left[@]}")
+}
 free_port() { # a UDP port that nobody listens on
     while :; do
         local port=$((20000 + RANDOM % 12000))
@@ -281,6 +286,7 @@ garbage_on_the_sockets() {
     wait_for controller "is refused: wrong sender"
     says_not controller "received Set Wrench Effort"
     kill "$controller_pid" && wait "$controller_pid"
+    forget "$controller_pid"
     master_options+=(--open)
     start_controller
     for port in "$controller_port" "$slave_port"; do

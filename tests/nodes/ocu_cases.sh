@@ -13,11 +13,6 @@ hold() { # SYSTEM ARGUMENTS...: a unit in the background that stays, with contro
     pids+=("$unit_pid")
     wait_for "$1" " for 60 s; Ctrl-C ends"
 }
-forget() { # PID: it has ended
-    local pid left=()
-    for pid in "${pids[@]}"; do [ "$pid" = "$1" ] || left+=("$pid"); done
-    pids=("${left[@]}")
-}
 unit_ends() { # CODE
     wait "$unit_pid"
     local got=$?
