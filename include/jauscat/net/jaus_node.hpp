@@ -18,7 +18,7 @@ namespace jauscat::net {
 /// Messages go by the systems of the configuration, to each with its framing; what comes is taken only from where the
 /// configuration says, put together if it is a large data set, and handed to the components or forwarded. Components
 /// are driven when they want to be. Messages between them are handed on when the sender is done. Nothing is lost
-/// silently: what is unroutable, refused or given up is told to the log.
+/// silently: what is unroutable, refused or given up is told to the log. docs/jaus-node.md is the manual.
 ///
 ///     net::jaus_node node{context, config, {.log = log}};
 ///     node.add(arm, arm_messages); // a jaus::component and a dispatcher for its own messages

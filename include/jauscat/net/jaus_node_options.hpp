@@ -18,7 +18,8 @@
 namespace jauscat::net {
 
 struct jaus_node_options {
-    /// Closed: only who is in the configuration, from where it says. See access_list.
+    /// Closed: only who is in the configuration, from where it says. Open: everybody, and subsystems that are not in
+    /// the configuration are answered where they were last heard. See access_list.
     access who{access::closed};
     /// The node of its system that this is; 0: the one that the configuration names, or 1.
     std::uint8_t node{};
