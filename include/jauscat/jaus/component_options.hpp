@@ -21,6 +21,11 @@ struct component_options {
 /// The memory of a component, which must outlive it: `Waiting` messages at a time that it sent and that are not yet
 /// acknowledged, of `Size` bytes at most; `Remembered` ones that it acknowledged, half of them of one source: with the
 /// default memory of two seconds, one source may send 128 a second that ask for an acknowledgement.
+///
+/// For more, `Remembered` is twice that rate times component_options::memory: a thousand a second that are remembered
+/// for two seconds are 4000 places of 24 bytes. All of them are looked at for each message that asks for an
+/// acknowledgement (some microseconds), so where the rate is high a shorter memory helps: it only has to outlast what
+/// the sender repeats, (1 + retries) times its timeout. `Waiting` is the rate times the timeout, more on a bad network.
 template <std::size_t Waiting = 16, std::size_t Size = 256, std::size_t Remembered = 512> struct component_memory {
     std::array<awaited_message, Waiting> waiting{};
     std::array<std::byte, Waiting * Size> copies{};
