@@ -1,0 +1,95 @@
+// write-a-controller.md: JAUS messages carried to an EtherCAT slave, and its reports back.
+#include "driver.hpp"
+#include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/ethercat/loopback_link.hpp>
+#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/packet_exchange.hpp>
+#include <jauscat/ethercat/packet_job.hpp>
+#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/net/run_master.hpp>
+#include <jauscat/text/jaus.hpp>
+#include <jauscat/text/packet_status.hpp>
+
+#include <iostream>
+
+namespace net = jauscat::net;
+
+// [controller]
+/// Carries messages to the slave with the station address 2, over any link.
+template <ethercat::link Link> class controller {
+  public:
+    explicit controller(Link& link) : link_{link} {}
+
+    /// Brings the slave up.
+    ethercat::outcome start() {
+        master_.bring_up(0, station);
+        return net::run(link_, master_);
+    }
+
+    /// Delivers a message; the report that it asks for, and its acknowledgement, go to `answer`.
+    template <class Answer> void carry(std::span<const std::byte> message, Answer answer) {
+        auto step = exchange_.begin(message, buffer_);
+        while (step.what == ethercat::exchange_progress::request)
+            step = exchange_.on_confirmation(execute(std::span{buffer_}.first(step.size)), buffer_);
+        if (exchange_.error() != jauscat::translate::errc::ok)
+            std::cout << "refused: " << describe(exchange_.error()) << '\n'; // by the table
+        else if (step.what == ethercat::exchange_progress::failed)
+            std::cout << "refused: " << jauscat::text::explain(exchange_.status()) << '\n'; // by the slave
+        if (step.size != 0) answer(std::span{buffer_}.first(step.size));
+        if (const auto size = exchange_.acknowledgement(buffer_); size != 0) answer(std::span{buffer_}.first(size));
+    }
+
+  private:
+    /// Has the master do what a request packet says; returns the confirmation.
+    std::span<const std::byte> execute(std::span<const std::byte> request) {
+        ethercat::packet_job job{request, confirmation_};
+        for (bool runs = job.start(master_); runs; runs = job.next(master_))
+            static_cast<void>(net::run(link_, master_));
+        return std::span{confirmation_}.first(job.finish(master_.result()));
+    }
+
+    static constexpr std::uint16_t station = 2;
+    using exchange = ethercat::packet_exchange<driver_table>;
+
+    Link& link_;
+    ethercat::master master_{};
+    exchange exchange_{{.subsystem = 2, .station = station}};
+    std::array<std::byte, exchange::buffer_size> buffer_{};
+    std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation_{};
+};
+// [controller end]
+
+/// Makes a message for the driver.
+template <class T> std::span<const std::byte> message_of(const T& body, std::span<std::byte> buffer) {
+    const jaus::header head{.ack_nak = jaus::ack_nak::request,
+                            .destination = {.instance = 1, .component = 33, .node = 2, .subsystem = 2},
+                            .source = {.instance = 1, .component = 32, .node = 1, .subsystem = 1}};
+    return buffer.first(jaus::make_message(head, body, buffer).size());
+}
+
+int main() {
+    // The slave of write-a-slave.md.
+    driver application{};
+    ethercat::listed_objects objects{std::span{&driver_objects::description, 1}, application};
+    ethercat::slave device{{.vendor = 1, .product = 33, .name = "driver"}, objects};
+    ethercat::loopback_link link{std::span{&device, 1}};
+
+    // [use]
+    controller robot{link};
+    if (const auto up = robot.start(); !up) return std::cerr << describe(up.error) << '\n', 1;
+    const auto show = [](std::span<const std::byte> answer) {
+        const auto message = jaus::split(answer);
+        std::cout << "  answer: " << jauscat::text::summary(message.header) << '\n';
+        if (jaus::is_acknowledgement(message.header)) return;
+        std::cout << jauscat::text::annotate<jaus::report_wrench_effort>(message.body, jaus::header_size);
+    };
+
+    std::array<std::byte, 64> buffer{};
+    std::cout << "Set Wrench Effort\n";
+    robot.carry(message_of(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50}, buffer), show);
+    std::cout << "Query Wrench Effort\n";
+    robot.carry(message_of(jaus::query_wrench_effort{.presence_vector = 1}, buffer), show);
+    std::cout << "Set Travel Speed, which this slave does not know\n";
+    robot.carry(message_of(jaus::set_travel_speed{.desired_speed = 2}, buffer), show);
+    // [use end]
+}

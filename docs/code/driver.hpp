@@ -1,0 +1,74 @@
+// The application of write-a-slave.md: what an EtherCAT slave does with objects that are JAUS messages.
+#pragma once
+#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/ethercat/object_dictionary.hpp>
+#include <jauscat/jaus/copy_present.hpp>
+#include <jauscat/jaus/dispatcher.hpp>
+#include <jauscat/jaus/requested_fields.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
+#include <jauscat/schema/translation/self_contained_table.hpp>
+#include <jauscat/translate/object_list.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace jaus = jauscat::jaus;
+namespace ethercat = jauscat::ethercat;
+
+// [application]
+using driver_table = jauscat::translation::self_contained_table_at_2000h;
+
+/// What the slave does: an object that is written becomes its JAUS message again and reaches a handler.
+class driver {
+  public:
+    ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
+        std::array<std::byte, delivery::translator::max_message_size> bytes{};
+        const auto size = delivery::message_of({self.station, index, subindex, data}, self, bytes);
+        if (!size) return ethercat::abort_code::parameter_incompatible;
+        const auto message = jaus::split(std::span{bytes}.first(size.size()));
+        if (!message) return ethercat::abort_code::parameter_incompatible;
+        jaus::dispatcher handlers{
+            jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const jaus::set_wrench_effort& command) {
+                jaus::copy_present(command, effort); // and here the motors
+            }),
+            jaus::on<jaus::query_wrench_effort>([&](const jaus::header& query, const jaus::query_wrench_effort& asked) {
+                auto answer = effort;
+                jaus::keep_requested(answer, asked.presence_vector);
+                report_size = prepare(query, answer);
+            })};
+        const auto what = handlers(message.header, message.body);
+        return what == jaus::dispatched::handled ? ethercat::abort_code::none : ethercat::abort_code::value_range;
+    }
+
+    /// The report that the last query has asked for.
+    ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
+        const auto object = delivery::object_of(std::span{report}.first(report_size));
+        if (object.index != index || object.subindex != subindex) return {ethercat::abort_code::no_data, 0};
+        if (object.data.size() > out.size()) return {ethercat::abort_code::exceeds_mailbox, 0};
+        std::ranges::copy(object.data, out.begin());
+        return {ethercat::abort_code::none, object.data.size()};
+    }
+
+    ethercat::slave_identity self{.subsystem = 2, .station = 2};
+    jaus::report_wrench_effort effort{};
+
+  private:
+    using delivery = ethercat::delivery<driver_table>;
+
+    /// A report lies in the slave's own object: it is a message from the component to itself.
+    std::size_t prepare(const jaus::header& query, const jaus::report_wrench_effort& answer) noexcept {
+        std::array<std::byte, 64> message{};
+        const auto made =
+            jaus::make_message({.destination = query.destination, .source = query.destination}, answer, message);
+        const auto size = delivery::translator::forth(std::span{message}.first(made.size()), report);
+        return made && size ? size.size() : 0;
+    }
+
+    std::array<std::byte, 128> report{};
+    std::size_t report_size{};
+};
+
+/// The slave's objects: component 33 takes these messages.
+using driver_objects = jauscat::translate::object_list<driver_table, 33, jaus::set_wrench_effort,
+                                                       jaus::query_wrench_effort, jaus::report_wrench_effort>;
+// [application end]

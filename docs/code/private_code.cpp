@@ -1,0 +1,48 @@
+// mapping-table.md: a message of one's own in the tables of this library.
+#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/jaus/message.hpp>
+#include <jauscat/schema/translation/self_contained_table.hpp>
+#include <jauscat/text/hex.hpp>
+
+#include <array>
+#include <iostream>
+
+namespace jaus = jauscat::jaus;
+namespace translation = jauscat::translation;
+
+/// Set Gripper, a message of one's own.
+struct set_gripper {
+    static constexpr std::uint16_t command_code = 0xD101;
+    std::uint8_t finger{};
+    std::uint8_t percent{};
+};
+template <> struct jauscat::wire::schema<set_gripper> {
+    using T = set_gripper;
+    using type = layout<field<&T::finger, u8>, field<&T::percent, u8>>;
+};
+
+// [table]
+/// RA 3.3's 158 codes keep their ranks; D101h is appended and is number 159. Objects lie from 2000h on.
+inline constexpr auto command_codes = translation::ra_command_codes_and<set_gripper::command_code>;
+using gripper_table = translation::self_contained_table_of<translation::manufacturer_index_base, command_codes>::type;
+// [table end]
+
+int main() {
+    // [use]
+    using delivery = jauscat::ethercat::delivery<gripper_table>;
+    std::array<std::byte, 64> message{};
+    const jaus::header head{.experimental = true,
+                            .destination = {.instance = 1, .component = 33, .node = 2, .subsystem = 2},
+                            .source = {.instance = 1, .component = 32, .node = 1, .subsystem = 1}};
+    const auto size = jaus::make_message(head, set_gripper{.finger = 1, .percent = 50}, message);
+    if (!size) return std::cerr << describe(size.error()) << '\n', 1;
+
+    std::array<std::byte, delivery::translator::max_packet_size> packet{};
+    const auto made = delivery::translator::forth(std::span{message}.first(size.size()), packet);
+    if (!made) return std::cerr << describe(made.error()) << '\n', 1;
+
+    const auto object = delivery::object_of(std::span{packet}.first(made.size()));
+    std::cout << "station " << object.station << ", object " << jauscat::text::hex_number(object.index, 4)
+              << ", subindex " << int{object.subindex} << ", data " << jauscat::text::hex(object.data) << '\n';
+    // [use end]
+}

@@ -1,0 +1,41 @@
+// write-a-slave.md: an EtherCAT slave whose objects are JAUS messages, and a master that writes one of them.
+#include "driver.hpp"
+#include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/ethercat/loopback_link.hpp>
+#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/net/run_master.hpp>
+
+#include <iostream>
+
+int main() {
+    // [slave]
+    driver application{};
+    ethercat::listed_objects objects{std::span{&driver_objects::description, 1}, application};
+    const ethercat::slave_description description{.vendor = 1, .product = 33, .name = "driver"};
+    ethercat::standard_objects dictionary{description, objects}; // 1000h, 1018h, ... in front of it
+    ethercat::slave device{description, dictionary};
+    // [slave end]
+
+    for (const auto& entry : driver_objects::entries)
+        std::cout << std::hex << driver_objects::index << "h:" << std::dec << int{entry.subindex} << "  " << entry.name
+                  << ", up to " << entry.max_size << " bytes\n";
+
+    // [master]
+    ethercat::loopback_link link{std::span{&device, 1}}; // or net::raw_link{"eth0"}
+    ethercat::master master;
+    master.bring_up(0, 2);
+    auto result = jauscat::net::run(link, master);
+    if (!result) return std::cerr << describe(result.error) << '\n', 1;
+
+    // Half of the force forward, as an object: 12 bytes of header, 4 of body.
+    constexpr std::array<unsigned char, 16> octets{0x06, 0x02, 1,    2,    1,    32,   1,    1,
+                                                   0x04, 0x00, 0x22, 0x00, 0x01, 0x00, 0x00, 0x40};
+    master.download(2, driver_objects::index, 26, std::as_bytes(std::span{octets}));
+    result = jauscat::net::run(link, master);
+    std::cout << "download: " << describe(result.error) << ", forward "
+              << application.effort.propulsive_linear_effort_x.value_or(0) << " %\n";
+    // [master end]
+    return result ? 0 : 1;
+}
