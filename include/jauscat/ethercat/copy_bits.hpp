@@ -12,9 +12,10 @@ constexpr void copy_bits(std::span<const std::byte> from, std::uint64_t from_bit
                          std::uint64_t to_bit, std::uint64_t count) noexcept {
     for (std::uint64_t i = 0; i != count; ++i) {
         const auto in = from_bit + i, out = to_bit + i;
-        const bool set = (from[in / 8] >> (in % 8) & std::byte{1}) != std::byte{};
+        const bool set = (from[static_cast<std::size_t>(in / 8)] >> (in % 8) & std::byte{1}) != std::byte{};
         const auto mask = std::byte{1} << (out % 8);
-        to[out / 8] = set ? to[out / 8] | mask : to[out / 8] & ~mask;
+        auto& byte = to[static_cast<std::size_t>(out / 8)];
+        byte = set ? byte | mask : byte & ~mask;
     }
 }
 

@@ -100,7 +100,7 @@ class esc : public esc_memory {
 
     constexpr bool read_mapped(const fmmu_overlap& overlap, std::span<std::byte> data) noexcept {
         if (overlap.is_bytes())
-            return read(overlap.memory_start(), data.subspan(overlap.data_bit / 8, overlap.memory_size()));
+            return read(overlap.memory_start(), data.subspan(overlap.data_start(), overlap.memory_size()));
         std::array<std::byte, max_datagram_data + 1> bytes{}; // bits may begin and end within a byte
         const auto touched = std::span{bytes}.first(overlap.memory_size());
         if (!read(overlap.memory_start(), touched)) return false;
@@ -110,7 +110,7 @@ class esc : public esc_memory {
 
     constexpr bool write_mapped(const fmmu_overlap& overlap, std::span<const std::byte> data) noexcept {
         if (overlap.is_bytes())
-            return write(overlap.memory_start(), data.subspan(overlap.data_bit / 8, overlap.memory_size()));
+            return write(overlap.memory_start(), data.subspan(overlap.data_start(), overlap.memory_size()));
         if (overlap.memory_start() + overlap.memory_size() > memory_size) return false;
         std::array<std::byte, max_datagram_data + 1> merged{};
         const auto touched = std::span{merged}.first(overlap.memory_size());

@@ -18,6 +18,8 @@ struct fmmu_overlap {
 
     /// Whole bytes on both sides.
     [[nodiscard]] constexpr bool is_bytes() const noexcept { return (data_bit | memory_bit | bits) % 8 == 0; }
+    /// The byte of the datagram's data in which the mapped bits begin.
+    [[nodiscard]] constexpr std::size_t data_start() const noexcept { return static_cast<std::size_t>(data_bit / 8); }
     /// The bytes of memory that are touched.
     [[nodiscard]] constexpr std::size_t memory_start() const noexcept {
         return static_cast<std::size_t>(memory_bit / 8);

@@ -30,7 +30,7 @@ struct process_image {
         for (const auto& slave : slaves) {
             const auto& place = slave.process_data;
             if (place.size() == 0) continue;
-            image.size = std::max(image.size, place.output_address + place.size());
+            image.size = std::max<std::size_t>(image.size, place.output_address + place.size());
             const bool outputs = place.output_size != 0, inputs = place.input_size != 0;
             image.write = static_cast<std::uint16_t>(image.write + outputs);
             image.read = static_cast<std::uint16_t>(image.read + inputs);

@@ -173,7 +173,8 @@ class process_setup {
         const bool same = outputs == before_.output_size && inputs == before_.input_size && before_.size() != 0;
         place_.output_address = same ? before_.output_address : static_cast<std::uint32_t>(image_.size);
         const bool two_datagrams = place_.no_lrw || image_.no_lrw;
-        const std::size_t end = std::max(image_.size, std::size_t{place_.output_address} + outputs + inputs);
+        const std::size_t end =
+            std::max<std::size_t>(image_.size, std::size_t{place_.output_address} + outputs + inputs);
         if (end > (two_datagrams ? max_process_image_without_lrw : max_process_image))
             return fail(master_errc::image_full, outputs + inputs);
         place_.input_address = place_.output_address + outputs;
