@@ -1,7 +1,10 @@
-# Installs the headers and a package for find_package(jauscat): the target jauscat::jauscat, and jauscat::net where what it
-# needs is there (find_package(jauscat COMPONENTS net) insists on it).
+# Installs the headers, a package for find_package(jauscat) and files for pkg-config: the target jauscat::jauscat, and
+# jauscat::net where what it needs is there (find_package(jauscat COMPONENTS net) insists on it). All of it is in the
+# component "development"; the tools, if they are built, are in the component "tools".
 include(CMakePackageConfigHelpers)
-set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/jauscat)
+set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/jauscat) # the same for every machine, so not beside libraries
+set(pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 
 install(DIRECTORY include/jauscat schemas/jauscat DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
 install(FILES schemas/JausConfig.xsd DESTINATION ${CMAKE_INSTALL_DATADIR}/jauscat)
@@ -16,3 +19,21 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/jauscat-config-vers
     COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES cmake/jauscat-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/jauscat-config-version.cmake
         DESTINATION ${package_dir})
+
+file(RELATIVE_PATH prefix_from_pc ${CMAKE_INSTALL_PREFIX}/${pc_dir} ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" prefix_from_pc ${prefix_from_pc})
+set(pc_files jauscat.pc)
+if(TARGET jauscat_net)
+    list(APPEND pc_files jauscat-net.pc)
+endif()
+foreach(file IN LISTS pc_files)
+    configure_file(cmake/${file}.in ${CMAKE_CURRENT_BINARY_DIR}/${file} @ONLY)
+    install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${file} DESTINATION ${pc_dir})
+endforeach()
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+foreach(tool communicator jausdump jauscat_esi)
+    if(TARGET ${tool})
+        install(TARGETS ${tool} RUNTIME COMPONENT tools)
+    endif()
+endforeach()

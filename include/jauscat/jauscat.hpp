@@ -44,4 +44,5 @@
 #include <jauscat/translate/image_translator.hpp>
 #include <jauscat/translate/object_list.hpp>
 #include <jauscat/translate/translator.hpp>
+#include <jauscat/version.hpp>
 #include <jauscat/wire/wire.hpp>

@@ -26,3 +26,4 @@
 #include <jauscat/net/udp_options.hpp>
 #include <jauscat/net/udp_transport.hpp>
 #include <jauscat/net/verdict.hpp>
+#include <jauscat/version.hpp>

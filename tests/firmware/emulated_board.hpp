@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <cstdlib>
 #include <poll.h>
 #include <signal.h>
 #include <span>
@@ -23,7 +24,7 @@ class emulated_board {
   public:
     /// Starts `image`, the name of a firmware image without its suffix.
     explicit emulated_board(const std::string& image)
-        : process_{start(FIRMWARE_IMAGES "/" + image + ".elf", jaus_.boards, card_.boards)} {}
+        : process_{start(folder() + "/" + image + ".elf", jaus_.boards, card_.boards)} {}
     emulated_board(const emulated_board&) = delete;
     emulated_board& operator=(const emulated_board&) = delete;
     ~emulated_board() {
@@ -76,6 +77,12 @@ class emulated_board {
         }
         int ours{}, boards{};
     };
+
+    /// Where the images are: the build says, another may be chosen by the environment.
+    static std::string folder() {
+        const char* const named = std::getenv("JAUSCAT_FIRMWARE_IMAGES");
+        return named != nullptr ? named : FIRMWARE_IMAGES;
+    }
 
     static pid_t start(const std::string& image, int jaus, int card) {
         const auto socket = [](const char* name, int descriptor) {
