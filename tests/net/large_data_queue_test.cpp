@@ -231,3 +231,24 @@ TEST_CASE("a large data set that the component refused is refused again when the
     components.hand_on(0, late, {}, now, [](std::span<const std::byte>) { FAIL("answered"); });
     REQUIRE(core.count(jaus::component_outcome::not_waited_for) == 1);
 }
+
+TEST_CASE("a patience without end does not end, and wakes nobody") {
+    jaus::component_memory<> memory{};
+    jaus::no_hooks hooks{};
+    jaus::component core{screen, memory, hooks, {}};
+    auto application = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::taken; };
+    const jauscat::net::jaus_node_options options{.large_data_patience = nanoseconds::max()};
+    std::size_t lines = 0;
+    jauscat::net::limited_log log{[&](std::string_view) { ++lines; }};
+    jauscat::net::detail::node_components components{options, log};
+    components.add({core, application});
+    components.start(1U << 20U, false);
+    const auto ignore = [](std::span<const std::byte>) {};
+    auto packet = head;
+    packet.data_flag = jaus::data_flag::first;
+    components.hand_on(0, packet, image(10, 1), 1s, ignore);
+    REQUIRE(components.next_event() == std::nullopt);
+    components.on_time(1000h, ignore);
+    REQUIRE(components.next_event() == std::nullopt);
+    REQUIRE(lines == 0);
+}

@@ -3,6 +3,7 @@
 
 #include <jauscat/jaus/acknowledged_sender.hpp>
 #include <jauscat/jaus/large_data_sender.hpp>
+#include <jauscat/jaus/later.hpp>
 
 #include <algorithm>
 #include <array>
@@ -109,7 +110,7 @@ class large_data_queue {
         while (set.first_open != last && set.packets[set.first_open].acknowledged) ++set.first_open;
         const auto end = set.first_open == 0 ? std::size_t{1} : set.first_open == last ? last + 1 : last;
         unsigned left = pace_;
-        next_ = now + acknowledgement_.timeout;
+        next_ = jaus::later(now, acknowledgement_.timeout);
         for (auto i = set.first_open; i != end; ++i) {
             auto& packet = set.packets[i];
             if (packet.acknowledged) continue;
@@ -127,7 +128,7 @@ class large_data_queue {
                 else
                     set.sender.repeat(i, out);
                 ++packet.sent;
-                packet.due = now + acknowledgement_.timeout;
+                packet.due = jaus::later(now, acknowledgement_.timeout);
             }
             next_ = std::min(next_, packet.due);
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <jauscat/jaus/answer.hpp>
+#include <jauscat/jaus/later.hpp>
 #include <jauscat/net/detail/attached_component.hpp>
 #include <jauscat/net/jaus_node_options.hpp>
 #include <jauscat/net/jausip.hpp>
@@ -85,7 +86,8 @@ class node_components {
         const auto what = (*all_[to].large)->on_packet(head, body, now, whole, tell_lost(now, all_[to].it.self));
         if (what == reassembled::no_room || what == reassembled::too_large)
             log_(now, [&] { return in_text(head) + ": refused: " + std::string{describe(what)}; });
-        if (what == reassembled::waiting) stale_at_ = std::min(stale_at_, now + options_.large_data_patience);
+        if (what == reassembled::waiting)
+            stale_at_ = std::min(stale_at_, jaus::later(now, options_.large_data_patience));
         if (head.ack_nak != jaus::ack_nak::request || !jaus::names_one_component(head.destination)) return;
         auto& refused = all_[to].refused;
         const auto is_of = [&](const jaus::header& other) {
@@ -110,7 +112,8 @@ class node_components {
         for (auto& one : all_) {
             (*one.large)->on_time(now, tell_lost(now, one.it.self));
             for (const auto& set : (*one.large)->places())
-                if (set.packets != 0) stale_at_ = std::min(stale_at_, set.last_heard_at + options_.large_data_patience);
+                if (set.packets != 0)
+                    stale_at_ = std::min(stale_at_, jaus::later(set.last_heard_at, options_.large_data_patience));
         }
     }
     /// Asks those that have got, sent or done something since: each looks through all that it waits for.
