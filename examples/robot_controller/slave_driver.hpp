@@ -98,6 +98,8 @@ class slave_driver {
   private:
     static constexpr auto exchange_timeout = std::chrono::seconds{2};
     static constexpr auto check_interval = std::chrono::milliseconds{500};
+    static constexpr auto repeat_interval = std::chrono::milliseconds{100};
+    static constexpr unsigned most_missed_checks = 3;
 
     bool refuse(const std::string& why) const {
         say_("not delivered: " + why);
@@ -105,6 +107,7 @@ class slave_driver {
     }
     void lose(const std::string& why) {
         up_ = false;
+        missed_checks_ = 0;
         say_("slave " + std::to_string(station_) + " " + why);
     }
     void look() { watch_.look(master_, link_, say_); }
@@ -117,13 +120,16 @@ class slave_driver {
         master_.exchange(command::fprd, station_, esc_registers::al_status.address, answer);
         const auto result = jauscat::net::run(link_, master_, exchange_timeout);
         look();
-        if (!result)
-            lose("does not answer: " + explain(result));
-        else if (result.detail != 1) // the working counter
+        next_check_ = clock::now() + (result ? check_interval : repeat_interval);
+        if (!result) { // once or twice: a busy machine holds frames up
+            if (++missed_checks_ == most_missed_checks) lose("does not answer: " + explain(result));
+            return;
+        }
+        missed_checks_ = 0;
+        if (result.detail != 1) // the working counter
             lose("is no longer there under its station address");
         else if (jauscat::wire::decode_prefix(status, answer) && status.state == al_state::init)
             lose("is in INIT");
-        next_check_ = clock::now() + check_interval;
     }
 
     // A command into the outputs or a query out of the inputs. A command that asks for an acknowledgement has arrived
@@ -202,6 +208,7 @@ class slave_driver {
     std::optional<cyclic_path> cyclic_{};
     bool up_{};
     clock::time_point next_check_{};
+    unsigned missed_checks_{}; ///< in a row
     std::array<std::byte, jauscat::ethercat::packet_job::confirmation_size> confirmation_{};
 };
 
