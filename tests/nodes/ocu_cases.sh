@@ -1,5 +1,5 @@
 # The operator control unit's session: control, refusals, losses, heartbeats; and the demonstration. Sourced by nodes.sh.
-# shellcheck shell=bash disable=SC2154
+# shellcheck shell=bash disable=SC2154,SC2034
 
 second_unit() { # system c, subsystem 3, in the configuration
     local port
@@ -107,6 +107,24 @@ ocu_loses_control() {
 expect_ocu_busy() { # two units cannot be the same system at a time
     expect_ocu 1 --query
     says out "$ocu_port"
+}
+ocu_loses_control_with_work_left() { # while the arm does not answer its command
+    second_unit
+    master_options=(--frame-timeout 500)
+    start_robot
+    kill -STOP "$arm_pid"
+    "${wrapper[@]}" "$bin/ocu" --config "$config" --this a --timeout 5000 propulsive_linear_effort_x=50 >"$work/a.log" 2>&1 &
+    unit_pid=$!
+    pids+=("$unit_pid")
+    wait_for a "sends Set Wrench Effort"
+    expect_c 1 --timeout 5000 --authority 200 propulsive_linear_effort_x=-20
+    says out "controls 2.2.33.1"
+    unit_ends 1
+    says a "LOST control of 2.2.33.1: it was taken away"
+    says_not a "is released"
+    kill -CONT "$arm_pid"
+    wait_for controller "slave 2 is in PRE-OP" 2
+    expect_c 0 propulsive_linear_effort_x=-20
 }
 ocu_stops_an_arm_that_another_controls() {
     second_unit
