@@ -58,7 +58,6 @@ class udp_transport {
     }
     udp_transport(const udp_transport&) = delete;
     udp_transport& operator=(const udp_transport&) = delete;
-
     /// Receives from now on, while the io_context runs, up to 128 datagrams between two of its other handlers. An
     /// exception from a handler leaves `run` and ends receiving; `start` again to go on with the datagram behind.
     void start(message_handler on_message, error_handler on_error) {
@@ -140,6 +139,7 @@ class udp_transport {
     void receive_batches() {
         for (int batches = 0; socket_.is_open() && batches != max_batches; ++batches) {
             const int error = batch_.empty() ? batch_.receive(socket_.native_handle()) : 0;
+            if (error == EAGAIN && batches != 0) return; // a refusal would have come before what was received
             if (error != 0) return receive_failed(error);
             hand_on_batch();
         }
