@@ -258,3 +258,33 @@ TEST_CASE("who hears of a change may stop the node, and hears of no further one"
     changes.take([&](const jaus::address& who, bool) { heard.push_back(who); });
     REQUIRE(heard == std::vector{make(1, 1), make(3, 1)});
 }
+
+TEST_CASE("a handler may stop the node, but not add components to it while they are called") {
+    boost::asio::io_context context;
+    const auto ports = free_ports<1>();
+    jaus::component_memory<> memory{};
+    jaus::no_hooks hooks{};
+    jaus::component first{make(2, 1, 33), memory, hooks, {}}, second{make(2, 1, 34), memory, hooks, {}};
+    const auto other = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::taken; };
+    bool heard = false, refused = false;
+    net::jaus_node* node = nullptr;
+    const auto application = [&](const jaus::header&, std::span<const std::byte>) {
+        heard = true;
+        node->stop();
+        try {
+            node->add(second, other);
+        } catch (const std::logic_error&) {
+            refused = true;
+        }
+        return jaus::message_outcome::taken;
+    };
+    net::jaus_node robot{context, config("robot", system("robot", "2.0.0.0", ports[0]))};
+    node = &robot;
+    robot.add(first, application);
+    robot.start();
+    REQUIRE(robot.send({.command_code = 0xD100, .destination = make(2, 1, 33), .source = make(2, 1)}, bytes{}));
+    REQUIRE(net::run_until(context, 5s, [&] { return heard; }));
+    REQUIRE(refused);
+    robot.add(second, other);
+    robot.start();
+}

@@ -59,7 +59,7 @@ class jaus_node {
     /// Before start. Throws `std::invalid_argument` for a component of another node.
     template <class Component, class Application> void add(Component& component, Application& application) {
         const auto& id = component.self();
-        if (running()) throw std::logic_error{"components are added before the node is started"};
+        if (running() || core_.in_turn()) throw std::logic_error{"components are added before the node is started"};
         if (id.subsystem != self_.subsystem || id.node != self_.node || (has_manager() && id == self_))
             throw std::invalid_argument{"the component " + to_jausip(id) + " is not one of the node " +
                                         std::to_string(self_.subsystem) + '.' + std::to_string(self_.node)};
