@@ -16,19 +16,21 @@ namespace soak {
 
 namespace jaus = jauscat::jaus;
 
-/// Set Wrench Effort with a number of 32 bits in its linear efforts x and y, of 16 bits each.
+/// Set Wrench Effort with a number in its linear efforts x and y. An effort has 65535 values on the wire, from -100 to
+/// 100 percent.
+inline constexpr std::uint32_t effort_values = 65535;
 inline jaus::set_wrench_effort effort_of(std::uint32_t number) {
-    const auto percent = [](std::uint32_t raw) { return -100 + 200.0 * raw / 65535; };
-    return {.propulsive_linear_effort_x = percent(number & 0xFFFFU),
-            .propulsive_linear_effort_y = percent(number >> 16U)};
+    const auto percent = [](std::uint32_t value) { return -100 + 200.0 * value / (effort_values - 1); };
+    return {.propulsive_linear_effort_x = percent(number % effort_values),
+            .propulsive_linear_effort_y = percent(number / effort_values)};
 }
 inline std::optional<std::uint32_t> number_of(const jaus::set_wrench_effort& effort) {
     const auto &low = effort.propulsive_linear_effort_x, &high = effort.propulsive_linear_effort_y;
     if (!low || !high) return {};
-    const auto raw = [](double percent) {
-        return static_cast<std::uint32_t>(std::lround((percent + 100) / 200 * 65535));
+    const auto value = [](double percent) {
+        return static_cast<std::uint32_t>(std::lround((percent + 100) / 200 * (effort_values - 1)));
     };
-    return raw(*high) << 16U | raw(*low);
+    return value(*high) * effort_values + value(*low);
 }
 
 /// The sender writes what it sent and heard, the robot what it applied, each in memory of its own; it is read when both

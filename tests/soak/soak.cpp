@@ -154,6 +154,12 @@ class run {
             for (const auto& line : lines) std::printf("log: %s\n", line.c_str());
         for (const auto& line : failures) std::printf("missed: %s\n", line.c_str());
 
+        if (b.lost + b.twice + b.refused_done + b.unknown + b.timed_out + b.without_outcome + b.forbidden_done != 0)
+            std::printf(
+                "efforts that went wrong: %zu lost, %zu applied twice, %zu refused and applied, %zu never sent, %zu "
+                "timed out, %zu without an outcome, %zu of %zu taken without control\n",
+                b.lost, b.twice, b.refused_done, b.unknown, b.timed_out, b.without_outcome, b.forbidden_done,
+                b.forbidden);
         check("every effort has one outcome, none timed out", b.without_outcome == 0 && b.timed_out == 0);
         check("every acknowledged effort was applied", b.lost == 0 && b.acknowledged > 0);
         check("no effort was applied twice", b.twice == 0);
