@@ -1,0 +1,11 @@
+#!/bin/sh
+# with_pkg_config.sh CONSUMER: builds the programs of the folder CONSUMER in the working folder, at the prompt as it were.
+set -eu
+cp "$1"/*.cpp .
+# shellcheck disable=SC2046 # pkg-config prints words
+{
+# [build]
+g++ -std=c++20 codec_consumer.cpp $(pkg-config --cflags --libs jauscat) -o codec_consumer
+g++ -std=c++20 net_consumer.cpp $(pkg-config --cflags --libs jauscat-net) -o net_consumer
+# [build end]
+}
