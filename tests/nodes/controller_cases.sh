@@ -47,6 +47,7 @@ several_masters() {
     each_command_reaches_its_slave
     # A slave that is gone holds nobody up.
     kill "$arm_pid" && wait "$arm_pid" 2>/dev/null
+    forget "$arm_pid"
     wait_for controller "controller b: slave 2 does not answer"
     expect_ocu 0 --to 2.3.33.1 propulsive_linear_effort_y=100
     says arm2 "raw 32767"
@@ -57,6 +58,7 @@ several_masters() {
     expect_ocu 0 --to 2.2.33.1 propulsive_linear_effort_x=30
     kill -INT "$controller_pid" && wait "$controller_pid"
     [ $? -eq 0 ] || fail "the controller does not end well on Ctrl-C"
+    forget "$controller_pid"
     for system in b g h; do says controller "controller $system: stopped"; done
     expect 2 "$bin/robot_controller" --config "$config" --this b --ethercat-port "$slave_port"
     says out "--ethercat-port is not for b"
@@ -156,6 +158,7 @@ lost_controller_brings_the_arm_to_rest() {
     wait_for controller "1.1.1.1 is heard"
     wait_for arm "raw 16384"
     kill -KILL "$holder" && wait "$holder" 2>/dev/null
+    forget "$holder"
     wait_for controller "1.1.1.1 is no longer heard"
     wait_for controller "2.2.33.1 is controlled by nobody"
     says controller "2.2.33.1: its controller is lost: efforts go to zero"
@@ -215,6 +218,7 @@ a_component_behind_its_own_master_hears_of_losses() { # from the node manager, w
     wait_for bus "0x1B16:26 ="
     wait_for controller "controller b: 1.1.1.1 is heard"
     kill -KILL "$holder" && wait "$holder" 2>/dev/null
+    forget "$holder"
     wait_for controller "controller h: 2.2.34.1: its controller is lost: efforts go to zero"
     wait_for bus "0x1B16:26 =" 2
 }
