@@ -104,27 +104,35 @@ ocu_loses_control() {
     says a "the robot is silent: no heartbeat of 2.2.1.1"
     says a "LOST control of 2.2.33.1: the robot is gone"
 }
-expect_ocu_busy() { # two units cannot be the same system at a time
-    expect_ocu 1 --query
-    says out "$ocu_port"
-}
 ocu_loses_control_with_work_left() { # while the arm does not answer its command
     second_unit
     master_options=(--frame-timeout 500)
     start_robot
     kill -STOP "$arm_pid"
-    "${wrapper[@]}" "$bin/ocu" --config "$config" --this a --timeout 5000 propulsive_linear_effort_x=50 >"$work/a.log" 2>&1 &
-    unit_pid=$!
-    pids+=("$unit_pid")
+    "${wrapper[@]}" "$bin/ocu" --config "$config" --this a --timeout 10000 propulsive_linear_effort_x=50 >"$work/a.log" 2>&1 &
+    local unit_a=$!
+    pids+=("$unit_a")
     wait_for a "sends Set Wrench Effort"
-    expect_c 1 --timeout 5000 --authority 200 propulsive_linear_effort_x=-20
-    says out "controls 2.2.33.1"
+    kill -STOP "$controller_pid" # it goes on when the request of c is there
+    "${wrapper[@]}" "$bin/ocu" --config "$config" --this c --timeout 10000 --authority 200 propulsive_linear_effort_x=-20 >"$work/c.log" 2>&1 &
+    local unit_c=$!
+    pids+=("$unit_c")
+    wait_for c "sends Request Component Control"
+    kill -CONT "$controller_pid"
+    unit_pid=$unit_a
     unit_ends 1
     says a "LOST control of 2.2.33.1: it was taken away"
     says_not a "is released"
+    unit_pid=$unit_c
+    unit_ends 1 # the arm does not answer this one either
+    says c "controls 2.2.33.1"
     kill -CONT "$arm_pid"
     wait_for controller "slave 2 is in PRE-OP" 2
     expect_c 0 propulsive_linear_effort_x=-20
+}
+expect_ocu_busy() { # two units cannot be the same system at a time
+    expect_ocu 1 --query
+    says out "$ocu_port"
 }
 ocu_stops_an_arm_that_another_controls() {
     second_unit
