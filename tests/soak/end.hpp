@@ -1,0 +1,126 @@
+// What both programs of the soak have.
+#pragma once
+
+#include "soak/large_traffic.hpp"
+#include <jauscat/jaus/answer.hpp>
+#include <jauscat/net/jaus_node.hpp>
+
+#include <boost/asio/post.hpp>
+
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace soak {
+
+using namespace std::chrono_literals;
+using std::chrono::nanoseconds;
+
+constexpr jaus::address operator_id{1, 32, 1, 1}, supervisor_id{1, 34, 1, 1}, robot_id{1, 33, 1, 2};
+
+/// What both ends have: a thread, a node that notices whom it hears, large data sets.
+class end {
+  public:
+    end(const net::jaus_config& config, const jaus::address& self, const jaus::address& other)
+        : large{self, other}, node_{context_, config, options()} {}
+    end(const end&) = delete;
+    end& operator=(const end&) = delete;
+    virtual ~end() = default;
+
+    void start() {
+        node_.start();
+        thread_ = std::thread{[this] {
+            try {
+                context_.run();
+            } catch (const std::exception& error) {
+                note(std::string{"ended: "} + error.what());
+            }
+        }};
+    }
+    /// In the end's own thread; returns when it is done.
+    void call(std::function<void()> work) {
+        std::promise<void> done;
+        boost::asio::post(context_, [&] {
+            work();
+            done.set_value();
+        });
+        done.get_future().wait();
+    }
+    void stop() {
+        if (!thread_.joinable()) return;
+        call([this] {
+            stopped();
+            node_.stop();
+        });
+        thread_.join();
+    }
+    [[nodiscard]] net::udp_counters counts() {
+        net::udp_counters found{};
+        call([&] { found = node_.counts(); });
+        return found;
+    }
+    [[nodiscard]] std::vector<std::string> notes() {
+        const std::lock_guard lock{mutex_};
+        return notes_;
+    }
+
+    large_traffic large;
+    std::atomic<unsigned> appeared{}, disappeared{};
+    std::atomic<std::uint64_t> heartbeats{};
+
+  protected:
+    virtual void stopped() = 0;
+
+    /// The first lines are kept: of thousands of one kind nobody reads the last.
+    void note(std::string line) {
+        const std::lock_guard lock{mutex_};
+        if (notes_.size() < 20) notes_.push_back(std::move(line));
+    }
+
+    boost::asio::io_context context_{1};
+
+  private:
+    net::jaus_node_options options() {
+        net::jaus_node_options made{};
+        made.beat.period = 200ms;
+        made.patience = 2s; // 9 of 10 heartbeats may be lost
+        made.socket.receive_buffer = std::size_t{4} << 20U;
+        made.log = [this](std::string_view line) {
+            // The scene has the first; repeats that cross their acknowledgement have the second.
+            for (const std::string_view usual :
+                 {"the sender does not control the component", "acknowledgement that no message waits for"})
+                if (line.find(usual) != line.npos) return;
+            note(std::string{line});
+        };
+        made.appeared = [this](const jaus::address&) { ++appeared; };
+        made.disappeared = [this](const jaus::address&) { ++disappeared; };
+        made.seen = [this](const jaus::address&, const jaus::header& head, std::span<const std::byte>,
+                           jaus::component_outcome) {
+            if (head.command_code == jaus::report_heartbeat_pulse::command_code) ++heartbeats;
+        };
+        made.large_data_done = [this](const jaus::header&, jaus::delivered what) { large.done(what); };
+        return made;
+    }
+
+    std::mutex mutex_{};
+    std::vector<std::string> notes_{};
+    std::thread thread_{};
+
+  protected:
+    net::jaus_node node_;
+};
+
+/// What comes large is for `large`.
+inline jaus::message_outcome take_large(large_traffic& large, const jaus::header& head,
+                                        std::span<const std::byte> body) {
+    if (head.command_code != image_code) return jaus::message_outcome::not_mine;
+    large.received(body);
+    return jaus::message_outcome::taken;
+}
+
+} // namespace soak
