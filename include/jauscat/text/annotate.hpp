@@ -36,8 +36,8 @@ class annotating_trace : public wire::detail::decode_trace {
             });
             line(end, row);
         } else if constexpr (is_leaf<Item>) {
-            line(end, prefix() + std::string{Item::name()} + " = " +
-                          to_text(Item{}, wire::held(wire::member_of<Item::key>(object))));
+            const auto& value = wire::held(wire::member_of<Item::key>(object));
+            if (!is_structure(value)) line(end, prefix() + std::string{Item::name()} + " = " + to_text(Item{}, value));
         }
     }
     template <class Item> void passed_element(const auto& value, const std::byte* end) {
@@ -61,6 +61,14 @@ class annotating_trace : public wire::detail::decode_trace {
     &&!requires { typename Item::gated_item; }
     &&!requires { typename Item::element_type; }
     &&!requires { Item::max_depth; };
+
+    // A selected value whose fields have been told one by one.
+    template <class Value> static bool is_structure([[maybe_unused]] const Value& value) {
+        if constexpr (wire::detail::is_variant<Value>)
+            return std::visit([]<class T>(const T&) { return wire::message<T>; }, value);
+        else
+            return false;
+    }
 
     [[nodiscard]] std::string prefix() const { return path_text(found(wire::errc::ok)); }
     void line(const std::byte* end, const std::string& what) {
