@@ -1,8 +1,9 @@
 // Control of a component: granted, refused, taken over, released, lost, and the commands that only the controller
 // sends.
-#include "node/messages.hpp"
+#include "node/lossy_channel.hpp"
 #include "support/catch.hpp"
 #include <jauscat/jaus/component_control.hpp>
+#include <jauscat/jaus/held_control.hpp>
 
 namespace {
 
@@ -207,4 +208,46 @@ TEST_CASE("malformed control messages change nothing, others are left alone") {
               message_outcome::not_mine);
     CHECK_FALSE(a.control.controller());
     CHECK(a.sent.empty());
+}
+
+TEST_CASE("after a bad network both sides agree who has control, where silent controllers lose it") {
+    for (unsigned seed = 0; seed != 300; ++seed) {
+        lossy_channel network{seed};
+        network.faults = {.lose = 20, .duplicate = 15, .delay = 80, .longest = 50ms};
+        jaus::component_control control{self, {.timeout = 1s}};
+        const jaus::held_control_options keep{.patience = 100ms, .requests = 5, .renewal = 300ms};
+        std::array operators{jaus::held_control{ocu, self, keep}, jaus::held_control{other, self, keep}};
+        const auto out = network.sink();
+        network.listen(self, [&](const jaus::header& head, std::span<const std::byte> body) {
+            if (control.admits(head, network.now)) control.on_message(head, body, network.now, out);
+        });
+        network.work([&] {
+            control.on_time(network.now, out);
+            return control.next_event();
+        });
+        for (const auto i : {0u, 1u}) {
+            auto& one = operators[i];
+            network.listen(i == 0 ? ocu : other, [&](const jaus::header& head, std::span<const std::byte> body) {
+                one.on_message(head, body, network.now, out);
+            });
+            network.work([&] {
+                one.on_time(network.now, out);
+                return one.next_event();
+            });
+        }
+        std::mt19937 random{seed};
+        for (int i = 0; i != 100; ++i) {
+            auto& one = operators[random() % 2];
+            if (random() % 4 == 0)
+                one.release(out);
+            else
+                one.ask(static_cast<std::uint8_t>(random() % 4), network.now, out);
+            network.run(network.now + 50ms);
+        }
+        network.faults = {};
+        network.run(network.now + 3s);
+        INFO("seed " << seed);
+        REQUIRE((operators[0].state() == jaus::control_state::held) == control.controls(ocu));
+        REQUIRE((operators[1].state() == jaus::control_state::held) == control.controls(other));
+    }
 }
