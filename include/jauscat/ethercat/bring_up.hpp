@@ -22,12 +22,14 @@ namespace jauscat::ethercat {
 class bring_up {
   public:
     bring_up() noexcept = default;
+    /// Of the slave at `position`, from 0, which gets the station address `station` if it is `expected`.
     bring_up(std::uint16_t position, std::uint16_t station, const identity_check& expected) noexcept
         : expected_{expected}, change_{state_change::to_init(station)} {
         slave_.position = position;
         slave_.station = station;
     }
 
+    /// What was found; whole once it is done without error.
     [[nodiscard]] const slave_record& slave() const noexcept { return slave_; }
     [[nodiscard]] const outcome& result() const noexcept { return result_; }
 

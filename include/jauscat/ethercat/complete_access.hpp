@@ -17,6 +17,7 @@ namespace jauscat::ethercat {
 /// An object from subindex 0 or 1 on. `Objects` models described_object_source.
 template <class Objects> class complete_object {
   public:
+    /// The object from subindex `first` (0 or 1) on.
     complete_object(Objects& objects, std::uint16_t index, std::uint8_t first) noexcept
         : objects_{objects}, index_{index}, first_{first}, info_{objects.describe(index).value_or(object_info{})} {}
 

@@ -14,6 +14,7 @@ namespace jauscat::ethercat {
 class datagram_exchange {
   public:
     datagram_exchange() noexcept = default;
+    /// One datagram; `data` is what is sent, and is overwritten by what comes back.
     datagram_exchange(command cmd, std::uint16_t adp, std::uint16_t ado, std::span<std::byte> data) noexcept
         : cmd_{cmd}, adp_{adp}, ado_{ado}, data_{data} {}
 

@@ -58,6 +58,7 @@ class esc_memory {
         static_cast<void>(wire::decode_prefix(value, std::span{memory_}.subspan(at.address)));
         return value;
     }
+    /// Writes a register as the slave itself does, without the rules for masters.
     template <wire::message T> constexpr void store(esc_register at, const T& value) noexcept {
         static_cast<void>(wire::encode(value, std::span{memory_}.subspan(at.address)));
     }
@@ -67,6 +68,7 @@ class esc_memory {
         return {static_cast<std::uint16_t>(esc_registers::sync_manager.address + n * esc_registers::sync_manager.size),
                 esc_registers::sync_manager.size};
     }
+    /// The SyncManager `n`, from 0.
     [[nodiscard]] constexpr sync_manager manager(std::size_t n) const noexcept {
         return load<sync_manager>(sync_manager_register(n));
     }
@@ -97,6 +99,7 @@ class esc_memory {
         sm.pdi_disable = disabled;
         store(sync_manager_register(n), sm);
     }
+    /// The FMMU `n`, from 0.
     [[nodiscard]] constexpr fmmu mapping(std::size_t n) const noexcept {
         return load<fmmu>({static_cast<std::uint16_t>(esc_registers::fmmu.address + n * esc_registers::fmmu.size),
                            esc_registers::fmmu.size});

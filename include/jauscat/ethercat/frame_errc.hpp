@@ -39,6 +39,7 @@ enum class frame_errc : std::uint8_t {
     return "unknown error";
 }
 
+/// Bytes of a frame, or why there is none.
 using frame_result = wire::basic_result<frame_errc>;
 
 } // namespace jauscat::ethercat

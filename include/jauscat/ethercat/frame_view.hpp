@@ -64,12 +64,14 @@ template <class Byte> class basic_frame_view {
         return at + walked;
     }
 
+    /// Goes from datagram to datagram.
     class iterator {
       public:
         using value_type = basic_datagram<Byte>;
         using difference_type = std::ptrdiff_t;
 
         constexpr iterator() noexcept = default;
+        /// At the first datagram of what is left of the frame.
         constexpr explicit iterator(std::span<Byte> rest) noexcept : rest_{rest} {}
 
         constexpr value_type operator*() const noexcept {
@@ -105,8 +107,11 @@ template <class Byte> class basic_frame_view {
     std::span<Byte> datagrams_{};
 };
 
+/// A datagram to read.
 using datagram_view = basic_datagram<const std::byte>;
+/// A frame to read.
 using frame_view = basic_frame_view<const std::byte>;
+/// A frame whose datagrams a slave works on.
 using mutable_frame_view = basic_frame_view<std::byte>;
 
 } // namespace jauscat::ethercat

@@ -20,6 +20,7 @@ class loopback_link {
         for (auto& each : slaves) each.set_downstream(&each != &slaves.back());
     }
 
+    /// Hands the frame to the slaves at once; false where it is too long, or another waits to be fetched.
     bool send(std::span<const std::byte> frame) noexcept {
         if (size_ != 0 || frame.size() > frame_.size()) return false;
         std::ranges::copy(frame, frame_.begin());

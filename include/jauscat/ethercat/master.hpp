@@ -40,6 +40,7 @@ struct master_statistics {
 /// done. Beside the errors named there, each job can end with those of the link: not_sent, no_reply, timeout, no_space.
 class master {
   public:
+    /// Idle, and without slaves.
     explicit master(const master_config& config = {}) noexcept : config_{config} {}
 
     /// Counts the slaves of the ring, `result().size`, takes them to INIT, and takes station addresses, SyncManagers
@@ -139,6 +140,7 @@ class master {
         finish(job_ == job::abort ? ended_ : outcome{.error = error});
     }
 
+    /// Whether no job runs, so that one may be started.
     [[nodiscard]] bool idle() const noexcept { return job_ == job::none; }
     /// How the last job ended.
     [[nodiscard]] const outcome& result() const noexcept { return result_; }

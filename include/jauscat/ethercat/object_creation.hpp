@@ -40,6 +40,7 @@ enum class creation_errc : std::uint8_t {
     refused,       ///< the slave did not create it: see ulSta
 };
 
+/// What became of a request to create an object.
 struct creation_answer {
     creation_errc error{};
     hilscher::od_status status{}; ///< ulSta

@@ -49,6 +49,7 @@ concept described_object_source = object_source<T> &&
 /// A reference to an object source, without its type. Made from a source that must outlive it.
 class object_dictionary {
   public:
+    /// Of an application that has `read` and `write`; it must outlive this.
     template <object_source T>
     requires(!std::same_as<T, object_dictionary>) // a copy refers to the source, not to the copied reference
         constexpr object_dictionary(T& source) noexcept
@@ -75,9 +76,11 @@ class object_dictionary {
         }
     }
 
+    /// Puts the entry's data into `out`; their bytes, or the abort code for the master.
     [[nodiscard]] object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
         return read_(source_, index, subindex, out);
     }
+    /// Gives the entry data; `none`, or the abort code for the master.
     [[nodiscard]] abort_code write(std::uint16_t index, std::uint8_t subindex,
                                    std::span<const std::byte> data) noexcept {
         return write_(source_, index, subindex, data);

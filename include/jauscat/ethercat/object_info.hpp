@@ -29,7 +29,9 @@ struct entry_info {
 
 /// Access in every state that has a mailbox.
 inline constexpr entry_access readable_always{.read_pre_op = true, .read_safe_op = true, .read_op = true};
+/// Written in PRE-OP, SAFE-OP and OP.
 inline constexpr entry_access writable_always{.write_pre_op = true, .write_safe_op = true, .write_op = true};
+/// Read and written in PRE-OP, SAFE-OP and OP.
 inline constexpr entry_access accessible_always{.read_pre_op = true,
                                                 .read_safe_op = true,
                                                 .read_op = true,
@@ -37,9 +39,11 @@ inline constexpr entry_access accessible_always{.read_pre_op = true,
                                                 .write_safe_op = true,
                                                 .write_op = true};
 
+/// Whether it may be written in any state.
 [[nodiscard]] constexpr bool is_writable(const entry_access& access) noexcept {
     return access.write_pre_op || access.write_safe_op || access.write_op;
 }
+/// Whether it may be read in any state.
 [[nodiscard]] constexpr bool is_readable(const entry_access& access) noexcept {
     return access.read_pre_op || access.read_safe_op || access.read_op;
 }

@@ -16,8 +16,11 @@ class outstanding_frame {
   public:
     static constexpr std::size_t capacity = 15;
 
+    /// Whether a reply is awaited.
     [[nodiscard]] bool waits() const noexcept { return count_ != 0; }
+    /// When the frame was sent.
     [[nodiscard]] time_point sent_at() const noexcept { return sent_at_; }
+    /// Its reply is not wanted any more.
     void forget() noexcept { count_ = 0; }
 
     /// `frame` is on its way. It is one this project built.

@@ -7,6 +7,7 @@
 
 namespace jauscat::ethercat {
 
+/// The packet that lists a slave's objects.
 class packet_od_list : public packet_coe_service<hilscher::get_od_list_request, hilscher::get_od_list_confirmation, 8> {
   public:
     service_step begin(master& m, const packet_io& io) noexcept {
@@ -29,6 +30,7 @@ class packet_od_list : public packet_coe_service<hilscher::get_od_list_request, 
     static constexpr std::size_t index_size = 2;
 };
 
+/// The packet that describes one object.
 class packet_object : public packet_coe_service<hilscher::get_object_description_request,
                                                 hilscher::get_object_description_confirmation, 8> {
   public:
@@ -58,6 +60,7 @@ class packet_object : public packet_coe_service<hilscher::get_object_description
     }
 };
 
+/// The packet that describes one entry of an object.
 class packet_entry : public packet_coe_service<hilscher::get_entry_description_request,
                                                hilscher::get_entry_description_confirmation, 12> {
   public:

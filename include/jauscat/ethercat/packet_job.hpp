@@ -25,6 +25,7 @@ class packet_job {
     static constexpr std::size_t confirmation_size =
         wire::max_size<hilscher::packet_header> + hilscher::max_packet_body;
 
+    /// Executes `request`; the answer is written to `confirmation`. Both must outlive this.
     packet_job(std::span<const std::byte> request, std::span<std::byte> confirmation,
                const packet_options& options = {}) noexcept
         : io_{request, confirmation.first(std::min(confirmation.size(), confirmation_size)), options} {}

@@ -5,6 +5,7 @@
 
 namespace jauscat::ethercat {
 
+/// The packet that writes an object.
 class packet_download : public packet_coe_service<hilscher::sdo_download_request, hilscher::sdo_download_confirmation> {
   public:
     service_step begin(master& m, const packet_io& io) noexcept {
@@ -19,6 +20,7 @@ class packet_download : public packet_coe_service<hilscher::sdo_download_request
     static service_answer answer(confirmation&, const outcome&, const packet_io&) noexcept { return {}; }
 };
 
+/// The packet that reads an object.
 class packet_upload : public packet_coe_service<hilscher::sdo_upload_request, hilscher::sdo_upload_confirmation, 12> {
   public:
     service_step begin(master& m, const packet_io& io) noexcept {

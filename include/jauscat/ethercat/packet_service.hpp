@@ -21,7 +21,7 @@ namespace jauscat::ethercat {
 struct packet_io {
     std::span<const std::byte> request{};
     std::span<std::byte> confirmation{};
-    packet_options options{};
+    packet_options options{}; ///< how it is executed
 
     /// The confirmation's bytes from `offset` on.
     [[nodiscard]] std::span<std::byte> room(std::size_t offset) const noexcept {

@@ -35,6 +35,7 @@ class process_data {
                 inputs_[places_++] = {slave.process_data.input_address, slave.process_data.input_size};
     }
 
+    /// Where each slave's data lie.
     [[nodiscard]] const process_image& image() const noexcept { return image_; }
     /// Outputs of a slave: what is written here goes out with the next cycle.
     [[nodiscard]] std::span<std::byte> outputs(const slave_record& slave) noexcept {

@@ -25,6 +25,7 @@ struct process_image {
     std::uint16_t read{};       ///< of a complete LRD
     bool no_lrw{};              ///< one slave cannot do LRW: the image goes by LWR and LRD
 
+    /// Of all slaves that have process data.
     [[nodiscard]] static constexpr process_image of(std::span<const slave_record> slaves) noexcept {
         process_image image{};
         for (const auto& slave : slaves) {

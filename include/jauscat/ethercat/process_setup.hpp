@@ -35,12 +35,14 @@ class process_setup {
     [[nodiscard]] const process_place& place() const noexcept { return place_; }
 
     [[nodiscard]] bool wants_upload() const noexcept { return step_ == step::assignment || step_ == step::mapping; }
+    /// The upload that it waits for.
     [[nodiscard]] sdo_transfer upload() noexcept {
         if (step_ == step::assignment)
             return sdo_transfer::upload(static_cast<std::uint16_t>(0x1C10 + managed().number),
                                         static_cast<std::uint8_t>(pdo_), room(pdo_));
         return sdo_transfer::upload(mapping_, static_cast<std::uint8_t>(entry_), room(entry_));
     }
+    /// Goes on after that upload.
     progress uploaded(const outcome& upload) noexcept {
         // Without assignment objects the SII counts, as for a slave without CoE.
         if (upload.error == master_errc::sdo_abort && step_ == step::assignment && pdo_ == 0) return survey(true);

@@ -22,6 +22,7 @@ class sdo_transfer {
   public:
     sdo_transfer() noexcept = default;
 
+    /// Writes `data` into an entry, in as many segments as it takes. They must outlive the transfer.
     static sdo_transfer download(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data,
                                  const download_options& options = {}) noexcept {
         sdo_transfer transfer{sdo_specifier::download_request, index, subindex};
@@ -31,6 +32,7 @@ class sdo_transfer {
         if (options.clear_subindex_0 && subindex != 0) transfer.phase_ = phase::clear;
         return transfer;
     }
+    /// Reads an entry `into` a buffer, in as many segments as it takes. It must outlive the transfer.
     static sdo_transfer upload(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> into,
                                const upload_options& options = {}) noexcept {
         sdo_transfer transfer{sdo_specifier::upload_request, index, subindex};

@@ -36,6 +36,7 @@ class sii_image {
     [[nodiscard]] constexpr const std::byte* data() const noexcept { return bytes_.data(); }
     [[nodiscard]] constexpr const std::byte* begin() const noexcept { return data(); }
     [[nodiscard]] constexpr const std::byte* end() const noexcept { return data() + size_; }
+    /// The byte at a place below `size()`.
     [[nodiscard]] constexpr std::byte operator[](std::size_t at) const noexcept { return bytes_[at]; }
     /// All of the largest memory, to be written.
     [[nodiscard]] constexpr std::span<std::byte> whole() noexcept { return bytes_; }
@@ -51,8 +52,8 @@ class sii_image {
 
 /// What a slave can do with its objects besides SDO transfers.
 struct sii_coe_features {
-    bool sdo_information{};
-    bool complete_access{};
+    bool sdo_information{}; ///< the slave answers SDO information
+    bool complete_access{}; ///< the slave takes whole objects
 };
 
 namespace detail {

@@ -18,6 +18,7 @@ struct process_manager {
     sii_sync_manager description{};
     std::uint32_t bits{};
 
+    /// Whether the master writes them.
     [[nodiscard]] bool is_output() const noexcept { return description.use == sii_sync_manager_use::outputs; }
     [[nodiscard]] std::uint16_t bytes() const noexcept { return static_cast<std::uint16_t>((bits + 7) / 8); }
 };
@@ -31,7 +32,9 @@ class sii_survey {
     explicit sii_survey(bool sizes) noexcept : sizes_{sizes} {}
 
     [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    /// The SyncManagers that carry process data.
     [[nodiscard]] std::span<process_manager> managers() noexcept { return std::span{managers_}.first(count_); }
+    /// The SyncManagers that carry process data.
     [[nodiscard]] std::span<const process_manager> managers() const noexcept {
         return std::span{managers_}.first(count_);
     }

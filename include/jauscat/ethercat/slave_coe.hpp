@@ -23,6 +23,7 @@ struct coe_answer {
 /// Answers CoE messages. An object is written when all of it has come, and read before the first byte goes.
 class coe_server {
   public:
+    /// Of these objects, which must outlive it.
     explicit coe_server(object_dictionary objects, const coe_options& options = {}) noexcept
         : objects_{objects, options}, options_{options} {}
 

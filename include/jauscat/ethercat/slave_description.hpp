@@ -29,11 +29,13 @@ struct slave_description {
     std::span<const pdo_entry> outputs{};
     std::span<const pdo_entry> inputs{}; ///< slave to master: TxPDO 1A00h in SyncManager 3, at process_memory::inputs
 
+    /// Whether it has any.
     [[nodiscard]] constexpr bool has_process_data() const noexcept { return !outputs.empty() || !inputs.empty(); }
     /// Bytes, 0 where there are more than fit.
     [[nodiscard]] constexpr std::size_t output_size() const noexcept {
         return size_within(outputs, process_memory::max_outputs);
     }
+    /// Bytes that the master reads in each cycle.
     [[nodiscard]] constexpr std::size_t input_size() const noexcept {
         return size_within(inputs, process_memory::max_inputs);
     }

@@ -15,14 +15,18 @@ namespace jauscat::ethercat {
 /// Up to slave_capacity records, found by station address.
 class slave_list {
   public:
+    /// All of them, in no particular order.
     [[nodiscard]] std::span<const slave_record> all() const noexcept { return std::span{records_}.first(count_); }
+    /// Whether there is no room for another.
     [[nodiscard]] bool full() const noexcept { return count_ == records_.size(); }
 
+    /// By its station address; nullptr where there is none.
     [[nodiscard]] slave_record* find(std::uint16_t station) noexcept {
         const auto known = std::span{records_}.first(count_);
         const auto found = std::ranges::find(known, station, &slave_record::station);
         return found == known.end() ? nullptr : &*found;
     }
+    /// By its station address; nullptr where there is none.
     [[nodiscard]] const slave_record* find(std::uint16_t station) const noexcept {
         const auto found = std::ranges::find(all(), station, &slave_record::station);
         return found == all().end() ? nullptr : &*found;

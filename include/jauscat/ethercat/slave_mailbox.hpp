@@ -19,6 +19,7 @@ namespace jauscat::ethercat {
 /// SyncManagers 0 and 1, and the CoE server behind them.
 class slave_mailbox {
   public:
+    /// Of the slave's mailbox areas, with a server of these objects behind them.
     slave_mailbox(const slave_description& description, object_dictionary objects, const coe_options& options) noexcept
         : out_start_{description.mailbox_out_offset},
           out_size_{description.mailbox_out_size},

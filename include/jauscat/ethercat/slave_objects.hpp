@@ -24,6 +24,7 @@ struct transfer_object {
 /// Models described_object_source for single entries, and takes whole objects apart.
 class slave_objects {
   public:
+    /// In front of the application's objects, which must outlive it, with the rules of `options`.
     slave_objects(object_dictionary objects, const coe_options& options) noexcept
         : objects_{objects}, options_{options} {}
 
@@ -49,22 +50,26 @@ class slave_objects {
         });
     }
 
+    /// Reads the entry or the whole object.
     object_read read(const transfer_object& object, std::span<std::byte> out) noexcept {
         if (object.complete) return complete_object{*this, object.index, object.subindex}.read(out);
         return read(object.index, object.subindex, out);
     }
+    /// Writes the entry or the whole object.
     abort_code write(const transfer_object& object, std::span<const std::byte> data) noexcept {
         if (!object.complete) return write(object.index, object.subindex, data);
         complete_object whole{*this, object.index, object.subindex};
         return data.size() == whole.size() ? whole.write(data) : abort_code::length_mismatch;
     }
 
+    /// Reads one entry.
     object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
         if (!keeps_count(index) || subindex != 0) return objects_.read(index, subindex, out);
         if (out.empty()) return {.error = abort_code::exceeds_mailbox};
         out[0] = static_cast<std::byte>(rule_.entries(index));
         return {.size = 1};
     }
+    /// Writes one entry.
     abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
         if (!keeps_count(index) || subindex != 0) return objects_.write(index, subindex, data);
         if (data.size() != 1) return abort_code::length_mismatch;
@@ -72,6 +77,7 @@ class slave_objects {
         return abort_code::none;
     }
 
+    /// Whether the application describes its objects, for SDO information.
     [[nodiscard]] bool is_described() const noexcept { return objects_.is_described(); }
     [[nodiscard]] std::uint16_t next_index(std::uint16_t after) const noexcept { return objects_.next_index(after); }
     [[nodiscard]] std::optional<object_info> describe(std::uint16_t index) const noexcept {

@@ -20,6 +20,7 @@ namespace jauscat::ethercat {
 /// Without process data in the description: nothing is expected of the SyncManagers, and nothing happens.
 class slave_process_data {
   public:
+    /// Of the slave's areas for process data.
     explicit slave_process_data(const slave_description& description) noexcept
         : outputs_{process_memory::outputs, description.output_size(), description.outputs.empty()},
           inputs_{process_memory::inputs, description.input_size(), description.inputs.empty()} {}
@@ -59,9 +60,11 @@ class slave_process_data {
         taken_over_ = true;
     }
 
+    /// The outputs in force: what the master has sent last while the slave was in OP.
     [[nodiscard]] std::span<const std::byte> outputs() const noexcept {
         return std::span{in_force_}.first(outputs_.size);
     }
+    /// Whether there were outputs in OP since the last call.
     bool take_outputs() noexcept { return std::exchange(taken_over_, false); }
 
     /// Whether the outputs have not been written for the watchdog's time. Only in OP.

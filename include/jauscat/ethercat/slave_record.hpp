@@ -32,6 +32,7 @@ class emergency_log {
     }
     constexpr void clear() noexcept { *this = {}; }
 
+    /// The emergencies that were kept, oldest first.
     [[nodiscard]] constexpr std::span<const coe_emergency> kept() const noexcept {
         return std::span{kept_}.first(count_);
     }
@@ -51,6 +52,7 @@ struct identity_check {
     std::optional<std::uint32_t> revision{};
     std::optional<std::uint32_t> serial{};
 
+    /// Whether the identity has every value that is given.
     [[nodiscard]] constexpr bool accepts(const sii_identity& found) const noexcept {
         const auto same = [](const auto& wanted, std::uint32_t value) { return !wanted || *wanted == value; };
         return same(vendor, found.vendor) && same(product, found.product) && same(revision, found.revision) &&

@@ -23,6 +23,7 @@ template <class Objects> class sdo_information_server {
 
     /// The fragments that are still to come, if any, are forgotten.
     void forget() noexcept { left_ = 0; }
+    /// Whether fragments of the answer are left.
     [[nodiscard]] bool has_more() const noexcept { return left_ != 0; }
 
     /// Writes the answer, or its first fragment, to the front of `out`, which has at least 16 bytes. Returns its size;

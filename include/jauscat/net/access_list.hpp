@@ -35,8 +35,9 @@ class access_list {
 
     /// What the check found. `peer` is the place of the system in the configuration, if the source is one of its.
     struct finding {
+        /// `taken`, or why not
         verdict what{};
-        std::optional<std::size_t> peer{};
+        std::optional<std::size_t> peer{}; ///< see above
     };
 
     /// The systems of `config`. Closed unless told otherwise; open if the configuration names nobody but this system.
@@ -69,6 +70,7 @@ class access_list {
         return {verdict::taken, found->value};
     }
 
+    /// Whether it takes messages from everybody.
     [[nodiscard]] bool is_open() const noexcept { return how_ == access::open; }
 
   private:

@@ -28,6 +28,7 @@ class datagram_gate {
     using endpoint = access_list::endpoint;
     using time = token_bucket::time;
 
+    /// For the system that the configuration calls its own.
     explicit datagram_gate(const jaus_config& config, access how = access::closed)
         : list_{config, how}, strangers_{system_limits{}.messages, std::random_device{}()} {
         for (const auto& system : config.systems) peers_.push_back({system.limits.messages, {}});
@@ -44,6 +45,7 @@ class datagram_gate {
         return within ? verdict::taken : verdict::rate_limited;
     }
 
+    /// Who may send.
     [[nodiscard]] const access_list& list() const noexcept { return list_; }
 
   private:

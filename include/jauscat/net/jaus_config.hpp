@@ -23,6 +23,7 @@ namespace jauscat::net {
 /// A configuration that cannot be used. `what()` is `file:line: what is wrong; what to do`.
 class config_error : public std::runtime_error {
   public:
+    /// A sentence for the user, and the line of the file; 0: none in particular.
     config_error(const std::string& text, std::size_t at_line) : std::runtime_error{text}, line_{at_line} {}
 
     /// Line in the file, from 1; 0 when the file could not be read or the trouble is not in it.
@@ -54,8 +55,8 @@ struct ethercat_entry {
     std::string controller{};     ///< the name of the system whose program drives the master
     std::string interface_name{}; ///< network interface, such as `eth0`; empty: EtherCAT in UDP
     std::string udp_host{};       ///< where the slave is, for EtherCAT in UDP
-    std::uint16_t udp_port{};
-    std::size_t line{}; ///< where the file declares it
+    std::uint16_t udp_port{};     ///< its port, for EtherCAT in UDP
+    std::size_t line{};           ///< where the file declares it
 
     /// Whether both would use the same wire on the same host.
     [[nodiscard]] bool same_wire(const ethercat_entry& other) const noexcept {
@@ -86,10 +87,10 @@ struct system_entry {
     std::vector<boost::asio::ip::address> more_ips{}; ///< from which it may send as well; all different
     bool any_source_port{};                           ///< it may send from other ports than the one it listens at
     std::optional<multicast_options> multicast{};     ///< the group in which it takes part
-    system_limits limits{};
-    std::vector<node_entry> nodes{};           ///< those that have a name; ids are unique
-    std::vector<component_entry> components{}; ///< ids are unique in the whole file
-    std::optional<ethercat_entry> ethercat{};  ///< the master that its messages go on to
+    system_limits limits{};                           ///< of its messages, in number and memory
+    std::vector<node_entry> nodes{};                  ///< those that have a name; ids are unique
+    std::vector<component_entry> components{};        ///< ids are unique in the whole file
+    std::optional<ethercat_entry> ethercat{};         ///< the master that its messages go on to
 
     boost::asio::ip::udp::endpoint endpoint() const { return {ip, port}; }
     friend bool operator==(const system_entry&, const system_entry&) = default;
@@ -98,9 +99,9 @@ struct system_entry {
 /// The content of a `JausConfig.xml`, checked: names and jausips are unique, and `this_system` names an entry. See
 /// docs/configuration.md.
 struct jaus_config {
-    std::string this_system{};
-    std::vector<system_entry> systems{};
-    std::string source{}; ///< the file's name, for messages
+    std::string this_system{};           ///< the name of the system that this program is
+    std::vector<system_entry> systems{}; ///< this one and its peers, in the file's order
+    std::string source{};                ///< the file's name, for messages
 
     /// The entry of that name, or null.
     const system_entry* find(std::string_view name) const noexcept;

@@ -30,6 +30,7 @@ namespace jauscat::net {
 class jaus_node {
   public:
     using time = std::chrono::nanoseconds;
+    /// A message, or its body.
     using bytes = std::span<const std::byte>;
     using endpoint = detail::node_socket::endpoint;
 
@@ -99,6 +100,7 @@ class jaus_node {
         core_.large.clear();
         changes_.clear();
     }
+    /// Whether it was started and not stopped.
     [[nodiscard]] bool running() const noexcept { return running_; }
 
     /// Sends a message of a component of this node; one of more than 4080 bytes of body as a large data set, bit by
@@ -147,6 +149,7 @@ class jaus_node {
     [[nodiscard]] const jaus::presence_table* present() const noexcept {
         return manager_ ? &manager_->present() : nullptr;
     }
+    /// What it was made with.
     [[nodiscard]] const jaus_config& config() const noexcept { return config_; }
     /// Of the socket and the group's together, since the last start.
     [[nodiscard]] udp_counters counts() const noexcept { return socket_ ? socket_->counts() : udp_counters{}; }

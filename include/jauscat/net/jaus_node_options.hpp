@@ -17,6 +17,7 @@
 
 namespace jauscat::net {
 
+/// How a node behaves; all of it has a default.
 struct jaus_node_options {
     /// Closed: only who is in the configuration, from where it says. Open: everybody, and subsystems that are not in
     /// the configuration are answered where they were last heard. See access_list.
@@ -25,7 +26,7 @@ struct jaus_node_options {
     std::uint8_t node{};
     /// The node that relays within the subsystem; 0: none. See jaus::router.
     std::uint8_t primary{};
-    udp_options socket{};
+    udp_options socket{}; ///< how the socket is opened
 
     jaus::heartbeat beat = jaus::heartbeat_to_all(); ///< of the node manager
     /// A component that sends no heartbeat for so long is gone.
@@ -45,7 +46,7 @@ struct jaus_node_options {
 
     /// Gets a line about all that was refused, unroutable or lost, `log_limit` of them.
     std::function<void(std::string_view line)> log{};
-    rate log_limit{.per_second = 20, .burst = 100};
+    rate log_limit{.per_second = 20, .burst = 100}; ///< lines that go to the log
     /// Hears of each message that a component of the node got, the node manager's included, and what became of it.
     std::function<void(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
                        jaus::component_outcome what)>

@@ -20,6 +20,7 @@ class latency_histogram {
   public:
     using nanoseconds = std::chrono::nanoseconds;
 
+    /// Counts one time; a negative one as 0.
     void add(nanoseconds time) noexcept {
         time = std::max(time, nanoseconds{});
         ++buckets_[std::min(bucket_of(static_cast<std::uint64_t>(time.count())), buckets_.size() - 1)];
@@ -28,6 +29,7 @@ class latency_histogram {
         max_ = std::max(max_, time);
     }
 
+    /// Times that were added.
     [[nodiscard]] std::uint64_t count() const noexcept { return count_; }
     /// The shortest and the longest time, exactly; 0 when there is none.
     [[nodiscard]] nanoseconds min() const noexcept { return count_ == 0 ? nanoseconds{} : min_; }

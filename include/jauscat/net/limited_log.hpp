@@ -14,9 +14,11 @@ namespace jauscat::net {
 /// Lines of text for a person, so many each second; the next line says how many were left out.
 class limited_log {
   public:
+    /// Takes a line, without its end.
     using handler = std::function<void(std::string_view line)>;
     using time = token_bucket::time;
 
+    /// Writes through `write`, which may be empty, no more lines than `limit` permits.
     explicit limited_log(handler write, const rate& limit = {.per_second = 20, .burst = 100})
         : write_{std::move(write)}, limit_{limit} {}
 

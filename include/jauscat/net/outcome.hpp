@@ -10,6 +10,7 @@ namespace jauscat::net {
 class [[nodiscard]] outcome {
   public:
     outcome() = default;
+    /// A failure; `problem` is the line that says what happened.
     explicit outcome(std::string problem) : problem_{std::move(problem)} {}
 
     explicit operator bool() const noexcept { return problem_.empty(); }

@@ -55,6 +55,7 @@ class raw_link {
         if (state == detail::interface_state::down) throw open_error{problem_};
     }
 
+    /// Takes the socket over.
     raw_link(raw_link&&) = default;
 
     /// Sends a frame, padded to 60 bytes, with the interface's address as source if the frame has zeros there.

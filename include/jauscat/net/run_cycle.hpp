@@ -24,8 +24,9 @@ struct cycle_report {
     bool back{};                           ///< the frame came back before the next was due
 };
 
+/// How often, and how exactly, process data are exchanged.
 struct cycle_config {
-    std::chrono::nanoseconds period{std::chrono::milliseconds{1}};
+    std::chrono::nanoseconds period{std::chrono::milliseconds{1}}; ///< of one cycle
     /// The end of each wait that is spent awake: see cycle_timer.
     std::chrono::nanoseconds spin{};
     /// In the last part of a cycle, 1 / `reserve` of it, no frame of the master's begins: the next cycle's must not
@@ -36,6 +37,7 @@ struct cycle_config {
 /// Everything given here must outlive the runner. Between cycles the master is free for a new job.
 template <ethercat::link Link> class cycle_runner {
   public:
+    /// Exchanges `data` over `link`, and does the master's jobs in between. All must outlive it.
     cycle_runner(Link& link, ethercat::process_data& data, ethercat::master& master,
                  const cycle_config& config = {}) noexcept
         : link_{link}, data_{data}, master_{master}, config_{config}, timer_{config.period, config.spin} {}

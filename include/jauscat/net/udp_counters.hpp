@@ -27,6 +27,7 @@ struct udp_counters {
     std::uint64_t refused{};     ///< messages that a peer's machine or a router sent back: closed port, no way
     std::uint64_t errors{};      ///< everything else that failed, either way
 
+    /// Counts a datagram by what the gate said of it.
     constexpr void count(verdict v) noexcept {
         switch (v) {
         case verdict::taken: ++received; break;
@@ -42,8 +43,9 @@ struct udp_counters {
 /// A counter and its name.
 struct named_counter {
     std::string_view name{};
-    std::uint64_t udp_counters::*value{};
+    std::uint64_t udp_counters::*value{}; ///< where it stands
 };
+/// All counters, in the order in which people want them.
 inline constexpr std::array udp_counter_list{named_counter{"received", &udp_counters::received},
                                              named_counter{"dropped", &udp_counters::dropped},
                                              named_counter{"oversize", &udp_counters::oversize},

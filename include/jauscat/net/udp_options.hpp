@@ -19,7 +19,7 @@ struct udp_options {
     /// Bytes that the kernel may hold for this socket, either way; 0 leaves the system's default. The kernel doubles
     /// the number for its own bookkeeping and cuts it at net.core.rmem_max and net.core.wmem_max.
     std::size_t receive_buffer{};
-    std::size_t send_buffer{};
+    std::size_t send_buffer{}; ///< the same, for what is sent
 };
 
 /// A multicast group, and how to reach it. The defaults are those of JAUS over UDP.

@@ -116,6 +116,7 @@ class udp_transport {
 
     /// Where this transport receives.
     endpoint local() const { return socket_.local_endpoint(); }
+    /// Since it was made.
     const udp_counters& counts() const noexcept { return counters_; }
 
   private:

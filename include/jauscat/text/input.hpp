@@ -12,13 +12,16 @@
 
 namespace jauscat::text {
 
+/// What was read of a message, as text or JSON, before it is known what belongs there.
 struct input {
+    /// A leaf is a number, a word or a text.
     enum class kind : std::uint8_t { nothing, leaf, object, array };
-    kind what{};
+    kind what{};                ///< which of these it is
     std::string name{};         ///< in an object
     std::string text{};         ///< of a leaf
     std::vector<input> parts{}; ///< of an object or array
 
+    /// The part of an object with this name; nullptr where there is none.
     [[nodiscard]] const input* find(std::string_view part) const noexcept {
         const auto found = std::ranges::find(parts, part, &input::name);
         return what == kind::object && found != parts.end() && found->what != kind::nothing ? &*found : nullptr;

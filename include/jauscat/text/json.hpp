@@ -16,6 +16,7 @@
 
 namespace jauscat::text {
 
+/// Keeps the order of the fields.
 using json = nlohmann::ordered_json;
 
 namespace detail {
@@ -153,6 +154,7 @@ inline input input_of(const json& value, std::size_t level = 0) {
 [[nodiscard]] inline json to_json(const structure& type, const void* object) {
     return detail::json_writer{}.fields(type, object, true);
 }
+/// The same for a typed message.
 template <wire::message T> [[nodiscard]] json to_json(const T& message) { return to_json(describe<T>(), &message); }
 
 /// `"0x7A"`, as wide as the vector; null where the message has none.
@@ -162,6 +164,7 @@ template <wire::message T> [[nodiscard]] json to_json(const T& message) { return
             return hex_number(one.number(object), std::get<integer_form>(one.how->is).bits / 4);
     return nullptr;
 }
+/// The same for a typed message.
 template <wire::message T> [[nodiscard]] json presence_vector_of(const T& message) {
     return presence_vector_of(describe<T>(), &message);
 }

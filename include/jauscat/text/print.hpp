@@ -193,6 +193,7 @@ class printer {
     out.fields(type, object);
     return std::move(out).text();
 }
+/// The same for a typed message.
 template <wire::message T> [[nodiscard]] std::string to_text(const T& message, std::size_t indent = 2) {
     return to_text(describe<T>(), &message, indent);
 }

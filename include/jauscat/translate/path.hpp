@@ -13,6 +13,7 @@ template <auto First, auto... Rest> struct at {
         return at<Rest...>::of(object.*wire::place_in<decltype(object), First>);
     }
 };
+/// The last step of a path.
 template <auto Member> struct at<Member> {
     using type = wire::member_t<Member>;
     template <auto Outer> using within = at<Outer, Member>;
@@ -21,6 +22,7 @@ template <auto Member> struct at<Member> {
     }
 };
 
+/// The fields that a row reads or fills.
 template <class... Paths> struct path_list {
     static constexpr std::size_t size = sizeof...(Paths);
     /// How often `Path` is listed.

@@ -4,6 +4,7 @@
 
 namespace jauscat::translate {
 
+/// Why a translation was refused. `ok` is zero.
 enum class errc : std::uint8_t {
     ok,
     truncated,                ///< fewer bytes than the header, or than the packet says it has

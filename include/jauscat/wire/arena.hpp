@@ -12,6 +12,7 @@ namespace jauscat::wire {
 /// Never frees a single piece: reset() takes all of them back, and with them the lists of earlier messages.
 class arena {
   public:
+    /// Of memory that must outlive the decoded message.
     constexpr explicit arena(std::span<std::byte> memory) noexcept : memory_{memory} {}
 
     /// `count` default values of `T`, or nullptr where no room is left.
@@ -26,7 +27,9 @@ class arena {
         return first;
     }
 
+    /// All of the memory is free again; lists in it are gone.
     constexpr void reset() noexcept { used_ = 0; }
+    /// Bytes that are taken, with what alignment costs.
     [[nodiscard]] constexpr std::size_t used() const noexcept { return used_; }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return memory_.size(); }
 

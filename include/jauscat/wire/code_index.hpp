@@ -14,6 +14,7 @@ namespace jauscat::wire {
 // searched one by one, which is as fast and needs no tables.
 template <const auto& Codes> class code_index {
   public:
+    /// The place of a code that is not in the list.
     static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 
     /// The place of `code` counted from 0, or npos.

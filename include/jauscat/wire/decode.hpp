@@ -45,6 +45,7 @@ template <message T> constexpr result decode(T& value, std::span<const std::byte
     static_assert(!needs_memory<T>, "decode: the message has lists; give an arena as the third argument");
     return detail::decode(value, in, plain_root{}, true);
 }
+/// The same for a message with lists, whose elements go to `memory`.
 template <message T> constexpr result decode(T& value, std::span<const std::byte> in, arena& memory) noexcept {
     return detail::decode(value, in, memory_root{memory}, true);
 }

@@ -9,6 +9,7 @@ namespace jauscat::wire {
 
 /// A structure or list that a walk is inside of.
 struct diagnosis_step {
+    /// Stands for: not a list.
     static constexpr std::size_t no_element = unbounded;
     std::string_view name{};
     std::size_t element = no_element; ///< place in a list, from 0

@@ -9,8 +9,10 @@ namespace jauscat::wire {
 
 /// A name in a template argument, for what has no member: `count<"number_of_joints", u8>`.
 template <std::size_t N> struct label {
-    std::array<char, N> text{};
+    std::array<char, N> text{}; ///< with the zero at its end
+    /// Of a string literal.
     consteval label(const char (&literal)[N]) { std::copy_n(literal, N, text.begin()); }
+    /// Without the zero at its end.
     [[nodiscard]] constexpr std::string_view view() const noexcept { return {text.data(), N - 1}; }
 };
 

@@ -12,28 +12,35 @@ template <class Bit>
 requires std::is_enum_v<Bit>
 class flags {
   public:
+    /// The enumeration of bit numbers.
     using bit_type = Bit;
+    /// The unsigned integer that holds them.
     using bits_type = std::underlying_type_t<Bit>;
     static_assert(std::unsigned_integral<bits_type>, "flags: the enumeration's underlying type must be unsigned");
 
     constexpr flags() noexcept = default;
+    /// With these bits set.
     constexpr flags(std::initializer_list<Bit> set_bits) noexcept {
         for (const Bit bit : set_bits) set(bit);
     }
+    /// With all bits as in `bits`, also those without a name.
     [[nodiscard]] static constexpr flags from_bits(bits_type bits) noexcept {
         flags made;
         made.bits_ = bits;
         return made;
     }
 
+    /// Whether the bit is set.
     [[nodiscard]] constexpr bool test(Bit bit) const noexcept {
         return (bits_ >> static_cast<unsigned>(bit) & 1u) != 0;
     }
+    /// Sets or clears a bit.
     constexpr flags& set(Bit bit, bool value = true) noexcept {
         const auto mask = static_cast<bits_type>(bits_type{1} << static_cast<unsigned>(bit));
         bits_ = static_cast<bits_type>(value ? bits_ | mask : bits_ & ~mask);
         return *this;
     }
+    /// All bits, bit 0 in the lowest place.
     [[nodiscard]] constexpr bits_type bits() const noexcept { return bits_; }
 
     friend constexpr bool operator==(const flags&, const flags&) = default;

@@ -33,14 +33,17 @@ struct in_cursor {
     const std::byte* at;
     std::size_t slack;
 
+    /// The cursor of a decoding that failed.
     [[nodiscard]] static constexpr in_cursor failed(errc error) noexcept {
         return {nullptr, static_cast<std::size_t>(error)};
     }
     [[nodiscard]] constexpr errc error() const noexcept { return at ? errc::ok : static_cast<errc>(slack); }
 };
 
+/// Pointers to members, in wire order.
 template <auto... Members> struct key_list {
-    static constexpr std::size_t count = sizeof...(Members);
+    static constexpr std::size_t count = sizeof...(Members); ///< how many
+    /// Whether the member is one of them.
     template <auto Member> static constexpr bool holds = (std::is_same_v<key_list<Member>, key_list<Members>> || ...);
 };
 

@@ -260,6 +260,7 @@ template <class T> struct checked_schema {
     static_assert(!detail::listed_once(keys{}) || !has_more_members_than<T, keys::count>,
                   "layout: a member of the message is missing from its layout");
 };
+/// The layout of a structure, checked against its members.
 template <class T> using layout_of = typename checked_schema<T>::type;
 
 /// A struct with a schema, or the `raw` of one.

@@ -15,6 +15,7 @@ namespace jauscat::wire {
 template <class T> class list : public std::span<const T> {
   public:
     using std::span<const T>::span;
+    /// Refers to elements that the caller keeps.
     constexpr list(std::span<const T> elements) noexcept : std::span<const T>{elements} {}
 
     friend constexpr bool operator==(const list& a, const list& b) noexcept {

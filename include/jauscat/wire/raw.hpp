@@ -50,9 +50,11 @@ template <class T> class raw : detail::slots_of<layout_of<T>>::type {
     template <auto Member> static constexpr auto place = raw::find<Member>(static_cast<raw*>(nullptr));
 
     template <auto Member> [[nodiscard]] constexpr const auto& get() const noexcept { return this->*place<Member>; }
+    /// Sets a member's integer; no check against its limits.
     template <auto Member> constexpr void set(const auto& value) noexcept { this->*place<Member> = value; }
     /// The stored value itself, to be changed in place.
     template <auto Member> [[nodiscard]] constexpr auto& slot() noexcept { return this->*place<Member>; }
+    /// Where a member's integer stands.
     template <auto Member> [[nodiscard]] constexpr const auto& slot() const noexcept { return this->*place<Member>; }
 
     friend constexpr bool operator==(const raw&, const raw&) = default;

@@ -49,7 +49,9 @@ template <class Error> class [[nodiscard]] basic_result {
   public:
     static constexpr std::size_t max_size = 0xFFFFFF;
 
+    /// A size, at most `max_size`.
     constexpr basic_result(std::size_t size) noexcept : word_{static_cast<std::uint32_t>(size)} {}
+    /// An error, which is not `ok`.
     constexpr basic_result(Error error) noexcept : word_{static_cast<std::uint32_t>(error) << 24} {}
 
     /// True when there is a size and no error.
@@ -61,6 +63,7 @@ template <class Error> class [[nodiscard]] basic_result {
     std::uint32_t word_;
 };
 
+/// Bytes of an encoded message or bytes decoded, or why not.
 using result = basic_result<errc>;
 
 } // namespace jauscat::wire

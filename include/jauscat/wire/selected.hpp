@@ -8,6 +8,7 @@ namespace jauscat::wire {
 
 /// The member that selects; further pointers lead into it.
 template <auto... Path> struct by {
+    /// The tag, out of the structures around.
     JAUSCAT_PART static constexpr auto value(const auto& here) noexcept { return look_up<Path...>(here); }
 };
 

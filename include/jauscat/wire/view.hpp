@@ -18,11 +18,13 @@ namespace jauscat::wire {
 /// `Outer` is the scope around a structure that looks beyond its own bytes: a detail of views out of lists.
 template <message T, class Outer = plain_root> class view {
   public:
+    /// Checks the bytes, once; they must outlive the view.
     constexpr explicit view(std::span<const std::byte> bytes) noexcept : bytes_{bytes}, error_{check(bytes)} {}
 
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return error_ == errc::ok; }
     /// truncated, trailing_bytes, unknown_presence_bit, unknown_tag or too_deep; the view must not be read then.
     [[nodiscard]] constexpr errc error() const noexcept { return error_; }
+    /// The bytes it was made of.
     [[nodiscard]] constexpr std::span<const std::byte> bytes() const noexcept { return bytes_; }
 
     /// The member's value. A std::optional where the field may be absent or is scaled: empty when it is absent, or when
@@ -97,15 +99,18 @@ template <class Item, class Outer>
 /// records. A forward range.
 template <class Item, class Outer> class list_view {
   public:
+    /// Made by a view.
     constexpr list_view(const std::byte* first, std::size_t size, const Outer& outer) noexcept
         : first_{first}, size_{size}, outer_{outer} {}
 
+    /// Goes from element to element, without decoding them.
     class iterator {
       public:
         using value_type = decltype(detail::element_at<Item>(nullptr, std::declval<const Outer&>()));
         using difference_type = std::ptrdiff_t;
         using iterator_concept = std::forward_iterator_tag;
 
+        /// Made by a list_view.
         constexpr iterator() noexcept = default;
         constexpr iterator(const std::byte* at, std::size_t left, const Outer& outer) noexcept
             : at_{at}, left_{left}, outer_{outer} {}

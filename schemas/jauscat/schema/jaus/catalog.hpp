@@ -9,7 +9,7 @@ namespace jauscat::jaus {
 /// A command code and the standard's name for it.
 struct catalog_entry {
     std::uint16_t command_code{};
-    std::string_view name{};
+    std::string_view name{}; ///< as in the standard
 };
 
 /// The 157 messages of RA 3.3 by ascending command code, then the experimental 0404h. The place in this list, counted

@@ -18,6 +18,7 @@ template <class... Messages> struct message_list {};
 
 // One line per message, by command code.
 // clang-format off
+/// All of them.
 using messages = message_list<
     set_component_authority,
     shutdown,

@@ -4,6 +4,7 @@
 
 namespace jauscat::jaus {
 
+/// As exact as a double is.
 inline constexpr double pi = 3.141592653589793;
 
 // One line per range, as in the standard's tables: the limits of a scaled integer and its unit.
