@@ -29,6 +29,7 @@ struct requirement {
 };
 
 // clang-format off
+/// Elements and attributes that an ESI file must have.
 inline constexpr std::array requirements{
     requirement{"Vendor", content::element, false, "schema"},
     requirement{"Vendor/Id", content::number, false, "schema; SII words 8 and 9, object 1018h:1"},
@@ -93,6 +94,7 @@ struct element_order {
     std::string_view children{};
 };
 
+/// The order of the elements that the schema prescribes.
 inline constexpr std::array element_orders{
     element_order{"EtherCATInfo", "InfoReference Vendor Descriptions"},
     element_order{"Vendor", "Id Name Comment URL DescriptionURL Image16x14 ImageFile16x14 ImageData16x14 VendorSpecific"},

@@ -24,7 +24,7 @@ enum class exchange_progress : std::uint8_t {
 
 /// What a step led to, and how many bytes it wrote to the front of the buffer.
 struct exchange_step {
-    exchange_progress what{};
+    exchange_progress what{}; ///< how it goes on
     std::size_t size{};
 };
 

@@ -13,6 +13,7 @@ template <class Signature> class callback;
 template <class Result, class... Arguments> class callback<Result(Arguments...)> {
   public:
     constexpr callback() noexcept = default;
+    /// Refers to `function`, which must outlive it.
     template <class F>
     requires(!std::same_as<std::remove_const_t<F>, callback> && !std::is_function_v<F> &&
              std::is_invocable_r_v<Result, F&, Arguments...>) constexpr callback(F& function) noexcept

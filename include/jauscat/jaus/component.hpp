@@ -121,6 +121,7 @@ template <class Hooks, class... Parts> class component {
 
     [[nodiscard]] constexpr const address& self() const noexcept { return self_; }
     [[nodiscard]] constexpr primary_status_code state() const noexcept { return state_.state(); }
+    /// What Report Component Status says beside the state.
     constexpr void set_secondary_status(std::uint32_t code) noexcept { state_.secondary_status = code; }
     [[nodiscard]] constexpr const component_control& control() const noexcept { return control_; }
     [[nodiscard]] constexpr component_clock& clock() noexcept { return clock_; }

@@ -60,6 +60,7 @@ using civil_time = std::chrono::sys_time<std::chrono::nanoseconds>;
 /// taken for the date stamp's, or for the clock's own.
 class component_clock {
   public:
+    /// Of the component with this address.
     constexpr explicit component_clock(const address& self) noexcept : self_{self} {}
 
     /// Sets the clock at `now` of the caller's time. False, and no change, where date stamps cannot tell the date.

@@ -48,7 +48,7 @@ inline constexpr std::array<std::uint16_t, 29> controlled_commands{
 
 /// Who controls a component.
 struct controller {
-    jaus::address address{};
+    jaus::address address{};       ///< of the component in control
     std::uint8_t authority_code{}; ///< 0 lowest to 255 highest, as its request told
     friend constexpr bool operator==(const controller&, const controller&) = default;
 };
@@ -69,6 +69,7 @@ struct control_options {
 /// no queue: who wants control later asks again later.
 class component_control {
   public:
+    /// Of the component with this address; nobody controls it.
     constexpr explicit component_control(const address& self, const control_options& options = {}) noexcept
         : self_{self}, authority_{options.authority_code}, options_{options} {}
 
@@ -96,6 +97,7 @@ class component_control {
     constexpr void heard(const address& who, std::chrono::nanoseconds now) noexcept {
         if (controls(who)) heard_ = now;
     }
+    /// Whether it is the one in control.
     [[nodiscard]] constexpr bool controls(const address& who) const noexcept {
         return controller_ && controller_->address == who;
     }

@@ -20,6 +20,7 @@ enum class component_outcome : std::uint8_t {
     acknowledgement, ///< the ACK or NAK that one of the component's own messages waited for
     not_waited_for,  ///< an ACK or NAK that no message waits for: late, or strange
 };
+/// How many outcomes there are, for counters.
 inline constexpr std::size_t component_outcome_count = 10;
 
 /// The outcome in one line, for logs.

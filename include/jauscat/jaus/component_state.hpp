@@ -75,6 +75,7 @@ enum class after_emergency : std::uint8_t {
 /// in another state is in that again: who has not initialised or has failed cannot be made to work by an emergency.
 template <std::size_t Holders = 8> class component_state {
   public:
+    /// Of the component with this address, which begins in the state Initialize.
     constexpr explicit component_state(const address& self, after_emergency after = {}) noexcept
         : self_{self}, after_{after} {}
 

@@ -19,13 +19,13 @@ struct identity {
 
 /// What a component tells of itself.
 struct component_description {
-    identity name{.type = 60001};
+    identity name{.type = 60001};                ///< what it calls itself
     std::span<const offered_service> services{}; ///< up to 255
 };
 
 /// Where a component's heartbeats go, and how often.
 struct heartbeat {
-    address to{};
+    address to{};                                             ///< who hears them
     std::chrono::nanoseconds period{std::chrono::seconds{1}}; ///< 0: none are sent
 };
 

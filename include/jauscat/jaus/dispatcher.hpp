@@ -12,6 +12,7 @@ enum class dispatched : std::uint8_t { handled, unknown, malformed, acknowledgem
 
 /// What an application made of a message, whether it says so itself or has a dispatcher.
 [[nodiscard]] constexpr message_outcome outcome_of(message_outcome outcome) noexcept { return outcome; }
+/// What a component's application says to a message that a dispatcher took.
 [[nodiscard]] constexpr message_outcome outcome_of(dispatched what) noexcept {
     if (what == dispatched::unknown) return message_outcome::not_mine;
     return what == dispatched::malformed ? message_outcome::malformed : message_outcome::taken;
@@ -124,6 +125,7 @@ template <class F> constexpr auto on_acknowledgement(F handle) {
 ///     arm(head, body);
 template <class... Handlers> class dispatcher {
   public:
+    /// Of a callable for each message, in the order of the list.
     constexpr explicit dispatcher(Handlers... handlers) : handlers_{std::move(handlers)...} {}
 
     /// A body that does not decode is never handed to a typed handler.

@@ -80,9 +80,9 @@ template <class A, class B> constexpr std::partial_ordering compare_numbers(A a,
 
 /// The part of an event's setup that says which values count.
 struct event_condition {
-    std::optional<event_boundary> boundary{}; ///< none: any value
-    std::optional<std::uint8_t> field{};      ///< number in the report; none: the whole report
-    std::optional<typed_value> lower{}, upper{}, state{};
+    std::optional<event_boundary> boundary{};             ///< none: any value
+    std::optional<std::uint8_t> field{};                  ///< number in the report; none: the whole report
+    std::optional<typed_value> lower{}, upper{}, state{}; ///< limits of the event, those that its boundary needs
 
     friend constexpr bool operator==(const event_condition&, const event_condition&) = default;
 };

@@ -32,7 +32,7 @@ constexpr std::span<const std::byte> prefix(framing f) noexcept {
 /// A datagram taken apart. `message` points into the datagram and may be empty.
 struct framed_message {
     framing how{};
-    std::span<const std::byte> message{};
+    std::span<const std::byte> message{}; ///< header and body
 };
 
 /// Takes off the prefix if there is one.

@@ -21,6 +21,7 @@ template <wire::raw_object T> struct real_form<T> { using type = typename T::raw
 template <class T> concept coded_message = wire::message<T> && requires {
     { detail::real_form<T>::type::command_code } -> std::convertible_to<std::uint16_t>;
 };
+/// The command code of a message, also of its raw form.
 template <coded_message T> inline constexpr std::uint16_t command_code_of = detail::real_form<T>::type::command_code;
 
 /// Whether an address names one component: no octet is 0 (invalid) or 255 (all).
@@ -58,6 +59,7 @@ enum class errc : std::uint8_t {
     return "unknown error";
 }
 
+/// Bytes of a message, or why there is none.
 using result = wire::basic_result<errc>;
 
 /// A message taken apart; `body` points into the received bytes.

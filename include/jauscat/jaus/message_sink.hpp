@@ -12,6 +12,7 @@ namespace jauscat::jaus {
 /// it may be a lambda: `core.on_time(now, [&](std::span<const std::byte> message) { ... })`.
 class message_sink {
   public:
+    /// Refers to `take`, which must outlive it.
     template <class F>
     requires(!std::same_as<std::remove_cvref_t<F>, message_sink> &&
              std::invocable<F&, std::span<const std::byte>>) constexpr message_sink(F&& take) noexcept

@@ -24,8 +24,9 @@ struct node_description {
     std::span<const configured_component> components{}; ///< known from the start, beside the node manager
 };
 
+/// How a node manager behaves.
 struct node_manager_options {
-    heartbeat beat = heartbeat_to_all();
+    heartbeat beat = heartbeat_to_all(); ///< to whom, and how often
     /// A component that sends no heartbeat for so long is gone; with a node manager goes what it reported.
     std::chrono::nanoseconds patience{std::chrono::seconds{3}};
     /// How often the other nodes of the subsystem are asked for their components; 0: only when they appear.

@@ -24,6 +24,7 @@ struct payload_element {
 ///     if (elements.error() != wire::errc::ok) ...
 class payload_reader {
   public:
+    /// Refers to `bytes` and `types`, which must outlive it.
     constexpr payload_reader(std::size_t count, std::span<const std::byte> bytes,
                              std::span<const payload_type> types) noexcept
         : left_{count}, bytes_{bytes}, types_{types} {}

@@ -11,8 +11,8 @@ namespace jauscat::jaus {
 
 /// When a component was heard of. Times are the caller's.
 struct presence {
-    std::chrono::nanoseconds last_heard_at{};
-    std::chrono::nanoseconds gone_at{}; ///< when it is given up unless it is heard again; max: never
+    std::chrono::nanoseconds last_heard_at{}; ///< on the caller's clock
+    std::chrono::nanoseconds gone_at{};       ///< when it is given up unless it is heard again; max: never
 };
 
 /// What hearing of a component means.

@@ -89,6 +89,7 @@ class routing_table {
     [[nodiscard]] constexpr std::span<const node_component> components() const noexcept {
         return components_.first(component_count_);
     }
+    /// Whether the address is one of this node.
     [[nodiscard]] constexpr bool is_own_node(const address& a) const noexcept {
         return a.subsystem == subsystem_ && a.node == node_;
     }

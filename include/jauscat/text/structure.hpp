@@ -148,6 +148,7 @@ struct member {
     other_member tag{};                            ///< the member that selects among a choice_form's cases
 };
 
+/// What a message or another structure is made of.
 struct structure {
     const void* id{}; ///< the same for the same type
     std::string_view name{};

@@ -12,5 +12,6 @@
 #else
 /// Before a function for a whole message: all that it calls becomes part of it.
 #    define JAUSCAT_WHOLE [[gnu::flatten]]
+/// Before a function for a part of a message: it becomes part of the whole.
 #    define JAUSCAT_PART
 #endif

@@ -101,6 +101,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
     static constexpr bool optional = is_optional_member<Member>;
     static constexpr bool of_records = std::is_same_v<Element, record>;
 
+    /// How an element stands in the bytes.
     template <bool Raw, class Value> struct form_of { using type = detail::record_form<Value>; };
     template <bool Raw, class Value>
     requires(!of_records) struct form_of<Raw, Value> {
@@ -137,6 +138,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
 
     static consteval std::string_view name() { return name_of<Member>(); }
 
+    /// What stands for an element in a `raw`.
     template <class Value> struct raw_element { using type = raw<Value>; };
     template <class Value>
     requires(!of_records) struct raw_element<Value> {

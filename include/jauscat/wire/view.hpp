@@ -112,6 +112,7 @@ template <class Item, class Outer> class list_view {
 
         /// Made by a list_view.
         constexpr iterator() noexcept = default;
+        /// Made by a list_view.
         constexpr iterator(const std::byte* at, std::size_t left, const Outer& outer) noexcept
             : at_{at}, left_{left}, outer_{outer} {}
 

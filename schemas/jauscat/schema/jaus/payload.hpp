@@ -54,7 +54,7 @@ struct payload_value {
     std::variant<std::int16_t, std::int32_t, std::int64_t, std::uint8_t, std::uint16_t, std::uint32_t, std::uint64_t,
                  float, double, payload_string, payload_tuple<std::uint8_t>, payload_tuple<std::uint16_t>,
                  payload_tuple<std::uint32_t>>
-        value{};
+        value{}; ///< as `type_code` says
     friend constexpr bool operator==(const payload_value&, const payload_value&) = default;
 };
 

@@ -35,7 +35,7 @@ struct typed_value {
     jaus::data_type data_type{}; ///< what `value` holds
     std::variant<std::uint8_t, std::int16_t, std::int32_t, std::int64_t, std::uint16_t, std::uint32_t, std::uint64_t,
                  float, double, rgb, std::monostate>
-        value{};
+        value{}; ///< as the type code says
     friend constexpr bool operator==(const typed_value&, const typed_value&) = default;
 };
 
