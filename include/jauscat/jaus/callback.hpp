@@ -10,6 +10,7 @@ namespace jauscat::jaus {
 /// Refers to a callable, or to none. Made from an lvalue only, which must outlive it.
 template <class Signature> class callback;
 
+/// As described above.
 template <class Result, class... Arguments> class callback<Result(Arguments...)> {
   public:
     constexpr callback() noexcept = default;

@@ -7,7 +7,6 @@
 
 #ifdef __clang__
 #    define JAUSCAT_WHOLE
-/// Before a function for a part of a message: it becomes part of the whole.
 #    define JAUSCAT_PART [[gnu::always_inline]]
 #else
 /// Before a function for a whole message: all that it calls becomes part of it.

@@ -103,6 +103,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
 
     /// How an element stands in the bytes.
     template <bool Raw, class Value> struct form_of { using type = detail::record_form<Value>; };
+    /// The same for lists of values.
     template <bool Raw, class Value>
     requires(!of_records) struct form_of<Raw, Value> {
         using type = detail::value_form<typename Element::codec_type, Raw>;
@@ -140,6 +141,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
 
     /// What stands for an element in a `raw`.
     template <class Value> struct raw_element { using type = raw<Value>; };
+    /// The same for lists of values.
     template <class Value>
     requires(!of_records) struct raw_element<Value> {
         using type = typename codec_in_mode<typename Element::codec_type, true>::value_type;
