@@ -1,17 +1,15 @@
 // Writes the worked bytes into docs/translation.md: Set Wrench Effort with all fields as a JAUS message, as a packet,
-// in the mailbox and in the frame, each made by the library and taken apart by its schemas.
+// in the mailbox and in the frame, each made by the library and taken apart by its schemas. And docs/data-path.svg.
+#include "data_path.hpp"
+#include "sdo_frame.hpp"
 #include <jauscat/ethercat/delivery.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
-#include <jauscat/ethercat/loopback_link.hpp>
-#include <jauscat/ethercat/master.hpp>
 #include <jauscat/jaus/message.hpp>
-#include <jauscat/net/run_master.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/text/jaus.hpp>
 
-#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -24,7 +22,7 @@ namespace ethercat = jauscat::ethercat;
 namespace jaus = jauscat::jaus;
 namespace text = jauscat::text;
 namespace wire = jauscat::wire;
-using bytes = std::vector<std::byte>;
+using jauscat::reference::bytes;
 
 constexpr std::string_view begin_mark = "<!-- made by scripts/translation-bytes: begin -->\n";
 constexpr std::string_view end_mark = "<!-- made by scripts/translation-bytes: end -->\n";
@@ -52,46 +50,6 @@ bytes full_wrench_effort() {
                            efforts, message);
     if (!size || size.size() != message.size()) throw std::logic_error{"the message does not encode"};
     return message;
-}
-
-/// A slave with one object that takes anything.
-struct any_object {
-    ethercat::object_read read(std::uint16_t, std::uint8_t, std::span<std::byte>) noexcept { return {}; }
-    ethercat::abort_code write(std::uint16_t, std::uint8_t, std::span<const std::byte>) noexcept {
-        return ethercat::abort_code::none;
-    }
-};
-
-/// Keeps what the master sends.
-struct recording_link {
-    ethercat::loopback_link& link;
-    std::vector<bytes> sent{};
-
-    bool send(std::span<const std::byte> frame) {
-        sent.emplace_back(frame.begin(), frame.end());
-        return link.send(frame);
-    }
-    std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
-        return link.receive(buffer, timeout);
-    }
-};
-
-/// The first frame of an SDO download, as the master sends it.
-bytes frame_with(const ethercat::object_access& object) {
-    any_object objects;
-    std::array slaves{ethercat::slave{{.vendor = 1, .product = 2}, objects}};
-    ethercat::loopback_link loop{slaves};
-    recording_link link{loop};
-    ethercat::master master;
-    master.bring_up(0, station);
-    if (!jauscat::net::run(link, master)) throw std::logic_error{"no slave"};
-    link.sent.clear();
-    master.download(station, object.index, object.subindex, object.data);
-    if (!jauscat::net::run(link, master)) throw std::logic_error{"the slave does not take the object"};
-    for (const auto& frame : link.sent)
-        if (std::search(frame.begin(), frame.end(), object.data.begin(), object.data.end()) != frame.end())
-            return frame;
-    throw std::logic_error{"no frame carries the object whole"};
 }
 
 /// Takes messages apart one behind the other.
@@ -142,7 +100,7 @@ template <class Table> std::string stages(const std::string& table, const bytes&
                                 .rest(object.data.size(), "abSdoData, n = " + std::to_string(object.data.size()))
                                 .text());
 
-    const auto frame = frame_with(object);
+    const auto frame = jauscat::reference::frame_with(object);
     dissection apart{frame};
     apart.parts<ethercat::ethernet_header, ethercat::frame_header, ethercat::datagram_header>();
     const std::size_t mailbox_at = apart.at();
@@ -181,30 +139,39 @@ std::string contents_of(const std::string& file) {
     return (std::ostringstream{} << in.rdbuf()).str();
 }
 
-int run(const std::string& file, bool check) {
+/// Returns whether the file was as it should be, or is now.
+bool put(const std::string& file, const std::string& before, const std::string& after, bool check) {
+    if (after == before) return true;
+    std::cout << file << (check ? " is not current: run scripts/translation-bytes\n" : " is written\n");
+    if (!check) std::ofstream{file} << after;
+    return !check;
+}
+
+bool put_bytes(const std::string& file, bool check) {
     const std::string before = contents_of(file);
     const auto begin = before.find(begin_mark), end = before.find(end_mark);
     if (begin == std::string::npos || end == std::string::npos || end < begin)
         throw std::runtime_error{file + " has no place for the bytes: \"" + std::string{begin_mark} + "\""};
-    const std::string after =
-        before.substr(0, begin) + std::string{begin_mark} + "\n" + worked_bytes() + before.substr(end);
-    if (after == before) return 0;
-    std::cout << file << (check ? " is not current: run scripts/translation-bytes\n" : " is written\n");
-    if (check) return 1;
-    std::ofstream{file} << after;
-    return 0;
+    return put(file, before,
+               before.substr(0, begin) + std::string{begin_mark} + "\n" + worked_bytes() + before.substr(end), check);
+}
+
+bool put_picture(const std::string& file, bool check) {
+    return put(file, std::ifstream{file} ? contents_of(file) : "", jauscat::reference::data_path_picture(), check);
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
     const std::vector<std::string> arguments{argv + 1, argv + argc};
-    if (arguments.empty() || arguments.size() > 2 || (arguments.size() == 2 && arguments[1] != "--check")) {
-        std::cerr << "usage: translation_bytes FILE [--check]\n";
+    if (arguments.size() < 2 || arguments.size() > 3 || (arguments.size() == 3 && arguments[2] != "--check")) {
+        std::cerr << "usage: translation_bytes DOCUMENT PICTURE [--check]\n";
         return 2;
     }
     try {
-        return run(arguments[0], arguments.size() == 2);
+        const bool check = arguments.size() == 3, bytes_good = put_bytes(arguments[0], check),
+                   picture_good = put_picture(arguments[1], check);
+        return bytes_good && picture_good ? 0 : 1;
     } catch (const std::exception& e) {
         std::cerr << "translation_bytes: " << e.what() << "\n";
         return 1;
