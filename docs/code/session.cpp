@@ -1,0 +1,118 @@
+// write-a-component.md: an operator takes control of a driver, connects to its reports, and commands it. Both nodes run
+// in this program, and talk by UDP.
+#include <jauscat/jauscat.hpp>
+#include <jauscat/net.hpp>
+
+#include <iostream>
+
+namespace jaus = jauscat::jaus;
+namespace net = jauscat::net;
+using namespace std::chrono_literals;
+
+// [robot]
+/// Component 33 of the robot: obeys Set Wrench Effort, and reports its efforts to who has connected to them.
+class driver {
+  public:
+    explicit driver(net::jaus_node& node) { node.add(core_, application_); }
+    void start() { core_.change(jaus::state_event::initialized); }
+    [[nodiscard]] bool is_free() const { return !core_.control().controller(); }
+
+  private:
+    using header = jaus::header;
+    struct hooks_type {
+        driver& mine;
+        void on_state(jaus::primary_status_code, jaus::primary_status_code now) const {
+            if (now != jaus::primary_status_code::ready) mine.effort_ = {}; // the motors rest
+        }
+        void on_controller(const std::optional<jaus::controller>& who) const {
+            std::cout << (who ? "driver: controlled\n" : "driver: free\n");
+        }
+    };
+    struct application_type {
+        driver& mine;
+        jaus::message_outcome operator()(const header& head, std::span<const std::byte> body) const {
+            jaus::dispatcher handlers{jaus::on<jaus::set_wrench_effort>(
+                [&](const header&, const jaus::set_wrench_effort& told) { jaus::copy_present(told, mine.effort_); })};
+            return jaus::outcome_of(handlers(head, body));
+        }
+    };
+    /// Writes a report with the fields that a connection wants.
+    struct filler {
+        driver& mine;
+        std::optional<std::size_t> operator()(std::uint16_t, std::uint32_t fields, std::span<std::byte> body) const {
+            auto report = mine.effort_;
+            jaus::keep_requested(report, fields);
+            const auto size = jauscat::wire::encode(report, body);
+            return size ? std::optional{size.size()} : std::nullopt;
+        }
+    };
+    static constexpr jaus::address self{.instance = 1, .component = 33, .node = 2, .subsystem = 2};
+    static constexpr std::array reports{
+        jaus::connectable_report{.command_code = jaus::report_wrench_effort::command_code, .max_rate = 100}};
+
+    jaus::report_wrench_effort effort_{.propulsive_linear_effort_x = 0.0};
+    hooks_type hooks_{*this};
+    application_type application_{*this};
+    filler fill_{*this};
+    std::array<std::byte, 64> report_{};
+    jaus::service_connections<4> connections_{self, reports, fill_, report_};
+    jaus::component_memory<> memory_{};
+    jaus::component<hooks_type, jaus::service_connections<4>> core_{self, memory_, hooks_, {}, connections_};
+};
+// [robot end]
+
+int main() try {
+    boost::asio::io_context context;
+    const auto config = net::read_jaus_config("two_nodes.xml");
+    net::jaus_node robot{context, config.with_this("robot"), {.node = 2}};
+    driver arm{robot};
+    robot.start();
+    arm.start();
+
+    // [operator]
+    const jaus::address self{.instance = 1, .component = 32, .node = 1, .subsystem = 1};
+    const jaus::address target{.instance = 1, .component = 33, .node = 2, .subsystem = 2};
+    net::jaus_node node{context, config, {.node = 1}};
+
+    std::optional<jaus::delivered> outcome;
+    const auto keep = [&](const jaus::awaited_message&, jaus::delivered what) { outcome = what; };
+    struct {
+        decltype(keep) on_delivered;
+    } hooks{keep};
+    jaus::component_memory<> memory{};
+    jaus::held_control control{self, target};
+    jaus::component unit{self, memory, hooks, {}, control};
+    double forward{};
+    jaus::dispatcher own{jaus::on<jaus::confirm_service_connection>([](const auto&, const auto&) {}),
+                         jaus::on<jaus::report_wrench_effort>([&](const jaus::header&, const auto& report) {
+                             forward = report.propulsive_linear_effort_x.value_or(0);
+                         })};
+    node.add(unit, own);
+    node.start();
+    unit.change(jaus::state_event::initialized);
+
+    control.ask(100, node.now(), node.out());
+    net::run_until(context, 2s, [&] { return control.state() != jaus::control_state::asking; });
+    if (control.state() != jaus::control_state::held) return std::cerr << "no control\n", 1;
+
+    unit.send({.destination = target}, jaus::set_wrench_effort{.propulsive_linear_effort_x = 50}, node.now(),
+              node.out());
+    net::run_until(context, 2s, [&] { return outcome.has_value(); });
+    std::cout << "operator: " << (outcome == jaus::delivered::acknowledged ? "obeyed\n" : "not obeyed\n");
+
+    const auto asked =
+        node.send({.destination = target, .source = self},
+                  jaus::create_service_connection{.command_code_ = jaus::report_wrench_effort::command_code,
+                                                  .requested_periodic_update_rate = 20,
+                                                  .requested_presence_vector = 1});
+    if (!asked) return std::cerr << asked.problem() << '\n', 1;
+    net::run_until(context, 2s, [&] { return forward != 0; });
+    std::cout << "operator: the driver reports " << forward << " %\n";
+
+    control.release(node.out());
+    net::run_until(context, 2s, [&] { return arm.is_free(); });
+    // [operator end]
+    return forward != 0 ? 0 : 1;
+} catch (const std::exception& error) {
+    return std::cerr << error.what() << '\n', 1;
+}
