@@ -1,0 +1,26 @@
+#!/usr/bin/env python3
+"""prepare.py ROOT OUT: copies headers and documents for Doxygen, each as headers.py and documents.py make it."""
+import pathlib
+import sys
+
+import documents
+import headers
+
+root, out = map(pathlib.Path, sys.argv[1:3])
+rules = headers.conventions(root / "docs/doxygen/conventions.txt")
+
+
+def write(path, text):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+
+
+for folder in "include", "schemas":
+    for path in sorted((root / folder).rglob("*.hpp")):
+        name = path.relative_to(root).as_posix()
+        if "/detail/" not in name:
+            write(out / name, headers.prepared(name, path.read_text(encoding="utf-8"), rules))
+for name, text in documents.prepared(root):
+    write(out / name, text)
+# Doxygen shows pages in the order in which it is given them.
+write(out / "pages.txt", " ".join(map(documents.file_name, documents.pages(root))) + "\n")
