@@ -1,4 +1,5 @@
 // The first program of getting-started.md: a JAUS message made, shown and read.
+//     docs_first
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/text/jaus.hpp>
 

@@ -1,4 +1,5 @@
 // mapping-table.md: a message into a slave's process data.
+//     docs_image
 #include <jauscat/ethercat/image_entries.hpp>
 #include <jauscat/text/annotate.hpp>
 #include <jauscat/translate/image_translator.hpp>

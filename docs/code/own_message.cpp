@@ -1,4 +1,5 @@
 // Step 7 of declare-a-message.md: a layout becomes a JAUS message.
+//     docs_own_message
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/text/jaus.hpp>

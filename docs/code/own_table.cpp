@@ -1,4 +1,5 @@
 // mapping-table.md: a table of one's own, for a packet that is not an EtherCAT card's.
+//     docs_own_table
 #include <jauscat/schema/jaus/header.hpp>
 #include <jauscat/text/annotate.hpp>
 #include <jauscat/translate/translator.hpp>
@@ -82,10 +83,9 @@ int main() {
     // A Set Wrench Effort for 2.2.33.1: half of the force forward.
     const std::array<unsigned char, 20> octets{0x06, 0x02, 0x05, 0x04, 1,    33,   2,    2,    1,    32,
                                                1,    1,    4,    0,    0x22, 0x00, 0x01, 0x00, 0x00, 0x40};
-    const auto message = std::as_bytes(std::span{octets});
 
     std::array<std::byte, radio::max_packet_size> packet{};
-    const auto size = radio::forth(message, packet, {.counter = 7});
+    const auto size = radio::forth(std::as_bytes(std::span{octets}), packet, {.counter = 7});
     if (!size) return std::cerr << describe(size.error()) << '\n', 1;
     const auto sent = std::span{packet}.first(size.size());
     std::cout << jauscat::text::annotate<radio_packet>(sent)
@@ -96,5 +96,4 @@ int main() {
     if (!back) return std::cerr << describe(back.error()) << '\n', 1;
     std::cout << "back: " << jauscat::text::hex(std::span{again}.first(back.size())) << '\n';
     // [use end]
-    return std::ranges::equal(std::span{again}.first(back.size()), message) ? 0 : 1;
 }

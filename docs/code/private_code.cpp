@@ -1,4 +1,5 @@
 // mapping-table.md: a message of one's own in the tables of this library.
+//     docs_private_code
 #include <jauscat/ethercat/delivery.hpp>
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>

@@ -1,4 +1,5 @@
 // text.md: messages from lines of text, and messages as JSON. Takes every line of lines.txt.
+//     docs_text_lines (in this folder)
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/json.hpp>

@@ -1,5 +1,6 @@
 // firmware.md: JAUS messages from a serial line, in the integers of the wire. Nothing here is allocated, thrown, or
 // computed in floating point.
+//     docs_uart
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/jaus/stream.hpp>
 #include <jauscat/schema/jaus/platform.hpp>

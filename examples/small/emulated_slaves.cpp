@@ -1,0 +1,78 @@
+// Three emulated EtherCAT slaves, for masters to be tried against: in UDP, or on a network interface as on a cable.
+//     emulated_slaves
+//     emulated_slaves eth1
+#include <jauscat/ethercat/link.hpp>
+#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/net/raw_link.hpp>
+#include <jauscat/net/udp_link.hpp>
+#include <jauscat/text/hex.hpp>
+#include <jauscat/text/value.hpp>
+
+#include <array>
+#include <iostream>
+
+namespace ethercat = jauscat::ethercat;
+namespace net = jauscat::net;
+namespace text = jauscat::text;
+
+/// What is special to such a slave: one object, 2000h:0, that holds four bytes.
+class setpoint {
+  public:
+    ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
+        if (index != 0x2000) return {.error = ethercat::abort_code::no_object};
+        if (subindex != 0) return {.error = ethercat::abort_code::no_subindex};
+        std::ranges::copy(value_, out.begin());
+        return {.size = value_.size()};
+    }
+    ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
+        if (index != 0x2000) return ethercat::abort_code::no_object;
+        if (subindex != 0) return ethercat::abort_code::no_subindex;
+        if (data.size() != value_.size()) return ethercat::abort_code::length_mismatch;
+        std::ranges::copy(data, value_.begin());
+        std::cout << "2000h = " << text::hex(data) << std::endl;
+        return ethercat::abort_code::none;
+    }
+
+  private:
+    std::array<std::byte, 4> value_{};
+};
+
+/// All that makes one slave: what it says of itself, the objects that every slave has, and its own.
+struct device {
+    explicit device(std::uint32_t serial) : description{.vendor = 0x4A430000, .product = 1, .serial = serial} {}
+    device(const device&) = delete; // its parts refer to one another
+
+    ethercat::slave_description description;
+    setpoint own{};
+    ethercat::standard_objects objects{description, own};
+    ethercat::slave slave{description, objects};
+};
+
+template <ethercat::link Link> void serve(Link& link) {
+    std::array<device, 3> ring{device{1}, device{2}, device{3}};
+    for (auto& each : ring) each.slave.set_downstream(&each != &ring.back());
+    std::cout << "three slaves (Ctrl-C ends)" << std::endl;
+    std::array<std::byte, ethercat::max_frame_size> frame{};
+    for (;;) {
+        const auto size = link.receive(frame, std::chrono::milliseconds{20});
+        const auto received = std::span{frame}.first(size);
+        if (size != 0) {
+            for (auto& each : ring) each.slave.process(received); // the frame passes all of them
+            if (!link.send(received)) std::cout << link.problem() << std::endl;
+        }
+        for (auto& each : ring) each.slave.on_time(std::chrono::steady_clock::now().time_since_epoch());
+    }
+}
+
+int main(int argc, char** argv) try {
+    if (argc == 1) {
+        auto link = net::udp_link::serve(net::udp_link::ethercat_port, "127.0.0.1");
+        serve(link);
+    } else {
+        net::raw_link link{argv[1]};
+        serve(link);
+    }
+} catch (const net::open_error& problem) {
+    return std::cerr << "emulated_slaves: " << problem.what() << '\n', 1;
+}

@@ -1,0 +1,73 @@
+// Writes an object of the first EtherCAT slave on a network interface, and reads it back. "udp" in place of the
+// interface is EtherCAT in UDP on this machine, where emulated_slaves may be.
+//     sdo_download eth0 2000 0 01 02 03 04
+//     sdo_download udp 2000 0 01 02 03 04
+#include <jauscat/ethercat/master.hpp>
+#include <jauscat/net/raw_link.hpp>
+#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/udp_link.hpp>
+#include <jauscat/text/hex.hpp>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace ethercat = jauscat::ethercat;
+namespace net = jauscat::net;
+
+constexpr const char* usage = "sdo_download INTERFACE INDEX SUBINDEX BYTE..., all numbers in hex\n";
+
+struct object {
+    std::uint16_t index{};
+    std::uint8_t subindex{};
+    std::vector<std::byte> value{};
+};
+
+template <ethercat::link Link> int write_and_read(Link& link, const object& what) {
+    ethercat::master master;
+    // Each call of the master starts a job; run() sends and receives until it is done.
+    const auto done = [&](const char* job) {
+        const auto result = net::run(link, master);
+        std::cout << job << ": " << describe(result.error);
+        const auto detail = describe_detail(result); // what the slave says: its abort code, its AL status code
+        std::cout << (detail.empty() ? "" : ", ") << detail << '\n';
+        return static_cast<bool>(result);
+    };
+
+    master.scan();
+    if (!done("scan")) return 1;
+    std::cout << master.result().size << " slaves\n";
+
+    constexpr std::uint16_t station = 1;
+    master.bring_up(0, station); // the first of the ring; from here on it is known by its station address
+    if (!done("to PRE-OP")) return 1;
+
+    master.download(station, what.index, what.subindex, what.value);
+    if (!done("download")) return 1;
+
+    std::array<std::byte, 1024> buffer{};
+    master.upload(station, what.index, what.subindex, buffer);
+    if (!done("upload")) return 1;
+    const auto read = std::span{buffer}.first(master.result().size);
+    std::cout << "the slave has " << jauscat::text::hex(read) << '\n';
+    return std::ranges::equal(read, what.value) ? 0 : 1;
+}
+
+int main(int argc, char** argv) try {
+    if (argc < 5) return std::cerr << usage, 2;
+    const std::string interface = argv[1];
+    const auto number = [&](int i) { return std::stoul(argv[i], nullptr, 16); };
+    object what{static_cast<std::uint16_t>(number(2)), static_cast<std::uint8_t>(number(3))};
+    for (int i = 4; i != argc; ++i) what.value.push_back(static_cast<std::byte>(number(i)));
+
+    if (interface == "udp") {
+        auto link = net::udp_link::connect("127.0.0.1");
+        return write_and_read(link, what);
+    }
+    net::raw_link link{interface}; // needs CAP_NET_RAW
+    return write_and_read(link, what);
+} catch (const std::logic_error&) { // of std::stoul
+    return std::cerr << usage, 2;
+} catch (const net::open_error& problem) {
+    return std::cerr << "sdo_download: " << problem.what() << '\n', 1;
+}

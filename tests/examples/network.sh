@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# Runs one case on the small examples that need a network: network.sh BIN_FOLDER CASE, in tests/support/in_veth.sh.
+set -uo pipefail
+bin=$1
+work=$(mktemp -d)
+cleanup() {
+    [ -z "${server:-}" ] || { kill "$server" && wait "$server"; } 2>/dev/null
+    rm -rf "$work"
+}
+trap cleanup EXIT
+
+fail() {
+    echo "FAILED: $*"
+    for file in "$work"/*.log; do echo "--- ${file##*/}" && cat "$file"; done
+    exit 1
+}
+start() { # TEXT COMMAND...: in the background, until it has said the text
+    "${@:2}" >"$work/server.log" 2>&1 &
+    server=$!
+    for _ in $(seq 600); do
+        grep -qF -- "$1" "$work/server.log" && return
+        sleep 0.05
+    done
+    fail "$2 does not say within 30 seconds: $1"
+}
+expect() { # CODE TEXT COMMAND...
+    timeout 60 "${@:3}" >"$work/out.log" 2>&1
+    local got=$?
+    [ "$got" -eq "$1" ] || fail "exit code $got, expected $1: ${*:3}"
+    grep -qF -- "$2" "$work/out.log" || fail "$3 does not say: $2"
+}
+
+objects_are_written() { # INTERFACE
+    expect 0 "the slave has 01 02 03 04" "$bin/sdo_download" "$1" 2000 0 01 02 03 04
+    grep -qFx "3 slaves" "$work/out.log" || fail "not all slaves are found"
+    grep -qFx "2000h = 01 02 03 04" "$work/server.log" || fail "the slave does not say what it has got"
+    expect 1 "length does not match" "$bin/sdo_download" "$1" 2000 0 01
+    expect 1 "no such object" "$bin/sdo_download" "$1" 2001 0 01
+    expect 1 "no such subindex" "$bin/sdo_download" "$1" 2000 1 01
+    expect 1 "can only be read" "$bin/sdo_download" "$1" 1018 1 01
+}
+objects_in_udp() {
+    start "three slaves" "$bin/emulated_slaves"
+    objects_are_written udp
+    expect 2 "INTERFACE INDEX" "$bin/sdo_download" udp 2000
+    expect 2 "INTERFACE INDEX" "$bin/sdo_download" udp 2000 0 zz
+    expect 1 "there is no interface" "$bin/sdo_download" no_such_link 2000 0 01
+    expect 1 "there is no interface" "$bin/emulated_slaves" no_such_link
+}
+objects_on_a_wire() {
+    start "three slaves" "$bin/emulated_slaves" jc1
+    objects_are_written jc0
+}
+a_component_answers() { # primitive_driver
+    local ocu=("$bin/ocu" --config "$bin/JausConfig.xml" --this a --to 2.1.33.1)
+    start "" "$bin/primitive_driver" "$bin/JausConfig.xml" b
+    expect 0 "OK: the report equals the command" "${ocu[@]}" --wait 30 propulsive_linear_effort_x=50
+    expect 0 "Report Wrench Effort" "${ocu[@]}" --query
+    expect 2 "primitive_driver CONFIGURATION SYSTEM" "$bin/primitive_driver"
+    expect 1 "primitive_driver: " "$bin/primitive_driver" "$bin/JausConfig.xml" nobody
+}
+
+"$2"
