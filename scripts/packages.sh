@@ -30,8 +30,11 @@ boost_packages() {
         grep -q '^install ok installed' || echo libboost-program-options-dev
 }
 
-need_to_build() { need g++ cmake ninja-build catch2 libpugixml-dev libpcap-dev libedit-dev nlohmann-json3-dev $(boost_packages); }
-need_to_test() { need_to_build && need python3 iproute2 libxml2-utils pkgconf tshark; }
+# What CMake wants to configure everything, the tests included.
+need_to_build() {
+    need g++ cmake ninja-build catch2 python3 libpugixml-dev libpcap-dev libedit-dev nlohmann-json3-dev $(boost_packages)
+}
+need_to_test() { need_to_build && need iproute2 libxml2-utils pkgconf tshark; }
 need_for_docs() { need doxygen graphviz plantuml python3; }
 need_for_firmware() { need gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm; }
 # clang with its sanitizers and libFuzzer, which Debian has in a package of its own.
