@@ -90,8 +90,10 @@ def document(path, text, known, root):
         return "".join(part if part.startswith(("`", "<code>")) else re.sub(r"(!?)\[([^\]]+)\]\(([^)\s]+)\)", link, part)
                        for part in parts)
 
+    # Doxygen takes the title from the first line only.
+    before, found, rest = text.partition("# ") if text.startswith("<!--") else ("", "", text)
     fenced = titled = False
-    for line in text.split("\n"):
+    for line in (found + rest + before).split("\n"):
         if line.startswith("```"):
             if line == "```mermaid":
                 block = []
@@ -109,6 +111,9 @@ def document(path, text, known, root):
             block.append(line)
             continue
         elif not fenced:
+            # Pictures of the model: rendered from sources, or made from the headers.
+            if picture := re.match(r"(?:<!-- picture: (\w+) -->|\[(\w+)\.puml\]\(\w+\.puml\))$", line):
+                line = f"![]({picture[1] or picture[2]}.svg)\n"
             line = outside_code(line)
             if heading := re.match(r"(#+) (.*)$", line):
                 name = f"{page_name(path)}__{slug(heading[2])}" if titled else page_name(path)

@@ -3,10 +3,15 @@
 import pathlib
 import sys
 
+sys.dont_write_bytecode = True
+
 import documents
 import headers
 
 root, out = map(pathlib.Path, sys.argv[1:3])
+sys.path.append(str(root / "docs/model"))
+import generate # noqa: E402
+
 rules = headers.conventions(root / "docs/doxygen/conventions.txt")
 
 
@@ -22,5 +27,9 @@ for folder in "include", "schemas":
             write(out / name, headers.prepared(name, path.read_text(encoding="utf-8"), rules))
 for name, text in documents.prepared(root):
     write(out / name, text)
+for name, source in generate.pictures(root):
+    write(out / "pictures" / f"{name}.dot", source)
+for path in sorted((root / "docs/model").glob("*.puml")):
+    write(out / "pictures" / path.name, path.read_text(encoding="utf-8"))
 # Doxygen shows pages in the order in which it is given them.
 write(out / "pages.txt", " ".join(map(documents.file_name, documents.pages(root))) + "\n")
