@@ -16,7 +16,7 @@ template <> struct jauscat::wire::schema<gripper> {
 
 int main() {
     std::array<std::byte, 8> buffer{};
-    const auto size = jauscat::wire::encode(gripper{.force = 120, .finger = 2}, buffer); // size.size() or size.error()
+    const auto size = jauscat::wire::encode(gripper{.force = 120, .finger = 2}, buffer); // or an error
     const auto bytes = std::span{buffer}.first(size.size());
     gripper received{};
     if (!jauscat::wire::decode(received, bytes)) return 1;

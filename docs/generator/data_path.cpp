@@ -22,7 +22,7 @@ constexpr ethercat::slave_identity arm{.subsystem = 2, .station = 2};
 constexpr double effort = 50;
 
 // Pixels.
-constexpr int picture_width = 1000, margin = 20, byte_width = 28, box_height = 28, row_height = 128, first_box = 76;
+constexpr int picture_width = 890, margin = 20, byte_width = 26, box_height = 28, row_height = 128, first_box = 76;
 
 /// A place in the picture: some bytes, or a field with its value. Places of one kind hold the same thing in other rows.
 struct cell {
@@ -68,9 +68,9 @@ class reader {
 
 std::vector<cell> cells_of_message(std::span<const std::byte> message) {
     reader in{message};
-    return {in.next("properties", "prop.", 2), in.next("code", "command", 2), in.next("instance", "inst.", 1),
-            in.next("component", "comp.", 1),  in.next("node", "node", 1),    in.next("subsystem", "subs.", 1),
-            in.next("source", "source", 4),    in.next("size", "size", 2),    in.next("sequence", "sequence", 2),
+    return {in.next("properties", "prop", 2), in.next("code", "command", 2), in.next("instance", "inst", 1),
+            in.next("component", "comp", 1),  in.next("node", "node", 1),    in.next("subsystem", "subs", 1),
+            in.next("source", "source", 4),   in.next("size", "size", 2),    in.next("sequence", "sequence", 2),
             in.next("body", "body", 4)};
 }
 
@@ -154,7 +154,7 @@ constexpr const char* style = R"(<style>
 text { font-family: "DejaVu Sans", Arial, sans-serif; fill: #1f2933 }
 .who { font-size: 15px; font-weight: bold }
 .what { font-size: 13px; stroke: #ffffff; stroke-width: 4px; stroke-linejoin: round; paint-order: stroke }
-.label { font-size: 10px; text-anchor: middle; fill: #52606d }
+.label { font-size: 9px; text-anchor: middle; fill: #52606d }
 .byte { font-family: "DejaVu Sans Mono", monospace; font-size: 13px; text-anchor: middle }
 .box { stroke: #ffffff; stroke-width: 2; fill: #e4e7eb }
 .band { opacity: 0.3 }
