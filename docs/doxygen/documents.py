@@ -113,7 +113,7 @@ def document(path, text, known, root):
         elif not fenced:
             # Pictures of the model: rendered from sources, or made from the headers.
             if picture := re.match(r"(?:<!-- picture: (\w+) -->|\[(\w+)\.puml\]\(\w+\.puml\))$", line):
-                line = f"![]({picture[1] or picture[2]}.svg)\n"
+                line = f"![{(picture[1] or '').replace('_', ' ')}]({picture[1] or picture[2]}.svg)\n"
             line = outside_code(line)
             if heading := re.match(r"(#+) (.*)$", line):
                 name = f"{page_name(path)}__{slug(heading[2])}" if titled else page_name(path)
