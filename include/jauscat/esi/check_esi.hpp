@@ -26,6 +26,7 @@ struct finding {
     std::string reason{};  ///< who requires it
     std::string problem{}; ///< empty: it is there and right; else `line n: what is wrong`
 
+    /// Whether it is there as it has to be.
     [[nodiscard]] bool met() const noexcept { return problem.empty(); }
 };
 

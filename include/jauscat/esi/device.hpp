@@ -14,6 +14,7 @@ namespace jauscat::esi {
 /// An ESI file that cannot be used. `what()` is `file:line: element: what is wrong and what was expected`.
 class esi_error : public std::runtime_error {
   public:
+    /// A sentence for the user, and the line of the file; 0: none in particular.
     esi_error(const std::string& text, std::size_t at_line) : std::runtime_error{text}, line_{at_line} {}
 
     /// Line in the file, from 1; 0 when the file could not be read, or when the device did not come from a file.
@@ -25,22 +26,22 @@ class esi_error : public std::runtime_error {
 
 /// Anything else that is to be known of an object or entry. Tools that do not know the name leave it alone.
 struct property {
-    std::string name{};
-    std::string value{};
+    std::string name{};  ///< by which tools find it
+    std::string value{}; ///< any text
 
     friend bool operator==(const property&, const property&) = default;
 };
 
 /// One subindex of an object.
 struct entry {
-    std::uint8_t subindex{};
-    std::string name{};
-    std::string type{};       ///< a base type of ETG.1020, such as USINT or OCTET_STRING(28)
-    std::uint32_t bit_size{}; ///< of a string: the most it can hold
-    bool readable{};
-    bool writable{};
+    std::uint8_t subindex{};               ///< 0 to 255
+    std::string name{};                    ///< for people
+    std::string type{};                    ///< a base type of ETG.1020, such as USINT or OCTET_STRING(28)
+    std::uint32_t bit_size{};              ///< of a string: the most it can hold
+    bool readable{};                       ///< a master may read it
+    bool writable{};                       ///< a master may write it
     std::vector<std::byte> default_data{}; ///< as they travel, little-endian; empty: none given
-    std::vector<property> properties{};
+    std::vector<property> properties{};    ///< what else is to be known of it
 
     friend bool operator==(const entry&, const entry&) = default;
 };
@@ -51,43 +52,43 @@ enum class object_code : std::uint8_t { variable = 7, array = 8, record = 9 };
 /// An object of the dictionary. A variable has one entry, subindex 0. In an array and in a record subindex 0 is a
 /// USINT, the highest subindex; the others follow in ascending order, in an array all of one type and without gaps.
 struct object {
-    std::uint16_t index{};
-    std::string name{};
-    object_code code{};
-    bool mandatory{}; ///< category m
-    std::vector<entry> entries{};
-    std::vector<property> properties{};
+    std::uint16_t index{};              ///< 0000h to FFFFh
+    std::string name{};                 ///< for people
+    object_code code{};                 ///< variable, array or record
+    bool mandatory{};                   ///< category m
+    std::vector<entry> entries{};       ///< in ascending order of subindices
+    std::vector<property> properties{}; ///< what else is to be known of it
 
     friend bool operator==(const object&, const object&) = default;
 };
 
 /// A SyncManager as the device wants it.
 struct sync_manager {
-    ethercat::sii_sync_manager_use use{};
-    std::uint16_t start{};
-    std::uint16_t default_size{}; ///< bytes
-    std::uint16_t min_size{};     ///< 0: not said
-    std::uint16_t max_size{};     ///< 0: not said
-    std::uint8_t control{};       ///< 26h mailbox out, 22h mailbox in, 64h outputs, 20h inputs
-    bool enabled{};
+    ethercat::sii_sync_manager_use use{}; ///< what it is for
+    std::uint16_t start{};                ///< where its memory begins in the slave
+    std::uint16_t default_size{};         ///< bytes
+    std::uint16_t min_size{};             ///< 0: not said
+    std::uint16_t max_size{};             ///< 0: not said
+    std::uint8_t control{};               ///< 26h mailbox out, 22h mailbox in, 64h outputs, 20h inputs
+    bool enabled{};                       ///< from the start
 
     friend bool operator==(const sync_manager&, const sync_manager&) = default;
 };
 
 /// What of CoE the device can do.
 struct coe_features {
-    bool sdo_information{}; ///< without it, tools take the dictionary from the ESI file
-    bool pdo_assign{};
-    bool pdo_configuration{};
-    bool complete_access{};
-    bool segmented_sdo{};
+    bool sdo_information{};   ///< without it, tools take the dictionary from the ESI file
+    bool pdo_assign{};        ///< objects 1C12h and 1C13h can be written
+    bool pdo_configuration{}; ///< PDO mapping objects can be written
+    bool complete_access{};   ///< takes a whole object in one transfer
+    bool segmented_sdo{};     ///< takes objects that do not fit its mailbox
 
     friend bool operator==(const coe_features&, const coe_features&) = default;
 };
 
 /// The memory behind the SII.
 struct eeprom {
-    std::uint32_t byte_size{};
+    std::uint32_t byte_size{};            ///< of the memory
     std::vector<std::byte> config_data{}; ///< SII words 0 to 6, 14 bytes; the checksum after them is the tool's
     std::vector<std::byte> bootstrap{};   ///< SII words 14h to 17h, 8 bytes; empty: no state BOOT
 
@@ -96,22 +97,22 @@ struct eeprom {
 
 /// One device and its vendor.
 struct device {
-    std::uint32_t vendor_id{};
-    std::string vendor_name{};
-    std::string group_type{}; ///< key of the group that tools list the device in
-    std::string group_name{};
-    std::string physics{"YY"}; ///< one letter per port: Y 100BASE-TX, K E-bus, space none
-    std::string type{};        ///< short name, such as an order number
-    std::uint32_t product_code{};
-    std::uint32_t revision{};
-    std::uint32_t serial{}; ///< 0: not said, as in a file for all devices of a type
-    std::string name{};
-    std::uint16_t profile{}; ///< device profile, low word of object 1000h; 0: none
-    std::vector<object> objects{};
-    std::vector<std::string> fmmus{}; ///< what each is for: Outputs, Inputs, MBoxState
-    std::vector<sync_manager> sync_managers{};
-    coe_features coe{};
-    esi::eeprom eeprom{};
+    std::uint32_t vendor_id{};                 ///< number that the EtherCAT Technology Group gave the vendor
+    std::string vendor_name{};                 ///< for people
+    std::string group_type{};                  ///< key of the group that tools list the device in
+    std::string group_name{};                  ///< for people
+    std::string physics{"YY"};                 ///< one letter per port: Y 100BASE-TX, K E-bus, space none
+    std::string type{};                        ///< short name, such as an order number
+    std::uint32_t product_code{};              ///< object 1018h:2
+    std::uint32_t revision{};                  ///< object 1018h:3
+    std::uint32_t serial{};                    ///< 0: not said, as in a file for all devices of a type
+    std::string name{};                        ///< for people
+    std::uint16_t profile{};                   ///< device profile, low word of object 1000h; 0: none
+    std::vector<object> objects{};             ///< the dictionary, in ascending order of indices
+    std::vector<std::string> fmmus{};          ///< what each is for: Outputs, Inputs, MBoxState
+    std::vector<sync_manager> sync_managers{}; ///< SyncManager 0 first
+    coe_features coe{};                        ///< what of CoE it can do
+    esi::eeprom eeprom{};                      ///< the memory behind its SII
 
     friend bool operator==(const device&, const device&) = default;
 };

@@ -62,6 +62,7 @@ class emulated_device {
     emulated_device(const emulated_device&) = delete;
     emulated_device& operator=(const emulated_device&) = delete;
 
+    /// What an emulated slave is made of: identity, mailbox, process data.
     [[nodiscard]] const ethercat::slave_description& description() const noexcept { return description_; }
     /// The objects of JAUS components.
     [[nodiscard]] std::span<const translate::object_description> components() const noexcept { return components_; }

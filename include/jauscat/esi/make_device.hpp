@@ -20,10 +20,10 @@ namespace jauscat::esi {
 
 /// What people read of a device, and no slave says of itself.
 struct device_texts {
-    std::string vendor_name{};
-    std::string group_type{};
-    std::string group_name{};
-    std::string type{}; ///< short name, such as an order number
+    std::string vendor_name{}; ///< for people
+    std::string group_type{};  ///< key of the group that tools list the device in
+    std::string group_name{};  ///< for people
+    std::string type{};        ///< short name, such as an order number
 };
 
 /// Properties that make an object of the ESI a component's object again.

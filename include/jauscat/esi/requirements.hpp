@@ -22,10 +22,10 @@ enum class content : std::uint8_t {
 
 /// One required element, or attribute where the last step begins with @.
 struct requirement {
-    std::string_view path{}; ///< below EtherCATInfo
-    content holds{};
-    bool if_parent{}; ///< required only in parents that are there; else one parent at least has to be there
-    std::string_view reason{};
+    std::string_view path{};   ///< below EtherCATInfo
+    content holds{};           ///< what must be in it
+    bool if_parent{};          ///< required only in parents that are there; else one parent at least has to be there
+    std::string_view reason{}; ///< who says so
 };
 
 // clang-format off
@@ -91,7 +91,7 @@ inline constexpr std::array requirements{
 /// The children that an element may have, in their order.
 struct element_order {
     std::string_view element{}; ///< its name, or parent/name where that name means different things
-    std::string_view children{};
+    std::string_view children{}; ///< names, with spaces between them
 };
 
 /// The order of the elements that the schema prescribes.

@@ -80,7 +80,9 @@ inline constexpr std::array<std::pair<std::string_view, std::uint32_t>, 14> size
                                                                                          {"ULINT", 64},
                                                                                          {"LREAL", 64}}};
 
+/// The base type of so many bytes.
 inline std::string octet_string_type(std::size_t bytes) { return "OCTET_STRING(" + std::to_string(bytes) + ')'; }
+/// The base type of so many characters.
 inline std::string string_type(std::size_t characters) { return "STRING(" + std::to_string(characters) + ')'; }
 
 /// Size in bits of a base type: one of `sized_types`, STRING(n), OCTET_STRING(n), ARRAY [0..n] OF BYTE.

@@ -44,8 +44,8 @@ struct component_entry {
 
 /// A node of a system, as it is announced to others.
 struct node_entry {
-    std::uint8_t id{}; ///< 1 to 254
-    std::string name{};
+    std::uint8_t id{};  ///< 1 to 254
+    std::string name{}; ///< as in the file
     std::size_t line{};
     friend bool operator==(const node_entry&, const node_entry&) = default;
 };

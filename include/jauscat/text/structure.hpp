@@ -19,11 +19,12 @@ struct form;
 
 /// An integer of up to 64 bits; also enumerations, sets of flags and bool.
 struct integer_form {
+    /// What an integer stands for.
     enum class meaning : std::uint8_t { number, enumeration, flags, boolean };
-    meaning what{};
-    bool is_signed{};
-    unsigned bits{}; ///< of the value on the wire
-    std::string_view unit{};
+    meaning what{};                            ///< what the integer stands for
+    bool is_signed{};                          ///< in two's complement
+    unsigned bits{};                           ///< of the value on the wire
+    std::string_view unit{};                   ///< empty: none
     std::span<const std::string_view> names{}; ///< of enumerators or bits, by number; empty where one has no name
     std::uint64_t (*get)(const void* value){}; ///< a negative number in two's complement
     void (*set)(void* value, std::uint64_t){};
@@ -31,7 +32,7 @@ struct integer_form {
 
 /// A floating-point number that travels as it is.
 struct real_form {
-    std::string_view unit{};
+    std::string_view unit{};                         ///< empty: none
     double most{std::numeric_limits<double>::max()}; ///< largest finite number it holds
     double (*get)(const void* value){};
     void (*set)(void* value, double){};
@@ -39,11 +40,11 @@ struct real_form {
 
 /// A real number carried by an integer.
 struct scaled_form {
-    std::string_view unit{};
+    std::string_view unit{};    ///< empty: none
     double min{}, max{};        ///< limits by the standard
     double lowest{}, highest{}; ///< limits of what encodes: wider by rounding
-    bool is_signed{};
-    unsigned bits{}; ///< of the integer
+    bool is_signed{};           ///< the integer
+    unsigned bits{};            ///< of the integer
     double (*get)(const void* value){};
     void (*set)(void* value, double){};
     std::uint64_t (*to_raw)(double real){}; ///< of a number within the limits; negative in two's complement
@@ -52,7 +53,7 @@ struct scaled_form {
 
 /// Characters or bytes.
 struct octets_form {
-    bool characters{};
+    bool characters{};           ///< text; else bytes
     std::size_t least{}, most{}; ///< how many there may be
     bool zero_filled{};          ///< zeros at the end are not part of the value
     bool zero_terminated{};      ///< may not contain a zero
@@ -62,13 +63,13 @@ struct octets_form {
 
 /// A structure with members of its own.
 struct structure_form {
-    const structure* of{};
+    const structure* of{}; ///< its members
 };
 
 /// A structure whose bit-fields fill one integer: a time stamp.
 struct packed_form {
-    const structure* of{};
-    unsigned bits{};
+    const structure* of{}; ///< the structure with the bit-fields
+    unsigned bits{};       ///< of the integer
     std::uint64_t (*get)(const void* value){};
     void (*set)(void* value, std::uint64_t){};
     std::string (*show)(const void* value){};           ///< nullptr where it has no notation of its own
@@ -83,7 +84,7 @@ struct encoded_form {
 
 /// Any number of the same.
 struct list_form {
-    const form* element{};
+    const form* element{};    ///< how an element is told
     std::string_view field{}; ///< name of the value in an element; empty where elements are structures themselves
     std::size_t stride{};     ///< bytes from one element to the next
     std::size_t most{};       ///< how many there may be
@@ -94,40 +95,41 @@ struct list_form {
 
 /// A member of the structure `owner`, by its id: the one that is being told or one around it.
 struct other_member {
-    const void* owner{}; ///< nullptr: there is none
-    std::string_view name{};
+    const void* owner{};     ///< nullptr: there is none
+    std::string_view name{}; ///< of the member
     std::uint64_t (*get)(const void* object){};
     void (*set)(void* object, std::uint64_t){};
 };
 
 /// Nodes of one structure, depth first; the rest as in a list.
 struct tree_form {
-    list_form nodes{};
-    std::size_t max_depth{};
+    list_form nodes{};       ///< how the nodes are told
+    std::size_t max_depth{}; ///< most levels
     other_member children{}; ///< the node's member that counts them
 };
 
 /// What a tag of choice_form stands for.
 struct choice_case {
-    std::uint64_t tag{};
+    std::uint64_t tag{};                     ///< the value that selects it
     const form* how{};                       ///< nullptr: the case has no value
     const void* (*get)(const void* value){}; ///< nullptr where another case is held
     void* (*make)(void* value){};
 };
 /// A value in one of several forms; a member elsewhere says which.
 struct choice_form {
-    std::span<const choice_case> cases{};
+    std::span<const choice_case> cases{}; ///< all of them
 };
 
 /// How a value is told.
 struct form {
     std::variant<integer_form, real_form, scaled_form, octets_form, structure_form, packed_form, encoded_form,
                  list_form, tree_form, choice_form>
-        is;
+        is; ///< which of these
 };
 
 /// A member of a structure, in wire order.
 struct member {
+    /// What kind of member it is.
     enum class role : std::uint8_t {
         value,           ///< an ordinary member
         flag,            ///< a bool that only shows in the presence vector
@@ -135,8 +137,8 @@ struct member {
         count,           ///< no member: how many the next one has
         presence_vector, ///< no member: which of the following optional ones are there
     };
-    role what{};
-    std::string_view name{};
+    role what{};                               ///< what kind of member it is
+    std::string_view name{};                   ///< as in the message's struct
     const form* how{};                         ///< of count and presence vector: an integer_form without get and set
     bool optional{};                           ///< may be absent: by its presence bit or its gate
     const void* (*find)(const void* object){}; ///< its value; nullptr where absent
@@ -150,24 +152,24 @@ struct member {
 
 /// What a message or another structure is made of.
 struct structure {
-    const void* id{}; ///< the same for the same type
-    std::string_view name{};
-    std::span<const member> members{};
+    const void* id{};                  ///< the same for the same type
+    std::string_view name{};           ///< of its type
+    std::span<const member> members{}; ///< in wire order
 };
 
 /// What is being told: a structure with its value, and what is around it.
 struct scope {
-    const void* id{};
-    const void* object{};
-    const scope* outer{};
+    const void* id{};     ///< that of the structure
+    const void* object{}; ///< the value
+    const scope* outer{}; ///< the structure around it; nullptr: none
 };
 
 /// The case that a choice_form member holds; `how` and `at` are nullptr where it has no value, `known` is false where
 /// the tag has no case or the value is of another one.
 struct held_case {
-    const form* how{};
-    const void* at{};
-    bool known{};
+    const form* how{}; ///< see above
+    const void* at{};  ///< see above
+    bool known{};      ///< see above
 };
 [[nodiscard]] inline held_case case_of(const member& one, const void* value, const scope* around) {
     while (around != nullptr && around->id != one.tag.owner) around = around->outer;

@@ -80,17 +80,17 @@ enum class al_status_code : std::uint16_t {
 
 /// AL control (0x0120): the state a master asks for.
 struct al_control {
-    al_state state{};
-    bool acknowledge{}; ///< clears an error indication
-    bool request_device_id{};
+    al_state state{};         ///< the state that is asked for
+    bool acknowledge{};       ///< clears an error indication
+    bool request_device_id{}; ///< asks for the slave's identification in the AL status code
 };
 
 /// AL status (0x0130) up to AL status code (0x0134), 6 bytes: one datagram reads both.
 struct al_status {
-    al_state state{};
-    bool error{}; ///< the last request failed or the state was lost: see `code`
-    bool device_id_loaded{};
-    std::uint16_t gap{};
+    al_state state{};        ///< the state it is in
+    bool error{};            ///< the last request failed or the state was lost: see `code`
+    bool device_id_loaded{}; ///< the AL status code is the slave's identification
+    std::uint16_t gap{};     ///< reserved
     al_status_code code{};
 };
 

@@ -24,7 +24,7 @@ enum class coe_service : std::uint8_t {
 /// CoE header, 2 bytes, after the mailbox header.
 struct coe_header {
     std::uint16_t number{}; ///< 0 but for PDO services
-    coe_service service{};
+    coe_service service{};  ///< what follows
 };
 
 /// Command specifier. Requests and responses use the same values for different things.
@@ -42,34 +42,34 @@ enum class sdo_specifier : std::uint8_t {
 
 /// First 4 bytes of an initiate request, of its response, and of an abort.
 struct sdo_header {
-    bool size_indicated{};  ///< expedited: `unused` counts; normal: the size is there
-    bool expedited{};       ///< the data are the 4 bytes that follow
-    std::uint8_t unused{};  ///< expedited: how many of the 4 bytes are not data
-    bool complete_access{}; ///< all entries of the object at once
-    sdo_specifier specifier{};
-    std::uint16_t index{};
-    std::uint8_t subindex{};
+    bool size_indicated{};     ///< expedited: `unused` counts; normal: the size is there
+    bool expedited{};          ///< the data are the 4 bytes that follow
+    std::uint8_t unused{};     ///< expedited: how many of the 4 bytes are not data
+    bool complete_access{};    ///< all entries of the object at once
+    sdo_specifier specifier{}; ///< what it asks for or answers
+    std::uint16_t index{};     ///< of the object
+    std::uint8_t subindex{};   ///< of the entry
 };
 
 /// Initiate download request or upload response with 1 to 4 bytes of data, 8 bytes.
 struct sdo_expedited {
-    sdo_header header{};
-    std::array<std::byte, 4> data{};
+    sdo_header header{};             ///< with `expedited`
+    std::array<std::byte, 4> data{}; ///< up to 4 bytes, from the first on
 };
 
 /// Initiate download request or upload response of any size, 8 bytes and the data behind them.
 /// With size 0 and no data: upload request, download response.
 struct sdo_normal {
-    sdo_header header{};
+    sdo_header header{};  ///< without `expedited`
     std::uint32_t size{}; ///< bytes of the whole transfer; more than there is room for: segments follow
 };
 
 /// First byte of a download segment request, of an upload segment response, and of their answers.
 struct sdo_segment_header {
-    bool last{};           ///< no segment follows
-    std::uint8_t unused{}; ///< how many of the first 7 data bytes are not data
-    bool toggle{};         ///< false in the first segment, then alternating
-    sdo_specifier specifier{};
+    bool last{};               ///< no segment follows
+    std::uint8_t unused{};     ///< how many of the first 7 data bytes are not data
+    bool toggle{};             ///< false in the first segment, then alternating
+    sdo_specifier specifier{}; ///< what it asks for or answers
 };
 
 /// Why an SDO transfer was aborted. Other values occur: they pass through.
@@ -115,15 +115,15 @@ enum class abort_code : std::uint32_t {
 
 /// Abort of a transfer by either side, 8 bytes. A slave sends it with service sdo_request.
 struct sdo_abort {
-    sdo_header header{};
+    sdo_header header{}; ///< names the object
     abort_code code{};
 };
 
 /// Emergency, sent by a slave unasked, 8 bytes.
 struct coe_emergency {
-    std::uint16_t error_code{};
-    std::uint8_t error_register{};
-    std::array<std::byte, 5> data{};
+    std::uint16_t error_code{};      ///< what happened, in CANopen's numbers; 0: all is well again
+    std::uint8_t error_register{};   ///< object 1001h
+    std::array<std::byte, 5> data{}; ///< the vendor's own
 };
 
 } // namespace jauscat::ethercat

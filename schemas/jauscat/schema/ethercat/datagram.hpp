@@ -28,7 +28,7 @@ enum class command : std::uint8_t {
 
 /// Datagram header, 10 bytes. `length` bytes of data and a datagram_trailer follow.
 struct datagram_header {
-    command cmd{};
+    command cmd{};          ///< who reads or writes, and how it is addressed
     std::uint8_t index{};   ///< the master's tag, returned unchanged
     std::uint16_t adp{};    ///< position, station address, or low half of a logical address
     std::uint16_t ado{};    ///< offset in the slave's memory, or high half of a logical address

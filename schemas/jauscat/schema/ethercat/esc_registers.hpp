@@ -13,60 +13,60 @@ namespace jauscat::ethercat {
 
 /// Where a register stands in a slave's memory, and its size in bytes.
 struct esc_register {
-    std::uint16_t address{};
-    std::uint16_t size{};
+    std::uint16_t address{}; ///< in the slave's memory
+    std::uint16_t size{};    ///< bytes
 };
 
 namespace esc_registers {
-inline constexpr esc_register type{0x0000, 1};
-inline constexpr esc_register revision{0x0001, 1};
-inline constexpr esc_register build{0x0002, 2};
-inline constexpr esc_register fmmu_count{0x0004, 1};
-inline constexpr esc_register sync_manager_count{0x0005, 1};
-inline constexpr esc_register ram_size{0x0006, 1}; ///< KiB
-inline constexpr esc_register ports{0x0007, 1};    ///< 2 bits per port: 0 none, 1 not configured, 2 EBUS, 3 MII
-inline constexpr esc_register features{0x0008, 2};
-inline constexpr esc_register station_address{0x0010, 2};
-inline constexpr esc_register station_alias{0x0012, 2};
-inline constexpr esc_register dl_control{0x0100, 4};
-inline constexpr esc_register dl_status{0x0110, 2};
-inline constexpr esc_register al_control{0x0120, 2};
-inline constexpr esc_register al_status{0x0130, 2};
-inline constexpr esc_register al_status_code{0x0134, 2};
-inline constexpr esc_register pdi_control{0x0140, 2};
-inline constexpr esc_register ecat_event_mask{0x0200, 2};
-inline constexpr esc_register ecat_event_request{0x0210, 2};
-inline constexpr esc_register error_counters{0x0300, 20}; ///< a write to any of them clears its group
-inline constexpr esc_register sii_owner{0x0500, 1};
-inline constexpr esc_register sii_control{0x0502, 2};
-inline constexpr esc_register sii_address{0x0504, 4}; ///< in words
-inline constexpr esc_register sii_data{0x0508, 8};
-inline constexpr esc_register fmmu{0x0600, 16};        ///< FMMU 0; the next ones follow
-inline constexpr esc_register sync_manager{0x0800, 8}; ///< SyncManager 0; the next ones follow
-inline constexpr esc_register dc_activation{0x0981, 1};
-inline constexpr esc_register process_ram{0x1000, 0}; ///< mailboxes and process data; size by `ram_size`
+inline constexpr esc_register type{0x0000, 1};               ///< kind of the slave controller
+inline constexpr esc_register revision{0x0001, 1};           ///< of the slave controller
+inline constexpr esc_register build{0x0002, 2};              ///< of the slave controller
+inline constexpr esc_register fmmu_count{0x0004, 1};         ///< how many FMMUs it has
+inline constexpr esc_register sync_manager_count{0x0005, 1}; ///< how many SyncManagers it has
+inline constexpr esc_register ram_size{0x0006, 1};           ///< KiB
+inline constexpr esc_register ports{0x0007, 1};           ///< 2 bits per port: 0 none, 1 not configured, 2 EBUS, 3 MII
+inline constexpr esc_register features{0x0008, 2};        ///< what it can do: see esc_description
+inline constexpr esc_register station_address{0x0010, 2}; ///< by which a master addresses it
+inline constexpr esc_register station_alias{0x0012, 2};   ///< a second one, out of the SII
+inline constexpr esc_register dl_control{0x0100, 4};      ///< which ports are open, and whether the alias counts
+inline constexpr esc_register dl_status{0x0110, 2};       ///< which ports have a link
+inline constexpr esc_register al_control{0x0120, 2};      ///< the state that a master asks for
+inline constexpr esc_register al_status{0x0130, 2};       ///< the state it is in
+inline constexpr esc_register al_status_code{0x0134, 2};  ///< why it is not in the state that was asked for
+inline constexpr esc_register pdi_control{0x0140, 2};     ///< kind of the interface to the slave's application
+inline constexpr esc_register ecat_event_mask{0x0200, 2}; ///< which events go into the datagrams' `irq`
+inline constexpr esc_register ecat_event_request{0x0210, 2}; ///< the events there are
+inline constexpr esc_register error_counters{0x0300, 20};    ///< a write to any of them clears its group
+inline constexpr esc_register sii_owner{0x0500, 1};          ///< who may access the SII memory
+inline constexpr esc_register sii_control{0x0502, 2};        ///< command and status of an access
+inline constexpr esc_register sii_address{0x0504, 4};        ///< in words
+inline constexpr esc_register sii_data{0x0508, 8};           ///< 4 or 8 bytes of it
+inline constexpr esc_register fmmu{0x0600, 16};              ///< FMMU 0; the next ones follow
+inline constexpr esc_register sync_manager{0x0800, 8};       ///< SyncManager 0; the next ones follow
+inline constexpr esc_register dc_activation{0x0981, 1};      ///< which synchronization signals are on
+inline constexpr esc_register process_ram{0x1000, 0};        ///< mailboxes and process data; size by `ram_size`
 } // namespace esc_registers
 
 /// A register of 2 bytes that is a plain number, such as the station address.
 struct esc_word {
-    std::uint16_t value{};
+    std::uint16_t value{}; ///< the number
 };
 
 /// What a slave controller can do (0x0000 to 0x0009), 10 bytes.
 struct esc_description {
-    std::uint8_t type{};
-    std::uint8_t revision{};
-    std::uint16_t build{};
-    std::uint8_t fmmus{};
-    std::uint8_t sync_managers{};
-    std::uint8_t ram{};   ///< KiB
-    std::uint8_t ports{}; ///< 2 bits per port: 0 none, 1 not configured, 2 EBUS, 3 MII
-    bool byte_fmmu{};     ///< FMMUs map whole bytes only
-    bool dc{};
-    bool dc_64{};
-    bool no_lrw{};        ///< LRW is not supported
-    bool no_read_write{}; ///< BRW, APRW and FPRW are not supported
-    bool fixed{};         ///< FMMUs and SyncManagers cannot be changed
+    std::uint8_t type{};          ///< kind of the slave controller
+    std::uint8_t revision{};      ///< of the slave controller
+    std::uint16_t build{};        ///< of the slave controller
+    std::uint8_t fmmus{};         ///< how many it has
+    std::uint8_t sync_managers{}; ///< how many it has
+    std::uint8_t ram{};           ///< KiB
+    std::uint8_t ports{};         ///< 2 bits per port: 0 none, 1 not configured, 2 EBUS, 3 MII
+    bool byte_fmmu{};             ///< FMMUs map whole bytes only
+    bool dc{};                    ///< distributed clocks
+    bool dc_64{};                 ///< these have 64 bits, else 32
+    bool no_lrw{};                ///< LRW is not supported
+    bool no_read_write{};         ///< BRW, APRW and FPRW are not supported
+    bool fixed{};                 ///< FMMUs and SyncManagers cannot be changed
 };
 
 /// How a SyncManager hands memory over.
@@ -77,24 +77,24 @@ enum class sync_manager_direction : std::uint8_t { master_reads = 0, master_writ
 
 /// SyncManager (0x0800 + 8 n), 8 bytes.
 struct sync_manager {
-    std::uint16_t start{};
-    std::uint16_t length{}; ///< bytes
-    sync_manager_mode mode{};
-    sync_manager_direction direction{};
-    bool ecat_interrupt{};
-    bool pdi_interrupt{};
-    bool watchdog{};
-    bool write_event{}; ///< status, read only: written completely
-    bool read_event{};  ///< status, read only: read completely
-    bool full{};        ///< status, read only: the mailbox holds a message
-    std::uint8_t last_buffer{};
-    std::uint8_t buffer_in_use{};
-    bool enable{};
-    bool repeat_request{}; ///< toggled by the master: give the last mailbox message again
-    bool latch_ecat{};
-    bool latch_pdi{};
-    bool pdi_disable{};        ///< the slave has switched this SyncManager off
-    bool repeat_acknowledge{}; ///< equals `repeat_request` once the slave has done so
+    std::uint16_t start{};              ///< where its memory begins
+    std::uint16_t length{};             ///< bytes
+    sync_manager_mode mode{};           ///< buffered for process data, or a mailbox
+    sync_manager_direction direction{}; ///< who writes the memory
+    bool ecat_interrupt{};              ///< an access is an event for the master
+    bool pdi_interrupt{};               ///< an access is an event for the slave's application
+    bool watchdog{};                    ///< a write restarts the process data watchdog
+    bool write_event{};                 ///< status, read only: written completely
+    bool read_event{};                  ///< status, read only: read completely
+    bool full{};                        ///< status, read only: the mailbox holds a message
+    std::uint8_t last_buffer{};         ///< status, read only: the buffer that was written last
+    std::uint8_t buffer_in_use{};       ///< status, read only: buffers in use
+    bool enable{};                      ///< without it the memory has no rules
+    bool repeat_request{};              ///< toggled by the master: give the last mailbox message again
+    bool latch_ecat{};                  ///< a master's access latches an event
+    bool latch_pdi{};                   ///< the application's access latches an event
+    bool pdi_disable{};                 ///< the slave has switched this SyncManager off
+    bool repeat_acknowledge{};          ///< equals `repeat_request` once the slave has done so
 };
 
 /// SyncManagers 0 and 1 (0x0800), 16 bytes: one datagram configures a mailbox.
@@ -105,21 +105,21 @@ struct mailbox_managers {
 
 /// The last three bytes of a SyncManager (0x0805 + 8 n): what polling and the repeat request need.
 struct sync_manager_handshake {
-    bool full{};
-    bool enable{};
-    bool repeat_request{};
-    bool repeat_acknowledge{};
+    bool full{};               ///< the mailbox holds a message
+    bool enable{};             ///< the SyncManager is on
+    bool repeat_request{};     ///< toggled by the master: give the last mailbox message again
+    bool repeat_acknowledge{}; ///< equals `repeat_request` once the slave has done so
 };
 
 /// Activate byte of a SyncManager (0x0806 + 8 n).
 struct sync_manager_activate {
-    bool enable{};
-    bool repeat_request{};
+    bool enable{};         ///< the SyncManager is on
+    bool repeat_request{}; ///< toggled by the master: give the last mailbox message again
 };
 
 /// FMMU (0x0600 + 16 n), 16 bytes: maps some bits of the logical address space to the slave's memory.
 struct fmmu {
-    std::uint32_t logical_start{};
+    std::uint32_t logical_start{};  ///< where it begins in the logical address space
     std::uint16_t length{};         ///< bytes of the logical address space
     std::uint8_t first_bit{};       ///< in the first byte, 0 to 7
     std::uint8_t last_bit{};        ///< in the last byte, 0 to 7
@@ -127,7 +127,7 @@ struct fmmu {
     std::uint8_t physical_bit{};    ///< in its first byte, 0 to 7
     bool read{};                    ///< a master may read
     bool write{};                   ///< a master may write
-    bool enable{};
+    bool enable{};                  ///< without it nothing is mapped
 };
 
 /// SII owner (0x0500).
@@ -141,10 +141,10 @@ enum class sii_command : std::uint8_t { clear = 0, read = 1, write = 2, reload =
 
 /// SII control (0x0502) and address (0x0504), 6 bytes: one datagram starts an access.
 struct sii_request {
-    bool write_enable{};
-    bool eight_byte_reads{};  ///< read only: a read gives 8 bytes of data, else 4
-    bool two_address_bytes{}; ///< read only: memory of more than 16 Kibit
-    sii_command cmd{};
+    bool write_enable{};       ///< has to be set in the write that has a write command
+    bool eight_byte_reads{};   ///< read only: a read gives 8 bytes of data, else 4
+    bool two_address_bytes{};  ///< read only: memory of more than 16 Kibit
+    sii_command cmd{};         ///< what to do
     bool checksum_error{};     ///< read only
     bool not_loaded{};         ///< read only
     bool command_error{};      ///< read only: no acknowledge, or a command it cannot do
@@ -155,8 +155,8 @@ struct sii_request {
 
 /// SII control, address and data (0x0502 to 0x050F), 14 bytes: one datagram reads the outcome of an access.
 struct sii_access {
-    sii_request request{};
-    std::array<std::byte, 8> data{};
+    sii_request request{};           ///< command, status and address
+    std::array<std::byte, 8> data{}; ///< 4 or 8 bytes that were read, or 2 to be written
 };
 
 } // namespace jauscat::ethercat

@@ -19,15 +19,15 @@ inline constexpr std::size_t max_datagram_data = 1486;       ///< bytes of data 
 /// IEEE 802.3 header, 14 bytes. Slaves ignore the addresses; an EtherCAT slave controller sets bit 1 of the source's
 /// first byte.
 struct ethernet_header {
-    std::array<std::byte, 6> destination{};
-    std::array<std::byte, 6> source{};
-    std::uint16_t ether_type{};
+    std::array<std::byte, 6> destination{}; ///< any; mostly FF:FF:FF:FF:FF:FF
+    std::array<std::byte, 6> source{};      ///< the master's interface
+    std::uint16_t ether_type{};             ///< 88A4h: EtherCAT; 8100h: a vlan_tag follows
 };
 
 /// IEEE 802.1Q tag, 4 bytes, between the Ethernet header and what its EtherType announces.
 struct vlan_tag {
-    std::uint16_t control{};
-    std::uint16_t ether_type{};
+    std::uint16_t control{};    ///< priority and number of the VLAN
+    std::uint16_t ether_type{}; ///< of what follows
 };
 
 /// What an EtherCAT frame carries.
@@ -36,7 +36,7 @@ enum class frame_type : std::uint8_t { datagrams = 1, network_variables = 4, mai
 /// EtherCAT frame header, 2 bytes.
 struct frame_header {
     std::uint16_t length{}; ///< bytes of all datagrams, without this header and without padding; 0 to 2047
-    frame_type type{};
+    frame_type type{};      ///< what it carries
 };
 
 } // namespace jauscat::ethercat

@@ -60,11 +60,11 @@ struct get_bus_scan_info_request {
 /// Answer to it: 60 bytes. ulCmd 0x00650023, ulLen 20. The fields' names are the project's own.
 struct get_bus_scan_info_confirmation {
     packet_header head{.ul_len = 20, .ul_cmd = packet_command::get_bus_scan_info_cnf};
-    std::uint32_t ul_vendor_id{};
-    std::uint32_t ul_product_code{};
-    std::uint32_t ul_revision_number{};
-    std::uint32_t ul_serial_number{};
-    std::uint32_t ul_port_state{}; ///< DL status of the slave
+    std::uint32_t ul_vendor_id{};       ///< of the slave's identity, object 1018h:1
+    std::uint32_t ul_product_code{};    ///< object 1018h:2
+    std::uint32_t ul_revision_number{}; ///< object 1018h:3
+    std::uint32_t ul_serial_number{};   ///< object 1018h:4
+    std::uint32_t ul_port_state{};      ///< DL status of the slave
     friend constexpr bool operator==(const get_bus_scan_info_confirmation&,
                                      const get_bus_scan_info_confirmation&) = default;
 };
@@ -89,7 +89,7 @@ struct get_slave_handles_confirmation {
 
 /// A handle in the list of get_slave_handles_confirmation, 4 bytes.
 struct slave_handle {
-    std::uint32_t ul_handle{};
+    std::uint32_t ul_handle{}; ///< the slave's station address in this library's answers
     friend constexpr bool operator==(const slave_handle&, const slave_handle&) = default;
 };
 

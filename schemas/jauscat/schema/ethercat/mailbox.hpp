@@ -20,8 +20,8 @@ struct mailbox_header {
     std::uint16_t address{}; ///< station address of a routed message's other end; 0 from a master
     std::uint8_t channel{};  ///< 0
     std::uint8_t priority{}; ///< 0 (lowest) to 3
-    mailbox_type type{};
-    std::uint8_t counter{}; ///< 1 to 7, another one for each new message; 0: not used
+    mailbox_type type{};     ///< protocol of what follows
+    std::uint8_t counter{};  ///< 1 to 7, another one for each new message; 0: not used
 };
 
 /// Why a slave refused a mailbox message.

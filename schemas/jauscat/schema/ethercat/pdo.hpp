@@ -9,9 +9,9 @@ namespace jauscat::ethercat {
 
 /// One mapped object, 4 bytes: as a number index << 16 | subindex << 8 | bits.
 struct pdo_mapping {
-    std::uint8_t bits{};
-    std::uint8_t subindex{};
-    std::uint16_t index{}; ///< 0: a gap
+    std::uint8_t bits{};     ///< of its value
+    std::uint8_t subindex{}; ///< of the object
+    std::uint16_t index{};   ///< 0: a gap
 };
 
 } // namespace jauscat::ethercat

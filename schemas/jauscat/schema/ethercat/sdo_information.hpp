@@ -22,14 +22,14 @@ enum class sdo_information_opcode : std::uint8_t {
 
 /// First 4 bytes of an SDO information message, after the CoE header.
 struct sdo_information_header {
-    sdo_information_opcode opcode{};
-    bool incomplete{};              ///< more fragments follow
-    std::uint16_t fragments_left{}; ///< how many
+    sdo_information_opcode opcode{}; ///< request or answer of which kind
+    bool incomplete{};               ///< more fragments follow
+    std::uint16_t fragments_left{};  ///< how many
 };
 
 /// What follows the header where the slave refuses to answer, 4 bytes.
 struct sdo_information_error {
-    abort_code code{};
+    abort_code code{}; ///< why
 };
 
 /// Which objects a list names.
@@ -44,7 +44,7 @@ enum class object_list_type : std::uint16_t {
 
 /// List request, and the first 2 bytes of its response; in the first fragment the indices follow, 2 bytes each.
 struct object_list {
-    object_list_type type{};
+    object_list_type type{}; ///< which objects
 };
 
 /// What an object is made of.
@@ -52,46 +52,46 @@ enum class object_code : std::uint8_t { variable = 7, array = 8, record = 9 };
 
 /// Object description request, 2 bytes.
 struct object_query {
-    std::uint16_t index{};
+    std::uint16_t index{}; ///< of the object
 };
 
 /// Object description response, 6 bytes; the object's name follows.
 struct object_answer {
-    std::uint16_t index{};
-    std::uint16_t data_type{};
-    std::uint8_t highest_subindex{};
-    object_code code{};
+    std::uint16_t index{};           ///< of the object
+    std::uint16_t data_type{};       ///< of a variable's value, of an array's elements
+    std::uint8_t highest_subindex{}; ///< of the object
+    object_code code{};              ///< variable, array or record
 };
 
 /// Entry description request, 4 bytes.
 struct entry_query {
-    std::uint16_t index{};
-    std::uint8_t subindex{};
+    std::uint16_t index{};     ///< of the object
+    std::uint8_t subindex{};   ///< of the entry
     std::uint8_t value_info{}; ///< bits: 0 access, 1 category, 2 PDO mapping, 3 unit, 4 default, 5 minimum, 6 maximum
 };
 
 /// Who may access an entry in which state.
 struct entry_access {
-    bool read_pre_op{};
-    bool read_safe_op{};
-    bool read_op{};
-    bool write_pre_op{};
-    bool write_safe_op{};
-    bool write_op{};
-    bool rx_pdo{}; ///< can be mapped into outputs
-    bool tx_pdo{}; ///< can be mapped into inputs
-    bool backup{};
-    bool setting{};
+    bool read_pre_op{};   ///< may be read in PRE-OP
+    bool read_safe_op{};  ///< may be read in SAFE-OP
+    bool read_op{};       ///< may be read in OP
+    bool write_pre_op{};  ///< may be written in PRE-OP
+    bool write_safe_op{}; ///< may be written in SAFE-OP
+    bool write_op{};      ///< may be written in OP
+    bool rx_pdo{};        ///< can be mapped into outputs
+    bool tx_pdo{};        ///< can be mapped into inputs
+    bool backup{};        ///< is kept by the backup of a device that gets replaced
+    bool setting{};       ///< is one of the device's settings
 };
 
 /// Entry description response, 10 bytes; the values that `value_info` names follow, and then the entry's name.
 struct entry_answer {
-    std::uint16_t index{};
-    std::uint8_t subindex{};
+    std::uint16_t index{};     ///< of the object
+    std::uint8_t subindex{};   ///< of the entry
     std::uint8_t value_info{}; ///< which values are there
-    std::uint16_t data_type{};
-    std::uint16_t bits{}; ///< size of the entry
-    entry_access access{};
+    std::uint16_t data_type{}; ///< of its value, as in ETG.1000.6
+    std::uint16_t bits{};      ///< size of the entry
+    entry_access access{};     ///< who may access it in which state
 };
 
 } // namespace jauscat::ethercat

@@ -11,30 +11,30 @@ namespace jauscat::ethercat {
 
 /// Word addresses of the fixed part, and of the first category.
 namespace sii_words {
-inline constexpr std::uint16_t configuration = 0x00;
-inline constexpr std::uint16_t identity = 0x08;
-inline constexpr std::uint16_t mailbox = 0x18;
-inline constexpr std::uint16_t size = 0x3E;
-inline constexpr std::uint16_t categories = 0x40;
+inline constexpr std::uint16_t configuration = 0x00; ///< what the slave controller loads at power-on
+inline constexpr std::uint16_t identity = 0x08;      ///< who made the slave
+inline constexpr std::uint16_t mailbox = 0x18;       ///< offsets, sizes and protocols of the standard mailbox
+inline constexpr std::uint16_t size = 0x3E;          ///< of the memory
+inline constexpr std::uint16_t categories = 0x40;    ///< the first category; each says where the next one begins
 } // namespace sii_words
 
 /// Words 0x00 to 0x07: what the slave controller loads at power-on, 16 bytes.
 struct sii_configuration {
-    std::uint16_t pdi_control{};
-    std::uint16_t pdi_configuration{};
+    std::uint16_t pdi_control{};         ///< kind of the interface to the slave's application
+    std::uint16_t pdi_configuration{};   ///< settings of this interface
     std::uint16_t sync_impulse_length{}; ///< 10 ns
-    std::uint16_t pdi_configuration_2{};
-    std::uint16_t station_alias{};
-    std::array<std::byte, 4> gap{};
-    std::uint16_t checksum{}; ///< low byte: CRC-8 of the 14 bytes before, polynomial 0x07, start 0xFF
+    std::uint16_t pdi_configuration_2{}; ///< more settings of this interface
+    std::uint16_t station_alias{};       ///< a second station address; 0: none
+    std::array<std::byte, 4> gap{};      ///< reserved
+    std::uint16_t checksum{};            ///< low byte: CRC-8 of the 14 bytes before, polynomial 0x07, start 0xFF
 };
 
 /// Words 0x08 to 0x0F: who made the slave, 16 bytes.
 struct sii_identity {
-    std::uint32_t vendor{};
-    std::uint32_t product{};
-    std::uint32_t revision{};
-    std::uint32_t serial{};
+    std::uint32_t vendor{};   ///< number that the EtherCAT Technology Group gave the vendor; object 1018h:1
+    std::uint32_t product{};  ///< the vendor's product code; object 1018h:2
+    std::uint32_t revision{}; ///< object 1018h:3
+    std::uint32_t serial{};   ///< object 1018h:4
 };
 
 /// Words 0x18 to 0x1C: the standard mailbox, 10 bytes.
@@ -43,12 +43,12 @@ struct sii_mailbox {
     std::uint16_t receive_size{};   ///< bytes
     std::uint16_t send_offset{};    ///< slave to master, SyncManager 1
     std::uint16_t send_size{};      ///< bytes
-    bool aoe{};
-    bool eoe{};
-    bool coe{};
-    bool foe{};
-    bool soe{};
-    bool voe{};
+    bool aoe{};                     ///< ADS over EtherCAT
+    bool eoe{};                     ///< Ethernet over EtherCAT
+    bool coe{};                     ///< CANopen over EtherCAT: SDOs
+    bool foe{};                     ///< file access over EtherCAT
+    bool soe{};                     ///< servo drive profile over EtherCAT
+    bool voe{};                     ///< the vendor's own
 };
 
 /// Words 0x3E and 0x3F, 4 bytes.
@@ -71,31 +71,31 @@ enum class sii_category : std::uint16_t {
 
 /// Header of a category, 4 bytes; its data follow.
 struct sii_category_header {
-    sii_category category{};
-    std::uint16_t words{}; ///< length of the data
+    sii_category category{}; ///< what the data are
+    std::uint16_t words{};   ///< length of the data
 };
 
 /// Category general, 32 bytes.
 struct sii_general {
-    std::uint8_t group{}; ///< index of a string, from 1; 0: none
-    std::uint8_t image{}; ///< index of a string
-    std::uint8_t order{}; ///< index of a string
-    std::uint8_t name{};  ///< index of a string
-    std::uint8_t gap{};
-    bool sdo{};
-    bool sdo_information{};
-    bool pdo_assign{};
-    bool pdo_configuration{};
-    bool upload_at_start{};
-    bool complete_access{};
-    std::uint8_t foe{};
-    std::uint8_t eoe{};
-    std::array<std::byte, 3> soe{};
-    std::uint8_t flags{};
-    std::int16_t ebus_current{}; ///< mA
-    std::array<std::byte, 2> gap_2{};
-    std::uint16_t ports{}; ///< 4 bits per port: 0 none, 1 MII, 3 EBUS
-    std::array<std::byte, 14> gap_3{};
+    std::uint8_t group{};              ///< index of a string, from 1; 0: none
+    std::uint8_t image{};              ///< index of a string
+    std::uint8_t order{};              ///< index of a string
+    std::uint8_t name{};               ///< index of a string
+    std::uint8_t gap{};                ///< reserved
+    bool sdo{};                        ///< takes SDOs
+    bool sdo_information{};            ///< answers SDO information
+    bool pdo_assign{};                 ///< objects 1C12h and 1C13h can be written
+    bool pdo_configuration{};          ///< PDO mapping objects can be written
+    bool upload_at_start{};            ///< a master is to read the mapping when it starts
+    bool complete_access{};            ///< takes a whole object in one transfer
+    std::uint8_t foe{};                ///< file access; 0: no
+    std::uint8_t eoe{};                ///< Ethernet; 0: no
+    std::array<std::byte, 3> soe{};    ///< servo drive profile: channels
+    std::uint8_t flags{};              ///< bit 0: SAFE-OP is enabled; bit 1: no LRW
+    std::int16_t ebus_current{};       ///< mA
+    std::array<std::byte, 2> gap_2{};  ///< reserved
+    std::uint16_t ports{};             ///< 4 bits per port: 0 none, 1 MII, 3 EBUS
+    std::array<std::byte, 14> gap_3{}; ///< reserved
 };
 
 /// What a SyncManager of category SyncM is for.
@@ -103,12 +103,12 @@ enum class sii_sync_manager_use : std::uint8_t { none = 0, mailbox_out = 1, mail
 
 /// One entry of category SyncM, 8 bytes.
 struct sii_sync_manager {
-    std::uint16_t start{};
-    std::uint16_t length{};
-    std::uint8_t control{};
-    std::uint8_t status{};
-    std::uint8_t enable{};
-    sii_sync_manager_use use{};
+    std::uint16_t start{};      ///< where its memory begins
+    std::uint16_t length{};     ///< bytes
+    std::uint8_t control{};     ///< as in the SyncManager's register
+    std::uint8_t status{};      ///< not used
+    std::uint8_t enable{};      ///< bit 0: enabled
+    sii_sync_manager_use use{}; ///< what it is for
 };
 
 /// What an FMMU of category FMMU is for: one byte each, in the order of the FMMUs.
@@ -116,22 +116,22 @@ enum class sii_fmmu_use : std::uint8_t { none = 0, outputs = 1, inputs = 2, mail
 
 /// Head of a category TxPDO or RxPDO, 8 bytes; its entries follow, and then the next PDO.
 struct sii_pdo {
-    std::uint16_t index{}; ///< 1600h to 17FFh outputs, 1A00h to 1BFFh inputs
-    std::uint8_t entries{};
-    std::uint8_t sync_manager{}; ///< that carries it from the start; 255: none
-    std::uint8_t synchronization{};
-    std::uint8_t name{}; ///< index of a string
-    std::uint16_t flags{};
+    std::uint16_t index{};          ///< 1600h to 17FFh outputs, 1A00h to 1BFFh inputs
+    std::uint8_t entries{};         ///< how many follow
+    std::uint8_t sync_manager{};    ///< that carries it from the start; 255: none
+    std::uint8_t synchronization{}; ///< number of a DC setting
+    std::uint8_t name{};            ///< index of a string
+    std::uint16_t flags{};          ///< such as: mandatory, fixed
 };
 
 /// One entry of a PDO, 8 bytes.
 struct sii_pdo_entry {
-    std::uint16_t index{}; ///< of the object; 0: a gap
-    std::uint8_t subindex{};
+    std::uint16_t index{};    ///< of the object; 0: a gap
+    std::uint8_t subindex{};  ///< of the object
     std::uint8_t name{};      ///< index of a string
     std::uint8_t data_type{}; ///< 1 BOOLEAN, 2 INTEGER8, 3 INTEGER16, 4 INTEGER32, 5 to 7 UNSIGNED8 to 32, 8 REAL32
-    std::uint8_t bits{};
-    std::uint16_t flags{};
+    std::uint8_t bits{};      ///< of its value
+    std::uint16_t flags{};    ///< reserved
 };
 
 } // namespace jauscat::ethercat
