@@ -37,6 +37,8 @@ def declared(line):
         return using[1].split("::")[-1]
     if operator := re.search(r"(?<!template )\boperator ?(\(\)|\[\]|[^\s\w(]+|bool)", line):
         return "operator" + operator[1]
+    if pointer := re.search(r"\(\*(\w+)\)\(", line):
+        return pointer[1]
     if function := re.match(r"[^=({]*?(~?\b\w+)\(", line):
         return function[1]
     if variable := re.match(r"[^=({]*?\b(\w+)\s*(=|\{|;|,|\[|$)", re.sub(r"<.*>", "", line)):
@@ -93,6 +95,8 @@ def escaped(comment):
 
 def prepared(path, text, rules):
     def sentence(name):
+        if not name:
+            return ""
         for folder, pattern, words in rules:
             if folder.search(path) and pattern.fullmatch(name):
                 return f"/** {words} */ "
@@ -104,13 +108,15 @@ def prepared(path, text, rules):
     documented = False    # by a comment above
     waiting = None        # line where a declaration began whose name is not known yet
     verbatim = False
+    comparison = False    # within one that takes several lines
     head_indent = None    # of a structure whose bases stand on lines of their own
     for line in text.split("\n"):
         stripped = line.strip()
         indent = len(line) - len(line.lstrip())
-        if re.search(r"friend .*operator==\(.*= default;", line):
-            result.append("") # values compare member by member; nothing to look up
-            documented = False
+        comparison = comparison or re.search(r"friend .*operator==\((.*= default;|[^)]*,$)", line)
+        if comparison: # values compare member by member; nothing to look up
+            result.append("")
+            comparison = documented = not stripped.endswith(";")
             continue
         if stripped.startswith("///"):
             documented, waiting = True, None

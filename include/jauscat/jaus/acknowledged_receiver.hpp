@@ -12,9 +12,9 @@ namespace jauscat::jaus {
 
 /// A message that was acknowledged: a place in the memory of an acknowledged_receiver.
 struct acknowledged_message {
-    address source{};
-    std::uint16_t command_code{};
-    std::uint16_t sequence_number{};
+    address source{};                 ///< who sent it
+    std::uint16_t command_code{};     ///< which message
+    std::uint16_t sequence_number{};  ///< by which a repeat is known
     std::uint32_t digest{};           ///< of the body
     ack_nak answer{};                 ///< the one that was given; none: the place is free
     std::chrono::nanoseconds until{}; ///< when it is forgotten

@@ -15,7 +15,7 @@ namespace jauscat::jaus {
 template <class Value> struct address_place {
     jaus::address address{}; ///< of the entry; a level of 0 stands for every ID of that level
     bool taken{};            ///< whether there is an entry
-    Value value{};
+    Value value{};           ///< the caller's
 };
 
 /// What became of an entry.
@@ -37,6 +37,7 @@ enum class inserted : std::uint8_t {
 ///     const auto* way = ways.find({.instance = 1, .component = 33, .node = 2, .subsystem = 1}); // way->value == 7
 template <class Value> class address_map {
   public:
+    /// A place in the caller's memory.
     using place = address_place<Value>;
 
     /// Uses the largest power of two of `places`, which it empties and which must outlive it.
@@ -49,6 +50,7 @@ template <class Value> class address_map {
     [[nodiscard]] constexpr std::size_t capacity() const noexcept {
         return places_.size() - std::max(places_.size() / 4, std::min<std::size_t>(places_.size(), 1));
     }
+    /// How many entries there are.
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
 
     /// Puts a value under an address that is not there yet.

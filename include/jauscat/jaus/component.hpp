@@ -42,6 +42,7 @@ template <class Hooks, class... Parts> class component {
   public:
     using time = std::chrono::nanoseconds;
 
+    /// With this address. The memory, the hooks and the parts must outlive it; see above what hooks there may be.
     template <std::size_t Waiting, std::size_t Size, std::size_t Remembered>
     constexpr component(const address& self, component_memory<Waiting, Size, Remembered>& memory, Hooks& hooks,
                         const component_options& options, Parts&... parts) noexcept
@@ -120,10 +121,13 @@ template <class Hooks, class... Parts> class component {
     }
 
     [[nodiscard]] constexpr const address& self() const noexcept { return self_; }
+    /// Initialize, Ready, Standby, Shutdown, Failure or Emergency.
     [[nodiscard]] constexpr primary_status_code state() const noexcept { return state_.state(); }
     /// What Report Component Status says beside the state.
     constexpr void set_secondary_status(std::uint32_t code) noexcept { state_.secondary_status = code; }
+    /// Who controls the component.
     [[nodiscard]] constexpr const component_control& control() const noexcept { return control_; }
+    /// The component's time of day.
     [[nodiscard]] constexpr component_clock& clock() noexcept { return clock_; }
     /// How many messages wait for their acknowledgement.
     [[nodiscard]] constexpr std::size_t waiting() const noexcept { return sender_.waiting(); }
@@ -220,6 +224,7 @@ template <class Hooks, class... Parts> class component {
     std::array<std::uint64_t, component_outcome_count> counts_{};
 };
 
+/// The arguments of the template follow from those of the constructor.
 template <std::size_t Waiting, std::size_t Size, std::size_t Remembered, class Hooks, class... Parts>
 component(const address&, component_memory<Waiting, Size, Remembered>&, Hooks&, const component_options&, Parts&...)
     -> component<Hooks, Parts...>;

@@ -73,6 +73,7 @@ class component_control {
     constexpr explicit component_control(const address& self, const control_options& options = {}) noexcept
         : self_{self}, authority_{options.authority_code}, options_{options} {}
 
+    /// Who controls the component, if anybody.
     [[nodiscard]] constexpr const std::optional<jaus::controller>& controller() const noexcept { return controller_; }
     /// The component's own authority code.
     [[nodiscard]] constexpr std::uint8_t authority_code() const noexcept { return authority_; }

@@ -27,9 +27,9 @@ struct component_options {
 /// acknowledgement (some microseconds), so where the rate is high a shorter memory helps: it only has to outlast what
 /// the sender repeats, (1 + retries) times its timeout. `Waiting` is the rate times the timeout, more on a bad network.
 template <std::size_t Waiting = 16, std::size_t Size = 256, std::size_t Remembered = 512> struct component_memory {
-    std::array<awaited_message, Waiting> waiting{};
-    std::array<std::byte, Waiting * Size> copies{};
-    std::array<acknowledged_message, Remembered> remembered{};
+    std::array<awaited_message, Waiting> waiting{};            ///< messages that wait for an acknowledgement
+    std::array<std::byte, Waiting * Size> copies{};            ///< these messages
+    std::array<acknowledged_message, Remembered> remembered{}; ///< messages that were acknowledged
 };
 
 } // namespace jauscat::jaus

@@ -79,6 +79,7 @@ template <std::size_t Holders = 8> class component_state {
     constexpr explicit component_state(const address& self, after_emergency after = {}) noexcept
         : self_{self}, after_{after} {}
 
+    /// Initialize, Ready, Standby, Shutdown, Failure or Emergency.
     [[nodiscard]] constexpr primary_status_code state() const noexcept { return state_; }
     /// The 32 bits of the component's own meaning in Report Component Status.
     std::uint32_t secondary_status{};

@@ -21,8 +21,8 @@ enum class consumed_state : std::uint8_t {
 
 /// A service connection of a consumer.
 struct consumed_connection {
-    address provider{};
-    consumed_state state{};
+    address provider{};                     ///< who sends the reports
+    consumed_state state{};                 ///< how far it has got
     std::uint8_t instance_id{};             ///< as confirmed
     service_connection_response response{}; ///< of the last confirmation
     bool confirmed{};                       ///< the instance ID is known
@@ -50,7 +50,7 @@ enum class consumer_news : std::uint8_t {
 };
 /// The news, and the connection it is of.
 struct consumer_outcome {
-    consumer_news what{};
+    consumer_news what{}; ///< what is new
     std::size_t place{};  ///< in connections()
     std::uint64_t lost{}; ///< reports missing just before this one
     friend constexpr bool operator==(const consumer_outcome&, const consumer_outcome&) = default;

@@ -133,6 +133,7 @@ template <std::size_t Capacity> class event_consumer {
         return count;
     }
 
+    /// All places, free ones too.
     [[nodiscard]] constexpr std::span<const requested_event> requested() const noexcept { return requested_; }
 
   private:

@@ -15,13 +15,13 @@ namespace jauscat::jaus {
 
 /// An event of a provider.
 struct event_record {
-    address requester{};
-    std::uint16_t message_code{};    ///< of the report; 0: no event
-    std::uint8_t event_id{};         ///< 1 to 255
-    std::uint8_t local_request_id{}; ///< of the request that created it
-    std::uint8_t priority{};         ///< of that request, and of the events
-    std::uint8_t sequence_number{};  ///< of the next one
-    event_setup setup{};
+    address requester{};                     ///< who is sent the events
+    std::uint16_t message_code{};            ///< of the report; 0: no event
+    std::uint8_t event_id{};                 ///< 1 to 255
+    std::uint8_t local_request_id{};         ///< of the request that created it
+    std::uint8_t priority{};                 ///< of that request, and of the events
+    std::uint8_t sequence_number{};          ///< of the next one
+    event_setup setup{};                     ///< what it was asked to be
     bool pending{};                          ///< to be sent as soon as the rate allows
     bool done{};                             ///< a first change that has been
     bool inside{};                           ///< the boundary, by the last value

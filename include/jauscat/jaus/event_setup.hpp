@@ -28,8 +28,8 @@ using event_judge = callback<event_response(const header&, std::uint16_t message
 
 /// What an event was asked to be.
 struct event_setup {
-    jaus::event_type event_type{};
-    event_condition condition{};
+    jaus::event_type event_type{};                         ///< when it is sent
+    event_condition condition{};                           ///< which values count
     double min_rate{};                                     ///< hertz; 0: none was asked for
     double rate{};                                         ///< hertz; 0: none was asked for
     wire::inline_list<std::byte, max_event_query> query{}; ///< body of the query that selects fields
@@ -48,7 +48,7 @@ struct event_setup {
 
 /// A request that was looked at: a setup, or why there is none.
 struct judged_setup {
-    event_setup setup{};
+    event_setup setup{};              ///< only where the response is successful
     event_response response{};        ///< successful, or the code to reject with
     std::string_view error_message{}; ///< the reason in words
 };

@@ -31,7 +31,7 @@ constexpr std::span<const std::byte> prefix(framing f) noexcept {
 
 /// A datagram taken apart. `message` points into the datagram and may be empty.
 struct framed_message {
-    framing how{};
+    framing how{};                        ///< what stood in front of the message
     std::span<const std::byte> message{}; ///< header and body
 };
 

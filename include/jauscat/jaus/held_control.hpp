@@ -41,6 +41,7 @@ class held_control {
                            callback<void(control_state)> changed = {}) noexcept
         : self_{self}, target_{target}, options_{options}, changed_{changed} {}
 
+    /// Whether control is held, asked for or gone.
     [[nodiscard]] constexpr control_state state() const noexcept { return state_; }
     [[nodiscard]] constexpr const address& target() const noexcept { return target_; }
 

@@ -47,9 +47,9 @@ struct partial_data_set {
 
 /// A packet that is held: its sequence number, the bytes of its body, and where they begin among its place's.
 struct held_packet {
-    std::uint16_t sequence_number{};
-    std::uint16_t size{};
-    std::uint32_t offset{};
+    std::uint16_t sequence_number{}; ///< the packet's
+    std::uint16_t size{};            ///< bytes of its body
+    std::uint32_t offset{};          ///< where they begin
 };
 
 /// What a reassembler grants its senders.

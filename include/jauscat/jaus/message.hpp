@@ -64,9 +64,9 @@ using result = wire::basic_result<errc>;
 
 /// A message taken apart; `body` points into the received bytes.
 struct split_message {
-    errc error{};
-    jaus::header header{};
-    std::span<const std::byte> body{};
+    errc error{};                      ///< why it is no message; then the rest is empty
+    jaus::header header{};             ///< as received
+    std::span<const std::byte> body{}; ///< as received
 
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return error == errc::ok; }
 };

@@ -16,10 +16,10 @@ inline constexpr std::array<offered_service, 1> services{{{1, input, output}}};
 
 /// What a node manager tells of its node.
 struct node_description {
-    identity system{};
-    identity subsystem{.type = 30001};
-    identity node{.type = 40001};
-    identity manager{.type = 60001};
+    identity system{};                                                           ///< what is told of the system
+    identity subsystem{.type = 30001};                                           ///< of the subsystem
+    identity node{.type = 40001};                                                ///< of the node
+    identity manager{.type = 60001};                                             ///< of the node manager itself
     std::span<const offered_service> services = node_manager_messages::services; ///< of the node manager
     std::span<const configured_component> components{}; ///< known from the start, beside the node manager
 };

@@ -10,8 +10,8 @@ namespace jauscat::jaus {
 
 /// One element: the number of its interface, from 1, and its value.
 struct payload_element {
-    std::uint8_t interface_number{};
-    payload_value value{};
+    std::uint8_t interface_number{}; ///< from 1, as reported
+    payload_value value{};           ///< of the type that was reported for the interface
     friend constexpr bool operator==(const payload_element&, const payload_element&) = default;
 };
 

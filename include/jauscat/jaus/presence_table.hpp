@@ -27,6 +27,7 @@ enum class heard : std::uint8_t {
 class presence_table {
   public:
     using time = std::chrono::nanoseconds;
+    /// A place in the caller's memory.
     using place = address_place<presence>;
 
     /// `places` must outlive this; three quarters of a power of two of them can be used.
@@ -90,7 +91,9 @@ class presence_table {
         for (const place& one : map_.places())
             if (one.taken) use(one.address);
     }
+    /// How many are present.
     [[nodiscard]] constexpr std::size_t size() const noexcept { return map_.size(); }
+    /// How many there can be.
     [[nodiscard]] constexpr std::size_t capacity() const noexcept { return map_.capacity(); }
 
   private:

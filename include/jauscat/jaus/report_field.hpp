@@ -23,7 +23,7 @@ struct field_scale {
 };
 /// The value of a field: an integer, an enumeration, a set of bits, a floating-point number.
 struct field_value {
-    wire_number number{};
+    wire_number number{};       ///< as it travels
     const field_scale* scale{}; ///< of a scaled field
     friend constexpr bool operator==(const field_value& a, const field_value& b) noexcept {
         return a.number == b.number;

@@ -22,8 +22,8 @@ inline constexpr std::size_t max_create_event_size = 42 + max_event_query;
 
 /// An event of a consumer.
 struct requested_event {
-    address provider{};
-    requested_state state{};
+    address provider{};              ///< who sends the events
+    requested_state state{};         ///< how far it has got
     event_response response{};       ///< of the last answer
     std::uint16_t message_code{};    ///< of the report
     bool one_time{};                 ///< is over with the first event
@@ -54,7 +54,7 @@ enum class event_news : std::uint8_t {
 };
 /// The news, and the event it is of.
 struct event_outcome {
-    event_news what{};
+    event_news what{};                   ///< what is new
     std::size_t place{};                 ///< in requested()
     unsigned lost{};                     ///< events missing just before this one
     std::uint16_t message_code{};        ///< of the report in an event

@@ -80,9 +80,9 @@ enum class routed : std::uint8_t {
 
 /// What became of a message, and how many got it.
 struct routing {
-    routed outcome{};
+    routed outcome{};           ///< where it went, or why nowhere
     std::uint16_t components{}; ///< of this program
-    std::uint16_t hops{};
+    std::uint16_t hops{};       ///< other programs
 
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return outcome == routed::ok; }
 };

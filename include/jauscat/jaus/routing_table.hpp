@@ -16,15 +16,15 @@ struct way {
 };
 /// A place for one hop.
 struct hop_state {
-    hop_kind kind{};
+    hop_kind kind{};       ///< who is behind it
     bool outside_groups{}; ///< see routing_table::keep_outside_groups
     std::uint32_t turn{};  ///< of the last broadcast that went there
 };
 /// A place for one component of the own node, in this program or in others. 0: every ID of that level.
 struct node_component {
-    std::uint8_t component{};
-    std::uint8_t instance{};
-    way where{};
+    std::uint8_t component{}; ///< its ID
+    std::uint8_t instance{};  ///< its instance
+    way where{};              ///< in which program
 };
 
 /// The addresses that one node knows. An address's level of 0 stands for every ID of that level, and the most specific
@@ -40,7 +40,9 @@ class routing_table {
         : subsystem_{subsystem}, node_{node}, ways_{ways}, hops_{hops}, components_{components} {
         std::ranges::fill(hops, hop_state{});
     }
+    /// Of the own node.
     [[nodiscard]] constexpr std::uint8_t subsystem() const noexcept { return subsystem_; }
+    /// The own node.
     [[nodiscard]] constexpr std::uint8_t node() const noexcept { return node_; }
 
     /// A component of this program. `number` is what the router calls it.
@@ -85,7 +87,9 @@ class routing_table {
         const auto known = which < hops_.size() ? hops_[which].kind : hop_kind::unused;
         return known == hop_kind::unused ? hop_kind::subsystem : known;
     }
+    /// The hop to the program with the own node's node manager, if that is another one.
     [[nodiscard]] constexpr std::optional<hop> manager() const noexcept { return manager_; }
+    /// Those of the own node.
     [[nodiscard]] constexpr std::span<const node_component> components() const noexcept {
         return components_.first(component_count_);
     }

@@ -114,6 +114,7 @@ template <std::size_t Capacity> class service_consumer {
         return next;
     }
 
+    /// All places, free ones too.
     [[nodiscard]] constexpr std::span<const consumed_connection> connections() const noexcept { return connections_; }
 
   private:
