@@ -9,12 +9,13 @@
 
 #include <iomanip>
 #include <sched.h>
+#include <sstream>
 #include <sys/mman.h>
 
 namespace {
 
 namespace ethercat = jauscat::ethercat;
-using std::chrono::microseconds, std::chrono::milliseconds, std::chrono::nanoseconds, std::chrono::seconds;
+using std::chrono::microseconds, std::chrono::milliseconds, std::chrono::seconds;
 
 constexpr const char* help = R"(cyclic: exchanges process data with all slaves, once every period, and measures it.
 
@@ -44,13 +45,25 @@ void become_real_time(int priority) {
     if (::mlockall(MCL_CURRENT | MCL_FUTURE) != 0) std::cout << "cyclic: memory is not locked (CAP_IPC_LOCK)\n";
 }
 
-void print(const std::string& name, const jauscat::net::latency_histogram& times) {
-    const auto us = [&](nanoseconds time) { return static_cast<double>(time.count()) / 1000; };
-    std::cout << "\n"
-              << name << ", microseconds: median " << std::fixed << std::setprecision(1) << us(times.quantile(0.5))
-              << ", 99 % " << us(times.quantile(0.99)) << ", 99.9 % " << us(times.quantile(0.999)) << ", max "
-              << us(times.max()) << "\n";
+constexpr const char *wake_up = "wake-up after the instant it was due", *round_trip = "round trip of the process data";
+
+void print_distribution(const char* name, const jauscat::net::latency_histogram& times) {
+    std::cout << "\n" << example::bold(name) << " (from, cycles, their logarithm as a bar)\n";
     times.print(std::cout);
+}
+
+void print_quantiles(const measurement& measured) {
+    constexpr int name_width = 38, width = 10;
+    std::ostringstream heading;
+    heading << std::left << std::setw(name_width) << "microseconds" << std::right;
+    for (const auto* column : {"median", "99 %", "99.9 %", "max"}) heading << std::setw(width) << column;
+    std::cout << "\n" << example::bold(heading.str()) << "\n" << std::fixed << std::setprecision(1);
+    for (const auto& [name, times] : {std::pair{wake_up, &measured.late}, {round_trip, &measured.round_trip}}) {
+        std::cout << std::left << std::setw(name_width) << name << std::right;
+        for (const auto time : {times->quantile(0.5), times->quantile(0.99), times->quantile(0.999), times->max()})
+            std::cout << std::setw(width) << std::chrono::duration<double, std::micro>{time}.count();
+        std::cout << "\n";
+    }
 }
 
 /// Every slave to SAFE-OP under the stations `first` and up.
@@ -84,7 +97,8 @@ class uploads {
     void work(ethercat::master& master, measurement& counts) {
         if (runs_ && master.idle()) {
             ++(master.result() ? counts.uploads : counts.failed_uploads);
-            if (!master.result()) std::cout << "cyclic: upload: " << example::explain(master.result()) << "\n";
+            if (!master.result())
+                std::cout << example::bad("cyclic: upload: " + example::explain(master.result())) << "\n";
             runs_ = false;
         }
         const auto now = std::chrono::steady_clock::now();
@@ -135,8 +149,9 @@ int measure(example::any_link& link, const auto& values) {
     }
 
     const auto& after = data.statistics();
-    print("wake-up after the instant it was due", result->late);
-    print("round trip of the process data", result->round_trip);
+    print_distribution(wake_up, result->late);
+    print_distribution(round_trip, result->round_trip);
+    print_quantiles(*result);
     std::cout << "\ncycles " << after.sent - before.sent << ", complete " << after.complete - before.complete
               << ", with another working counter " << after.incomplete - before.incomplete << ", lost "
               << after.lost - before.lost << ", left out " << cycles.overruns() - overruns_before

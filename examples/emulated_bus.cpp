@@ -126,11 +126,13 @@ class node {
         const auto status = slave_.status();
         if (status.state == status_.state && status.error == status_.error && status.code == status_.code) return;
         status_ = status;
-        std::cout << name_ << ": state " << jauscat::text::to_text(status.state);
-        if (status.error)
-            std::cout << ", error " << hex_number(static_cast<std::uint16_t>(status.code), 4) << ": "
-                      << describe(status.code);
-        std::cout << "\n";
+        const auto line = name_ + ": state " + jauscat::text::to_text(status.state);
+        if (!status.error)
+            std::cout << line << "\n";
+        else
+            std::cout << example::bad(line + ", error " + hex_number(static_cast<std::uint16_t>(status.code), 4) +
+                                      ": " + std::string{describe(status.code)})
+                      << "\n";
     }
 
   private:
@@ -171,14 +173,14 @@ int serve(example::any_link& link, const std::string& where, std::deque<node>& n
             const auto received = std::span{frame}.first(size);
             // First the frame, as the hardware does, and only then what the slaves make of it.
             for (auto& each : nodes) each.slave().pass(received);
-            if (!link.send(received)) std::cout << "a frame did not go back: " << link.problem() << "\n";
+            if (!link.send(received)) std::cout << example::bad("a frame did not go back: " + link.problem()) << "\n";
             for (auto& each : nodes) {
                 each.slave().work();
                 each.work();
             }
         } else if (link.problem() != problem) {
             problem = link.problem();
-            if (!problem.empty()) std::cout << problem << "\n";
+            if (!problem.empty()) std::cout << example::bad(problem) << "\n";
         }
         for (auto& each : nodes) {
             each.slave().on_time(std::chrono::steady_clock::now().time_since_epoch());

@@ -45,10 +45,11 @@ int check(const std::string& file) {
     const auto findings = esi::check_esi(file);
     std::size_t missing = 0;
     for (const auto& each : findings) {
-        std::cout << (each.met() ? "ok       " : "MISSING  ") << each.what << "  (" << each.reason << ")\n";
+        std::cout << (each.met() ? example::good("ok     ") : example::bad("MISSING")) << "  " << each.what << "  ("
+                  << each.reason << ")\n";
         if (each.met()) continue;
         ++missing;
-        std::cout << "         " << each.problem << "\n";
+        std::cout << "         " << example::bad(each.problem) << "\n";
     }
     std::cout << file << ": " << findings.size() - missing << " of " << findings.size()
               << " things that configuration tools require are there\n";

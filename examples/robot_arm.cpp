@@ -36,7 +36,7 @@ std::string bar(double value, double min, double max) {
 }
 
 void show(const jauscat::jaus::report_wrench_effort& efforts) {
-    std::cout << "arm: efforts in force\n";
+    std::cout << example::bold("arm: efforts in force") << "\n";
     jauscat::wire::visit(efforts, []<class Item>(Item item, const auto& effort) {
         using range = typename Item::codec_type::range_type;
         std::cout << "  " << std::left << std::setw(32) << item.name() << std::right << std::setw(8) << std::fixed
@@ -93,7 +93,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
             show_state();
             if (link.problem() != problem) {
                 problem = link.problem();
-                if (!problem.empty()) std::cout << "arm: " << problem << "\n";
+                if (!problem.empty()) std::cout << example::bad("arm: " + problem) << "\n";
             }
             continue;
         }
@@ -101,7 +101,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
         application.set_station(slave.station_address());
         slave.process(received);
         slave.on_time(now); // after the frame: it may have waited here
-        if (!link.send(received)) std::cout << "arm: a frame did not go back: " << link.problem() << "\n";
+        if (!link.send(received)) std::cout << example::bad("arm: a frame did not go back: " + link.problem()) << "\n";
         process_data.work(slave);
         show_state();
     }

@@ -96,7 +96,7 @@ int run_all(std::deque<example::slave_front>& fronts, std::chrono::milliseconds 
                 try {
                     front.run(patience, !alone);
                 } catch (const std::exception& problem) {
-                    if (!alone) front.say(problem.what());
+                    if (!alone) front.say(example::bad(problem.what()));
                     error = std::current_exception();
                 }
             });

@@ -116,6 +116,10 @@ class communicator {
     };
 
     static std::string state_name(jaus::primary_status_code state) { return std::string{text::enumerator_name(state)}; }
+    static std::string padded(std::string text, std::size_t width) {
+        text.resize(std::max(text.size() + 1, width), ' ');
+        return text;
+    }
     static time now() { return net::jaus_node::now(); }
     static std::string net_address(const net::system_entry& me) {
         return me.ip.to_string() + " port " + std::to_string(me.port);
@@ -141,7 +145,7 @@ class communicator {
     void show(const std::string& text) { input_->show(text); }
     void wrong(const std::string& line) {
         any_wrong_ = true;
-        show(line + "\n");
+        show(example::bad(line) + "\n");
     }
 
     void seen(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
@@ -150,9 +154,9 @@ class communicator {
             return report.command_code == head.command_code && report.from == head.source;
         });
         if (component != self_ && !log_) return;
-        auto lines = "received " + text::summary(head);
-        if (what != jaus::component_outcome::taken) lines += "; " + std::string{describe(what)};
-        lines += "\n";
+        auto first = "received " + text::summary(head);
+        if (what != jaus::component_outcome::taken) first += "; " + std::string{describe(what)};
+        auto lines = example::bold(first) + "\n";
         const auto* const kind = find(head.command_code);
         if (!body.empty()) lines += kind != nullptr ? kind->to_text(body) : text::hex_dump(body);
         show(lines);
@@ -227,8 +231,8 @@ class communicator {
     void peers() {
         std::string lines;
         for (const auto& system : node_.config().systems)
-            lines += "  " + system.name + ": " + net::to_jausip(system.jausip) + " at " + net_address(system) +
-                     ", framing " + std::string{jaus::name(system.framing)} +
+            lines += "  " + padded(system.name, 12) + padded(net::to_jausip(system.jausip), 17) +
+                     padded(net_address(system), 28) + "framing " + std::string{jaus::name(system.framing)} +
                      (system.name == node_.config().this_system ? ", this system" : "") + "\n";
         if (const auto* const present = node_.present(); present != nullptr && present->size() != 0) {
             lines += "  heard:";

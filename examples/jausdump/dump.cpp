@@ -183,8 +183,8 @@ void dump::tell(const record& message) {
     if (options_.format == format::json_lines) {
         std::cout << to_json_line(message);
     } else {
-        if (!std::exchange(heading_printed_, true)) std::cout << heading();
-        std::cout << to_text(message, colours(), options_.hex);
+        if (!std::exchange(heading_printed_, true)) std::cout << heading(options_.colours);
+        std::cout << to_text(message, options_.colours, options_.hex);
     }
 }
 
@@ -192,7 +192,7 @@ bool dump::finish() {
     for (const auto& set : data_sets_.places())
         if (set.packets != 0) summary_.lose_data_set();
     if (options_.format == format::text_lines)
-        std::cout << summary_.text(colours());
+        std::cout << summary_.text(options_.colours);
     else if (options_.summary_only)
         std::cout << summary_.object().dump() << "\n";
     std::cout.flush();

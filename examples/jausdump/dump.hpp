@@ -18,7 +18,7 @@ struct options {
     bool reencode{};
     bool hex{};          ///< bytes with offsets, in text
     bool summary_only{}; ///< print no messages
-    bool colour{};
+    palette colours{};
     std::vector<jaus::payload_type> payload_types{};
 };
 
@@ -41,7 +41,6 @@ class dump {
     void decode(record& message, bool network);
     void add_packet_of_data_set(record& message);
     void tell(const record& message);
-    [[nodiscard]] palette colours() const { return options_.colour ? palette::coloured() : palette{}; }
 
     options options_;
     payload_directory payloads_;

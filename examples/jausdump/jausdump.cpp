@@ -88,11 +88,6 @@ std::vector<jauscat::jaus::payload_type> payload_types(const std::string& text) 
     return jausdump::parse_payload_types(content, text);
 }
 
-bool wants_colour() {
-    const char* const no_colour = std::getenv("NO_COLOR");
-    return isatty(STDOUT_FILENO) == 1 && (no_colour == nullptr || *no_colour == '\0');
-}
-
 jausdump::options options_from(const po::variables_map& values) {
     using namespace jausdump;
     jausdump::options made{
@@ -104,7 +99,7 @@ jausdump::options options_from(const po::variables_map& values) {
         .reencode = values.count("reencode") != 0,
         .hex = values.count("hex") != 0,
         .summary_only = values.count("summary") != 0,
-        .colour = wants_colour(),
+        .colours = example::colours(),
     };
     if (values.count("translate") != 0)
         made.translation = choice<translation>(
@@ -204,7 +199,7 @@ int main(int argc, char** argv) {
         try {
             return read_input(example::parse(argc, argv, options, help, positional));
         } catch (const jausdump::input_error& error) {
-            std::cerr << "jausdump: " << error.what() << "\n";
+            example::say_error("jausdump", error);
             return static_cast<int>(example::usage);
         }
     });

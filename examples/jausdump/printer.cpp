@@ -80,8 +80,10 @@ std::string dump_line(const json& object) { return object.dump(-1, ' ', false, j
 
 } // namespace
 
-std::string heading() {
-    return columns("number", "time (UTC)", "code", "message", "bytes", "source", "destination", "sequence") + "\n";
+std::string heading(const palette& colour) {
+    return colour.bold +
+           columns("number", "time (UTC)", "code", "message", "body", "source", "destination", "sequence") +
+           colour.end + "\n";
 }
 
 std::string to_text(const record& message, const palette& colour, bool with_bytes) {
@@ -97,7 +99,7 @@ std::string to_text(const record& message, const palette& colour, bool with_byte
                        std::to_string(message.body().size()), text::to_text(head.source),
                        text::to_text(head.destination), std::to_string(head.sequence_number) + flags_text(head));
         if (const auto at = text.find(name); !name.empty() && at != std::string::npos)
-            text.insert(at + name.size(), colour.end).insert(at, colour.name);
+            text.insert(at + name.size(), colour.end).insert(at, colour.bold);
     } else {
         text = columns(number, time, "-", "not a message", std::to_string(message.bytes.size()), "", "", "");
     }
@@ -105,7 +107,7 @@ std::string to_text(const record& message, const palette& colour, bool with_byte
     if (message.dropped != 0)
         text += indent + std::to_string(message.dropped) +
                 " bytes dropped: of presence bits that the standard's layout does not have\n";
-    if (message.error) text += indent + colour.error + message.error->what + colour.end + "\n";
+    if (message.error) text += indent + colour.bad + message.error->what + colour.end + "\n";
     if (with_bytes || message.kind == kind::unknown || message.kind == kind::broken)
         text += colour.faint + text::hex_dump(message.bytes, indent) + colour.end;
     if (message.hex) text += indent + "encoded again: " + *message.hex + "\n";
@@ -158,15 +160,14 @@ bool summary::something_did_not_decode() const {
 }
 
 std::string summary::text(const palette& colour) const {
-    std::string text{'\n'};
+    std::string text = std::string{"\n"} + colour.bold;
     text += padded("code", 8) + padded("message", 38) + padded("count", 8, true) + padded("bytes", 12, true) +
-            padded("not decoded", 13, true) + "\n";
+            padded("not decoded", 13, true) + colour.end + "\n";
     std::size_t total = 0;
     for (const auto& [type, line] : by_type_) {
         text += padded(type.first, 8) + padded(type.second, 38) + padded(std::to_string(line.count), 8, true) +
                 padded(std::to_string(line.bytes), 12, true);
-        if (line.not_decoded != 0)
-            text += colour.error + padded(std::to_string(line.not_decoded), 13, true) + colour.end;
+        if (line.not_decoded != 0) text += colour.bad + padded(std::to_string(line.not_decoded), 13, true) + colour.end;
         text += "\n";
         total += line.count;
     }

@@ -1,17 +1,14 @@
 // Records as lines for people or as JSON.
 #pragma once
 #include "record.hpp"
+#include "support/colour.hpp"
 #include <jauscat/text/jaus.hpp>
 
 #include <map>
 
 namespace jausdump {
 
-/// Terminal colours, or nothing.
-struct palette {
-    const char *name{""}, *error{""}, *faint{""}, *end{""};
-    static constexpr palette coloured() { return {"\033[1m", "\033[31m", "\033[2m", "\033[0m"}; }
-};
+using example::palette;
 
 /// How much of what was seen.
 class summary {
@@ -35,8 +32,8 @@ class summary {
     std::size_t lost_{};
 };
 
-/// The columns' names.
-std::string heading();
+/// The columns' names; sizes are those of bodies, in bytes.
+std::string heading(const palette& colour);
 /// A line for the message, then its fields; also its bytes with their offsets, if `with_bytes`.
 std::string to_text(const record& message, const palette& colour, bool with_bytes);
 /// One object on one line.

@@ -18,7 +18,7 @@ namespace wire = jauscat::wire;
 // The header in one line of hex, for its values are in the summary, and a line for each field of the body.
 void show(const char* verb, std::span<const std::byte> message) {
     const auto parts = jaus::split(message);
-    std::cout << "ocu " << verb << " " << text::summary(parts.header) << "\n";
+    std::cout << example::bold(std::string{"ocu "} + verb + " " + text::summary(parts.header)) << "\n";
     if (jaus::is_acknowledgement(parts.header)) return;
     std::cout << text::hex_dump(message.first(jaus::header_size));
     const bool known = text::with_message(parts.header.command_code, operator_messages{}, [&]<class Message>() {
@@ -31,7 +31,10 @@ std::chrono::nanoseconds now() { return net::jaus_node::now(); }
 
 } // namespace
 
-void say(const std::string& line) { std::cout << "ocu: " << line << "\n"; }
+void say(const std::string& line) {
+    const bool is_bad = line.starts_with("FAILED") || line.starts_with("LOST"), is_good = line.starts_with("OK");
+    std::cout << "ocu: " << (is_bad ? example::bad(line) : is_good ? example::good(line) : line) << "\n";
+}
 
 operator_unit::operator_unit(const net::jaus_config& config, const jaus::address& robot, milliseconds timeout)
     : self_{example::component_of(config.me())},

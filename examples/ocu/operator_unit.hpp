@@ -29,6 +29,7 @@ enum class reply : std::uint8_t {
     stopped,  ///< by the user
 };
 
+/// A line that begins with FAILED or LOST is bad news, one that begins with OK good.
 void say(const std::string& line);
 
 /// A JAUS component on a node of its own. Each call lets the node work until there is an answer, or none is to be

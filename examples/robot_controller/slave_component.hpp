@@ -101,7 +101,7 @@ class slave_component {
         head.destination = self();
         if (const auto size = jauscat::jaus::join(head, body, message))
             return driver_.deliver(bytes{message}.first(size.size()), out);
-        say_("not delivered: more bytes than an SDO carries");
+        say_.bad("not delivered: more bytes than an SDO carries");
         return false;
     }
     /// A message of the component's own.

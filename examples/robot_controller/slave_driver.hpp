@@ -69,7 +69,10 @@ class slave_driver {
         if (!cyclic_) return true;
         const auto result = cyclic_->start();
         up_ = static_cast<bool>(result);
-        say_(up_ ? "slave " + std::to_string(station_) + " is in OP" : "no process data: " + explain(result));
+        if (up_)
+            say_("slave " + std::to_string(station_) + " is in OP");
+        else
+            say_.bad("no process data: " + explain(result));
         return up_;
     }
 
@@ -102,13 +105,13 @@ class slave_driver {
     static constexpr unsigned most_missed_checks = 3;
 
     bool refuse(const std::string& why) const {
-        say_("not delivered: " + why);
+        say_.bad("not delivered: " + why);
         return false;
     }
     void lose(const std::string& why) {
         up_ = false;
         missed_checks_ = 0;
-        say_("slave " + std::to_string(station_) + " " + why);
+        say_.bad("slave " + std::to_string(station_) + " " + why);
     }
     void look() { watch_.look(master_, link_, say_); }
 
@@ -187,7 +190,7 @@ class slave_driver {
                                       : jauscat::net::run(traced, master_, exchange_timeout));
         const auto result = job.result();
         if (!result) {
-            say_("EtherCAT: " + explain(result));
+            say_.bad("EtherCAT: " + explain(result));
             using enum jauscat::ethercat::master_errc;
             if (result.error != sdo_abort && result.error != clear_refused && result.error != mailbox_error &&
                 result.error != data_too_long)

@@ -56,8 +56,8 @@ class slave_front {
             std::this_thread::sleep_for(std::chrono::milliseconds{100});
         if (!driver_.up() && !may_come_later) throw std::runtime_error{"no slave to work with: " + driver_.problem()};
         const auto& me = node_.config().me();
-        say_("ready: JAUS on " + jauscat::net::detail::text(me.endpoint()) + ", " +
-             (driver_.up() ? driver_.place() : "waiting for its slave: " + driver_.problem()) + " (Ctrl-C ends)");
+        say_.good("ready: JAUS on " + jauscat::net::detail::text(me.endpoint()) + ", " +
+                  (driver_.up() ? driver_.place() : "waiting for its slave: " + driver_.problem()) + " (Ctrl-C ends)");
         while (!stop_requested) {
             if (driver_.up())
                 driver_.work();

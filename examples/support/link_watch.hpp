@@ -16,20 +16,21 @@ class link_watch {
     void look(jauscat::ethercat::master& master, const any_link& link, const speaker& say) {
         if (link.problem() != problem_) {
             problem_ = link.problem();
-            if (!problem_.empty()) say(problem_);
+            if (!problem_.empty()) say.bad(problem_);
         }
         const auto& seen = master.statistics();
-        if (seen.foreign != 0 && !second_master_) say("frames of another master are on this wire; only one may use it");
+        if (seen.foreign != 0 && !second_master_)
+            say.bad("frames of another master are on this wire; only one may use it");
         if (seen.circulated != 0 && !broken_ring_)
-            say("frames come back marked as circulating: a cable between two slaves is out");
+            say.bad("frames come back marked as circulating: a cable between two slaves is out");
         second_master_ = seen.foreign != 0;
         broken_ring_ = seen.circulated != 0;
         for (const auto& slave : master.slaves()) {
             for (const auto& emergency : slave.emergencies.kept())
-                say("emergency of slave " + std::to_string(slave.station) + ": error code " +
-                    jauscat::text::hex_number(emergency.error_code, 4) + ", error register " +
-                    jauscat::text::hex_number(emergency.error_register, 2) + ", data " +
-                    jauscat::text::hex(emergency.data));
+                say.bad("emergency of slave " + std::to_string(slave.station) + ": error code " +
+                        jauscat::text::hex_number(emergency.error_code, 4) + ", error register " +
+                        jauscat::text::hex_number(emergency.error_register, 2) + ", data " +
+                        jauscat::text::hex(emergency.data));
             master.clear_emergencies(slave.station);
         }
     }

@@ -1,5 +1,6 @@
 // What the example programs share: options, a `main` that turns exceptions into a message and an exit code, Ctrl-C.
 #pragma once
+#include "support/colour.hpp"
 #include <jauscat/net.hpp>
 
 #include <boost/program_options.hpp>
@@ -43,10 +44,19 @@ parse(int argc, char** argv, const boost::program_options::options_description& 
         throw usage_error{error.what()};
     }
     if (values.count("help") != 0) {
-        std::cout << help << "\n" << options;
+        constexpr unsigned width = 119; // that of the help texts
+        po::options_description wide{bold("Options"), width};
+        for (const auto& each : options.options()) wide.add(each);
+        const auto title = help.find(':'); // "ocu: commands the efforts ..."
+        std::cout << bold(help.substr(0, title)) << help.substr(title) << "\n" << wide;
         std::exit(success);
     }
     return values;
+}
+
+inline void say_error(const char* name, const std::exception& error) {
+    const auto& colour = colours(STDERR_FILENO);
+    std::cerr << colour.bad << name << ": " << error.what() << colour.end << "\n";
 }
 
 /// Runs `program`, and says on standard error why it ended early.
@@ -57,10 +67,11 @@ int run(const char* name, auto&& program) {
         stop_on_signals();
         return program();
     } catch (const usage_error& error) {
-        std::cerr << name << ": " << error.what() << "\nTry '" << name << " --help'.\n";
+        say_error(name, error);
+        std::cerr << "Try '" << name << " --help'.\n";
         return usage;
     } catch (const std::exception& error) {
-        std::cerr << name << ": " << error.what() << "\n";
+        say_error(name, error);
         return failure;
     }
 }

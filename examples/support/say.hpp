@@ -1,5 +1,7 @@
 // What the threads of a program say: whole lines, those of one thread at a time.
 #pragma once
+#include "support/colour.hpp"
+
 #include <iostream>
 #include <mutex>
 #include <string>
@@ -23,6 +25,9 @@ class speaker {
     void operator()(const std::string& line, const std::string& more = {}) const {
         write_lines(name_ + ": " + line + "\n" + more);
     }
+    /// What one waits for, and what one has to look at.
+    void good(const std::string& line) const { (*this)(example::good(line)); }
+    void bad(const std::string& line) const { (*this)(example::bad(line)); }
 
   private:
     std::string name_;

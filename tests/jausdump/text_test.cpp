@@ -13,7 +13,7 @@ TEST_CASE("a message is a line of columns, then its fields with units and raw in
     REQUIRE(result.code == 0);
     REQUIRE(
         result.out ==
-        " number  time (UTC)       code    message                                bytes  source          -> "
+        " number  time (UTC)       code    message                                 body  source          -> "
         "destination      sequence\n"
         "      1                   0x0405  Set Wrench Effort                          5  1.1.32.1        -> 2.2.33.1  "
         "       34\n"
@@ -81,10 +81,11 @@ TEST_CASE("there are colours on a terminal, and never with NO_COLOR") {
         return;
     }
     const std::string coloured = "\033[1mSet Wrench Effort\033[0m";
-    REQUIRE(on_terminal("NO_COLOR=").find(coloured) != std::string::npos);
-    const auto plain = on_terminal("NO_COLOR=1");
+    REQUIRE(on_terminal("TERM=xterm NO_COLOR=").find(coloured) != std::string::npos);
+    const auto plain = on_terminal("TERM=xterm NO_COLOR=1");
     REQUIRE(plain.find("Set Wrench Effort") != std::string::npos);
     REQUIRE(plain.find('\033') == std::string::npos);
+    REQUIRE(on_terminal("TERM=dumb NO_COLOR=").find('\033') == std::string::npos);
     REQUIRE(run("", wrench).out.find('\033') == std::string::npos);
 }
 

@@ -174,6 +174,30 @@ card_packets() {
     expect 1 "${wrapper[@]}" "$bin/card_packets" no_such_link
     says out "card_packets: "
 }
+colours_are_for_terminals() {
+    command -v script >/dev/null || skip "script (package bsdutils) is missing"
+    on_terminal() { # VARIABLE=VALUE... PROGRAM ARGUMENTS: as one word for script
+        env TERM=xterm NO_COLOR= "${@:1:$#-1}" script -qec "${wrapper[*]} $bin/${!#}" /dev/null >"$work/out.log" 2>&1
+    }
+    local escape=$'\033'
+    on_terminal "cyclic --period 0"
+    says out "${escape}[31mcyclic: --period must be 1 or more${escape}[0m"
+    on_terminal "ocu --help"
+    says out "${escape}[1mOptions${escape}[0m:"
+    on_terminal NO_COLOR=1 "ocu --help"
+    says out "Options:"
+    says_not out "${escape}["
+    on_terminal TERM=dumb "ocu --help"
+    says_not out "${escape}["
+    expect 0 "$bin/ocu" --help
+    says out "Options:"
+    says_not out "${escape}["
+    start_robot
+    on_terminal "ocu --config $config --this a propulsive_linear_effort_x=50"
+    says out "${escape}[32mOK: the report equals the command${escape}[0m"
+    says_not controller "${escape}["
+    says_not arm "${escape}["
+}
 strict_arm() {
     arm_options=(--strict)
     start_robot
@@ -518,7 +542,7 @@ communicators_talk() {
     says out "received Report Component Status"
     says out "primary_status_code = standby"
     says out "received Report Configuration"
-    says out "b: 2.0.0.0 at 127.0.0.1 port $controller_port, framing bare"
+    grep -Eq "^  b +2\.0\.0\.0 +127\.0\.0\.1 port $controller_port +framing bare$" "$work/out.log" || fail "b is not among the peers"
     says out "heard: 2.1.1.1"
     wait_for b "controlled by 1.1.32.1"
     wait_for b "state: standby"
