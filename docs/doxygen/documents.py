@@ -100,7 +100,10 @@ def document(path, text, known, root):
                 continue
             if block is not None:
                 name = f"{page_name(path)}_{len(pictures) + 1}"
-                pictures.append((name, mermaid.converted(block)))
+                try:
+                    pictures.append((name, mermaid.converted(block)))
+                except ValueError as problem:
+                    raise ValueError(f"{path}: {problem}") from problem
                 result.append(f"![]({name}.svg)")
                 block = None
                 continue

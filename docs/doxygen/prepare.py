@@ -25,8 +25,11 @@ for folder in "include", "schemas":
         name = path.relative_to(root).as_posix()
         if "/detail/" not in name:
             write(out / name, headers.prepared(name, path.read_text(encoding="utf-8"), rules))
-for name, text in documents.prepared(root):
-    write(out / name, text)
+try:
+    for name, text in documents.prepared(root):
+        write(out / name, text)
+except ValueError as problem: # a document
+    sys.exit(str(problem))
 for name, source in generate.pictures(root):
     write(out / "pictures" / f"{name}.dot", source)
 for path in sorted((root / "docs/model").glob("*.puml")):
