@@ -73,6 +73,6 @@ int main(int argc, char** argv) try {
         net::raw_link link{argv[1]};
         serve(link);
     }
-} catch (const net::open_error& problem) {
+} catch (const std::exception& problem) {
     return std::cerr << "emulated_slaves: " << problem.what() << '\n', 1;
 }

@@ -68,6 +68,6 @@ int main(int argc, char** argv) try {
     return write_and_read(link, what);
 } catch (const std::logic_error&) { // of std::stoul
     return std::cerr << usage, 2;
-} catch (const net::open_error& problem) {
+} catch (const std::exception& problem) {
     return std::cerr << "sdo_download: " << problem.what() << '\n', 1;
 }
