@@ -18,7 +18,8 @@ struct attached_component {
 
     /// Refers to both. `answers` gets what they leave.
     template <class Component, class Application>
-    attached_component(Component& component, Application& application, std::shared_ptr<default_answers> answers = {})
+    attached_component(Component& component, Application& application,
+                       const std::shared_ptr<default_answers>& answers = {})
         : self{component.self()},
           on_message{[&, answers](const jaus::header& head, bytes body, time now, jaus::message_sink out) {
               return component.on_message(head, body, now, out, [&](const jaus::header& h, bytes b) {
