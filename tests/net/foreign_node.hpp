@@ -107,7 +107,7 @@ class foreign_node {
             const auto bytes = receive(std::chrono::duration_cast<std::chrono::milliseconds>(
                 end - std::chrono::steady_clock::now() + std::chrono::milliseconds{1}));
             if (bytes.empty()) continue;
-            const auto m = read_datagram(bytes);
+            auto m = read_datagram(bytes);
             if (!m) return {};
             if (m->code == code) return m;
         }
