@@ -54,6 +54,12 @@ void write_system(pugi::xml_node node, const net::system_entry& entry) {
     set(limits, "rate", entry.limits.messages.per_second);
     set(limits, "burst", entry.limits.messages.burst);
     set(limits, "largedata", std::to_string(entry.limits.large_data_memory).c_str());
+    if (const auto& master = entry.ethercat) {
+        auto child = node.append_child("ethercat");
+        set(child, "controller", master->controller.c_str());
+        const auto udp = "udp:" + master->udp_host + ':' + std::to_string(master->udp_port);
+        set(child, "interface", master->interface_name.empty() ? udp.c_str() : master->interface_name.c_str());
+    }
     for (const auto& named : entry.nodes) {
         auto child = node.append_child("node");
         set(child, "id", static_cast<unsigned>(named.id));
@@ -79,6 +85,7 @@ std::string written(const net::jaus_config& config) {
 /// Without the lines, and the components in the order of their addresses.
 net::system_entry content_of(net::system_entry entry) {
     entry.line = 0;
+    if (entry.ethercat) entry.ethercat->line = 0;
     for (auto& node : entry.nodes) node.line = 0;
     for (auto& component : entry.components) component.line = 0;
     std::ranges::sort(entry.components, {}, [](const net::component_entry& c) {

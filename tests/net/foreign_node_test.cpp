@@ -71,6 +71,14 @@ std::string text_of(const numbers& body, std::size_t from) {
     return text;
 }
 
+/// The message with the code `answer` that `m` leads to.
+raw_message asked(foreign_node& other, std::uint16_t port, const raw_message& m, unsigned answer) {
+    other.send(port, m);
+    auto got = other.wait_for(answer);
+    REQUIRE(got);
+    return *std::move(got);
+}
+
 } // namespace
 
 TEST_CASE("a foreign communicator finds an open node, which is in no configuration of its own, and gets all answers") {
@@ -78,13 +86,11 @@ TEST_CASE("a foreign communicator finds an open node, which is in no configurati
     robot r{context};
     foreign_node other{context};
     const auto ask = [&](const raw_message& m, unsigned answer) {
-        other.send(r.port, m);
-        const auto got = other.wait_for(answer);
-        REQUIRE(got);
-        REQUIRE(got->source == m.destination);
-        REQUIRE(got->destination == m.source);
-        REQUIRE(got->properties == 0x0206);
-        return got->body;
+        const auto got = asked(other, r.port, m, answer);
+        REQUIRE(got.source == m.destination);
+        REQUIRE(got.destination == m.source);
+        REQUIRE(got.properties == 0x0206);
+        return got.body;
     };
     other.send(r.port, {.code = 0x4202, .source = communicator, .destination = all_managers, .sequence = 9});
     const auto beat = other.wait_for(0x4202);
@@ -139,12 +145,7 @@ TEST_CASE("a foreign operator connects, takes control, commands and loses it wit
     boost::asio::io_context context;
     robot r{context};
     foreign_node other{context};
-    const auto ask = [&](const raw_message& m, unsigned answer) {
-        other.send(r.port, m);
-        const auto got = other.wait_for(answer);
-        REQUIRE(got);
-        return got->body;
-    };
+    const auto ask = [&](const raw_message& m, unsigned answer) { return asked(other, r.port, m, answer).body; };
     other.repeat(r.port, {.code = 0x4202, .source = communicator, .destination = all_managers});
 
     // 20 Hz of Report Wrench Effort, all fields. Rates are scaled: 1092 Hz are FFFFh.

@@ -5,20 +5,18 @@
 #include "soak/operator_end.hpp"
 #include "soak/relay.hpp"
 #include "soak/robot_end.hpp"
+#include "support/program.hpp"
 
-#include <charconv>
-#include <csignal>
 #include <cstdio>
-#include <cstring>
-#include <string_view>
 
 namespace {
 
 using namespace soak;
 using std::chrono::seconds;
 
-constexpr const char* help =
-    R"(soak [SECONDS] [--loss PERCENT] [--seed NUMBER]
+constexpr const char* help = R"(soak: two nodes that talk over a bad network for a long time.
+
+  soak [SECONDS] [options]
 
 A robot and an operator, each a JAUS node with a thread of its own, joined over the loopback interface by a relay that
 loses datagrams. For SECONDS (600; in steps of 10, at least 20) there are, at the same time:
@@ -28,9 +26,6 @@ loses datagrams. For SECONDS (600; in steps of 10, at least 20) there are, at th
   control of the robot, which is requested, taken over by a higher authority, given back and released, every 10 s
 At the end the relay is cut, which both must notice. Ctrl-C ends the run early, and the checks are made all the same.
 
-  --loss PERCENT   of datagrams that the relay loses each way, 0 to 20; 1 unless given
-  --seed NUMBER    which ones it loses; 1 unless given
-
 Exit code: 0 all was as it must be; 1 something was not; 2 wrong arguments.
 
 Examples:
@@ -39,26 +34,26 @@ Examples:
   soak 60 --loss 5     a worse network
 )";
 
-std::atomic<bool> interrupted{false};
-
 struct arguments {
     unsigned seconds{600}, loss{1}, seed{1};
 };
 
-std::optional<arguments> read(int argc, char** argv) {
+arguments read(int argc, char** argv) {
+    namespace po = boost::program_options;
     arguments found{};
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view text{argv[i]};
-        unsigned* into = &found.seconds;
-        if (text == "--loss" || text == "--seed") {
-            into = text == "--loss" ? &found.loss : &found.seed;
-            if (++i == argc) return {};
-        }
-        const std::string_view number{argv[i]};
-        const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), *into);
-        if (error != std::errc{} || stop != number.data() + number.size()) return {};
-    }
-    if (found.seconds == 0 || found.seconds > 86'400 || found.loss > 20) return {};
+    po::options_description options{"Options"};
+    // clang-format off
+    options.add_options()
+        ("help", "show this text")
+        ("seconds", po::value(&found.seconds), "how long, up to a day; --seconds itself may be left out")
+        ("loss", po::value(&found.loss), "percent of the datagrams that the relay loses each way, 0 to 20; 1 unless given")
+        ("seed", po::value(&found.seed), "which ones it loses; 1 unless given");
+    // clang-format on
+    po::positional_options_description positional;
+    positional.add("seconds", 1);
+    static_cast<void>(example::parse(argc, argv, options, help, positional));
+    if (found.seconds == 0 || found.seconds > 86'400) throw example::usage_error{"SECONDS must be 1 to 86400"};
+    if (found.loss > 20) throw example::usage_error{"--loss must be 0 to 20"};
     found.seconds = std::max(20U, (found.seconds + 9) / 10 * 10);
     return found;
 }
@@ -189,7 +184,7 @@ class run {
         while (!operator_->done) {
             std::this_thread::sleep_for(50ms);
             const auto now = net::jaus_node::now();
-            if (interrupted && !ending) {
+            if (example::stop_requested && !ending) {
                 std::printf("interrupted: what is under way is brought to its end\n");
                 operator_->end_early();
                 ending = true;
@@ -275,25 +270,12 @@ class run {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc == 2 && std::strcmp(argv[1], "--help") == 0) {
-        std::fputs(help, stdout);
-        return 0;
-    }
-    const auto wanted = read(argc, argv);
-    if (!wanted) {
-        std::fputs("soak: wrong arguments; see soak --help\n", stderr);
-        return 2;
-    }
-    large_blocks_go_back();
-    std::signal(SIGINT, [](int) { interrupted = true; });
-    std::signal(SIGTERM, [](int) { interrupted = true; });
-    std::printf("%u s, %u %% of the datagrams are lost each way, seed %u\n", wanted->seconds, wanted->loss,
-                wanted->seed);
-    std::fflush(stdout);
-    try {
-        return run{*wanted}();
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "soak: %s\n", error.what());
-        return 1;
-    }
+    return example::run("soak", [&] {
+        const auto wanted = read(argc, argv);
+        large_blocks_go_back();
+        std::printf("%u s, %u %% of the datagrams are lost each way, seed %u\n", wanted.seconds, wanted.loss,
+                    wanted.seed);
+        std::fflush(stdout);
+        return run{wanted}();
+    });
 }
