@@ -15,7 +15,7 @@ rooms = { # folder, and its floor
     "schemas/jauscat/schema/jaus": 3, "schemas/jauscat/schema/ethercat": 3, "schemas/jauscat/schema/translation": 3,
     "include/jauscat/translate": 2, "include/jauscat/wire": 1,
 }
-look = '''    graph [fontname="Helvetica" fontsize=11 rankdir={direction} nodesep=0.25]
+look = '''    graph [bgcolor=white fontname="Helvetica" fontsize=11 rankdir={direction} nodesep=0.25]
     node [fontname="Helvetica" fontsize=10 shape=box style=filled fillcolor="#eef3fb" color="#7090c0"]
     edge [fontname="Helvetica" fontsize=9 color="#606060" arrowsize=0.7]
 '''
