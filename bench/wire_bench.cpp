@@ -223,10 +223,9 @@ class bench {
 int main(int argc, char** argv) {
     return example::run("wire_bench", [&] {
         namespace po = boost::program_options;
-        po::options_description options{"Options"};
+        po::options_description options;
         // clang-format off
         options.add_options()
-            ("help", "show this text")
             ("count", po::value<unsigned>()->default_value(10000), "how often each exchange is measured")
             ("seconds", po::value<unsigned>()->default_value(10), "how long each cycle is measured")
             ("busy-poll", po::value<unsigned>()->default_value(50), "microseconds that both links poll before they sleep")

@@ -168,14 +168,13 @@ int measure(example::any_link& link, const auto& values) {
 int main(int argc, char** argv) {
     return example::run("cyclic", [&] {
         namespace po = boost::program_options;
-        po::options_description options{"Options"};
+        po::options_description options;
         // clang-format off
         options.add_options()
-            ("help", "show this text")
             ("period", po::value<unsigned>()->default_value(1000), "microseconds from one cycle to the next")
             ("seconds", po::value<unsigned>()->default_value(10), "how long to run")
             ("spin", po::value<unsigned>()->default_value(0), "the last microseconds of each wait are spent awake: more exact, and costs processor time")
-            ("priority", po::value<int>()->default_value(0), "real-time priority, 1 to 99; 0: none")
+            ("priority", po::value<unsigned>()->default_value(0), "real-time priority, 1 to 99; 0: none")
             ("upload-every", po::value<unsigned>()->default_value(1000), "milliseconds between two SDO uploads; 0: none")
             ("station", po::value<std::uint16_t>()->default_value(1), "station address of the first slave; the others follow")
             ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
@@ -183,9 +182,11 @@ int main(int argc, char** argv) {
         example::add_medium_options(options);
         const auto values = example::parse(argc, argv, options, help);
         if (values["period"].as<unsigned>() == 0) throw example::usage_error{"--period must be 1 or more"};
-        if (const auto priority = values["priority"].as<int>(); priority != 0) become_real_time(priority);
+        const auto priority = values["priority"].as<unsigned>();
+        if (priority > 99) throw example::usage_error{"--priority must be 0 to 99"};
+        if (priority != 0) become_real_time(static_cast<int>(priority));
         // Locked memory grows only with CAP_IPC_LOCK.
-        const auto after = values["priority"].as<int>() != 0 ? example::privileges::kept : example::privileges::dropped;
+        const auto after = priority != 0 ? example::privileges::kept : example::privileges::dropped;
         return example::with_link(
             values, example::link_end::master,
             [&](auto& link, const std::string& where) {

@@ -196,10 +196,9 @@ int serve(example::any_link& link, const std::string& where, std::deque<node>& n
 int main(int argc, char** argv) {
     return example::run("emulated_bus", [&] {
         namespace po = boost::program_options;
-        po::options_description options{"Options"};
+        po::options_description options;
         // clang-format off
         options.add_options()
-            ("help", "show this text")
             ("slaves", po::value<std::size_t>()->default_value(1), "how many, 1 to 100")
             ("outputs", po::value<std::size_t>()->default_value(0), "bytes of process data to each slave, 0 to 682")
             ("inputs", po::value<std::size_t>()->default_value(0), "bytes of process data from each slave, 0 to 1024")

@@ -81,10 +81,9 @@ int write(const boost::program_options::variables_map& values) {
 int main(int argc, char** argv) {
     return example::run("jauscat-esi", [&] {
         namespace po = boost::program_options;
-        po::options_description options{"Options"};
+        po::options_description options;
         // clang-format off
         options.add_options()
-            ("help", "show this text")
             ("component", po::value<unsigned>()->default_value(33), "JAUS component ID of the slave, 1 to 254")
             ("output", po::value<std::string>(), "file to write, instead of standard output")
             ("check", po::value<std::string>(), "ESI file to check; nothing is written");

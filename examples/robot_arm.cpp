@@ -114,10 +114,9 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
 int main(int argc, char** argv) {
     return example::run("robot_arm", [&] {
         namespace po = boost::program_options;
-        po::options_description options{"Options"};
+        po::options_description options;
         // clang-format off
         options.add_options()
-            ("help", "show this text")
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this arm belongs to, instead of the file's <thissystem>")
             ("mailbox-size", po::value<std::uint16_t>()->default_value(example::arm_slave.mailbox_in_size), "bytes of each mailbox, 24 to 1486: larger objects go in segments")

@@ -111,10 +111,9 @@ int run_all(std::deque<example::slave_front>& fronts, std::chrono::milliseconds 
 int main(int argc, char** argv) {
     return example::run("robot_controller", [&] {
         namespace po = boost::program_options;
-        po::options_description options{"Options"};
+        po::options_description options;
         // clang-format off
         options.add_options()
-            ("help", "show this text")
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this controller is, instead of the file's <thissystem>")
             ("station", po::value<std::uint16_t>()->default_value(2), "station address and JAUS node of the slave, 1 to 254")

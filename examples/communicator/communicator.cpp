@@ -264,10 +264,9 @@ class communicator {
 int main(int argc, char** argv) {
     return example::run("communicator", [&] {
         namespace po = boost::program_options;
-        po::options_description options{"Options"};
+        po::options_description options;
         // clang-format off
         options.add_options()
-            ("help", "show this text")
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this node is, instead of the file's <thissystem>")
             ("node", po::value<unsigned>()->default_value(0), "the node of its system that this is; 0: the file's, or 1")

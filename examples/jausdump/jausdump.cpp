@@ -175,10 +175,9 @@ int read_input(const po::variables_map& values) {
 
 int main(int argc, char** argv) {
     return example::run("jausdump", [&] {
-        po::options_description options{"Options"};
+        po::options_description options;
         // clang-format off
         options.add_options()
-            ("help", "show this text")
             ("capture", po::value<std::string>(), "capture file; --capture itself may be left out")
             ("listen", po::value<std::uint16_t>(), "UDP port to receive on")
             ("join", po::value<std::vector<std::string>>(), "multicast group to join, with --listen")

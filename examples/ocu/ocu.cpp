@@ -121,10 +121,9 @@ bool perform(operator_unit& unit, const task& what) {
 int main(int argc, char** argv) {
     return example::run("ocu", [&] {
         namespace po = boost::program_options;
-        po::options_description options{"Options"};
+        po::options_description options;
         // clang-format off
         options.add_options()
-            ("help", "show this text")
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this unit is, instead of the file's <thissystem>")
             ("to", po::value<std::string>()->default_value("2.2.33.1"), "JAUS ID of the arm")

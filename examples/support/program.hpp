@@ -2,6 +2,7 @@
 #pragma once
 #include "support/colour.hpp"
 #include <jauscat/net.hpp>
+#include <jauscat/version.hpp>
 
 #include <boost/program_options.hpp>
 
@@ -31,24 +32,46 @@ inline void stop_on_signals() {
     std::signal(SIGTERM, stop);
 }
 
-/// Parses the command line; prints `help` and ends the program for --help.
+/// Boost takes -1 for the largest number of an unsigned type.
+inline void refuse_negative(const std::vector<boost::program_options::option>& given,
+                            const boost::program_options::variables_map& values) {
+    for (const auto& each : given) {
+        const auto& type = values[each.string_key].value().type();
+        const bool is_unsigned =
+            type == typeid(std::uint16_t) || type == typeid(unsigned) || type == typeid(std::size_t);
+        if (is_unsigned && each.value.front().starts_with('-'))
+            throw usage_error{"--" + each.string_key + " must not be negative"};
+    }
+}
+
+/// Parses the command line, which also has --help and --version: prints what they ask for and ends the program. `help`
+/// begins with the program's name: "ocu: commands the efforts ...".
 inline boost::program_options::variables_map
 parse(int argc, char** argv, const boost::program_options::options_description& options, const std::string& help,
       const boost::program_options::positional_options_description& positional = {}) {
     namespace po = boost::program_options;
+    constexpr unsigned width = 119; // that of the help texts
+    po::options_description all{bold("Options"), width};
+    all.add_options()("help", "show this text")("version", "show the version of JausCat");
+    for (const auto& each : options.options()) all.add(each);
     po::variables_map values;
     try {
-        po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(), values);
+        const auto given = po::command_line_parser(argc, argv).options(all).positional(positional).run();
+        po::store(given, values);
+        refuse_negative(given.options, values);
         po::notify(values);
     } catch (const po::error& error) {
         throw usage_error{error.what()};
     }
+    const auto title = help.find(':');
+    const auto name = help.substr(0, title);
     if (values.count("help") != 0) {
-        constexpr unsigned width = 119; // that of the help texts
-        po::options_description wide{bold("Options"), width};
-        for (const auto& each : options.options()) wide.add(each);
-        const auto title = help.find(':'); // "ocu: commands the efforts ..."
-        std::cout << bold(help.substr(0, title)) << help.substr(title) << "\n" << wide;
+        std::cout << bold(name) << help.substr(title) << "\n" << all;
+        std::exit(success);
+    }
+    if (values.count("version") != 0) {
+        std::cout << name << " (JausCat) " << JAUSCAT_VERSION_MAJOR << '.' << JAUSCAT_VERSION_MINOR << '.'
+                  << JAUSCAT_VERSION_PATCH << "\n";
         std::exit(success);
     }
     return values;

@@ -41,10 +41,9 @@ struct arguments {
 arguments read(int argc, char** argv) {
     namespace po = boost::program_options;
     arguments found{};
-    po::options_description options{"Options"};
+    po::options_description options;
     // clang-format off
     options.add_options()
-        ("help", "show this text")
         ("seconds", po::value(&found.seconds), "how long, up to a day; --seconds itself may be left out")
         ("loss", po::value(&found.loss), "percent of the datagrams that the relay loses each way, 0 to 20; 1 unless given")
         ("seed", po::value(&found.seed), "which ones it loses; 1 unless given");
