@@ -121,7 +121,10 @@ void read_capture(const std::string& path, const capture_listener& listener) {
     std::array<char, PCAP_ERRBUF_SIZE> problem{};
     const std::unique_ptr<pcap_t, decltype(&pcap_close)> file{
         pcap_open_offline_with_tstamp_precision(path.c_str(), PCAP_TSTAMP_PRECISION_NANO, problem.data()), &pcap_close};
-    if (!file) throw input_error{path + ": " + problem.data()};
+    if (!file) { // some of libpcap's messages name the file, others do not
+        const std::string why{problem.data()};
+        throw input_error{why.starts_with(path) ? why : path + ": " + why};
+    }
     const int link_type = pcap_datalink(file.get());
     if (!is_known(link_type)) {
         const char* name = pcap_datalink_val_to_name(link_type);

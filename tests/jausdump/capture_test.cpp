@@ -248,7 +248,7 @@ TEST_CASE("a capture that cannot be read ends with exit code 2, after what could
 
     auto result = run(files / "none");
     REQUIRE(result.code == 2);
-    REQUIRE(result.err.find("No such file") != std::string::npos);
+    REQUIRE(result.err == "jausdump: " + (files / "none") + ": No such file or directory\n");
     REQUIRE(result.out.empty());
     REQUIRE(run(files / "text").code == 2);
     result = run(files / "radio");
