@@ -164,6 +164,10 @@ class emulated_ring {
 } // namespace
 
 int main(int argc, char** argv) {
+    if (argc > 2 || (argc == 2 && argv[1][0] == '-')) {
+        std::cerr << "card_packets [INTERFACE]\n";
+        return 2;
+    }
     try {
         if (argc > 1) {
             net::raw_link link{argv[1]};

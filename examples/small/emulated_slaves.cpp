@@ -66,6 +66,7 @@ template <ethercat::link Link> void serve(Link& link) {
 }
 
 int main(int argc, char** argv) try {
+    if (argc > 2 || (argc == 2 && argv[1][0] == '-')) return std::cerr << "emulated_slaves [INTERFACE]\n", 2;
     if (argc == 1) {
         auto link = net::udp_link::serve(net::udp_link::ethercat_port, "127.0.0.1");
         serve(link);

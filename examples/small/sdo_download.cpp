@@ -56,9 +56,14 @@ template <ethercat::link Link> int write_and_read(Link& link, const object& what
 int main(int argc, char** argv) try {
     if (argc < 5) return std::cerr << usage, 2;
     const std::string interface = argv[1];
-    const auto number = [&](int i) { return std::stoul(argv[i], nullptr, 16); };
-    object what{static_cast<std::uint16_t>(number(2)), static_cast<std::uint8_t>(number(3))};
-    for (int i = 4; i != argc; ++i) what.value.push_back(static_cast<std::byte>(number(i)));
+    const auto number = [&](int i, unsigned long most) {
+        std::size_t used = 0;
+        const auto value = std::stoul(argv[i], &used, 16);
+        if (argv[i][used] != '\0' || value > most) throw std::out_of_range{argv[i]};
+        return value;
+    };
+    object what{static_cast<std::uint16_t>(number(2, 0xFFFF)), static_cast<std::uint8_t>(number(3, 0xFF))};
+    for (int i = 4; i != argc; ++i) what.value.push_back(static_cast<std::byte>(number(i, 0xFF)));
 
     if (interface == "udp") {
         auto link = net::udp_link::connect("127.0.0.1");
@@ -66,7 +71,7 @@ int main(int argc, char** argv) try {
     }
     net::raw_link link{interface}; // needs CAP_NET_RAW
     return write_and_read(link, what);
-} catch (const std::logic_error&) { // of std::stoul
+} catch (const std::logic_error&) { // no number, or too large
     return std::cerr << usage, 2;
 } catch (const std::exception& problem) {
     return std::cerr << "sdo_download: " << problem.what() << '\n', 1;

@@ -44,8 +44,11 @@ objects_in_udp() {
     objects_are_written udp
     expect 2 "INTERFACE INDEX" "$bin/sdo_download" udp 2000
     expect 2 "INTERFACE INDEX" "$bin/sdo_download" udp 2000 0 zz
+    expect 2 "INTERFACE INDEX" "$bin/sdo_download" udp 12000 0 01
+    expect 2 "INTERFACE INDEX" "$bin/sdo_download" udp 2000 0 1x
     expect 1 "there is no interface" "$bin/sdo_download" no_such_link 2000 0 01
     expect 1 "there is no interface" "$bin/emulated_slaves" no_such_link
+    expect 2 "INTERFACE" "$bin/emulated_slaves" --help
 }
 objects_on_a_wire() {
     start "three slaves" "$bin/emulated_slaves" jc1
