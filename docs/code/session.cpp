@@ -61,9 +61,19 @@ class driver {
 };
 // [robot end]
 
+/// The same systems at ports that are free now, so that this program can run beside any other.
+net::jaus_config at_free_ports(net::jaus_config config) {
+    using boost::asio::ip::udp;
+    boost::asio::io_context context;
+    std::vector<udp::socket> held; // until all have one
+    for (auto& system : config.systems)
+        system.port = held.emplace_back(context, udp::endpoint{system.ip, 0}).local_endpoint().port();
+    return config;
+}
+
 int main() try {
     boost::asio::io_context context;
-    const auto config = net::read_jaus_config("two_nodes.xml");
+    const auto config = at_free_ports(net::read_jaus_config("two_nodes.xml"));
     net::jaus_node robot{context, config.with_this("robot"), {.node = 2}};
     driver arm{robot};
     robot.start();
