@@ -24,8 +24,8 @@ namespace text = jauscat::text;
 namespace wire = jauscat::wire;
 using jauscat::reference::bytes;
 
-constexpr std::string_view begin_mark = "<!-- made by scripts/translation-bytes: begin -->\n";
-constexpr std::string_view end_mark = "<!-- made by scripts/translation-bytes: end -->\n";
+constexpr std::string_view begin_mark = "<!-- made by scripts/message-reference: begin -->\n";
+constexpr std::string_view end_mark = "<!-- made by scripts/message-reference: end -->\n";
 constexpr std::uint16_t station = 2;
 
 bytes full_wrench_effort() {
@@ -142,7 +142,7 @@ std::string contents_of(const std::string& file) {
 /// Returns whether the file was as it should be, or is now.
 bool put(const std::string& file, const std::string& before, const std::string& after, bool check) {
     if (after == before) return true;
-    std::cout << file << (check ? " is not current: run scripts/translation-bytes\n" : " is written\n");
+    std::cout << file << (check ? " is not current: run scripts/message-reference\n" : " is written\n");
     if (!check) std::ofstream{file} << after;
     return !check;
 }
