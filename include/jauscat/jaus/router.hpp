@@ -33,9 +33,9 @@ namespace jauscat::jaus {
 /// node passes once over all ways.
 class router {
   public:
-    /// `table` must outlive this. `primary`: the node that relays within the own subsystem; 0 for none.
-    constexpr explicit router(routing_table& table, std::uint8_t primary = 0) noexcept
-        : table_{table}, primary_{primary} {}
+    /// `routes` must outlive this. `primary`: the node that relays within the own subsystem; 0 for none.
+    constexpr explicit router(routing_table& routes, std::uint8_t primary = 0) noexcept
+        : table_{routes}, primary_{primary} {}
 
     /// A message that came from `from`. `to_component(number, address)` is called for each component of this program
     /// that gets it, with the component's own address, for which the header may have 255; `to_hop(hop)` for each hop.

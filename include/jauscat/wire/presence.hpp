@@ -28,17 +28,17 @@ inline constexpr auto sizes_by_nibble = [] {
     using entry =
         std::conditional_t<((Sizes == always_there ? 0 : Sizes) + ... + 0) < 256, std::uint8_t, std::uint16_t>;
     constexpr std::size_t bits = ((Sizes != always_there) + ... + 0);
-    std::array<std::array<entry, 16>, (bits + 3) / 4> table{};
+    std::array<std::array<entry, 16>, (bits + 3) / 4> sums{};
     std::size_t bit = 0;
     const auto add = [&](std::size_t size) {
         if (size == always_there) return;
         for (std::size_t nibble = 0; nibble != 16; ++nibble)
             if ((nibble >> bit % 4 & 1u) != 0)
-                table[bit / 4][nibble] = static_cast<entry>(table[bit / 4][nibble] + size);
+                sums[bit / 4][nibble] = static_cast<entry>(sums[bit / 4][nibble] + size);
         ++bit;
     };
     (add(Sizes), ...);
-    return table;
+    return sums;
 }();
 } // namespace detail
 

@@ -13,11 +13,11 @@ namespace jauscat::translation {
 /// what crosses the wire: append, never insert.
 template <std::uint16_t... Private>
 inline constexpr auto ra_command_codes_and = [] {
-    std::array<std::uint16_t, jaus::catalog.size() + sizeof...(Private)> codes{};
+    std::array<std::uint16_t, jaus::catalog.size() + sizeof...(Private)> ranked{};
     std::size_t rank = 0;
-    for (const auto& message : jaus::catalog) codes[rank++] = message.command_code;
-    ((codes[rank++] = Private), ...);
-    return codes;
+    for (const auto& message : jaus::catalog) ranked[rank++] = message.command_code;
+    ((ranked[rank++] = Private), ...);
+    return ranked;
 }();
 
 /// RA 3.3 alone.
