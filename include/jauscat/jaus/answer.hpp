@@ -48,12 +48,10 @@ template <coded_message T> constexpr bool put(const header& head, const T& body,
     return true;
 }
 
-/// Answers `request` from `self`: the request may have been sent to all of a level, an answer comes from one component.
+/// Answers `request` from `self`; false where the answer does not encode.
 template <coded_message T>
 constexpr bool answer(const header& request, const address& self, const T& body, message_sink out) noexcept {
-    header head = answer_to(request);
-    head.source = self;
-    return put(head, body, out);
+    return put(answer_to(request, self), body, out);
 }
 
 /// Answers `request` with an ACK or a NAK from `self`.

@@ -12,8 +12,7 @@ template <coded_message T>
 constexpr bool answer_in_packets(const header& request, const address& self, const T& body, std::span<std::byte> memory,
                                  message_sink out) noexcept {
     constexpr std::size_t packet_size = header_size + max_body_size;
-    header head = answer_to(request);
-    head.source = self;
+    header head = answer_to(request, self);
     if (const result size = make_message(head, body, memory)) {
         out(std::span<const std::byte>{memory}.first(size.size()));
         return true;

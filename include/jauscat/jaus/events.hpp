@@ -97,9 +97,7 @@ template <std::size_t Capacity> class events {
 
   private:
     template <coded_message T> constexpr bool reply(const header& head, const T& body, message_sink out) noexcept {
-        header answer = answer_to(head);
-        answer.source = self_;
-        return put_in(answer, body, out);
+        return put_in(answer_to(head, self_), body, out);
     }
     template <coded_message T> constexpr bool put_in(const header& head, const T& body, message_sink out) noexcept {
         const result size = make_message(head, body, message_);

@@ -30,6 +30,9 @@ template <coded_message T> inline constexpr std::uint16_t command_code_of = deta
     return one(a.subsystem) && one(a.node) && one(a.component) && one(a.instance);
 }
 
+/// Whether an address is that of a node manager: component 1, instance 1 of its node.
+[[nodiscard]] constexpr bool is_node_manager(const address& a) noexcept { return a.component == 1 && a.instance == 1; }
+
 /// Why a message could not be made or taken apart.
 enum class errc : std::uint8_t {
     ok,
@@ -123,6 +126,12 @@ constexpr result make_message(header head, const T& body, std::span<std::byte> o
             .destination = request.source,
             .source = request.destination,
             .sequence_number = request.sequence_number};
+}
+/// The same from `self`: a request may have been sent to all of a level, an answer comes from one component.
+[[nodiscard]] constexpr header answer_to(const header& request, const address& self) noexcept {
+    header head = answer_to(request);
+    head.source = self;
+    return head;
 }
 
 /// Writes the 16 bytes of an ACK or NAK (`how`) of the message with the header `request` to the front of `out`. Errors:

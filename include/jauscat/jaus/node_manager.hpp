@@ -55,7 +55,7 @@ class node_manager {
         own_.on_time(now, out);
         std::bitset<256> lost; // nodes of the own subsystem
         present_.on_time(now, [&](const address& who) {
-            if (who.subsystem == self_.subsystem && is_manager(who)) lost[who.node] = true;
+            if (who.subsystem == self_.subsystem && is_node_manager(who)) lost[who.node] = true;
             tell(options_.disappeared, who);
         });
         if (lost.any())
@@ -95,7 +95,6 @@ class node_manager {
     [[nodiscard]] std::uint64_t not_remembered() const noexcept { return not_remembered_; }
 
   private:
-    static constexpr bool is_manager(const address& who) noexcept { return who.component == 1 && who.instance == 1; }
     static void tell(const callback<void(const address&)>& whom, const address& who) noexcept {
         if (whom) whom(who);
     }
@@ -115,13 +114,13 @@ class node_manager {
     }
     // The components of another node of the subsystem.
     void ask(const address& who, message_sink out) const noexcept {
-        if (who.subsystem != self_.subsystem || who.node == self_.node || !is_manager(who)) return;
+        if (who.subsystem != self_.subsystem || who.node == self_.node || !is_node_manager(who)) return;
         put({.destination = who, .source = self_}, query_configuration{query_field::node_configuration}, out);
     }
     // Taken from those who are asked, about themselves.
     message_outcome on_configuration(const header& head, std::span<const std::byte> body, time now) noexcept {
         const auto& from = head.source;
-        const bool is_asked = from.subsystem == self_.subsystem && from.node != self_.node && is_manager(from);
+        const bool is_asked = from.subsystem == self_.subsystem && from.node != self_.node && is_node_manager(from);
         if (!is_asked || present_.find(from) == nullptr) return message_outcome::refused;
         wire::arena lists{memory_.lists};
         report_configuration report{};
@@ -202,7 +201,8 @@ class node_manager {
         const auto all = collect(
             lists, [&](const address& who) { return who.subsystem != self_.subsystem; },
             [this](const address& who) {
-                return std::tuple{who.subsystem, who != self_, !is_manager(who), who.node, who.component, who.instance};
+                return std::tuple{who.subsystem, who != self_,  !is_node_manager(who),
+                                  who.node,      who.component, who.instance};
             });
         auto* const subsystems = lists.allocate<listed_subsystem>(all.size());
         if (all.empty() || subsystems == nullptr) return message_outcome::refused;

@@ -118,47 +118,45 @@ template <std::size_t Capacity> class service_consumer {
     [[nodiscard]] constexpr std::span<const consumed_connection> connections() const noexcept { return connections_; }
 
   private:
-    using place_type = consumed_connection;
-
-    [[nodiscard]] static constexpr bool going_on(const place_type& c) noexcept {
+    [[nodiscard]] static constexpr bool going_on(const consumed_connection& c) noexcept {
         return c.state == consumed_state::active || c.state == consumed_state::stale;
     }
-    [[nodiscard]] static constexpr bool waits(const place_type& c) noexcept {
+    [[nodiscard]] static constexpr bool waits(const consumed_connection& c) noexcept {
         return going_on(c) || c.state == consumed_state::asking || c.state == consumed_state::ending;
     }
-    [[nodiscard]] constexpr place_type* find(const address& provider, std::uint16_t code) noexcept {
-        const auto found = std::ranges::find_if(connections_, [&](const place_type& c) {
+    [[nodiscard]] constexpr consumed_connection* find(const address& provider, std::uint16_t code) noexcept {
+        const auto found = std::ranges::find_if(connections_, [&](const consumed_connection& c) {
             return c.state != consumed_state::free && c.request.command_code_ == code && c.provider == provider;
         });
         return found == connections_.end() ? nullptr : &*found;
     }
     // What was refused or not answered makes place for the next.
-    [[nodiscard]] constexpr place_type* free_place() noexcept {
-        place_type* found = nullptr;
-        for (place_type& c : connections_) {
+    [[nodiscard]] constexpr consumed_connection* free_place() noexcept {
+        consumed_connection* found = nullptr;
+        for (consumed_connection& c : connections_) {
             if (c.state == consumed_state::free) return &c;
             if (c.state == consumed_state::refused || c.state == consumed_state::unanswered) found = &c;
         }
         return found;
     }
-    [[nodiscard]] constexpr std::chrono::nanoseconds silence(const place_type& c) const noexcept {
+    [[nodiscard]] constexpr std::chrono::nanoseconds silence(const consumed_connection& c) const noexcept {
         const double rate = c.rate > 0 ? c.rate : c.request.requested_periodic_update_rate;
         return options_.silent_periods * period_of(rate);
     }
-    constexpr void enter(place_type& c, consumed_state state) noexcept {
+    constexpr void enter(consumed_connection& c, consumed_state state) noexcept {
         if (std::exchange(c.state, state) != state && changed_) changed_(c);
     }
-    [[nodiscard]] constexpr header head_to(const place_type& c) const noexcept {
+    [[nodiscard]] constexpr header head_to(const consumed_connection& c) const noexcept {
         return {.destination = c.provider, .source = self_};
     }
-    constexpr void request(place_type& c, std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void request(consumed_connection& c, std::chrono::nanoseconds now, message_sink out) noexcept {
         put(head_to(c), c.request, out);
         ++c.requests;
         c.asked_at = now;
         c.due = later(now, options_.patience);
     }
     template <class Message>
-    constexpr void tell(place_type& c, std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void tell(consumed_connection& c, std::chrono::nanoseconds now, message_sink out) noexcept {
         put(head_to(c), Message{.command_code_ = c.request.command_code_, .instance_id = c.instance_id}, out);
         c.asked_at = now;
     }
@@ -166,7 +164,7 @@ template <std::size_t Capacity> class service_consumer {
                                        std::chrono::nanoseconds now, message_sink out) noexcept {
         confirm_service_connection answered{};
         if (!wire::decode(answered, body)) return {.what = consumer_news::malformed};
-        place_type* const c = find(head.source, answered.command_code_);
+        consumed_connection* const c = find(head.source, answered.command_code_);
         if (c == nullptr) return {};
         const auto place = static_cast<std::size_t>(c - connections_.data());
         const bool accepted = answered.response_code == service_connection_response::connection_created;
@@ -193,7 +191,7 @@ template <std::size_t Capacity> class service_consumer {
         }
         return {consumer_news::confirmed, place};
     }
-    constexpr consumer_outcome count(place_type& c, std::uint16_t number, std::size_t place,
+    constexpr consumer_outcome count(consumed_connection& c, std::uint16_t number, std::size_t place,
                                      std::chrono::nanoseconds now) noexcept {
         const auto ahead = static_cast<std::uint16_t>(number - c.sequence_number);
         const bool newer = !c.heard || (ahead != 0 && ahead < 0x8000);

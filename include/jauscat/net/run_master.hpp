@@ -12,8 +12,8 @@
 
 namespace jauscat::net {
 
-/// Drives the job that was started with `bring_up`, `download` or `upload` and returns how it ended; at once if none
-/// runs. After `limit` it is given up. Errors besides the master's: timeout, not_sent.
+/// Drives the job that was started (`scan`, `bring_up`, `download` or another) and returns how it ended; at once if
+/// none runs. After `limit` it is given up. Errors besides those of the job: timeout, not_sent.
 template <ethercat::link Link>
 ethercat::outcome run(Link& link, ethercat::master& master, std::chrono::nanoseconds limit = std::chrono::seconds{10}) {
     const auto clock = [] {
