@@ -5,6 +5,7 @@
 #include <jauscat/net/detail/node_core.hpp>
 #include <jauscat/net/detail/node_socket.hpp>
 #include <jauscat/net/detail/own_manager.hpp>
+#include <jauscat/net/detail/presence_changes.hpp>
 #include <jauscat/net/detail/wake_timer.hpp>
 #include <jauscat/net/limited_log.hpp>
 

@@ -1,14 +1,16 @@
-// A component of any type as its node sees it, with the memory for the large data sets that it receives.
+// A component of any type as its node sees it.
 #pragma once
 
 #include <jauscat/jaus/component_outcome.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
-#include <jauscat/jaus/large_data_set.hpp>
 #include <jauscat/jaus/message_sink.hpp>
 #include <jauscat/net/detail/default_answers.hpp>
 
+#include <chrono>
 #include <functional>
-#include <vector>
+#include <memory>
+#include <optional>
+#include <span>
 
 namespace jauscat::net::detail {
 
@@ -37,29 +39,6 @@ struct attached_component {
     std::function<void(time, jaus::message_sink)> on_time;
     std::function<std::optional<time>()> next_event;
     std::function<void(const jaus::address&)> on_lost;
-};
-
-/// A reassembler and its memory: `size` bytes of bodies, for `sets` at a time.
-class large_data_memory {
-  public:
-    large_data_memory(std::size_t sets, std::size_t size, std::chrono::nanoseconds patience)
-        : places_(std::max<std::size_t>(sets, 1)),
-          packets_(places_.size() * (size / places_.size() / smallest_packet + 1)),
-          bytes_(size),
-          reassembler_{places_, packets_, bytes_, patience} {}
-    large_data_memory(const large_data_memory&) = delete;
-    large_data_memory& operator=(const large_data_memory&) = delete;
-
-    jaus::reassembler& operator*() noexcept { return reassembler_; }
-    jaus::reassembler* operator->() noexcept { return &reassembler_; }
-
-  private:
-    static constexpr std::size_t smallest_packet = 256; ///< on average, for a data set that fills its place
-
-    std::vector<jaus::partial_data_set> places_;
-    std::vector<jaus::held_packet> packets_;
-    std::vector<std::byte> bytes_;
-    jaus::reassembler reassembler_;
 };
 
 } // namespace jauscat::net::detail

@@ -1,14 +1,17 @@
 // What a component answers where its program does not: others ask each component, and go on asking until they know.
 #pragma once
 
+#include <jauscat/jaus/answer_in_packets.hpp>
 #include <jauscat/jaus/core_service.hpp>
 #include <jauscat/jaus/described_component.hpp>
-#include <jauscat/net/jaus_config.hpp>
+#include <jauscat/net/detail/configured_identity.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/event.hpp>
 
 #include <array>
-#include <memory>
+#include <chrono>
+#include <optional>
+#include <span>
 #include <string>
 
 namespace jauscat::net::detail {
@@ -18,18 +21,13 @@ namespace jauscat::net::detail {
 /// heartbeats.
 class default_answers {
   public:
+    /// `config` must outlive this.
     default_answers(const jaus_config& config, const jaus::address& self)
-        : self_{self}, name_{"component " + std::to_string(self.component)} {
-        jaus::identity identity{.type = 60001};
-        for (const auto& system : config.systems)
-            for (const auto& entry : system.components)
-                if (entry.id == self) {
-                    if (!entry.name.empty()) name_ = entry.name;
-                    identity.authority_code = entry.authority;
-                }
-        identity.identification = std::string_view{name_}.substr(0, 80); // what a report has room for
-        described_.emplace(self, jaus::component_description{identity, services}, jaus::heartbeat{.period = {}},
-                           memory_);
+        : self_{self}, number_{"component " + std::to_string(self.component)} {
+        jaus::component_description description{.services = services};
+        description.name.identification = number_;
+        description.name = identity_of(config, self, description.name);
+        described_.emplace(self, description, jaus::heartbeat{.period = {}}, memory_);
     }
     default_answers(const default_answers&) = delete;
     default_answers& operator=(const default_answers&) = delete;
@@ -49,15 +47,12 @@ class default_answers {
             });
         if (head.command_code == jaus::create_event::command_code)
             return jaus::decode_for<jaus::create_event>(body, [&](const auto& request) {
-                jaus::header answer = jaus::answer_to(head);
-                answer.source = self_;
-                const auto size = jaus::make_message(
-                    answer,
+                jaus::answer_in_packets(
+                    head, self_,
                     jaus::reject_event_request{.local_request_id = request.local_request_id,
                                                .response_code = jaus::event_response::message_not_supported,
                                                .error_message = "no events"},
-                    memory_);
-                if (size) out(std::span<const std::byte>{memory_}.first(size.size()));
+                    memory_, out);
                 return message_outcome::refused;
             });
         return described_->on_message(head, body, now, out);
@@ -67,7 +62,7 @@ class default_answers {
     static constexpr std::array services{jaus::core_messages::service};
 
     jaus::address self_;
-    std::string name_;
+    std::string number_;                  ///< what a component is called that has no name
     std::array<std::byte, 256> memory_{}; ///< the longest answer has 178 bytes
     std::optional<jaus::described_component> described_{};
 };

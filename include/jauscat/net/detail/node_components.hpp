@@ -4,6 +4,7 @@
 #include <jauscat/jaus/answer.hpp>
 #include <jauscat/jaus/later.hpp>
 #include <jauscat/net/detail/attached_component.hpp>
+#include <jauscat/net/detail/large_data_memory.hpp>
 #include <jauscat/net/jaus_node_options.hpp>
 #include <jauscat/net/jausip.hpp>
 #include <jauscat/net/limited_log.hpp>

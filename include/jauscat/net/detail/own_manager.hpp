@@ -4,49 +4,14 @@
 #include <jauscat/jaus/component.hpp>
 #include <jauscat/jaus/node_manager.hpp>
 #include <jauscat/net/detail/configuration_events.hpp>
-#include <jauscat/net/jaus_config.hpp>
+#include <jauscat/net/detail/configured_identity.hpp>
+#include <jauscat/net/detail/presence_changes.hpp>
 #include <jauscat/net/jaus_node_options.hpp>
 
-#include <algorithm>
-#include <string_view>
+#include <span>
 #include <vector>
 
 namespace jauscat::net::detail {
-
-/// Who has come and gone since somebody looked.
-class presence_changes {
-    struct change {
-        jaus::address who{};
-        bool is_there{};
-    };
-    struct noter {
-        std::vector<change>& list;
-        bool is_there;
-        void operator()(const jaus::address& who) const { list.push_back({who, is_there}); }
-    };
-    std::vector<change> list_{}, current_{};
-
-  public:
-    presence_changes() = default;
-    presence_changes(const presence_changes&) = delete;
-    presence_changes& operator=(const presence_changes&) = delete;
-
-    noter appeared{list_, true}, disappeared{list_, false};
-
-    void clear() noexcept {
-        list_.clear();
-        current_.clear();
-    }
-    /// `use(who, is_there)` for each, until one of them calls `clear`. Not from within `use`.
-    void take(auto&& use) {
-        std::swap(list_, current_);
-        for (std::size_t i = 0; i < current_.size(); ++i) {
-            const auto [who, is_there] = current_[i];
-            use(who, is_there);
-        }
-        current_.clear();
-    }
-};
 
 /// Knows from the start the components of this program and those that the configuration gives the node.
 class own_manager {
@@ -59,8 +24,8 @@ class own_manager {
         : components_{listed(config, self, components)},
           description_{described(config, self, components_)},
           presences_(places),
-          lists_(8 * (places + components_.size() + 1) + 32 * 256),
-          report_(3 * 4096 + 4 * (places + components_.size())),
+          lists_(8 * (places + components_.size() + 1) + 32 * 256), // see node_manager_memory
+          report_(3 * 4096 + 4 * (places + components_.size())), // packet, answer and 4 bytes for each that is listed
           manager_{self,
                    description_,
                    {presences_, lists_, report_},
@@ -91,8 +56,7 @@ class own_manager {
             of_node = of_node || (other.subsystem == who.subsystem && other.node == who.node);
         });
         if (!of_subsystem) return {255, 255, 255, who.subsystem};
-        const bool is_manager = who.component == 1 && who.instance == 1;
-        return is_manager || !of_node ? jaus::address{255, 255, who.node, who.subsystem} : who;
+        return jaus::is_node_manager(who) || !of_node ? jaus::address{255, 255, who.node, who.subsystem} : who;
     }
     jaus::message_outcome operator()(const jaus::header&, std::span<const std::byte>) const noexcept {
         return jaus::message_outcome::not_mine;
@@ -113,18 +77,13 @@ class own_manager {
     }
     static jaus::node_description described(const jaus_config& config, const jaus::address& self,
                                             std::span<const jaus::configured_component> components) {
-        const auto name = [](std::string_view text) { return text.substr(0, 80); }; // what a report has room for
         jaus::node_description made{.components = components};
         const auto& me = config.me();
-        made.system.identification = made.subsystem.identification = made.node.identification = name(me.name);
+        made.system.identification = made.subsystem.identification = made.node.identification = in_report(me.name);
         made.manager.identification = "node manager";
         for (const auto& node : me.nodes)
-            if (node.id == self.node && !node.name.empty()) made.node.identification = name(node.name);
-        for (const auto& entry : me.components)
-            if (entry.id == self) {
-                if (!entry.name.empty()) made.manager.identification = name(entry.name);
-                made.manager.authority_code = entry.authority;
-            }
+            if (node.id == self.node && !node.name.empty()) made.node.identification = in_report(node.name);
+        made.manager = identity_of(config, self, made.manager);
         return made;
     }
 

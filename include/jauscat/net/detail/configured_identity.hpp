@@ -1,0 +1,26 @@
+// What a configuration says that a component is called, as its reports tell it.
+#pragma once
+
+#include <jauscat/jaus/described_component.hpp>
+#include <jauscat/net/jaus_config.hpp>
+
+#include <string_view>
+
+namespace jauscat::net::detail {
+
+/// As much of a text as Report Identification has room for.
+inline std::string_view in_report(std::string_view text) noexcept { return text.substr(0, 80); }
+
+/// `unnamed`, with the name and the authority that `config` has for the component. Points into `config`.
+inline jaus::identity identity_of(const jaus_config& config, const jaus::address& component,
+                                  jaus::identity unnamed) noexcept {
+    for (const auto& system : config.systems)
+        for (const auto& entry : system.components)
+            if (entry.id == component) {
+                if (!entry.name.empty()) unnamed.identification = in_report(entry.name);
+                unnamed.authority_code = entry.authority;
+            }
+    return unnamed;
+}
+
+} // namespace jauscat::net::detail
