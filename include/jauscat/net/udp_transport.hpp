@@ -2,6 +2,7 @@
 #pragma once
 
 #include <jauscat/jaus/framing.hpp>
+#include <jauscat/jaus/message.hpp>
 #include <jauscat/net/detail/bind_udp.hpp>
 #include <jauscat/net/detail/handler_memory.hpp>
 #include <jauscat/net/detail/icmp_errors.hpp>
@@ -58,6 +59,7 @@ class udp_transport {
     }
     udp_transport(const udp_transport&) = delete;
     udp_transport& operator=(const udp_transport&) = delete;
+
     /// Receives from now on, while the io_context runs, up to 128 datagrams between two of its other handlers. An
     /// exception from a handler leaves `run` and ends receiving; `start` again to go on with the datagram behind.
     void start(message_handler on_message, error_handler on_error) {
@@ -231,7 +233,8 @@ class udp_transport {
     }
 
     static constexpr int max_batches = 4;
-    static constexpr std::size_t max_posted_size = 8 + 16 + 4080; ///< prefix, header and body of the largest packet
+    static constexpr std::size_t max_posted_size =
+        jaus::prefix(jaus::framing::jaus01).size() + jaus::header_size + jaus::max_body_size;
 
     boost::asio::ip::udp::socket socket_;
     bool v6_;

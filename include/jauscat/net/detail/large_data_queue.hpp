@@ -18,7 +18,7 @@
 namespace jauscat::net::detail {
 
 /// Copies of bodies, sent one after the other, for packets carry nothing that names their data set: `pace` packets each
-/// millisecond, and a pause between two.
+/// millisecond, and a pause between two data sets.
 ///
 /// Of a data set that asks for acknowledgement each packet is repeated until its ACK is there. The first goes alone and
 /// so does the last: then the receiver knows the data set before anything of it is repeated, and what may come twice
@@ -46,7 +46,7 @@ class large_data_queue {
     void on_time(time now, jaus::message_sink out, const done_handler& done) {
         if (sets_.empty() || now < next_) return;
         auto& first = *sets_.front();
-        next_ = now + std::chrono::milliseconds{1};
+        next_ = now + beat;
         if (first.packets.empty()) {
             for (unsigned i = 0; i != pace_ && first.sender.next(out); ++i) {}
             if (first.sender.sent() == first.sender.packets()) end(now);
@@ -72,7 +72,7 @@ class large_data_queue {
             first.outcome = jaus::delivered::refused;
         else if (!std::exchange(packet.acknowledged, true) && ++first.acknowledged == first.packets.size())
             first.outcome = jaus::delivered::acknowledged;
-        next_ = std::min(next_, now + std::chrono::milliseconds{1}); // more may be sent, or it is at its end
+        next_ = std::min(next_, now + beat); // more may be sent, or it is at its end
         return true;
     }
     [[nodiscard]] std::optional<time> next_event() const noexcept {
@@ -86,6 +86,9 @@ class large_data_queue {
     }
 
   private:
+    static constexpr time beat = std::chrono::milliseconds{1};
+    static constexpr time pause = std::chrono::milliseconds{5}; ///< longer than reassembly_limits::linger
+
     struct sent_packet {
         time due{};      ///< when it is sent again
         unsigned sent{}; ///< how often
@@ -108,15 +111,15 @@ class large_data_queue {
     bool send_acknowledged(entry& set, time now, jaus::message_sink out) {
         const auto last = set.packets.size() - 1;
         while (set.first_open != last && set.packets[set.first_open].acknowledged) ++set.first_open;
-        const auto end = set.first_open == 0 ? std::size_t{1} : set.first_open == last ? last + 1 : last;
+        const auto behind = set.first_open == 0 ? std::size_t{1} : set.first_open == last ? last + 1 : last;
         unsigned left = pace_;
         next_ = jaus::later(now, acknowledgement_.timeout);
-        for (auto i = set.first_open; i != end; ++i) {
+        for (auto i = set.first_open; i != behind; ++i) {
             auto& packet = set.packets[i];
             if (packet.acknowledged) continue;
             if (packet.sent == 0 || packet.due <= now) {
                 if (left == 0) {
-                    next_ = now + std::chrono::milliseconds{1};
+                    next_ = now + beat;
                     break;
                 }
                 if (packet.sent > acknowledgement_.retries) return false;
@@ -140,7 +143,7 @@ class large_data_queue {
         const bool repeated = std::ranges::any_of(sets_.front()->packets, [](const auto& p) { return p.sent > 1; });
         waiting_ -= sets_.front()->body.size();
         sets_.pop_front();
-        next_ = now + (repeated ? acknowledgement_.timeout : time{std::chrono::milliseconds{5}});
+        next_ = now + (repeated ? acknowledgement_.timeout : pause);
     }
 
     std::size_t most_;

@@ -21,10 +21,10 @@ class node_core {
 
     node_core(const jaus_node_options& options, limited_log& log, send_handler send)
         : large{options.most_waiting, options.large_data_pace, options.large_data_acknowledgement},
+          components{options, log},
           log_{log},
           send_{std::move(send)},
-          local_{options.most_waiting},
-          components{options, log} {}
+          local_{options.most_waiting} {}
 
     /// `strangers`: see node_routes. Throws `config_error`.
     void start(const jaus_config& config, const jaus::address& manager, std::uint8_t primary,
@@ -88,6 +88,7 @@ class node_core {
     }
 
     large_data_queue large;
+    node_components components;
 
   private:
     void hand_on(std::uint16_t to, const jaus::header& head, bytes body, time now, jaus::message_sink out) {
@@ -118,9 +119,6 @@ class node_core {
     std::optional<jaus::router> router_{};
     std::vector<std::uint16_t> to_here_{};
     bool in_turn_{};
-
-  public:
-    node_components components;
 };
 
 } // namespace jauscat::net::detail
