@@ -241,7 +241,31 @@ TEST_CASE("a configuration that cannot be routed by is refused with its line") {
     REQUIRE(error(system("a", "1.0.0.0", port) + system("b", "2.0.0.0", 4000) +
                   system("c", "3.0.0.0", 4000, "<framing>JAUS01.0</framing>"))
                 .find("another framing") != std::string::npos);
+    REQUIRE(error("<system name='a' jausip='1.0.0.0' ip='0.0.0.0' port='" + std::to_string(port) +
+                  "'><multicast/></system>")
+                .find("test.xml:3: the system \"a\" has multicast and the ip 0.0.0.0") == 0);
     REQUIRE(error(system("a", "1.0.0.0", port)) == "accepted");
+}
+
+TEST_CASE("a component that its node cannot have is refused with the reason") {
+    boost::asio::io_context context;
+    net::jaus_node node{context, config("a", system("a", "1.2.0.0", free_ports<1>()[0]))};
+    const auto refusal = [&](const jaus::address& id) -> std::string {
+        jaus::component_memory<> memory{};
+        jaus::no_hooks hooks{};
+        jaus::component core{id, memory, hooks, {}};
+        const auto application = [](const jaus::header&, std::span<const std::byte>) {
+            return jaus::message_outcome::taken;
+        };
+        try {
+            node.add(core, application);
+        } catch (const std::invalid_argument& e) {
+            return e.what();
+        }
+        return "accepted";
+    };
+    REQUIRE(refusal(make(1, 3, 33)) == "the component 1.3.33.1 is not one of the node 1.2");
+    REQUIRE(refusal(make(1, 2)) == "the node has its node manager, 1.2.1.1, already");
 }
 
 TEST_CASE("who hears of a change may stop the node, and hears of no further one") {

@@ -142,6 +142,11 @@ constexpr int rank(const jaus::address& entry) noexcept {
 
 inline std::string quoted(std::string_view text) { return '"' + std::string{text} + '"'; }
 
+/// What is wrong with a line of the file that `config` is from.
+inline config_error complaint(const jaus_config& config, std::size_t line, const std::string& text) {
+    return {config.source + ':' + std::to_string(line) + ": " + text, line};
+}
+
 inline std::string no_such_system(const jaus_config& config, std::string_view name) {
     std::string known;
     for (const auto& entry : config.systems) known += (known.empty() ? "" : ", ") + entry.name;

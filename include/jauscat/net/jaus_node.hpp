@@ -58,13 +58,15 @@ class jaus_node {
     jaus_node& operator=(const jaus_node&) = delete;
 
     /// A component of this node, and what takes its own messages, such as a dispatcher; see component::on_message.
-    /// Before start. Throws `std::invalid_argument` for a component of another node.
+    /// Before start. Throws `std::invalid_argument` for a component of another node and for a second node manager.
     template <class Component, class Application> void add(Component& component, Application& application) {
         const auto& id = component.self();
         if (running() || core_.in_turn()) throw std::logic_error{"components are added before the node is started"};
-        if (id.subsystem != self_.subsystem || id.node != self_.node || (has_manager() && id == self_))
+        if (id.subsystem != self_.subsystem || id.node != self_.node)
             throw std::invalid_argument{"the component " + to_jausip(id) + " is not one of the node " +
                                         std::to_string(self_.subsystem) + '.' + std::to_string(self_.node)};
+        if (has_manager() && id == self_)
+            throw std::invalid_argument{"the node has its node manager, " + to_jausip(id) + ", already"};
         core_.components.add({component, application, std::make_shared<detail::default_answers>(config_, id)});
     }
 
@@ -80,7 +82,7 @@ class jaus_node {
             core_.components.replace(0, {manager_->core, *manager_});
         }
         core_.components.start(config_.me().limits.large_data_memory, has_manager());
-        socket_.emplace(context_, config_.me(), options_.socket);
+        socket_.emplace(context_, config_, options_.socket);
         running_ = true;
         socket_->start([this](bytes message, const endpoint& from) { return check(message, from); },
                        [this](bytes message, const auto&... from) { received(message, from...); },
@@ -242,7 +244,7 @@ class jaus_node {
     std::optional<detail::own_manager> manager_{};
     std::optional<detail::node_socket> socket_{};
     bool running_{};
-    time at_{}; ///< of the turn: a look at the clock costs as much as a component's work
+    time at_{};                   ///< of the turn: a look at the clock costs as much as a component's work
 };
 
 } // namespace jauscat::net

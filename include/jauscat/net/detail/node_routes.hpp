@@ -22,9 +22,9 @@ namespace jauscat::net::detail {
 inline jaus::address manager_of(const jaus_config& config, std::uint8_t node) {
     const auto& me = config.me();
     if (me.jausip.subsystem == 0)
-        throw config_error{config.source + ':' + std::to_string(me.line) + ": this system's jausip " +
-                               to_jausip(me.jausip) + " has no subsystem; a node needs one, such as 1.0.0.0",
-                           me.line};
+        throw complaint(config, me.line,
+                        "this system's jausip " + to_jausip(me.jausip) +
+                            " has no subsystem; a node needs one, such as 1.0.0.0");
     if (node == 0) node = me.jausip.node;
     if (node == 0) node = me.nodes.empty() ? std::uint8_t{1} : me.nodes.front().id;
     return {.instance = 1, .component = 1, .node = node, .subsystem = me.jausip.subsystem};
@@ -40,7 +40,6 @@ inline jaus::address manager_of(const jaus_config& config, std::uint8_t node) {
 class node_routes {
   public:
     using endpoint = boost::asio::ip::udp::endpoint;
-
     using time = std::chrono::nanoseconds;
 
     struct neighbour {
@@ -86,7 +85,7 @@ class node_routes {
 
   private:
     [[noreturn]] void fail(const system_entry& system, const std::string& why) const {
-        throw config_error{config_.source + ':' + std::to_string(system.line) + ": " + why, system.line};
+        throw complaint(config_, system.line, why);
     }
 
     [[nodiscard]] std::size_t most_strangers() const noexcept { return strangers_ ? 254 : 0; } // subsystems

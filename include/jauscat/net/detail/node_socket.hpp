@@ -16,13 +16,14 @@ class node_socket {
     using bytes = std::span<const std::byte>;
 
     /// Throws `open_error` and `config_error`.
-    node_socket(boost::asio::io_context& context, const system_entry& me, const udp_options& options)
-        : own_{context, me.endpoint(), options}, local_{own_.local()} {
+    node_socket(boost::asio::io_context& context, const jaus_config& config, const udp_options& options)
+        : own_{context, config.me().endpoint(), options}, local_{own_.local()} {
+        const auto& me = config.me();
         if (!me.multicast) return;
         if (me.ip.is_unspecified())
-            throw config_error{"the system " + me.name + " has multicast and the ip " + me.ip.to_string() +
-                                   "; give the address by which others know it",
-                               me.line};
+            throw complaint(config, me.line,
+                            "the system " + detail::quoted(me.name) + " has multicast and the ip " + me.ip.to_string() +
+                                "; give the address by which others know it");
         auto shared = options;
         shared.reuse_address = true;
         group_.emplace(context, endpoint{me.multicast->group, me.multicast->port}, shared);
