@@ -268,6 +268,23 @@ TEST_CASE("a component that its node cannot have is refused with the reason") {
     REQUIRE(refusal(make(1, 2)) == "the node has its node manager, 1.2.1.1, already");
 }
 
+TEST_CASE("an exception of the log, called while a component sends, leaves the io_context") {
+    boost::asio::io_context context;
+    const auto ports = free_ports<3>(); // nobody listens at the second: sending to the third hears of it
+    const auto systems =
+        system("a", "1.0.0.0", ports[0]) + system("b", "2.0.0.0", ports[1]) + system("c", "3.0.0.0", ports[2]);
+    bool throws = true;
+    net::jaus_node node{context, config("a", systems), {.log = [&](std::string_view line) {
+                            if (throws) throw std::runtime_error{std::string{line}};
+                        }}};
+    node.start();
+    REQUIRE_THROWS_AS(net::run_until(context, 5s, [] { return false; }), std::runtime_error);
+    node.stop();
+    throws = false;
+    node.start();
+    REQUIRE_FALSE(net::run_until(context, 20ms, [] { return false; }));
+}
+
 TEST_CASE("who hears of a change may stop the node, and hears of no further one") {
     net::detail::presence_changes changes{};
     changes.disappeared(make(1, 1));

@@ -9,7 +9,9 @@
 #include <jauscat/net/detail/wake_timer.hpp>
 #include <jauscat/net/limited_log.hpp>
 
+#include <exception>
 #include <stdexcept>
+#include <utility>
 
 namespace jauscat::net {
 
@@ -102,6 +104,7 @@ class jaus_node {
             log([&] { return std::to_string(core_.large.size()) + " large data sets were not sent to their end"; });
         core_.large.clear();
         changes_.clear();
+        thrown_ = nullptr;
     }
     /// Whether it was started and not stopped.
     [[nodiscard]] bool running() const noexcept { return running_; }
@@ -191,7 +194,11 @@ class jaus_node {
     }
     void send_for_component(bytes message) {
         if (!running()) return;
-        core_.send_or_tell(message, core_.in_turn() ? at_ : now());
+        try {
+            core_.send_or_tell(message, core_.in_turn() ? at_ : now());
+        } catch (...) { // not through the component, whose functions are noexcept
+            thrown_ = std::current_exception();
+        }
         wake_after_sending();
     }
     // Outside of a turn: there may be something for a component here, or to be repeated.
@@ -207,6 +214,7 @@ class jaus_node {
         end_turn();
     }
     void end_turn() {
+        if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
         if (running())
             changes_.take([this](const jaus::address& who, bool is_there) {
                 manager_->tell_change(who, now(), out_);
@@ -244,6 +252,7 @@ class jaus_node {
     std::optional<detail::own_manager> manager_{};
     std::optional<detail::node_socket> socket_{};
     bool running_{};
+    std::exception_ptr thrown_{}; ///< by a handler that was called while a component sent
     time at_{};                   ///< of the turn: a look at the clock costs as much as a component's work
 };
 
