@@ -21,7 +21,7 @@
 
 namespace jauscat::wire {
 
-/// Where encoding stands. A null pointer says that it failed.
+/// Where encoding stands, and whether it has failed.
 struct out_cursor {
     std::byte* at;
     errc error;

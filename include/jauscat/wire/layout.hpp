@@ -137,9 +137,6 @@ JAUSCAT_PART constexpr std::size_t extent_of_item([[maybe_unused]] const std::by
     else
         return Item::extent(in, here);
 }
-} // namespace detail
-
-namespace detail {
 // Past an item of `Size` bytes; for all items of that size, so that layouts of fixed items need no function for each.
 template <std::size_t Size> JAUSCAT_PART constexpr bool put_next(errc error, out_cursor& c) noexcept {
     c.error = error;

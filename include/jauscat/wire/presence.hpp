@@ -33,8 +33,7 @@ inline constexpr auto sizes_by_nibble = [] {
     const auto add = [&](std::size_t size) {
         if (size == always_there) return;
         for (std::size_t nibble = 0; nibble != 16; ++nibble)
-            if ((nibble >> bit % 4 & 1u) != 0)
-                sums[bit / 4][nibble] = static_cast<entry>(sums[bit / 4][nibble] + size);
+            if ((nibble >> bit % 4 & 1u) != 0) sums[bit / 4][nibble] = static_cast<entry>(sums[bit / 4][nibble] + size);
         ++bit;
     };
     (add(Sizes), ...);
