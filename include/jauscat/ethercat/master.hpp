@@ -6,8 +6,8 @@
 #include <jauscat/ethercat/activity.hpp>
 #include <jauscat/ethercat/bring_up.hpp>
 #include <jauscat/ethercat/datagram_exchange.hpp>
+#include <jauscat/ethercat/frame_traffic.hpp>
 #include <jauscat/ethercat/mailbox_exchange.hpp>
-#include <jauscat/ethercat/outstanding_frame.hpp>
 #include <jauscat/ethercat/process_setup.hpp>
 #include <jauscat/ethercat/ring_scan.hpp>
 #include <jauscat/ethercat/sdo_information.hpp>
@@ -15,24 +15,12 @@
 #include <jauscat/ethercat/slave_list.hpp>
 #include <jauscat/ethercat/state_change.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
 namespace jauscat::ethercat {
-
-/// What a master has seen on its link, in frames.
-struct master_statistics {
-    std::uint64_t sent{};
-    std::uint64_t received{};   ///< replies that were waited for
-    std::uint64_t lost{};       ///< replies that did not come in time
-    std::uint64_t ignored{};    ///< late, duplicate and foreign frames
-    std::uint64_t foreign{};    ///< of those: never sent here. Another master uses this wire.
-    std::uint64_t circulated{}; ///< replies that a slave without a link to the master has marked: the ring is broken
-};
 
 /// Start a job; then, until `idle()`: send what `next_frame` gives, pass what arrives to `on_frame`, and call `on_time`
 /// at `next_event()`. `result()` says how the job ended. Not copied while one runs. Every function that starts a job
@@ -41,7 +29,7 @@ struct master_statistics {
 class master {
   public:
     /// Idle, and without slaves.
-    explicit master(const master_config& config = {}) noexcept : config_{config} {}
+    explicit master(const master_config& config = {}) noexcept : frames_{config} {}
 
     /// Counts the slaves of the ring, `result().size`, takes them to INIT, and takes station addresses, SyncManagers
     /// and FMMUs away that an earlier master has left. Forgets all slaves. Errors: working_counter, state_timeout.
@@ -116,7 +104,7 @@ class master {
     }
 
     /// Takes what waits in the slave's mailbox: its emergencies are in its record then. Errors: wrong_station,
-    /// no_mailbox.
+    /// no_mailbox, no_coe, mailbox_full (there is always more).
     bool collect_emergencies(std::uint16_t station) noexcept {
         if (!begin(job::collect)) return false;
         if (choose(station, true)) exchange_ = mailbox_exchange::collect();
@@ -134,7 +122,6 @@ class master {
     /// slave has open is aborted before the next one.
     void cancel(master_errc error) noexcept {
         if (idle()) return;
-        if (outstanding_.waits()) unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
         if (uses_mailbox()) mailbox_exchange::abandon(*slave_);
         if (job_ == job::sdo && transfer_.is_open()) slave_->unfinished = transfer_.abort_message();
         finish(job_ == job::abort ? ended_ : outcome{.error = error});
@@ -152,13 +139,13 @@ class master {
     void clear_emergencies(std::uint16_t station) noexcept {
         if (auto* const slave = slaves_.find(station)) slave->emergencies.clear();
     }
-    [[nodiscard]] const master_statistics& statistics() const noexcept { return statistics_; }
+    [[nodiscard]] const master_statistics& statistics() const noexcept { return frames_.statistics(); }
 
     /// Writes the next frame to `out`, which holds 1514 bytes, and returns its size; 0 when there is nothing to send
     /// now.
     std::size_t next_frame(std::span<std::byte> out, time_point now) noexcept {
-        if (idle() || outstanding_.waits() || now < next_send()) return 0;
-        frame_builder frame{out, ++index_};
+        if (idle() || !frames_.may_send(now)) return 0;
+        frame_builder frame{out, frames_.next_index()};
         if (uses_mailbox())
             with_protocol([&](auto& protocol) { exchange_.request(frame, *slave_, protocol); });
         else
@@ -168,35 +155,23 @@ class master {
             cancel(master_errc::no_space);
             return 0;
         }
-        outstanding_.sent(out.first(size.size()), now);
-        ++statistics_.sent;
+        frames_.sent(out.first(size.size()), now);
         return size.size();
     }
 
     /// Takes a frame that arrived. False if it was not the reply that is waited for: it then changed nothing.
     bool on_frame(std::span<const std::byte> frame, time_point now) noexcept {
-        frame_view view;
-        const bool parsed = static_cast<bool>(view.parse(frame));
-        const auto datagrams = outstanding_.waits() && parsed ? outstanding_.match(view) : replies{};
-        if (datagrams.empty()) {
-            ++statistics_.ignored;
-            if (parsed && !outstanding_.may_be_own(view)) ++statistics_.foreign;
-            return false;
-        }
-        ++statistics_.received;
-        if (datagrams.front().header.circulating) ++statistics_.circulated;
-        if (config_.frames_may_be_copied) unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
-        outstanding_.forget();
-        losses_ = 0;
-        repeats_ = false;
+        const auto datagrams = frames_.take(frame);
+        if (datagrams.empty()) return false;
+        const auto& config = frames_.config();
         progress next{};
         if (uses_mailbox()) {
             with_protocol(
-                [&](auto& protocol) { next = exchange_.reply(datagrams.front(), now, config_, *slave_, protocol); });
+                [&](auto& protocol) { next = exchange_.reply(datagrams.front(), now, config, *slave_, protocol); });
         } else {
-            with_steps([&](auto& steps) { next = steps.reply(datagrams, now, config_); });
+            with_steps([&](auto& steps) { next = steps.reply(datagrams, now, config); });
         }
-        if (next == progress::wait) not_before_ = now + config_.poll_interval;
+        if (next == progress::wait) frames_.wait_until(now + config.poll_interval);
         if (next == progress::done) complete();
         if (job_ == job::configure && setup_.wants_upload()) {
             configuring_ = true;
@@ -207,20 +182,16 @@ class master {
 
     /// Time has passed: a frame that is not back after `frame_timeout` is lost and asked for again, then given up.
     void on_time(time_point now) noexcept {
-        if (!outstanding_.waits() || now - outstanding_.sent_at() < config_.frame_timeout) return;
-        ++statistics_.lost;
-        if (++losses_ > config_.retries) return cancel(master_errc::no_reply);
-        unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
-        outstanding_.forget();
-        // The same request may go at once if it does no harm twice; all else waits until the lost one cannot arrive.
-        repeats_ = job_ != job::datagram && (!uses_mailbox() || exchange_.is_repeatable());
+        if (!frames_.is_late(now)) return;
+        const bool repeats = job_ != job::datagram && (!uses_mailbox() || exchange_.is_repeatable());
+        if (!frames_.lose(repeats)) return cancel(master_errc::no_reply);
         if (uses_mailbox()) exchange_.lost(*slave_);
     }
 
     /// When `on_time` or `next_frame` will next have something to do, if no frame arrives first; none while idle.
     [[nodiscard]] std::optional<time_point> next_event() const noexcept {
         if (idle()) return std::nullopt;
-        return outstanding_.waits() ? outstanding_.sent_at() + config_.frame_timeout : next_send();
+        return frames_.next_event();
     }
 
   private:
@@ -240,16 +211,12 @@ class master {
     };
     [[nodiscard]] bool uses_mailbox() const noexcept { return job_ >= job::collect; }
 
-    [[nodiscard]] time_point next_send() const noexcept {
-        return repeats_ ? not_before_ : std::max(not_before_, unsettled_until_);
-    }
-
     bool begin(job what) noexcept {
         if (!idle()) return false;
         job_ = what;
         result_ = {};
-        losses_ = 0;
-        repeats_ = configuring_ = false;
+        configuring_ = false;
+        frames_.begin();
         return true;
     }
 
@@ -366,11 +333,10 @@ class master {
     void finish(const outcome& result) noexcept {
         result_ = result;
         job_ = job::none;
-        not_before_ = time_point::min();
-        outstanding_.forget();
+        frames_.give_up();
     }
 
-    master_config config_;
+    frame_traffic frames_;
     slave_list slaves_{};
 
     job job_{};
@@ -390,14 +356,6 @@ class master {
     job after_abort_{};  // what an earlier transfer's abort stands in the way of
     outcome ended_{};    // how the transfer ended that is being aborted
     bool configuring_{}; // the transfer is a part of `configure`
-
-    outstanding_frame outstanding_{};
-    std::uint8_t index_{};
-    unsigned losses_{}; // in a row
-    bool repeats_{};    // the next frame asks again what the lost one asked
-    time_point not_before_ = time_point::min();
-    time_point unsettled_until_ = time_point::min(); // a lost frame may arrive until then
-    master_statistics statistics_{};
 };
 
 } // namespace jauscat::ethercat
