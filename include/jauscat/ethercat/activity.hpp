@@ -5,6 +5,7 @@
 #include <jauscat/ethercat/master_errc.hpp>
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -41,6 +42,17 @@ enum class progress : std::uint8_t {
 
 /// The datagrams of a reply, in the order they were sent.
 using replies = std::span<const datagram_view>;
+
+/// Whether one slave has executed each of them, as commands to a station address want it. Errors: duplicate_station,
+/// working_counter.
+[[nodiscard]] constexpr outcome executed_by_one(replies datagrams) noexcept {
+    for (const auto& datagram : datagrams) {
+        if (datagram.working_counter > 1)
+            return {.error = master_errc::duplicate_station, .detail = datagram.working_counter};
+        if (datagram.working_counter == 0) return {.error = master_errc::working_counter};
+    }
+    return {};
+}
 
 /// Limits how long a state machine polls for one thing.
 class patience {

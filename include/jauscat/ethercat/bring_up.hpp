@@ -74,10 +74,7 @@ class bring_up {
             break;
         default: break;
         }
-        for (const auto& datagram : datagrams) {
-            if (datagram.working_counter > 1) return fail(master_errc::duplicate_station, datagram.working_counter);
-            if (datagram.working_counter == 0) return fail(master_errc::working_counter, 0);
-        }
+        if (result_ = executed_by_one(datagrams); !result_) return progress::done;
         switch (step_) {
         case step::verify: return verified(datagrams.front().data);
         case step::take_sii: return read(step::read_identity, sii_words::identity, identity_);

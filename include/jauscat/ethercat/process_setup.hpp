@@ -70,10 +70,7 @@ class process_setup {
     }
 
     progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
-        for (const auto& datagram : datagrams) {
-            if (datagram.working_counter > 1) return fail(master_errc::duplicate_station, datagram.working_counter);
-            if (datagram.working_counter == 0) return fail(master_errc::working_counter);
-        }
+        if (result_ = executed_by_one(datagrams); !result_) return progress::done;
         switch (step_) {
         case step::describe: {
             esc_description controller{};
@@ -197,6 +194,7 @@ class process_setup {
             const auto register_of = [](esc_register first, std::size_t n) {
                 return static_cast<std::uint16_t>(first.address + n * first.size);
             };
+            // The SII has the register's control byte, which is its fifth.
             std::array<std::byte, wire::max_size<sync_manager>> bytes{};
             bytes[4] = static_cast<std::byte>(each.description.control);
             sync_manager settings{};

@@ -47,14 +47,12 @@ class state_change {
     }
 
     progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
-        const auto& datagram = datagrams.front();
-        if (datagram.working_counter > 1) return fail(master_errc::duplicate_station, datagram.working_counter);
-        if (datagram.working_counter == 0) return fail(master_errc::working_counter);
+        if (result_ = executed_by_one(datagrams); !result_) return progress::done;
         if (step_ == step::acknowledge) return go(step::wait_acknowledged);
         if (step_ == step::request) return go(step::wait);
 
         al_status status{};
-        static_cast<void>(wire::decode(status, datagram.data));
+        static_cast<void>(wire::decode(status, datagrams.front().data));
         const bool late = patience_.exhausted(now, config.state_timeout);
         const auto code = static_cast<std::uint32_t>(status.code);
         switch (step_) {
