@@ -14,6 +14,15 @@ struct slave_identity {
     std::uint8_t subsystem{};
     std::uint16_t station{}; ///< configured station address = JAUS node
     std::uint8_t instance{1};
+
+    /// `asked` with the slave's own octets where it says "all", 255, because nobody can answer as all. Which of its
+    /// components is meant, an identity does not know.
+    [[nodiscard]] constexpr jaus::address answering_as(jaus::address asked) const noexcept {
+        if (asked.subsystem == 255) asked.subsystem = subsystem;
+        if (asked.node == 255) asked.node = static_cast<std::uint8_t>(station);
+        if (asked.instance == 255) asked.instance = instance;
+        return asked;
+    }
 };
 
 /// An SDO download or upload: what crosses the wire.

@@ -138,10 +138,8 @@ class image_exchange {
         return static_cast<counter>(now - wanted) <= std::numeric_limits<counter>::max() / 2;
     }
     [[nodiscard]] constexpr jaus::header addressed(jaus::header head) const noexcept {
-        auto& to = head.destination;
-        if (to.subsystem == all) to.subsystem = slave_.subsystem;
-        if (to.component == all) to.component = component_;
-        if (to.instance == all) to.instance = slave_.instance;
+        head.destination = slave_.answering_as(head.destination);
+        if (head.destination.component == all) head.destination.component = component_;
         return head;
     }
 

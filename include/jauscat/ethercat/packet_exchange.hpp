@@ -46,7 +46,7 @@ template <class Table> class packet_exchange {
     /// Bytes of buffer that every step can do with: the largest packet or message.
     static constexpr std::size_t buffer_size = std::max(translator::max_packet_size, translator::max_message_size);
 
-    /// `slave` stands in for octets of the destination that say "all", because nobody can answer as all.
+    /// With `slave`, which stands in for octets of the destination that say "all".
     constexpr explicit packet_exchange(const slave_identity& slave) noexcept : slave_{slave} {}
 
     /// Starts to deliver a JAUS message: its download request to `buffer`, with what is the caller's own, such as a
@@ -84,7 +84,7 @@ template <class Table> class packet_exchange {
     [[nodiscard]] constexpr std::size_t acknowledgement(std::span<std::byte> out) const noexcept {
         if (end_ == exchange_progress::ignored || head_.ack_nak != jaus::ack_nak::request) return 0;
         jaus::header request = head_;
-        request.destination = asked();
+        request.destination = slave_.answering_as(head_.destination);
         if (!jaus::names_one_component(request.destination)) return 0;
         const bool done = end_ == exchange_progress::done;
         return jaus::make_acknowledgement(request, done ? jaus::ack_nak::ack : jaus::ack_nak::nak, out).size();
@@ -146,22 +146,13 @@ template <class Table> class packet_exchange {
         jaus::header report{};
         static_cast<void>(wire::decode_prefix(report, buffer));
         const auto component = report.source.component;
-        report.source = asked();
-        if (report.source.component == all) report.source.component = component;
+        report.source = slave_.answering_as(head_.destination);
+        if (report.source.component == 255) report.source.component = component;
         if (!jaus::names_one_component(report.source)) return fail(translate::errc::out_of_range);
         report.destination = head_.source;
         report.sequence_number = head_.sequence_number;
         static_cast<void>(wire::encode(report, buffer));
         return finish(size.size());
-    }
-
-    static constexpr std::uint8_t all = 255;
-    [[nodiscard]] constexpr jaus::address asked() const noexcept {
-        jaus::address one = head_.destination;
-        if (one.subsystem == all) one.subsystem = slave_.subsystem;
-        if (one.node == all) one.node = static_cast<std::uint8_t>(slave_.station);
-        if (one.instance == all) one.instance = slave_.instance;
-        return one;
     }
 
     constexpr exchange_step finish(std::size_t size) noexcept {
