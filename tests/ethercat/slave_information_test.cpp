@@ -176,6 +176,37 @@ TEST_CASE("complete access writes all entries of an object") {
     CHECK(value(1) == "07");
 }
 
+TEST_CASE("a variable is not accessed as a whole, whatever it says of itself") {
+    // 2000h:0 is a text of 32 bytes, more than a small mailbox has room for.
+    struct variable {
+        object_read read(std::uint16_t, std::uint8_t, std::span<std::byte> out) noexcept {
+            CHECK(out.size() < 32);
+            return {.error = abort_code::exceeds_mailbox};
+        }
+        abort_code write(std::uint16_t, std::uint8_t, std::span<const std::byte>) noexcept { return abort_code::none; }
+        [[nodiscard]] std::uint16_t next_index(std::uint16_t after) const noexcept {
+            return after < 0x2000 ? std::uint16_t{0x2000} : std::uint16_t{};
+        }
+        [[nodiscard]] std::optional<object_info> describe(std::uint16_t) const noexcept {
+            return object_info{.data_type = data_types::visible_string, .code = code, .complete_access = true};
+        }
+        [[nodiscard]] std::optional<entry_info> describe(std::uint16_t, std::uint8_t subindex) const noexcept {
+            if (subindex != 0) return {};
+            return entry_info{.data_type = data_types::visible_string, .bits = 32 * 8, .access = accessible_always};
+        }
+        object_code code{};
+    };
+    for (const auto code : {object_code::variable, object_code::record}) { // nor a record whose count is no number
+        variable text{.code = code};
+        slave device{test::slave_bench::sized({}, 24), text};
+        test::slave_bench b;
+        b.start(device, 24);
+        const std::string refused = "20 80 00 20 00 04 00 01 06";
+        CHECK(b.ask("0a00 0000 00 13 0020 50 0020 00 00000000") == "0a 00 00 00 00 13 00 " + refused);
+        CHECK(b.ask("0a00 0000 00 23 0020 33 0020 00 01020304") == "0a 00 00 00 00 23 00 " + refused);
+    }
+}
+
 TEST_CASE("complete access goes in segments through a small mailbox") {
     std::vector<std::byte> memory(64);
     bench b{24, {.transfer_memory = memory}};
