@@ -126,12 +126,12 @@ inline device make_device(const ethercat::slave_description& slave, const device
     made.sync_managers = {{.use = ethercat::sii_sync_manager_use::mailbox_out,
                            .start = slave.mailbox_out_offset,
                            .default_size = slave.mailbox_out_size,
-                           .control = 0x26,
+                           .control = ethercat::manager_controls::mailbox_out,
                            .enabled = true},
                           {.use = ethercat::sii_sync_manager_use::mailbox_in,
                            .start = slave.mailbox_in_offset,
                            .default_size = slave.mailbox_in_size,
-                           .control = 0x22,
+                           .control = ethercat::manager_controls::mailbox_in,
                            .enabled = true}};
     made.coe = {.sdo_information = true, .complete_access = true, .segmented_sdo = segmented_sdo};
     made.eeprom.byte_size = static_cast<std::uint32_t>(image.size());

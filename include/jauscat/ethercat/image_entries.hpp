@@ -2,6 +2,7 @@
 // its process data and the table that fills them cannot differ.
 #pragma once
 #include <jauscat/ethercat/pdo_entry.hpp>
+#include <jauscat/schema/ethercat/data_types.hpp>
 #include <jauscat/wire/schema.hpp>
 
 #include <array>
@@ -10,7 +11,6 @@ namespace jauscat::ethercat {
 
 namespace detail {
 
-// ETG.1000.6, table 64.
 template <class Codec> consteval std::uint8_t data_type_of() noexcept {
     using value = typename Codec::value_type;
     if constexpr (std::is_enum_v<value>) {
@@ -18,10 +18,12 @@ template <class Codec> consteval std::uint8_t data_type_of() noexcept {
     } else {
         static_assert(std::is_integral_v<value> || std::is_floating_point_v<value>,
                       "image_entries: a field of an image must be a number");
+        using namespace data_types;
         constexpr std::size_t size = Codec::size;
-        if (std::is_floating_point_v<value>) return size == 4 ? 0x08 : 0x11;
-        if (std::is_signed_v<value>) return size == 1 ? 0x02 : size == 2 ? 0x03 : size == 4 ? 0x04 : 0x15;
-        return size == 1 ? 0x05 : size == 2 ? 0x06 : size == 4 ? 0x07 : 0x1B;
+        if (std::is_floating_point_v<value>) return size == 4 ? real32 : real64;
+        if (std::is_signed_v<value>)
+            return size == 1 ? integer8 : size == 2 ? integer16 : size == 4 ? integer32 : integer64;
+        return size == 1 ? unsigned8 : size == 2 ? unsigned16 : size == 4 ? unsigned32 : unsigned64;
     }
 }
 
@@ -44,11 +46,12 @@ template <auto Member, class Codec> struct entries_of<wire::field<Member, Codec>
 template <auto Member, std::size_t Width> struct entries_of<wire::bit<Member, Width>> {
     static constexpr std::size_t count = 1;
     static constexpr void put(pdo_entry*& out, entry_numbers& next) noexcept {
-        constexpr std::uint8_t boolean = 0x01, bit1 = 0x30; // BIT1 to BIT8: 30h to 37h
+        constexpr auto type =
+            std::is_same_v<wire::member_t<Member>, bool> ? data_types::boolean : data_types::bit1 + Width - 1;
         *out++ = {.index = next.index,
                   .subindex = ++next.subindex,
                   .bits = Width,
-                  .data_type = std::is_same_v<wire::member_t<Member>, bool> ? boolean : bit1 + Width - 1,
+                  .data_type = static_cast<std::uint8_t>(type),
                   .name = wire::member_name<Member>};
     }
 };

@@ -1,6 +1,7 @@
 // What an emulated slave can say about its objects: the answers of SDO information, before they are bytes.
 #pragma once
 
+#include <jauscat/schema/ethercat/data_types.hpp>
 #include <jauscat/schema/ethercat/sdo_information.hpp>
 
 #include <cstdint>
@@ -10,19 +11,19 @@ namespace jauscat::ethercat {
 
 /// One object. A variable has one entry, subindex 0; in arrays and records subindex 0 is the highest subindex.
 struct object_info {
-    std::uint16_t data_type{}; ///< ETG.1000.6, table 64; of an array, that of its entries
+    std::uint16_t data_type{}; ///< of `data_types`; of an array, that of its entries
     std::uint8_t highest_subindex{};
     object_code code{};
     std::string_view name{};
-    /// Has all entries from 0 to the highest subindex, each of a size that does not change: they can be read and
-    /// written together.
+    /// An array or a record that has all entries from 0 to the highest subindex, each of a size that does not change:
+    /// they can be read and written together.
     bool complete_access{};
 };
 
 /// One entry of an object.
 struct entry_info {
-    std::uint16_t data_type{};
-    std::uint16_t bits{}; ///< the most it can hold
+    std::uint16_t data_type{}; ///< of `data_types`
+    std::uint16_t bits{};      ///< the most it can hold
     entry_access access{};
     std::string_view name{};
 };
@@ -47,16 +48,6 @@ inline constexpr entry_access accessible_always{.read_pre_op = true,
 [[nodiscard]] constexpr bool is_readable(const entry_access& access) noexcept {
     return access.read_pre_op || access.read_safe_op || access.read_op;
 }
-
-/// The data types that describe what the emulated slaves' own objects hold. ETG.1000.6, table 64.
-namespace data_types {
-inline constexpr std::uint16_t unsigned8 = 0x0005;
-inline constexpr std::uint16_t unsigned16 = 0x0006;
-inline constexpr std::uint16_t unsigned32 = 0x0007;
-inline constexpr std::uint16_t visible_string = 0x0009;
-inline constexpr std::uint16_t pdo_mapping = 0x0021;
-inline constexpr std::uint16_t identity = 0x0023;
-} // namespace data_types
 
 /// Subindex 0 of an array or a record that cannot change.
 inline constexpr entry_info highest_subindex_info{

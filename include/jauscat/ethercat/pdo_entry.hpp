@@ -13,9 +13,8 @@ namespace jauscat::ethercat {
 struct pdo_entry {
     std::uint16_t index{}; ///< of the object; 0: a gap
     std::uint8_t subindex{};
-    std::uint8_t bits{}; ///< 1 to 255
-    std::uint8_t
-        data_type{}; ///< ETG.1000.6, table 64: 1 BOOLEAN, 2 to 4 INTEGER8 to 32, 5 to 7 UNSIGNED8 to 32, 8 REAL32
+    std::uint8_t bits{};      ///< 1 to 255
+    std::uint8_t data_type{}; ///< of `data_types`
     std::string_view name{};
 };
 
@@ -53,5 +52,13 @@ inline constexpr std::size_t mailbox_in = 1;
 inline constexpr std::size_t outputs = 2;
 inline constexpr std::size_t inputs = 3;
 } // namespace manager_numbers
+
+/// Control bytes of these SyncManagers.
+namespace manager_controls {
+inline constexpr std::uint8_t mailbox_out = 0x26; ///< mailbox, written by the master, interrupt for the slave
+inline constexpr std::uint8_t mailbox_in = 0x22;  ///< mailbox, read by the master, interrupt for the slave
+inline constexpr std::uint8_t outputs = 0x64;     ///< buffers, written by the master, interrupt for the slave, watchdog
+inline constexpr std::uint8_t inputs = 0x20;      ///< buffers, read by the master, interrupt for the slave
+} // namespace manager_controls
 
 } // namespace jauscat::ethercat

@@ -2,8 +2,9 @@
 // that every slave has taken part.
 #pragma once
 
+#include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/slave_record.hpp>
-#include <jauscat/schema/ethercat/datagram.hpp>
+#include <jauscat/schema/ethercat/frame.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -13,9 +14,9 @@
 namespace jauscat::ethercat {
 
 /// Bytes of process data that one datagram carries, and so a cycle: outputs and inputs of all slaves together.
-inline constexpr std::size_t max_process_image = 1486;
-/// The same where a frame carries them in two datagrams, LWR and LRD, because a slave cannot do LRW.
-inline constexpr std::size_t max_process_image_without_lrw = 737;
+inline constexpr std::size_t max_process_image = max_datagram_data;
+/// The same where a frame carries them in two datagrams, LWR and LRD, because a slave cannot do LRW: 737.
+inline constexpr std::size_t max_process_image_without_lrw = max_datagrams_size / 2 - datagram_overhead;
 
 /// The process image begins at logical address 0. Each slave has a place of its own: its outputs, then its inputs.
 struct process_image {

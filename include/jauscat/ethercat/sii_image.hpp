@@ -68,7 +68,7 @@ class sii_writer {
     /// Returns how many bytes they take.
     constexpr std::size_t write() noexcept {
         write_strings();
-        put(sii_category_header{sii_category::general, 16});
+        put(sii_category_header{sii_category::general, wire::max_size<sii_general> / 2});
         put(sii_general{.order = 1,
                         .name = 1,
                         .sdo = true,
@@ -135,15 +135,16 @@ class sii_writer {
 
     constexpr void write_sync_managers() noexcept {
         const bool process_data = slave_.has_process_data();
-        put(sii_category_header{sii_category::sync_manager, static_cast<std::uint16_t>(process_data ? 16 : 8)});
+        const std::size_t bytes = (process_data ? 4 : 2) * wire::max_size<sii_sync_manager>;
+        put(sii_category_header{sii_category::sync_manager, static_cast<std::uint16_t>(bytes / 2)});
         put(sii_sync_manager{.start = slave_.mailbox_out_offset,
                              .length = slave_.mailbox_out_size,
-                             .control = 0x26,
+                             .control = manager_controls::mailbox_out,
                              .enable = 1,
                              .use = sii_sync_manager_use::mailbox_out});
         put(sii_sync_manager{.start = slave_.mailbox_in_offset,
                              .length = slave_.mailbox_in_size,
-                             .control = 0x22,
+                             .control = manager_controls::mailbox_in,
                              .enable = 1,
                              .use = sii_sync_manager_use::mailbox_in});
         if (!process_data) return;
@@ -155,8 +156,9 @@ class sii_writer {
                                  .enable = static_cast<std::uint8_t>(size != 0 ? 1 : 0),
                                  .use = use});
         };
-        put_buffer(process_memory::outputs, slave_.output_size(), 0x64, sii_sync_manager_use::outputs); // watchdog on
-        put_buffer(process_memory::inputs, slave_.input_size(), 0x20, sii_sync_manager_use::inputs);
+        put_buffer(process_memory::outputs, slave_.output_size(), manager_controls::outputs,
+                   sii_sync_manager_use::outputs);
+        put_buffer(process_memory::inputs, slave_.input_size(), manager_controls::inputs, sii_sync_manager_use::inputs);
     }
 
     constexpr void write_pdo(sii_category category, std::uint16_t index, std::size_t manager,

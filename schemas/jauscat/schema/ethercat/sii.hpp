@@ -129,7 +129,7 @@ struct sii_pdo_entry {
     std::uint16_t index{};    ///< of the object; 0: a gap
     std::uint8_t subindex{};  ///< of the object
     std::uint8_t name{};      ///< index of a string
-    std::uint8_t data_type{}; ///< 1 BOOLEAN, 2 INTEGER8, 3 INTEGER16, 4 INTEGER32, 5 to 7 UNSIGNED8 to 32, 8 REAL32
+    std::uint8_t data_type{}; ///< of `data_types`
     std::uint8_t bits{};      ///< of its value
     std::uint16_t flags{};    ///< reserved
 };
