@@ -32,7 +32,6 @@ template <class... Paths> struct path_list {
     template <class Other>
     static constexpr std::size_t found_in = (std::size_t{Other::template count<Paths> != 0} + ... + 0);
     template <class Other> static constexpr bool each_once_in = ((Other::template count<Paths> == 1) && ... && true);
-    template <class Other> static constexpr bool none_twice_in = ((Other::template count<Paths> <= 1) && ... && true);
     static constexpr bool distinct = ((count<Paths> == 1) && ... && true);
 };
 

@@ -113,9 +113,8 @@ struct packet_header {
     std::uint32_t ul_id{};      ///< packet number of the sender's choice, returned untouched
     packet_status ul_sta{};     ///< result, in an answer; 0 in a request
     packet_command ul_cmd{};    ///< what is asked for
-    std::uint32_t
-        ul_ext{}; ///< place in a fragmented sequence: 0x80 first, 0xC0 middle, 0x40 last, 0x200 will be retried
-    std::uint32_t ul_rout{}; ///< 0; firmware internal
+    std::uint32_t ul_ext{};     ///< place in a sequence: 0x80 first, 0xC0 middle, 0x40 last, 0x200 will be retried
+    std::uint32_t ul_rout{};    ///< 0; firmware internal
     friend constexpr bool operator==(const packet_header&, const packet_header&) = default;
 };
 
