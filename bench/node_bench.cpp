@@ -1,8 +1,8 @@
 // Messages received, dispatched and answered each second over the loopback interface, next to a bare echo by recvfrom
 // and sendto, in turns: what a node costs beside its sockets, and what the way through another node costs. Prints
 // Markdown. scripts/measure-node runs it.
+#include "measuring.hpp"
 #include "node/client.hpp"
-#include "wire/report.hpp"
 #include <jauscat/jaus/component.hpp>
 #include <jauscat/net/jaus_node.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
@@ -166,10 +166,10 @@ template <class Server> measured measure(Server& server, client& asking, std::si
     std::atomic<bool> stop{false};
     {
         std::jthread answering{[&] {
-            wire_bench::pin(1);
-            const auto before = wire_bench::cpu_time();
+            measuring::pin(1);
+            const auto before = measuring::cpu_time();
             server.run(stop);
-            cpu = wire_bench::cpu_time() - before;
+            cpu = measuring::cpu_time() - before;
         }};
         result.load = asking.run(server.port(), window, time);
         stop = true;
@@ -188,9 +188,9 @@ measured median(std::vector<measured>& runs) {
 
 void print(const char* name, std::size_t window, const measured& m, const measured& echo) {
     std::printf("| %s | %zu | %.0f | %.0f %% | %.2f | %.0f %% | %.1f | %.1f | %llu |\n", name, window,
-                m.load.per_second(), 100 * m.load.per_second() / echo.load.per_second(), wire_bench::us(m.cpu),
-                100 * wire_bench::us(m.cpu) / wire_bench::us(echo.cpu), wire_bench::us(m.load.latency.quantile(0.5)),
-                wire_bench::us(m.load.latency.quantile(0.99)), static_cast<unsigned long long>(m.load.lost));
+                m.load.per_second(), 100 * m.load.per_second() / echo.load.per_second(), measuring::us(m.cpu),
+                100 * measuring::us(m.cpu) / measuring::us(echo.cpu), measuring::us(m.load.latency.quantile(0.5)),
+                measuring::us(m.load.latency.quantile(0.99)), static_cast<unsigned long long>(m.load.lost));
 }
 
 void run(unsigned rounds, nanoseconds time) {
@@ -203,7 +203,7 @@ void run(unsigned rounds, nanoseconds time) {
     guarded.guard(asking.port());
     two_nodes nodes{asking.port()};
     const jaus::address first{1, 33, 1, 2}, second{1, 33, 2, 2};
-    wire_bench::pin(0);
+    measuring::pin(0);
     for (const std::size_t window : {1u, 8u, 64u}) {
         struct row {
             const char* name;

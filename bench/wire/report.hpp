@@ -1,18 +1,17 @@
 // What was measured on the wire: a table for people, and JSON with the histograms for a plot.
 #pragma once
 
+#include "../measuring.hpp"
 #include <jauscat/net/latency_histogram.hpp>
 
 #include <cstdio>
-#include <ctime>
 #include <deque>
 #include <optional>
-#include <pthread.h>
-#include <sched.h>
 #include <string>
 
 namespace wire_bench {
 
+using namespace measuring;
 using nanoseconds = std::chrono::nanoseconds;
 
 struct row {
@@ -21,22 +20,6 @@ struct row {
     std::optional<double> frames{}; ///< that the master sent, each time
     nanoseconds cpu{};              ///< of the measuring thread, each time
 };
-
-/// Time that this thread has spent on a processor.
-inline nanoseconds cpu_time() {
-    std::timespec time{};
-    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return std::chrono::seconds{time.tv_sec} + nanoseconds{time.tv_nsec};
-}
-
-/// Keeps this thread on one processor; no effect where there is no such processor, or if it is negative.
-inline void pin(int processor) {
-    if (processor < 0) return;
-    cpu_set_t set;
-    CPU_ZERO(&set);
-    CPU_SET(static_cast<unsigned>(processor), &set);
-    ::pthread_setaffinity_np(::pthread_self(), sizeof set, &set);
-}
 
 /// The row's work done `count` times, and a tenth of that before, unmeasured.
 template <class Work> void measure(row& into, unsigned count, Work work) {
@@ -50,8 +33,6 @@ template <class Work> void measure(row& into, unsigned count, Work work) {
     }
     into.cpu = (cpu_time() - cpu) / count;
 }
-
-inline double us(nanoseconds time) { return static_cast<double>(time.count()) / 1000; }
 
 /// The row as a line of a Markdown table.
 inline void print(const row& r) {
