@@ -13,6 +13,7 @@
 
 using namespace jauscat::ethercat;
 using namespace std::chrono_literals;
+using jauscat::test::counting;
 using jauscat::test::from_hex;
 using jauscat::test::simulated_link;
 using jauscat::test::to_hex;
@@ -21,12 +22,6 @@ namespace test = jauscat::test;
 namespace {
 
 using bytes = std::vector<std::byte>;
-
-bytes counting(std::size_t size) {
-    bytes data(size);
-    for (std::size_t i = 0; i != size; ++i) data[i] = static_cast<std::byte>(i + 1);
-    return data;
-}
 
 // One slave with two objects, a link and a master.
 struct bench {

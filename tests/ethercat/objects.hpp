@@ -1,4 +1,4 @@
-// Objects for the slaves of these tests: sizes are exact, and any object can be given an abort code.
+// Objects for the slaves of these tests: sizes are exact, and any object can be given an abort code. And data for them.
 #pragma once
 
 #include <jauscat/ethercat/object_dictionary.hpp>
@@ -9,6 +9,13 @@
 #include <vector>
 
 namespace jauscat::test {
+
+/// Bytes that count up from `first`.
+inline std::vector<std::byte> counting(std::size_t size, unsigned first = 1) {
+    std::vector<std::byte> data(size);
+    for (std::size_t i = 0; i != size; ++i) data[i] = static_cast<std::byte>(first + i);
+    return data;
+}
 
 struct object {
     std::vector<std::byte> value{};

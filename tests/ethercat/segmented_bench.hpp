@@ -15,12 +15,6 @@
 
 namespace jauscat::test {
 
-inline std::vector<std::byte> counting(std::size_t size, unsigned first = 1) {
-    std::vector<std::byte> data(size);
-    for (std::size_t i = 0; i != size; ++i) data[i] = static_cast<std::byte>(first + i);
-    return data;
-}
-
 struct segmented_bench {
     using bytes = std::vector<std::byte>;
     using datagram = ethercat::basic_datagram<std::byte>;

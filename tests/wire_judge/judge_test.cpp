@@ -19,6 +19,7 @@
 using namespace jauscat;
 using namespace std::chrono_literals;
 using ethercat::master_errc;
+using test::counting;
 
 namespace {
 
@@ -26,11 +27,6 @@ using rows = std::vector<std::string>;
 
 constexpr std::uint16_t station = 2;
 
-std::vector<std::byte> numbered(std::size_t size) {
-    std::vector<std::byte> data(size);
-    for (std::size_t i = 0; i != size; ++i) data[i] = static_cast<std::byte>(i + 1);
-    return data;
-}
 /// `size` bytes of the data from `from` on, as tshark prints them.
 std::string part(const std::vector<std::byte>& data, std::size_t from, std::size_t size) {
     std::string text;
@@ -192,7 +188,7 @@ TEST_CASE("tshark reads SDO transfers") {
     one_slave s;
     auto& w = s.w;
     REQUIRE(w.bring_up().error == master_errc::ok);
-    const auto data = numbered(300);
+    const auto data = counting(300);
     std::uint8_t subindex = 0;
     for (const std::size_t size : {1u, 2u, 3u, 4u, 28u, 300u}) {
         s.objects.add(0x2000, ++subindex, size);
@@ -276,7 +272,7 @@ TEST_CASE("tshark reads complete access and SDO information") {
     master_and_slaves w{slaves};
     REQUIRE(w.bring_up().error == master_errc::ok);
     std::array<std::byte, 64> into{};
-    const auto data = numbered(6);
+    const auto data = counting(6);
     REQUIRE(w.master.download(station, numbers.at, 1, data, {.complete_access = true}));
     w.run();
     CHECK(std::ranges::equal(numbers.values, data));
@@ -363,7 +359,7 @@ TEST_CASE("tshark reads the way of two slaves to OP, and their cycles") {
         REQUIRE(w.master.result());
     }
     const auto setting_up = w.slaves_thread.frames();
-    const std::vector<std::byte> values = numbered(8);
+    const std::vector<std::byte> values = counting(8);
     std::ranges::copy(std::span{values}.first(4), cyclic.outputs(w.master.slaves()[0]).begin());
     std::ranges::copy(std::span{values}.last(4), cyclic.outputs(w.master.slaves()[1]).begin());
     for (int i = 0; i != 3; ++i) cycle();
