@@ -1,4 +1,4 @@
-// Mailbox messages to one emulated slave, byte for byte.
+// Single datagrams to emulated slaves, and mailbox messages to one, byte for byte.
 #pragma once
 
 #include "support/catch.hpp"
@@ -11,6 +11,39 @@
 #include <vector>
 
 namespace jauscat::test {
+
+/// A datagram as it came back.
+struct returned_datagram {
+    std::uint16_t working_counter{};
+    std::uint16_t adp{};
+    std::vector<std::byte> data{};
+};
+
+/// Sends a frame of one datagram through whatever `process` does to it.
+returned_datagram send_through(auto&& process, ethercat::command cmd, std::uint16_t adp, std::uint16_t ado,
+                               std::span<const std::byte> data) {
+    constexpr std::uint8_t index = 7;
+    std::vector<std::byte> frame(ethercat::max_frame_size);
+    ethercat::frame_builder builder{frame, index};
+    builder.add(cmd, adp, ado, data);
+    const auto size = builder.finish();
+    REQUIRE(size);
+    process(std::span{frame}.first(size.size()));
+    ethercat::frame_view view;
+    REQUIRE(view.parse(frame));
+    const auto datagram = *view.begin();
+    REQUIRE(datagram.header.index == index);
+    return {datagram.working_counter, datagram.header.adp, {datagram.data.begin(), datagram.data.end()}};
+}
+
+/// The message in a reply mailbox that was read, as long as its header says; empty if there was none.
+inline std::string mail_in(const returned_datagram& read) {
+    if (read.working_counter == 0) return {};
+    ethercat::mailbox_header header{};
+    const auto used = wire::decode_prefix(header, read.data);
+    REQUIRE(used);
+    return to_hex(std::span{read.data}.first(used.size() + header.length));
+}
 
 /// Mailboxes are of one size, at 0x1000 and 0x1600.
 class slave_bench {
@@ -37,21 +70,8 @@ class slave_bench {
         CHECK(state("0200") == "02 00 00 00 00 00");
     }
 
-    struct reply {
-        std::uint16_t working_counter{};
-        std::vector<std::byte> data{};
-    };
-    reply send(ethercat::command cmd, std::uint16_t ado, const std::vector<std::byte>& data) {
-        std::vector<std::byte> frame(ethercat::max_frame_size);
-        ethercat::frame_builder builder{frame};
-        builder.add(cmd, 0, ado, std::span<const std::byte>{data});
-        const auto size = builder.finish();
-        REQUIRE(size);
-        device_->process(std::span{frame}.first(size.size()));
-        ethercat::frame_view view;
-        REQUIRE(view.parse(frame));
-        const auto datagram = *view.begin();
-        return {datagram.working_counter, {datagram.data.begin(), datagram.data.end()}};
+    returned_datagram send(ethercat::command cmd, std::uint16_t ado, std::span<const std::byte> data) {
+        return send_through([this](std::span<std::byte> frame) { device_->process(frame); }, cmd, 0, ado, data);
     }
     std::uint16_t write(std::uint16_t ado, std::string_view hex) {
         return send(ethercat::command::apwr, ado, from_hex(hex)).working_counter;
@@ -79,14 +99,8 @@ class slave_bench {
         message.resize(size_);
         return send(ethercat::command::apwr, 0x1000, message).working_counter == 1;
     }
-    /// The message in the reply mailbox, as long as its header says; empty if there is none.
-    std::string take() {
-        const auto got = send(ethercat::command::aprd, 0x1600, std::vector<std::byte>(size_));
-        if (got.working_counter == 0) return {};
-        ethercat::mailbox_header header{};
-        REQUIRE(wire::decode_prefix(header, got.data));
-        return to_hex(std::span{got.data}.first(6u + header.length));
-    }
+    /// The message in the reply mailbox; empty if there is none.
+    std::string take() { return mail_in(send(ethercat::command::aprd, 0x1600, std::vector<std::byte>(size_))); }
     std::string ask(std::string_view hex) {
         CHECK(put(hex));
         return take();

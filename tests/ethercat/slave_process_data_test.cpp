@@ -1,11 +1,7 @@
 // Process data of emulated slaves: FMMUs, buffered SyncManagers, working counters, states and the watchdog, frame by
 // frame as any master's.
 #include "ethercat/objects.hpp"
-#include "support/catch.hpp"
-#include "support/hex.hpp"
-#include <jauscat/ethercat/frame_builder.hpp>
-#include <jauscat/ethercat/frame_view.hpp>
-#include <jauscat/ethercat/slave.hpp>
+#include "ethercat/slave_bench.hpp"
 #include <jauscat/ethercat/standard_objects.hpp>
 
 #include <chrono>
@@ -46,17 +42,12 @@ struct chain {
     }
 
     reply send(command cmd, std::uint32_t address, const std::vector<std::byte>& data) {
-        std::vector<std::byte> frame(max_frame_size);
-        frame_builder builder{frame, 7};
-        builder.add(cmd, static_cast<std::uint16_t>(address), static_cast<std::uint16_t>(address >> 16),
-                    std::span<const std::byte>{data});
-        const auto size = builder.finish();
-        REQUIRE(size);
-        for (auto& each : slaves) each.process(std::span{frame}.first(size.size()));
-        frame_view view;
-        REQUIRE(view.parse(frame));
-        const auto datagram = *view.begin();
-        return {datagram.working_counter, to_hex(datagram.data)};
+        const auto process = [this](std::span<std::byte> frame) {
+            for (auto& each : slaves) each.process(frame);
+        };
+        const auto back = test::send_through(process, cmd, static_cast<std::uint16_t>(address),
+                                             static_cast<std::uint16_t>(address >> 16), data);
+        return {back.working_counter, to_hex(back.data)};
     }
     // Registers and memory of the slave at a position.
     reply write(std::uint16_t ado, std::string_view hex, unsigned position = 0) {

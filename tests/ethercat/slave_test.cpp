@@ -1,10 +1,6 @@
 // The emulated slave, register by register and frame by frame, as a stranger's master would find it.
 #include "ethercat/objects.hpp"
-#include "support/catch.hpp"
-#include "support/hex.hpp"
-#include <jauscat/ethercat/frame_builder.hpp>
-#include <jauscat/ethercat/frame_view.hpp>
-#include <jauscat/ethercat/slave.hpp>
+#include "ethercat/slave_bench.hpp"
 
 #include <random>
 #include <string>
@@ -14,7 +10,6 @@ using namespace jauscat::ethercat;
 using jauscat::test::from_hex;
 using jauscat::test::to_hex;
 namespace test = jauscat::test;
-namespace wire = jauscat::wire;
 
 namespace {
 
@@ -33,17 +28,8 @@ struct bench {
     explicit bench(const slave_description& description = {}) : device{description, objects} {}
 
     reply send(command cmd, std::uint16_t adp, std::uint16_t ado, const std::vector<std::byte>& data) {
-        std::vector<std::byte> frame(max_frame_size);
-        frame_builder builder{frame, 7};
-        builder.add(cmd, adp, ado, std::span<const std::byte>{data});
-        const auto size = builder.finish();
-        REQUIRE(size);
-        device.process(std::span{frame}.first(size.size()));
-        frame_view view;
-        REQUIRE(view.parse(frame));
-        const auto datagram = *view.begin();
-        REQUIRE(datagram.header.index == 7);
-        return {datagram.working_counter, datagram.header.adp, to_hex(datagram.data)};
+        const auto back = through(cmd, adp, ado, data);
+        return {back.working_counter, back.adp, to_hex(back.data)};
     }
     reply write(std::uint16_t ado, std::string_view hex) { return send(command::apwr, 0, ado, from_hex(hex)); }
     reply read(std::uint16_t ado, std::size_t size) {
@@ -61,14 +47,14 @@ struct bench {
         message.resize(size);
         return send(command::apwr, 0, 0x1000, message).working_counter;
     }
-    // The front of the reply, as long as its header says; empty when there is none.
     std::string take_mail(std::size_t size = 256) {
-        const auto got = read(0x1600, size);
-        if (got.working_counter == 0) return {};
-        const auto bytes = from_hex(got.data);
-        mailbox_header header{};
-        REQUIRE(wire::decode_prefix(header, bytes));
-        return to_hex(std::span{bytes}.first(6u + header.length));
+        return test::mail_in(through(command::aprd, 0, 0x1600, std::vector<std::byte>(size)));
+    }
+
+  private:
+    test::returned_datagram through(command cmd, std::uint16_t adp, std::uint16_t ado,
+                                    std::span<const std::byte> data) {
+        return test::send_through([this](std::span<std::byte> frame) { device.process(frame); }, cmd, adp, ado, data);
     }
 };
 
