@@ -16,6 +16,7 @@
 using namespace jauscat;
 using ethercat::abort_code;
 using jauscat::test::from_hex;
+using jauscat::test::hex_of;
 using jauscat::test::to_hex;
 
 namespace {
@@ -196,13 +197,13 @@ TEST_CASE("a strict slave aborts a shorter message, and the reason names the opt
 TEST_CASE("a strict slave takes a shorter message under a table with fixed lengths") {
     strict_robot<fixed_table> robot;
     CHECK(robot.deliver(one_effort));
-    CHECK(to_hex(robot.behind.held) == to_hex(from_hex("0c00 0602 02200304 2200 0100 ff7f"
-                                                       "0000000000000000 0000000000000000")));
+    CHECK(to_hex(robot.behind.held) == hex_of("0c00 0602 02200304 2200 0100 ff7f"
+                                              "0000000000000000 0000000000000000"));
 }
 
 TEST_CASE("a strict slave gives a shorter report under a table with fixed lengths") {
     strict_robot<fixed_table> robot;
     robot.behind.held = from_hex("0e00 0602 02200304 2200 0300 ff7f 0180"
                                  "0000000000000000 000000000000");
-    CHECK(to_hex(robot.fetch()) == to_hex(from_hex("0602 0544 05210201 02200304 0600 2200 0300 ff7f 0180")));
+    CHECK(to_hex(robot.fetch()) == hex_of("0602 0544 05210201 02200304 0600 2200 0300 ff7f 0180"));
 }

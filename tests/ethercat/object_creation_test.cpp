@@ -10,6 +10,7 @@
 
 using namespace jauscat;
 using jauscat::test::from_hex;
+using jauscat::test::hex_of;
 using jauscat::test::to_hex;
 
 namespace {
@@ -55,14 +56,14 @@ constexpr std::string_view report_packet = "20000000 00000000 00000000 00000000 
 TEST_CASE("an object list becomes one packet for the object and one for each subobject") {
     const object_creation creation{arm};
     REQUIRE(creation.size() == 3);
-    CHECK(to_hex(packet_of(creation, 0)) == to_hex(from_hex(object_packet)));
-    CHECK(to_hex(packet_of(creation, 1)) == to_hex(from_hex(command_packet)));
-    CHECK(to_hex(packet_of(creation, 2)) == to_hex(from_hex(report_packet)));
+    CHECK(to_hex(packet_of(creation, 0)) == hex_of(object_packet));
+    CHECK(to_hex(packet_of(creation, 1)) == hex_of(command_packet));
+    CHECK(to_hex(packet_of(creation, 2)) == hex_of(report_packet));
 }
 
 TEST_CASE("objects of fixed length are created without variable size") {
     const object_creation creation{strict_arm};
-    CHECK(to_hex(packet_of(creation, 0)) == to_hex(from_hex(object_packet)));
+    CHECK(to_hex(packet_of(creation, 0)) == hex_of(object_packet));
     auto expected = from_hex(command_packet);
     expected[43] = std::byte{0x01};
     expected[49] = std::byte{30};
@@ -140,9 +141,9 @@ TEST_CASE("all parts of a subobject stand in the order of the manual, announced 
     const auto size = wire::encode(request, out);
     REQUIRE(size);
     const auto bytes = std::span{out}.first(size.size());
-    CHECK(to_hex(bytes.subspan(40)) == to_hex(from_hex("0020 01 7b 00 0000 0a00 00000000 00000000"
-                                                       "44332211 01000000 6e 01000000 01 02000000 0203"
-                                                       "01000000 04 01000000 05")));
+    CHECK(to_hex(bytes.subspan(40)) == hex_of("0020 01 7b 00 0000 0a00 00000000 00000000"
+                                              "44332211 01000000 6e 01000000 01 02000000 0203"
+                                              "01000000 04 01000000 05"));
     hilscher::od_create_subobject_request again{};
     REQUIRE(wire::decode(again, bytes));
     CHECK(again.unit == request.unit);

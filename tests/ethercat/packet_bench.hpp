@@ -84,6 +84,4 @@ template <class Objects> class basic_packet_bench {
 
 using packet_bench = basic_packet_bench<objects>;
 
-inline std::string hex_of(const char* text) { return to_hex(from_hex(text)); }
-
 } // namespace jauscat::test

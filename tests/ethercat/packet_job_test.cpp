@@ -12,6 +12,7 @@
 using namespace jauscat::ethercat;
 using jauscat::hilscher::packet_status;
 using jauscat::test::from_hex;
+using jauscat::test::hex_of;
 using jauscat::test::to_hex;
 namespace hilscher = jauscat::hilscher;
 namespace net = jauscat::net;
@@ -44,7 +45,6 @@ struct bench {
     }
     std::string answer(const char* request) { return to_hex(execute(from_hex(request))); }
 };
-std::string hex_of(const char* text) { return to_hex(from_hex(text)); }
 
 /// A download of 4 bytes to object 2000h:1 of slave 0100h, packet number 1.
 constexpr const char* download = "20000000 00000000 00000000 00000000 14000000 01000000 00000000 08006500"

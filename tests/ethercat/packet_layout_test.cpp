@@ -10,6 +10,7 @@
 
 using namespace jauscat::hilscher;
 using jauscat::test::from_hex;
+using jauscat::test::hex_of;
 using jauscat::test::to_hex;
 namespace ethercat = jauscat::ethercat;
 namespace wire = jauscat::wire;
@@ -28,7 +29,6 @@ template <class Packet> std::string body(Packet packet, std::uint32_t command, s
     const auto rest = std::span{bytes}.first(size.size()).subspan(40);
     return rest.empty() ? std::string{} : to_hex(rest);
 }
-std::string hex_of(const char* text) { return to_hex(from_hex(text)); }
 
 /// The packet that these bytes of body make, after a header of zeros.
 template <class Packet> Packet read(const char* text) {

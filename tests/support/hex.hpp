@@ -54,4 +54,7 @@ inline std::string to_hex(std::span<const std::byte> bytes) {
     return text;
 }
 
+/// The bytes of a text that groups its digits otherwise, as `to_hex` spells them.
+inline std::string hex_of(std::string_view text) { return to_hex(from_hex(text)); }
+
 } // namespace jauscat::test

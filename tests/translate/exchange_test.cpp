@@ -93,7 +93,7 @@ TEST_CASE("a message that asks for an acknowledgement gets ACK when it is done, 
     REQUIRE(c.begin(wanting_acknowledgement(commanding)).what == exchange_progress::request);
     CHECK(c.acknowledgement().empty());
     REQUIRE(c.confirm(download_done).what == exchange_progress::done);
-    CHECK(c.acknowledgement() == to_hex(from_hex("3602 0504 02200304 05210201 0000 2200")));
+    CHECK(c.acknowledgement() == hex_of("3602 0504 02200304 05210201 0000 2200"));
 }
 
 TEST_CASE("a confirmation with an error becomes NAK when an acknowledgement was asked for, and a line for people") {
@@ -104,7 +104,7 @@ TEST_CASE("a confirmation with an error becomes NAK when an acknowledgement was 
     CHECK(end.made.empty());
     CHECK(c.exchange.status() == packet_status::sdo_abort_no_object);
     CHECK(c.exchange.error() == errc::ok);
-    CHECK(c.acknowledgement() == to_hex(from_hex("2602 0504 02200304 05210201 0000 2200")));
+    CHECK(c.acknowledgement() == hex_of("2602 0504 02200304 05210201 0000 2200"));
     CHECK(text::explain(c.exchange.status()) ==
           "no such object in the dictionary (ulSta 0xC0650031, abort code 0x06020000)");
 
@@ -128,13 +128,13 @@ TEST_CASE("a query goes down to its own subindex, and its report comes up to the
 TEST_CASE("under the self-contained table too a query's report comes up to the asker") {
     self_contained_conversation c;
     CHECK(to_hex(c.begin(query).made) ==
-          to_hex(from_hex("20000000 00000000 00000000 00000000 1e000000 00000000 00000000 08006500 00000000 00000000"
-                          " 02000000 151b0000 48000000 0e000000 0602 05 01 02200304 0200 2200 ff0f")));
+          hex_of("20000000 00000000 00000000 00000000 1e000000 00000000 00000000 08006500 00000000 00000000"
+                 " 02000000 151b0000 48000000 0e000000 0602 05 01 02200304 0200 2200 ff0f"));
     const auto upload = c.confirm(from_hex("20000000 00000000 00000000 00000000 00000000 00000000 00000000 09006500"
                                            " 00000000 00000000"));
     CHECK(to_hex(upload.made) ==
-          to_hex(from_hex("20000000 00000000 00000000 00000000 0c000000 00000000 00000000 06006500 00000000 00000000"
-                          " 02000000 151b0000 79000000")));
+          hex_of("20000000 00000000 00000000 00000000 0c000000 00000000 00000000 06006500 00000000 00000000"
+                 " 02000000 151b0000 79000000"));
     const auto end = c.confirm(from_hex("20000000 00000000 00000000 00000000 1f000000 00000000 00000000 07006500"
                                         " 00000000 00000000 02000000 151b0000 79000000 0f000000"
                                         " 0602 05 01 05210201 0300 0000 408000"));
@@ -148,13 +148,13 @@ TEST_CASE("a query that asks for an acknowledgement has it when its report is th
     REQUIRE(c.confirm(download_done).what == exchange_progress::request);
     CHECK(c.acknowledgement().empty());
     REQUIRE(c.confirm(report_uploaded).what == exchange_progress::done);
-    CHECK(c.acknowledgement() == to_hex(from_hex("3602 0524 02200304 05210201 0000 2200")));
+    CHECK(c.acknowledgement() == hex_of("3602 0524 02200304 05210201 0000 2200"));
 
     REQUIRE(c.begin(wanting_acknowledgement(query)).what == exchange_progress::request);
     REQUIRE(c.confirm(download_done).what == exchange_progress::request);
     CHECK(c.confirm(upload_no_data).what == exchange_progress::failed);
     CHECK(c.exchange.status() == packet_status::sdo_abort_unknown);
-    CHECK(c.acknowledgement() == to_hex(from_hex("2602 0524 02200304 05210201 0000 2200")));
+    CHECK(c.acknowledgement() == hex_of("2602 0524 02200304 05210201 0000 2200"));
 }
 
 TEST_CASE("what is the caller's own stands in every request, and tells its confirmations from others") {
@@ -204,13 +204,13 @@ TEST_CASE("a message that cannot be delivered fails at once, with NAK if an ackn
         message[at] = static_cast<std::byte>(value);
         return message;
     };
-    const auto nak = to_hex(from_hex("2602 0504 02200304 05210201 0000 2200"));
+    const auto nak = hex_of("2602 0504 02200304 05210201 0000 2200");
     CHECK(refused(changed(13, 0x10)) == std::pair{errc::fragment_to_slave, nak});
     CHECK(refused(changed(12, 0x13)) == std::pair{errc::wrong_size, nak});
     CHECK(refused(changed(6, 255)) == std::pair{errc::broadcast_names_no_slave, nak});         // from the slave at hand
     CHECK(refused(changed(6, 0)) == std::pair{errc::broadcast_names_no_slave, std::string{}}); // 0 is nobody
     CHECK(refused(changed(3, 0x99)) ==
-          std::pair{errc::unknown_command_code, to_hex(from_hex("2602 0599 02200304 05210201 0000 2200"))});
+          std::pair{errc::unknown_command_code, hex_of("2602 0599 02200304 05210201 0000 2200")});
     CHECK(refused({asking.begin(), asking.begin() + 15}) == std::pair{errc::truncated, std::string{}});
     CHECK(refused(wanting_acknowledgement(message_with_body(seed::max_body + 1))) == std::pair{errc::too_large, nak});
 }
@@ -268,7 +268,7 @@ TEST_CASE("nobody answers as all: octets of 255 become the slave's own, the comp
     command_to_instances[4] = std::byte{255};
     c.begin(command_to_instances);
     REQUIRE(c.confirm(download_done).what == exchange_progress::done);
-    CHECK(c.acknowledgement() == to_hex(from_hex("3602 0504 02200304 05210201 0000 2200")));
+    CHECK(c.acknowledgement() == hex_of("3602 0504 02200304 05210201 0000 2200"));
 }
 
 TEST_CASE("whatever comes as a confirmation, a step ends within the buffer, and a report is a message to the asker") {

@@ -49,11 +49,11 @@ TEST_CASE("a merged message leaves the presence bits of the one before it set") 
     auto bytes = full_image;
     REQUIRE(command::forth(from_hex("0200 3412"), bytes) == translate::errc::ok);
     REQUIRE(command::merge(from_hex("0108 7856 aa"), bytes) == translate::errc::ok);
-    CHECK(to_hex(bytes) == to_hex(from_hex("0300 0308 7856 3412 0000 0040 01c0 0020 00ff80 3366aa")));
+    CHECK(to_hex(bytes) == hex_of("0300 0308 7856 3412 0000 0040 01c0 0020 00ff80 3366aa"));
     std::array<std::byte, 20> both{};
     const auto size = command::back(bytes, both);
     REQUIRE(size);
-    CHECK(to_hex(std::span{both}.first(size.size())) == to_hex(from_hex("0308 7856 3412 aa")));
+    CHECK(to_hex(std::span{both}.first(size.size())) == hex_of("0308 7856 3412 aa"));
 }
 
 TEST_CASE("the command counter leaves 0 out when it starts over") {

@@ -51,9 +51,9 @@ TEST_CASE("component 33 has index 8225 where the base is 2000h, and 26913 where 
 
 TEST_CASE("Set Wrench Effort under the self-contained table at 2000h to the byte") {
     CHECK(to_hex(forth<self_contained_at_2000h>(wrench_effort).bytes) ==
-          to_hex(from_hex("20000000 00000000 00000000 00000000 30000000 00000000 00000000 08006500 00000000 00000000"
-                          " 02000000 21200000 1a000000 20000000 0602 05 01 02200304 1400 2200"
-                          " ff0f ff7f 0180 0000 0040 01c0 0020 00ff80 336699")));
+          hex_of("20000000 00000000 00000000 00000000 30000000 00000000 00000000 08006500 00000000 00000000"
+                 " 02000000 21200000 1a000000 20000000 0602 05 01 02200304 1400 2200"
+                 " ff0f ff7f 0180 0000 0040 01c0 0020 00ff80 336699"));
 }
 
 TEST_CASE("under another base nothing but the index changes, for every component and both ways") {
