@@ -99,21 +99,12 @@ template <class Table> class robot {
 
 /// A message to one of the stations, with any header that can be delivered.
 jaus::header random_header(support::generator& g, std::uint16_t code, std::size_t body) {
-    const auto number = [&](std::size_t limit) { return static_cast<std::uint8_t>(support::below(g, limit)); };
-    jaus::header head{.command_code = code};
-    head.priority = number(16);
-    head.ack_nak = static_cast<jaus::ack_nak>(number(4));
-    head.service_connection = number(2) == 1;
-    head.experimental = number(2) == 1;
-    head.version = number(64);
-    head.reserved = number(4);
-    head.destination.instance = number(256);
-    head.destination.component = number(256);
-    head.destination.node = static_cast<std::uint8_t>(robot<seed_table>::stations[number(3)]);
-    head.destination.subsystem = number(256);
-    head.source = {number(256), number(256), number(256), number(256)};
+    const auto& stations = robot<seed_table>::stations;
+    auto head = support::random_message<jaus::header>(g);
+    head.command_code = code;
+    head.destination.node = static_cast<std::uint8_t>(stations[support::below(g, stations.size())]);
     head.data_size = static_cast<std::uint16_t>(body);
-    head.sequence_number = static_cast<std::uint16_t>(g());
+    head.data_flag = jaus::data_flag::only;
     return head;
 }
 bytes message_of(const jaus::header& head, const bytes& body) {

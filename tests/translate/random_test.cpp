@@ -12,9 +12,6 @@ namespace {
 
 using generator = std::mt19937_64;
 
-constexpr plain_table plain_of(seed) { return plain_table::seed; }
-constexpr plain_table plain_of(self_contained) { return plain_table::self_contained; }
-
 std::uint32_t below(generator& g, std::uint32_t limit) { return static_cast<std::uint32_t>(g() % limit); }
 template <class T, std::size_t Size> T pick(generator& g, const std::array<T, Size>& from) {
     return from[below(g, Size)];

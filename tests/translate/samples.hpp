@@ -1,5 +1,6 @@
 // What the tests of translation share: both translators, a message with every field, and calls that return bytes.
 #pragma once
+#include "plain_translator.hpp"
 #include "support/hex.hpp"
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
@@ -14,6 +15,10 @@ namespace jauscat::test {
 using seed = translate::translator<translation::seed_table>;
 using self_contained = translate::translator<translation::self_contained_table>;
 using packet = hilscher::sdo_download_request;
+
+/// What plain loops call the table.
+constexpr plain_table plain_of(seed) { return plain_table::seed; }
+constexpr plain_table plain_of(self_contained) { return plain_table::self_contained; }
 
 /// Set Wrench Effort with all twelve elements, to 1.2.33.5 from 4.3.32.2, sequence number 34.
 inline constexpr auto wrench_effort = hex_literal<36>("0602 0504"      // priority 6, version 2; code 0405h

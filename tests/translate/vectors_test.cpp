@@ -11,9 +11,6 @@ using namespace jauscat::test;
 
 namespace {
 
-constexpr plain_table plain_of(seed) { return plain_table::seed; }
-constexpr plain_table plain_of(self_contained) { return plain_table::self_contained; }
-
 /// The messages of the vector file: all of its "hex" members.
 std::vector<std::vector<std::byte>> golden_messages() {
     std::ifstream file{JAUSCAT_TEST_DATA "/ra_vectors.jsonl"};
