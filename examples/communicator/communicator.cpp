@@ -3,6 +3,7 @@
 #include "message_kinds.hpp"
 #include "support/component_of.hpp"
 #include "support/program.hpp"
+#include "support/repeated_lines.hpp"
 #include <jauscat/jaus/component.hpp>
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/jaus.hpp>
@@ -132,9 +133,7 @@ class communicator {
 
     net::jaus_node_options with_hooks(net::jaus_node_options options) {
         options.log = [this](std::string_view line) {
-            if (!log_ && line == last_log_line_) return; // a peer that is not running is told of once
-            last_log_line_ = line;
-            show("log: " + last_log_line_ + "\n");
+            if (log_lines_.is_new(line) || log_) show("log: " + std::string{line} + "\n");
         };
         options.seen = [this](const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
                               jaus::component_outcome what) { seen(component, head, body, what); };
@@ -247,7 +246,7 @@ class communicator {
     jaus::address self_;
     boost::asio::io_context context_{};
     std::vector<message_kind> kinds_{};
-    std::string last_log_line_{};
+    example::repeated_lines log_lines_{};
     bool log_{}, quitting_{}, any_wrong_{};
     time next_line_at_{};
     std::vector<awaited_report> awaited_{};

@@ -2,6 +2,7 @@
 #pragma once
 #include "robot_controller/slave_component.hpp"
 #include "support/program.hpp"
+#include "support/repeated_lines.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -96,9 +97,7 @@ class slave_front {
                 .node = node,
                 .log =
                     [this](std::string_view line) {
-                        if (line == last_log_line_) return; // who is not running is told of once
-                        last_log_line_ = line;
-                        say_(last_log_line_);
+                        if (log_lines_.is_new(line)) say_(std::string{line});
                     },
                 .appeared =
                     [this](const jauscat::jaus::address& who_came) {
@@ -132,7 +131,7 @@ class slave_front {
     boost::asio::steady_timer timer_{context_};
     slave_driver driver_;
     clock::time_point next_try_{};
-    std::string last_log_line_{};
+    repeated_lines log_lines_{};
     no_application nothing_more_{};
     std::deque<slave_component> components_{};
     jauscat::net::jaus_node node_;

@@ -62,5 +62,9 @@ a_component_answers() { # primitive_driver
     expect 2 "primitive_driver CONFIGURATION SYSTEM" "$bin/primitive_driver"
     expect 1 "primitive_driver: " "$bin/primitive_driver" "$bin/JausConfig.xml" nobody
 }
+absent_peers_are_told_of_once() {
+    expect 0 "communicator: stopped" "$bin/communicator" --config "$bin/JausConfig.xml" --this a < <(printf 'wait 4\nq\n')
+    [ "$(grep -c "closed port" "$work/out.log")" -eq 2 ] || fail "b and c are told of more than once, or not at all"
+}
 
 "$2"
