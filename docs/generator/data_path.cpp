@@ -1,6 +1,7 @@
 #include "data_path.hpp"
 
 #include "sdo_frame.hpp"
+#include "svg.hpp"
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/schema/ethercat/datagram.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
@@ -15,7 +16,9 @@ namespace {
 namespace ethercat = jauscat::ethercat;
 namespace jaus = jauscat::jaus;
 namespace wire = jauscat::wire;
+using jauscat::reference::attribute;
 using jauscat::reference::bytes;
+using jauscat::reference::text_element;
 using delivery = ethercat::delivery<jauscat::translation::seed_table>;
 
 constexpr ethercat::slave_identity arm{.subsystem = 2, .station = 2};
@@ -163,24 +166,16 @@ text { font-family: "DejaVu Sans", Arial, sans-serif; fill: #1f2933 }
 </style>
 )";
 
-std::string attribute(const char* name, int value) {
-    return " " + std::string{name} + "=\"" + std::to_string(value) + "\"";
-}
-std::string words(const char* kind, int x, int y, const std::string& what) {
-    return "<text class=\"" + std::string{kind} + "\"" + attribute("x", x) + attribute("y", y) + ">" + what +
-           "</text>\n";
-}
-
 std::string drawn(const row& one) {
-    std::string out =
-        words("what", margin, one.y - 34, "<tspan class=\"who\">" + one.who + "</tspan>&#160;&#160; " + one.what);
+    std::string out = text_element("what", margin, one.y - 34,
+                                   "<tspan class=\"who\">" + one.who + "</tspan>&#160;&#160; " + one.what);
     for (const cell& place : one.cells) {
-        if (!place.label.empty()) out += words("label", place.x + place.width() / 2, one.y - 6, place.label);
+        if (!place.label.empty()) out += text_element("label", place.x + place.width() / 2, one.y - 6, place.label);
         int x = place.x;
         for (const auto& box : place.boxes) {
             out += "<rect class=\"box " + place.kind + "\"" + attribute("x", x) + attribute("y", one.y) +
                    attribute("width", place.box_width) + attribute("height", box_height) + " rx=\"4\"/>\n" +
-                   words("byte", x + place.box_width / 2, one.y + 19, box);
+                   text_element("byte", x + place.box_width / 2, one.y + 19, box);
             x += place.box_width;
         }
     }

@@ -1,5 +1,6 @@
 #include "diagram.hpp"
 
+#include "svg.hpp"
 #include "words.hpp"
 
 #include <algorithm>
@@ -20,16 +21,12 @@ constexpr int cell_width = 22;         // of a bit in a presence vector
 constexpr std::size_t most_cells = 16; // of a leaf
 constexpr int text_width(std::size_t characters, int size) { return static_cast<int>(characters) * size * 6 / 10 + 1; }
 
-std::string attribute(const char* name, int value) {
-    return " " + std::string{name} + "=\"" + std::to_string(value) + "\"";
-}
 std::string rectangle(const std::string& style, int x, int y, int width, int height) {
     return "<rect class=\"" + style + "\"" + attribute("x", x) + attribute("y", y) + attribute("width", width) +
            attribute("height", height) + "/>\n";
 }
 std::string words(const char* style, int x, int y, std::string_view text) {
-    return "<text class=\"" + std::string{style} + "\"" + attribute("x", x) + attribute("y", y) + ">" + escaped(text) +
-           "</text>\n";
+    return text_element(style, x, y, escaped(text));
 }
 
 /// A box of the picture; boxes flow like words of a text, and may have boxes in them.

@@ -240,11 +240,7 @@ std::string page(const std::string& header, const std::vector<message>& messages
 }
 
 std::string index_page(const std::vector<message>& messages, const remarks& from, const translation& table) {
-    class table list {
-        {
-            "Code", "Message", "Class", "Body", "Subindex", "Subgroup"
-        }
-    };
+    class table list({"Code", "Message", "Class", "Body", "Subindex", "Subgroup"});
     for (const message& one : messages) {
         const std::string file = from.header_of(one.structure) + ".md";
         list.add({code_text(one.code), "[" + std::string{one.name} + "](" + file + "#" + anchor(heading(one)) + ")",
