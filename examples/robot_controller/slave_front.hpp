@@ -1,6 +1,7 @@
 // A JAUS node in front of one slave, with the slave's master: everything of it runs on one thread.
 #pragma once
 #include "robot_controller/slave_component.hpp"
+#include "support/component_of.hpp"
 #include "support/program.hpp"
 #include "support/repeated_lines.hpp"
 
@@ -17,10 +18,8 @@ inline std::vector<jauscat::net::component_entry> components_in_front(const jaus
                                                                       std::uint8_t node) {
     constexpr std::uint8_t primitive_driver = 33;
     std::vector<jauscat::net::component_entry> found;
-    std::ranges::copy_if(me.components, std::back_inserter(found), [&](const auto& entry) {
-        const bool is_manager = entry.id.component == 1 && entry.id.instance == 1;
-        return entry.id.node == node && !is_manager;
-    });
+    std::ranges::copy_if(me.components, std::back_inserter(found),
+                         [&](const auto& entry) { return entry.id.node == node && !is_node_manager(entry.id); });
     const auto& own = me.jausip;
     if (found.empty())
         found.push_back({.id = {.instance = std::max<std::uint8_t>(own.instance, 1),
@@ -74,8 +73,7 @@ class slave_front {
     void lose(const jauscat::jaus::address& who) {
         boost::asio::post(context_, [this, who] {
             if (node_.present() != nullptr) return; // it hears for itself
-            const bool is_node = who.component == 1 && who.instance == 1;
-            const auto gone = is_node ? jauscat::jaus::address{255, 255, who.node, who.subsystem} : who;
+            const auto gone = is_node_manager(who) ? jauscat::jaus::address{255, 255, who.node, who.subsystem} : who;
             for (auto& component : components_) component.on_lost(gone);
         });
     }

@@ -6,12 +6,13 @@
 
 namespace example {
 
+inline bool is_node_manager(const jauscat::jaus::address& who) noexcept {
+    return who.component == 1 && who.instance == 1;
+}
+
 /// The first component that the configuration gives the system, or else its Subsystem Commander (component 32).
 inline jauscat::jaus::address component_of(const jauscat::net::system_entry& system) {
-    const auto is_manager = [](const jauscat::net::component_entry& c) {
-        return c.id.component == 1 && c.id.instance == 1;
-    };
-    const auto found = std::ranges::find_if_not(system.components, is_manager);
+    const auto found = std::ranges::find_if_not(system.components, is_node_manager, &jauscat::net::component_entry::id);
     if (found != system.components.end()) return found->id;
     auto id = system.jausip;
     if (id.node == 0) id.node = system.nodes.empty() ? std::uint8_t{1} : system.nodes.front().id;
