@@ -6,6 +6,7 @@
 #include <jauscat/esi/requirements.hpp>
 #include <jauscat/esi/text_values.hpp>
 #include <jauscat/esi/xml_source.hpp>
+#include <jauscat/schema/ethercat/mailbox.hpp>
 
 #include <pugixml.hpp>
 
@@ -96,9 +97,7 @@ class esi_checker : xml_source {
         case content::boolean: return parse_boolean(value).has_value();
         case content::bytes: return !value.empty() && parse_bytes(value).has_value();
         case content::access: return value == "ro" || value == "wo" || value == "rw";
-        case content::sync_manager:
-            return std::ranges::find(sync_manager_uses, value, [](const auto& use) { return use.second; }) !=
-                   sync_manager_uses.end();
+        case content::sync_manager: return parse_sync_manager_use(value).has_value();
         }
         return false;
     }
@@ -128,17 +127,19 @@ class esi_checker : xml_source {
         }
         for (const auto sm : {out, in})
             if (const auto size = parse_number(sm.attribute("DefaultSize").value());
-                result.met() && (!size || *size < 24 || *size > 1486))
+                result.met() && (!size || *size < ethercat::min_mailbox_size || *size > ethercat::max_mailbox_size))
                 result.problem = at(sm) + "a mailbox has 24 to 1486 bytes";
     }
 
     void check_eeprom(pugi::xml_node node) {
         auto& config = add("ConfigData has the SII's words 0 to 6", "the slave controller's configuration");
         const auto bytes = parse_bytes(node.child("ConfigData").text().get());
-        if (!bytes || bytes->size() < 14) config.problem = at(node) + "expected 14 bytes or more in <ConfigData>";
+        if (!bytes || bytes->size() < ethercat::sii_configuration_checked)
+            config.problem = at(node) + "expected 14 bytes or more in <ConfigData>";
         auto& size = add("ByteSize holds the SII's fixed part", "its categories begin at byte 128");
         const auto value = parse_number(node.child("ByteSize").text().get());
-        if (!value || *value < 128) size.problem = at(node) + "expected 128 or more in <ByteSize>";
+        if (!value || *value < 2 * ethercat::sii_words::categories)
+            size.problem = at(node) + "expected 128 or more in <ByteSize>";
     }
 
     void check_object(pugi::xml_node objects, std::uint32_t index, const std::string& name) {

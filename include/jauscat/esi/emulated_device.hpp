@@ -43,8 +43,8 @@ class emulated_device {
         const auto emulated =
             make_device(description_, {device_.vendor_name, device_.group_type, device_.group_name, device_.type},
                         components_, device_.coe.segmented_sdo);
-        const auto compare = [this](bool same, const char* what_differs) {
-            if (!same) fail(std::string{what_differs} + " cannot be emulated");
+        const auto compare = [this](bool same, const std::string& what_differs) {
+            if (!same) fail(what_differs + " cannot be emulated");
         };
         compare(emulated.physics == device_.physics, "<Device>: its ports (Physics)");
         compare(emulated.profile == device_.profile, "<ProfileNo>: a device profile");
@@ -54,10 +54,10 @@ class emulated_device {
         compare(emulated.eeprom == device_.eeprom, "<Eeprom>: this memory");
         for (const auto& each : device_.objects)
             compare(std::ranges::find(emulated.objects, each) != emulated.objects.end(),
-                    ("<Object>: " + hex_number(each.index, 4) + " is of a kind that").c_str());
+                    "<Object>: " + hex_number(each.index, 4) + " is of a kind that");
         for (const auto& each : emulated.objects)
             compare(std::ranges::find(device_.objects, each) != device_.objects.end(),
-                    ("<Objects>: a device without " + hex_number(each.index, 4)).c_str());
+                    "<Objects>: a device without " + hex_number(each.index, 4));
     }
     emulated_device(const emulated_device&) = delete;
     emulated_device& operator=(const emulated_device&) = delete;
@@ -76,7 +76,8 @@ class emulated_device {
 
     void read_description() {
         if (device_.sync_managers.size() != 2) fail("<Sm>: expected two, the mailbox; process data cannot be emulated");
-        if (device_.eeprom.config_data.size() != 14) fail("<ConfigData>: expected 14 bytes, words 0 to 6 of the SII");
+        if (device_.eeprom.config_data.size() != ethercat::sii_configuration_checked)
+            fail("<ConfigData>: expected 14 bytes, words 0 to 6 of the SII");
         std::array<std::byte, wire::max_size<ethercat::sii_configuration>> words{};
         std::ranges::copy(device_.eeprom.config_data, words.begin());
         ethercat::sii_configuration configuration{};

@@ -135,7 +135,7 @@ inline device make_device(const ethercat::slave_description& slave, const device
                            .enabled = true}};
     made.coe = {.sdo_information = true, .complete_access = true, .segmented_sdo = segmented_sdo};
     made.eeprom.byte_size = static_cast<std::uint32_t>(image.size());
-    made.eeprom.config_data.assign(image.begin(), image.begin() + 14);
+    made.eeprom.config_data.assign(image.begin(), image.begin() + ethercat::sii_configuration_checked);
     return made;
 }
 

@@ -7,7 +7,6 @@
 
 #include <pugixml.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -64,14 +63,12 @@ class esi_reader : xml_source {
 
   private:
     sync_manager read_sync_manager(pugi::xml_node node) const {
-        const std::string_view use = node.text().get();
-        const auto* const known = std::ranges::find(sync_manager_uses, use, [](const auto& u) { return u.second; });
-        if (known == sync_manager_uses.end())
-            fail(node, '"' + std::string{use} + "\", expected MBoxOut, MBoxIn, Outputs or Inputs");
+        const auto use = parse_sync_manager_use(node.text().get());
+        if (!use) fail(node, '"' + std::string{node.text().get()} + "\", expected MBoxOut, MBoxIn, Outputs or Inputs");
         const auto size = [&](const char* name) {
             return static_cast<std::uint16_t>(node.attribute(name) ? number(node, name, 0xFFFF) : 0);
         };
-        return {.use = known->first,
+        return {.use = *use,
                 .start = static_cast<std::uint16_t>(number(node, "StartAddress", 0xFFFF)),
                 .default_size = size("DefaultSize"),
                 .min_size = size("MinSize"),

@@ -111,4 +111,11 @@ inline constexpr std::array<std::pair<ethercat::sii_sync_manager_use, std::strin
      {ethercat::sii_sync_manager_use::outputs, "Outputs"},
      {ethercat::sii_sync_manager_use::inputs, "Inputs"}}};
 
+/// The use that an element Sm names.
+inline std::optional<ethercat::sii_sync_manager_use> parse_sync_manager_use(std::string_view text) {
+    for (const auto& [use, name] : sync_manager_uses)
+        if (text == name) return use;
+    return std::nullopt;
+}
+
 } // namespace jauscat::esi

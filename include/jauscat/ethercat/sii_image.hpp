@@ -209,7 +209,7 @@ class sii_writer {
     };
     sii_configuration configuration{.pdi_control = sii_pdi_control, .station_alias = slave.station_alias};
     put_at(sii_words::configuration, configuration);
-    configuration.checksum = sii_checksum(whole.first(14));
+    configuration.checksum = sii_checksum(whole.first(sii_configuration_checked));
     put_at(sii_words::configuration, configuration);
     put_at(sii_words::identity, sii_identity{slave.vendor, slave.product, slave.revision, slave.serial});
     put_at(sii_words::mailbox, sii_mailbox{.receive_offset = slave.mailbox_out_offset,

@@ -26,8 +26,11 @@ struct sii_configuration {
     std::uint16_t pdi_configuration_2{}; ///< more settings of this interface
     std::uint16_t station_alias{};       ///< a second station address; 0: none
     std::array<std::byte, 4> gap{};      ///< reserved
-    std::uint16_t checksum{};            ///< low byte: CRC-8 of the 14 bytes before, polynomial 0x07, start 0xFF
+    std::uint16_t checksum{};            ///< low byte: CRC-8 of the 14 bytes before it, polynomial 0x07, start 0xFF
 };
+
+/// Bytes of words 0x00 to 0x06: what the checksum behind them covers, and what an ESI file says of the SII.
+inline constexpr std::size_t sii_configuration_checked = 14;
 
 /// Words 0x08 to 0x0F: who made the slave, 16 bytes.
 struct sii_identity {
