@@ -1,16 +1,13 @@
 // A master on a link that loses, forges and changes frames: what is not the reply changes nothing, and each job ends.
 #include "support/objects.hpp"
 #include "support/steps.hpp"
-#include <jauscat/ethercat/master.hpp>
+#include "support/timed_master.hpp"
 #include <jauscat/ethercat/process_data.hpp>
 #include <jauscat/ethercat/slave.hpp>
-
-#include <chrono>
 
 using namespace fuzz;
 using namespace jauscat;
 using namespace jauscat::ethercat;
-using namespace std::chrono_literals;
 
 namespace {
 
@@ -77,35 +74,18 @@ class session {
     }
 
     static constexpr std::uint16_t station = 2;
-    // Short times: each job ends after a bounded number of frames.
-    static constexpr master_config config{
-        .frame_timeout = 1ms, .sii_timeout = 1ms, .state_timeout = 2ms, .mailbox_timeout = 2ms};
 
     void job(auto&& start) {
         const bool clean = in_.empty();
         check(start(), "an idle master takes a job");
         check(master_.idle() || !start(), "a busy master takes no job");
-        for (int frames = 0; !master_.idle(); ++frames) {
-            check(frames != 20'000, "a job ends");
-            step();
-        }
+        timed_.run([this](bytes& frame) {
+            frame_view view;
+            check(static_cast<bool>(view.parse(frame)), "a master sends frames that parse");
+            travel(std::move(frame));
+        });
         check(!master_.next_event(), "an idle master waits for nothing");
         if (clean) check(master_.result().error != master_errc::no_reply, "on a good link replies come");
-    }
-
-    void step() {
-        bytes frame(max_frame_size);
-        const auto size = master_.next_frame(frame, now_);
-        if (size == 0) {
-            if (const auto event = master_.next_event()) now_ = std::max(now_, *event);
-            master_.on_time(now_);
-            return;
-        }
-        frame.resize(size);
-        frame_view view;
-        check(static_cast<bool>(view.parse(frame)), "a master sends frames that parse");
-        now_ += 5us;
-        travel(std::move(frame));
     }
 
     void travel(bytes frame) {
@@ -155,8 +135,9 @@ class session {
     objects source_{};
     bytes memory_ = bytes(1020); // of the largest object
     slave device_{description(0), object_dictionary{source_}, {.transfer_memory = memory_}};
-    master master_{config};
-    time_point now_{};
+    timed_master timed_{};
+    master& master_{timed_.master};
+    time_point& now_{timed_.now};
 };
 
 } // namespace

@@ -1,17 +1,16 @@
 // Packets of a card's API, executed on a ring whose slaves' answers may be changed: every request packet is confirmed,
 // in the room that there is, and after a bounded number of frames.
 #include "support/objects.hpp"
+#include "support/timed_master.hpp"
 #include <jauscat/ethercat/packet_job.hpp>
 #include <jauscat/ethercat/slave.hpp>
 #include <jauscat/ethercat/standard_objects.hpp>
 
 #include <array>
-#include <chrono>
 
 using namespace fuzz;
 using namespace jauscat;
 using namespace jauscat::ethercat;
-using namespace std::chrono_literals;
 
 namespace {
 
@@ -26,9 +25,6 @@ class session {
 
   private:
     static constexpr std::array<bus_slave, 2> bus{bus_slave{0, 1}, bus_slave{1, 2}};
-    // Short times: each job ends after a bounded number of frames.
-    static constexpr master_config config{
-        .frame_timeout = 1ms, .sii_timeout = 1ms, .state_timeout = 2ms, .mailbox_timeout = 2ms};
 
     void execute() {
         const auto options = in_.take();
@@ -60,20 +56,10 @@ class session {
     }
 
     void drive() {
-        bytes out(max_frame_size);
-        for (int frames = 0; !master_.idle(); ++frames) {
-            check(frames != 20'000, "a job ends");
-            const auto size = master_.next_frame(out, now_);
-            if (size == 0) {
-                if (const auto event = master_.next_event()) now_ = std::max(now_, *event);
-                master_.on_time(now_);
-                continue;
-            }
-            now_ += 5us;
-            bytes frame(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size));
+        timed_.run([this](bytes& frame) {
             for (auto& each : slaves_) each.process(frame);
-            if (disturb(frame)) master_.on_frame(frame, now_);
-        }
+            if (disturb(frame)) master_.on_frame(frame, timed_.now);
+        });
     }
 
     // False where the frame is lost.
@@ -94,8 +80,8 @@ class session {
     bytes memory_ = bytes(1020); // of the largest object
     std::array<slave, 2> slaves_{slave{first_, dictionaries_[0], {.transfer_memory = memory_}},
                                  slave{second_, dictionaries_[1]}};
-    master master_{config};
-    time_point now_{};
+    timed_master timed_{};
+    master& master_{timed_.master};
 };
 
 } // namespace
