@@ -105,81 +105,35 @@ class run {
         if (failed_) return finish();
         operator_->begin();
         work();
-        const auto after = memory_.peek();
-        const auto counts = std::array{operator_->counts(), robot_->counts()};
-        const auto notes = std::array{operator_->notes(), robot_->notes()};
-        const unsigned missed = operator_->disappeared + robot_->disappeared;
-        const bool controlled = robot_->controllers().size() > 0 && robot_->controllers().back() == operator_id;
-
-        relay_.cut();
-        const bool noticed = wait_until(5s, [&] { return operator_->disappeared && robot_->disappeared; });
-        const auto controllers = robot_->controllers();
-        const auto no_room = robot_->count(jaus::component_outcome::no_room);
-        const auto repeated = robot_->count(jaus::component_outcome::repeated);
-        const auto failures = operator_->failures();
-        operator_->stop();
-        robot_->stop();
-        const auto b = book_.close();
-
-        std::printf("\nefforts: %zu sent (%llu repeats came to the robot), %zu acknowledged, %zu refused for want of "
-                    "control, %llu held back\n",
-                    b.sent, number(repeated), b.acknowledged, b.refused, number(operator_->held_back));
-        std::printf("  acknowledged after      p50 %.3f ms, p99 %.3f ms, p99.9 %.3f ms, max %.3f ms\n",
-                    ms(operator_->latency.quantile(0.5)), ms(operator_->latency.quantile(0.99)),
-                    ms(operator_->latency.quantile(0.999)), ms(operator_->latency.max()));
-        std::printf("  those not repeated      p50 %.3f ms, p99 %.3f ms\n", ms(operator_->first_try.quantile(0.5)),
-                    ms(operator_->first_try.quantile(0.99)));
-        for (const auto& [name, from, to] : {std::tuple{"operator to robot", &operator_->large, &robot_->large},
-                                             std::tuple{"robot to operator", &robot_->large, &operator_->large}})
-            std::printf("large data sets, %s: %llu sent, %llu acknowledged, %llu arrived intact, %llu damaged, %llu "
-                        "twice, %llu not begun for want of room\n",
-                        name, number(from->counts.sent), number(from->counts.acknowledged), number(to->counts.intact),
-                        number(to->counts.damaged), number(to->counts.repeated), number(from->counts.not_sent));
-        std::printf(
-            "heartbeats: %llu at the operator, %llu at the robot; control: %u scenes, the slowest step took %.0f "
-            "ms\n",
-            number(operator_->heartbeats), number(robot_->heartbeats), operator_->cycles_done,
-            ms(operator_->steps.max()));
-        for (std::size_t end : {0U, 1U})
-            std::printf("datagrams from the %s: %llu, of which the relay lost %llu (the cut included); its node: %s\n",
-                        end == 0 ? "operator" : "robot", number(relay_.of(end).taken), number(relay_.of(end).lost),
-                        net::summary(counts[end]).c_str());
-        std::printf("memory: %.2f MiB after the warm-up, %.2f MiB at the end\n\n", mib(memory_.first()), mib(after));
-        for (const auto& lines : notes)
-            for (const auto& line : lines) std::printf("log: %s\n", line.c_str());
-        for (const auto& line : failures) std::printf("missed: %s\n", line.c_str());
-
-        if (b.lost + b.twice + b.refused_done + b.unknown + b.timed_out + b.without_outcome + b.forbidden_done != 0)
-            std::printf(
-                "efforts that went wrong: %zu lost, %zu applied twice, %zu refused and applied, %zu never sent, %zu "
-                "timed out, %zu without an outcome, %zu of %zu taken without control\n",
-                b.lost, b.twice, b.refused_done, b.unknown, b.timed_out, b.without_outcome, b.forbidden_done,
-                b.forbidden);
-        check("every effort has one outcome, none timed out", b.without_outcome == 0 && b.timed_out == 0);
-        check("every acknowledged effort was applied", b.lost == 0 && b.acknowledged > 0);
-        check("no effort was applied twice", b.twice == 0);
-        check("no refused effort was applied, nor one that nobody sent", b.refused_done == 0 && b.unknown == 0);
-        check("every effort without control was refused", b.forbidden_done == 0 && b.forbidden > 0);
-        check("nothing was dropped for want of places", no_room == 0);
-        check("no heartbeat timed out while the network was there", missed == 0);
-        check("both noticed that it was cut, and the robot has no controller then",
-              noticed && controlled && !controllers.empty() && !controllers.back());
-        check("control went as in the scene", failures.empty() && controllers == expected_controllers());
-        check("every large data set arrived once, as it was sent", all_arrived());
-        check("memory is flat (at most 1 MiB or 2 % more)",
-              after <= memory_.first() + std::max(std::size_t{1} << 20U, memory_.first() / 50));
-        check("neither node has anything in its log", notes[0].empty() && notes[1].empty());
+        const auto found = cut_and_stop();
+        print(found);
+        judge(found);
         return finish();
     }
 
   private:
+    /// What there is to say when both have ended.
+    struct findings {
+        // before the relay was cut
+        std::size_t memory{};
+        std::array<net::udp_counters, 2> counts{};
+        std::array<std::vector<std::string>, 2> notes{};
+        unsigned missed_heartbeats{};
+        bool controlled{}; ///< by the operator
+        // and after it
+        bool noticed{};
+        std::vector<std::optional<jaus::address>> controllers{}; ///< of the robot, one after the other
+        std::uint64_t no_room{}, repeated{};                     ///< messages at the robot
+        std::vector<std::string> failures{};                     ///< of the scene
+        ledger::balance efforts{};
+    };
+
     /// Until all is sent and has its outcome.
     void work() {
         const auto start = net::jaus_node::now();
         const auto end = start + seconds{wanted_.seconds};
         auto next_large = start, next_line = start + 10s, next_peek = start + 10s;
         bool ending = false;
-        memory_.peek();
         while (!operator_->done) {
             std::this_thread::sleep_for(50ms);
             const auto now = net::jaus_node::now();
@@ -210,6 +164,82 @@ class run {
         }
         wait_until(20s, [&] { return all_through(operator_->large) && all_through(robot_->large); });
         std::this_thread::sleep_for(100ms);
+    }
+    /// Cuts the relay, and ends both.
+    findings cut_and_stop() {
+        findings found{.memory = memory_.peek(),
+                       .counts = {operator_->counts(), robot_->counts()},
+                       .notes = {operator_->notes(), robot_->notes()},
+                       .missed_heartbeats = operator_->disappeared + robot_->disappeared};
+        found.controllers = robot_->controllers();
+        found.controlled = !found.controllers.empty() && found.controllers.back() == operator_id;
+
+        relay_.cut();
+        found.noticed = wait_until(5s, [&] { return operator_->disappeared && robot_->disappeared; });
+        found.controllers = robot_->controllers();
+        found.no_room = robot_->count(jaus::component_outcome::no_room);
+        found.repeated = robot_->count(jaus::component_outcome::repeated);
+        found.failures = operator_->failures();
+        operator_->stop();
+        robot_->stop();
+        found.efforts = book_.close();
+        return found;
+    }
+
+    void print(const findings& found) const {
+        const auto& b = found.efforts;
+        std::printf("\nefforts: %zu sent (%llu repeats came to the robot), %zu acknowledged, %zu refused for want of "
+                    "control, %llu held back\n",
+                    b.sent, number(found.repeated), b.acknowledged, b.refused, number(operator_->held_back));
+        std::printf("  acknowledged after      p50 %.3f ms, p99 %.3f ms, p99.9 %.3f ms, max %.3f ms\n",
+                    ms(operator_->latency.quantile(0.5)), ms(operator_->latency.quantile(0.99)),
+                    ms(operator_->latency.quantile(0.999)), ms(operator_->latency.max()));
+        std::printf("  those not repeated      p50 %.3f ms, p99 %.3f ms\n", ms(operator_->first_try.quantile(0.5)),
+                    ms(operator_->first_try.quantile(0.99)));
+        for (const auto& [name, from, to] : {std::tuple{"operator to robot", &operator_->large, &robot_->large},
+                                             std::tuple{"robot to operator", &robot_->large, &operator_->large}})
+            std::printf("large data sets, %s: %llu sent, %llu acknowledged, %llu arrived intact, %llu damaged, %llu "
+                        "twice, %llu not begun for want of room\n",
+                        name, number(from->counts.sent), number(from->counts.acknowledged), number(to->counts.intact),
+                        number(to->counts.damaged), number(to->counts.repeated), number(from->counts.not_sent));
+        std::printf(
+            "heartbeats: %llu at the operator, %llu at the robot; control: %u scenes, the slowest step took %.0f "
+            "ms\n",
+            number(operator_->heartbeats), number(robot_->heartbeats), operator_->cycles_done,
+            ms(operator_->steps.max()));
+        for (std::size_t end : {0U, 1U})
+            std::printf("datagrams from the %s: %llu, of which the relay lost %llu (the cut included); its node: %s\n",
+                        end == 0 ? "operator" : "robot", number(relay_.of(end).taken), number(relay_.of(end).lost),
+                        net::summary(found.counts[end]).c_str());
+        std::printf("memory: %.2f MiB after the warm-up, %.2f MiB at the end\n\n", mib(memory_.first()),
+                    mib(found.memory));
+        for (const auto& lines : found.notes)
+            for (const auto& line : lines) std::printf("log: %s\n", line.c_str());
+        for (const auto& line : found.failures) std::printf("missed: %s\n", line.c_str());
+
+        if (b.lost + b.twice + b.refused_done + b.unknown + b.timed_out + b.without_outcome + b.forbidden_done != 0)
+            std::printf(
+                "efforts that went wrong: %zu lost, %zu applied twice, %zu refused and applied, %zu never sent, %zu "
+                "timed out, %zu without an outcome, %zu of %zu taken without control\n",
+                b.lost, b.twice, b.refused_done, b.unknown, b.timed_out, b.without_outcome, b.forbidden_done,
+                b.forbidden);
+    }
+    void judge(const findings& found) {
+        const auto& b = found.efforts;
+        check("every effort has one outcome, none timed out", b.without_outcome == 0 && b.timed_out == 0);
+        check("every acknowledged effort was applied", b.lost == 0 && b.acknowledged > 0);
+        check("no effort was applied twice", b.twice == 0);
+        check("no refused effort was applied, nor one that nobody sent", b.refused_done == 0 && b.unknown == 0);
+        check("every effort without control was refused", b.forbidden_done == 0 && b.forbidden > 0);
+        check("nothing was dropped for want of places", found.no_room == 0);
+        check("no heartbeat timed out while the network was there", found.missed_heartbeats == 0);
+        check("both noticed that it was cut, and the robot has no controller then",
+              found.noticed && found.controlled && !found.controllers.empty() && !found.controllers.back());
+        check("control went as in the scene", found.failures.empty() && found.controllers == expected_controllers());
+        check("every large data set arrived once, as it was sent", all_arrived());
+        check("memory is flat (at most 1 MiB or 2 % more)",
+              found.memory <= memory_.first() + std::max(std::size_t{1} << 20U, memory_.first() / 50));
+        check("neither node has anything in its log", found.notes[0].empty() && found.notes[1].empty());
     }
     static bool all_through(const large_traffic& large) {
         return large.counts.acknowledged + large.counts.failed == large.counts.sent;
