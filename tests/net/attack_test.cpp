@@ -7,7 +7,6 @@
 #include <jauscat/net/udp_transport.hpp>
 
 #include <map>
-#include <optional>
 #include <vector>
 
 using namespace jauscat;

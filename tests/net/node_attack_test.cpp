@@ -4,8 +4,6 @@
 #include "net/node_program.hpp"
 #include "support/random_message.hpp"
 
-#include <random>
-
 using namespace test;
 
 namespace {

@@ -4,7 +4,6 @@
 #include <jauscat/net/latency_histogram.hpp>
 
 #include <sstream>
-#include <string>
 #include <thread>
 #include <vector>
 

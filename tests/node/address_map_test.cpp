@@ -2,7 +2,6 @@
 #include "support/catch.hpp"
 #include <jauscat/jaus/address_map.hpp>
 
-#include <map>
 #include <random>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include <jauscat/schema/jaus/platform.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

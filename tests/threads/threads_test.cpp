@@ -15,7 +15,6 @@
 #include <jauscat/text/jaus.hpp>
 #include <jauscat/translate/translator.hpp>
 
-#include <algorithm>
 #include <thread>
 #include <vector>
 

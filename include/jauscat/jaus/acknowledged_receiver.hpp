@@ -4,9 +4,7 @@
 #include <jauscat/jaus/later.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
-#include <algorithm>
 #include <chrono>
-#include <optional>
 
 namespace jauscat::jaus {
 

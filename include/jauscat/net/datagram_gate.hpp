@@ -5,7 +5,6 @@
 #include <jauscat/net/access_list.hpp>
 #include <jauscat/net/rate_limit.hpp>
 
-#include <chrono>
 #include <cstddef>
 #include <random>
 #include <span>

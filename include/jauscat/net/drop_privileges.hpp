@@ -12,7 +12,6 @@
 #include <linux/capability.h>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>

@@ -18,7 +18,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <sstream>
 #include <unordered_map>
 

@@ -1,8 +1,7 @@
-// Text of messages between quotes, safe for a terminal, and back. Messages hold octets: text in UTF-8 stays readable,
+// Text of messages between quotes, safe for a terminal. Messages hold octets: text in UTF-8 stays readable,
 // any other octet is escaped.
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 

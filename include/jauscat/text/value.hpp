@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdio>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -1,7 +1,6 @@
 // Memory that the caller lends to one message: lists of records are decoded into it.
 #pragma once
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <type_traits>
