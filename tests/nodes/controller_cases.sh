@@ -151,14 +151,11 @@ states_bring_the_arm_to_rest() {
 }
 lost_controller_brings_the_arm_to_rest() {
     start_robot
-    "${wrapper[@]}" "$bin/ocu" --config "$config" --this a --hold 60 propulsive_linear_effort_x=50 >"$work/hold.log" 2>&1 &
-    local holder=$!
-    pids+=("$holder")
+    hold a propulsive_linear_effort_x=50
     wait_for controller "2.2.33.1 is controlled by 1.1.32.1, authority 128"
     wait_for controller "1.1.1.1 is heard"
     wait_for arm "raw 16384"
-    kill -KILL "$holder" && wait "$holder" 2>/dev/null
-    forget "$holder"
+    dies "$unit_pid"
     wait_for controller "1.1.1.1 is no longer heard"
     wait_for controller "2.2.33.1 is controlled by nobody"
     says controller "2.2.33.1: its controller is lost: efforts go to zero"
@@ -210,15 +207,11 @@ a_component_behind_its_own_master_hears_of_losses() { # from the node manager, w
     start_bus --ethercat-port "$third" --object 0x1B16:26=28
     master_options+=(--wait 300)
     start_several_masters
-    "${wrapper[@]}" "$bin/ocu" --config "$config" --this a --hold 60 --to 2.2.34.1 --send set_wrench_effort \
-        "${full_command[@]}" >"$work/hold.log" 2>&1 &
-    local holder=$!
-    pids+=("$holder")
+    hold a --to 2.2.34.1 --send set_wrench_effort "${full_command[@]}"
     wait_for controller "controller h: 2.2.34.1 is controlled by 1.1.32.1"
     wait_for bus "0x1B16:26 ="
     wait_for controller "controller b: 1.1.1.1 is heard"
-    kill -KILL "$holder" && wait "$holder" 2>/dev/null
-    forget "$holder"
+    dies "$unit_pid"
     wait_for controller "controller h: 2.2.34.1: its controller is lost: efforts go to zero"
     wait_for bus "0x1B16:26 =" 2
 }

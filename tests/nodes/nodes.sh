@@ -47,6 +47,11 @@ forget() { # PID: it has ended
     for pid in "${pids[@]}"; do [ "$pid" = "$1" ] || left+=("$pid"); done
     pids=("${left[@]}")
 }
+dies() { # PID: as in a crash, without a word
+    kill -KILL "$1"
+    wait "$1" 2>/dev/null
+    forget "$1"
+}
 free_port() { # a UDP port that nobody listens on
     while :; do
         local port=$((20000 + RANDOM % 12000))
@@ -90,6 +95,12 @@ start_controller() {
 }
 start_robot() { start_arm && start_controller; }
 expect_ocu() { expect "$1" "${prefix[@]}" "${wrapper[@]}" "$bin/ocu" --config "$config" --this a "${@:2}"; }
+hold() { # SYSTEM ARGUMENTS...: a unit in the background that stays, with control if it needs that; SYSTEM.log has its lines
+    "${wrapper[@]}" "$bin/ocu" --config "$config" --this "$1" --hold 60 "${@:2}" >"$work/$1.log" 2>&1 &
+    unit_pid=$!
+    pids+=("$unit_pid")
+    wait_for "$1" " for 60 s; Ctrl-C ends"
+}
 send_bytes() { # PORT HEX
     printf '%b' "$(sed 's/../\\x&/g' <<<"$2")" >"/dev/udp/127.0.0.1/$1" 2>/dev/null
 }
@@ -477,8 +488,7 @@ a_bus_of_emulated_slaves() {
     "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" >/dev/null 2>&1 &
     local master=$!
     wait_for bus "slave 5: state op"
-    kill -KILL "$master"
-    wait "$master" 2>/dev/null
+    dies "$master"
     wait_for bus "slave 5: state safe_op, error 0x001B: SyncManager watchdog"
     # The next one brings them up again.
     expect 0 "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --seconds 2 --upload-every 100

@@ -7,12 +7,6 @@ second_unit() { # system c, subsystem 3, in the configuration
     sed -i "s|^</jausconfig>|<system><name>c</name><jausip>3.0.0.0</jausip><ip>127.0.0.1</ip><port>$port</port></system>\n&|" "$config"
 }
 expect_c() { expect "$1" "${wrapper[@]}" "$bin/ocu" --config "$config" --this c "${@:2}"; }
-hold() { # SYSTEM ARGUMENTS...: a unit in the background that stays, with control if it needs that; SYSTEM.log has its lines
-    "${wrapper[@]}" "$bin/ocu" --config "$config" --this "$1" --hold 60 "${@:2}" >"$work/$1.log" 2>&1 &
-    unit_pid=$!
-    pids+=("$unit_pid")
-    wait_for "$1" " for 60 s; Ctrl-C ends"
-}
 unit_ends() { # CODE
     wait "$unit_pid"
     local got=$?
@@ -98,8 +92,7 @@ ocu_loses_control() {
     # A robot that is gone.
     hold a propulsive_linear_effort_x=50
     wait_for a "hears the robot: heartbeat of 2.2.1.1"
-    kill -KILL "$controller_pid"
-    forget "$controller_pid"
+    dies "$controller_pid"
     unit_ends 0
     says a "the robot is silent: no heartbeat of 2.2.1.1"
     says a "LOST control of 2.2.33.1: the robot is gone"
