@@ -50,6 +50,14 @@ void inject(const char* interface, const std::vector<std::byte>& frame) {
     socket.send_to(boost::asio::buffer(frame), {&address, sizeof address});
 }
 
+/// Of all that has come, `link` hears this frame alone.
+void require_only(raw_link& link, const std::vector<std::byte>& frame) {
+    frame_buffer buffer;
+    REQUIRE(buffer.receive_from(link) == frame.size());
+    CHECK(buffer.frame() == frame);
+    CHECK(buffer.receive_from(link, 0ns) == 0);
+}
+
 } // namespace
 
 TEST_CASE("a frame passes between two interfaces, both ways", "[veth]") {
@@ -93,7 +101,6 @@ TEST_CASE("a link does not hear its own frames", "[veth]") {
 TEST_CASE("a link hears every destination address, and no other EtherType", "[veth]") {
     raw_link slave{"jc1"};
     ip("-details link show jc1 | grep -q 'promiscuity 1'");
-    frame_buffer buffer;
     auto other = support::frame(1);
     other[12] = std::byte{0x08};
     other[13] = std::byte{0x00};
@@ -101,14 +108,11 @@ TEST_CASE("a link hears every destination address, and no other EtherType", "[ve
     auto unicast = support::frame(1);
     unicast[0] = std::byte{0x02};
     inject("jc0", unicast);
-    REQUIRE(buffer.receive_from(slave) == 60);
-    CHECK(buffer.frame() == unicast);
-    CHECK(buffer.receive_from(slave, 0ns) == 0);
+    require_only(slave, unicast);
 }
 
 TEST_CASE("a frame of the EtherType that holds no datagrams is not heard", "[veth]") {
     raw_link slave{"jc1"};
-    frame_buffer buffer;
     for (const int type : {0, 2, 3, 4, 5, 9, 15}) {
         auto other = support::frame(1);
         other[15] = static_cast<std::byte>(type << 4);
@@ -117,9 +121,7 @@ TEST_CASE("a frame of the EtherType that holds no datagrams is not heard", "[vet
     auto longest = support::frame(1);
     longest[15] = std::byte{0x1F}; // type 1, and all bits of the length that share the byte
     inject("jc0", longest);
-    REQUIRE(buffer.receive_from(slave) == 60);
-    CHECK(buffer.frame() == longest);
-    CHECK(buffer.receive_from(slave, 0ns) == 0);
+    require_only(slave, longest);
 }
 
 TEST_CASE("a VLAN tag is taken off", "[veth]") {

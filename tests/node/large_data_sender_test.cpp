@@ -5,7 +5,6 @@
 #include <jauscat/jaus/large_data_set.hpp>
 
 #include <random>
-#include <string>
 #include <vector>
 
 namespace {
@@ -24,6 +23,23 @@ constexpr jaus::header image_head{
 struct outbox {
     std::vector<octets> packets{};
     void operator()(std::span<const std::byte> message) { packets.emplace_back(message.begin(), message.end()); }
+};
+
+/// A reassembler and its memory: for so many data sets at a time, of so many packets and bytes each.
+struct receiver {
+    receiver(std::size_t at_a_time, std::size_t most_packets, std::size_t most_bytes)
+        : places(at_a_time), packets(at_a_time * most_packets), memory(at_a_time * most_bytes) {}
+
+    void hear(std::span<const std::byte> packet, std::chrono::nanoseconds now, auto&& whole, auto&& lost) {
+        const auto message = jaus::split(packet);
+        REQUIRE(message);
+        sets.on_packet(message.header, message.body, now, whole, lost);
+    }
+
+    std::vector<jaus::partial_data_set> places;
+    std::vector<jaus::held_packet> packets;
+    std::vector<std::byte> memory;
+    jaus::reassembler sets{places, packets, memory, 1s};
 };
 
 octets random_body(std::mt19937& random, std::size_t size) {
@@ -131,15 +147,11 @@ TEST_CASE("a data set of as many packets as there can be is whole again") {
     const octets body = random_body(random, jaus::large_data_sender::most_packets);
     std::array<std::byte, jaus::header_size + 1> room{};
     jaus::large_data_sender sender{image_head, body, room};
-    std::array<jaus::partial_data_set, 1> places{};
-    std::vector<jaus::held_packet> packets(jaus::large_data_sender::most_packets);
-    std::vector<std::byte> memory(body.size());
-    jaus::reassembler receiver{places, packets, memory, 1s};
+    receiver arriving{1, jaus::large_data_sender::most_packets, body.size()};
     octets received;
-    const auto send = [&](std::span<const std::byte> bytes) {
-        const auto message = jaus::split(bytes);
-        receiver.on_packet(
-            message.header, message.body, 0s,
+    const auto send = [&](std::span<const std::byte> packet) {
+        arriving.hear(
+            packet, 0s,
             [&](const jaus::header&, std::span<const std::byte> whole) { received.assign(whole.begin(), whole.end()); },
             [](const auto&) { FAIL("nothing is given up"); });
     };
@@ -167,10 +179,7 @@ std::vector<octets> across(std::vector<octets> packets, std::mt19937& random, un
 
 TEST_CASE("over a bad network each data set arrives as it was sent or is reported incomplete") {
     std::mt19937 random{7};
-    std::array<jaus::partial_data_set, 4> places{};
-    std::vector<jaus::held_packet> packets(4 * 64);
-    std::vector<std::byte> memory(4 * 2048);
-    jaus::reassembler receiver{places, packets, memory, 1s};
+    receiver arriving{4, 64, 2048};
     int whole = 0, incomplete = 0, vanished = 0;
     for (int round = 0; round != 3000; ++round) {
         const auto now = round * 100ms;
@@ -181,11 +190,9 @@ TEST_CASE("over a bad network each data set arrives as it was sent or is reporte
         while (sender.next(sent)) {}
 
         bool arrived = false, reported = false;
-        const auto hear = [&](const octets& packet) {
-            const auto message = jaus::split(packet);
-            REQUIRE(message);
-            receiver.on_packet(
-                message.header, message.body, now,
+        const auto hear = [&](std::span<const std::byte> packet) {
+            arriving.hear(
+                packet, now,
                 [&](const jaus::header& head, std::span<const std::byte> all) {
                     REQUIRE(head.command_code == 0x4807);
                     REQUIRE(std::ranges::equal(all, body));
@@ -203,11 +210,10 @@ TEST_CASE("over a bad network each data set arrives as it was sent or is reporte
         if (loss == 0) REQUIRE(arrived);
         // What is missing is known here, and sent again in half of the cases.
         if (!arrived && round % 2 == 0) {
-            for (std::size_t i = 0; i != sender.packets(); ++i)
-                sender.repeat(i, [&](std::span<const std::byte> packet) { hear({packet.begin(), packet.end()}); });
+            for (std::size_t i = 0; i != sender.packets(); ++i) sender.repeat(i, hear);
             REQUIRE(arrived);
         }
-        receiver.on_time(now + 1s, [&](const jaus::partial_data_set&) { reported = true; });
+        arriving.sets.on_time(now + 1s, [&](const jaus::partial_data_set&) { reported = true; });
         REQUIRE(arrived != reported);
         whole += arrived;
         incomplete += reported;
@@ -220,10 +226,7 @@ TEST_CASE("over a bad network each data set arrives as it was sent or is reporte
 
 TEST_CASE("data sets that follow one another at once are not mixed by repeated and reordered packets") {
     std::mt19937 random{11};
-    std::array<jaus::partial_data_set, 2> places{};
-    std::vector<jaus::held_packet> packets(2 * 32);
-    std::vector<std::byte> memory(2 * 256);
-    jaus::reassembler receiver{places, packets, memory, 1s};
+    receiver arriving{2, 32, 256};
     int whole = 0;
     for (int round = 0; round != 5000; ++round) {
         const octets body = random_body(random, 16 * (3 + random() % 12));
@@ -231,16 +234,14 @@ TEST_CASE("data sets that follow one another at once are not mixed by repeated a
         jaus::large_data_sender sender{image_head, body, room};
         outbox sent;
         while (sender.next(sent)) {}
-        for (const auto& packet : across(sent.packets, random, 0, 30)) {
-            const auto message = jaus::split(packet);
-            receiver.on_packet(
-                message.header, message.body, round * 1us,
+        for (const auto& packet : across(sent.packets, random, 0, 30))
+            arriving.hear(
+                packet, round * 1us,
                 [&](const jaus::header&, std::span<const std::byte> all) {
                     REQUIRE(std::ranges::equal(all, body));
                     ++whole;
                 },
                 [](const auto&) { FAIL("nothing is given up"); });
-        }
     }
     REQUIRE(whole == 5000);
 }
