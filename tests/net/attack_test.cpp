@@ -1,7 +1,7 @@
 // What an attacker can send, and what becomes of it: spoofed sources, replays, floods, and storms of malformed
 // datagrams, without sockets and through them.
-#include "net/allocations.hpp"
 #include "net/defended_node.hpp"
+#include "support/allocations.hpp"
 #include "support/random_message.hpp"
 #include <jauscat/net/run_until.hpp>
 #include <jauscat/net/udp_transport.hpp>

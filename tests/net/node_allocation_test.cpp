@@ -1,6 +1,6 @@
 // What a node takes from the heap for each datagram: nothing.
-#include "net/allocations.hpp"
 #include "net/node_program.hpp"
+#include "support/allocations.hpp"
 #include "support/catch.hpp"
 
 #include <boost/asio/buffer.hpp>

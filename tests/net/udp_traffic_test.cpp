@@ -1,6 +1,6 @@
 // JAUS over UDP under load and with options: batches, back-pressure, filters, multicast, shared ports, both IP
 // versions.
-#include "net/allocations.hpp"
+#include "support/allocations.hpp"
 #include "support/catch.hpp"
 #include <jauscat/net/run_until.hpp>
 #include <jauscat/net/udp_transport.hpp>

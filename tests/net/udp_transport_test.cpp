@@ -1,5 +1,5 @@
 // JAUS over UDP on the loopback interface: framings, limits, closed ports, garbage, and a program that goes on.
-#include "net/allocations.hpp"
+#include "support/allocations.hpp"
 #include "support/catch.hpp"
 #include <jauscat/net/next_hop.hpp>
 #include <jauscat/net/read_jaus_config.hpp>

@@ -1,10 +1,10 @@
 // Two nodes that talk over a bad network for a long time. What must not happen: a command that is acknowledged and not
 // done, or done twice; a heartbeat missed; control that is not as it was given; memory that grows.
-#include "net/allocations.hpp"
 #include "soak/memory.hpp"
 #include "soak/operator_end.hpp"
 #include "soak/relay.hpp"
 #include "soak/robot_end.hpp"
+#include "support/allocations.hpp"
 #include "support/program.hpp"
 
 #include <cstdio>
