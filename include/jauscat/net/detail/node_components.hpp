@@ -77,30 +77,7 @@ class node_components {
             give(all_[to], head, body, now, out);
             return;
         }
-        bool taken = false;
-        const auto whole = [&](jaus::header first, bytes complete) {
-            first.ack_nak = jaus::ack_nak::none;
-            first.data_flag = jaus::data_flag::only;
-            taken = give(all_[to], first, complete, now, out) == jaus::component_outcome::taken;
-        };
-        using jaus::reassembled;
-        const auto what = (*all_[to].large)->on_packet(head, body, now, whole, tell_lost(now, all_[to].it.self));
-        if (what == reassembled::no_room || what == reassembled::too_large)
-            log_(now, [&] { return in_text(head) + ": refused: " + std::string{describe(what)}; });
-        if (what == reassembled::waiting)
-            stale_at_ = std::min(stale_at_, jaus::later(now, options_.large_data_patience));
-        if (head.ack_nak != jaus::ack_nak::request || !jaus::names_one_component(head.destination)) return;
-        auto& refused = all_[to].refused;
-        const auto is_of = [&](const jaus::header& other) {
-            return other.source == head.source && other.command_code == head.command_code;
-        };
-        if (what == reassembled::whole && !taken) refused = head;
-        // Its sender has not got the NAK.
-        const bool again = what == reassembled::repeated && refused && is_of(*refused) &&
-                           refused->sequence_number == head.sequence_number;
-        if (what == reassembled::waiting && refused && is_of(*refused)) refused.reset(); // another one
-        const bool kept = (what == reassembled::waiting || what == reassembled::repeated || taken) && !again;
-        jaus::acknowledge(head, all_[to].it.self, kept ? jaus::ack_nak::ack : jaus::ack_nak::nak, out);
+        hand_on_packet(all_[to], head, body, now, out);
     }
 
     void on_time(time now, jaus::message_sink out) {
@@ -146,6 +123,41 @@ class node_components {
         bool changed{true};                    ///< since `next` was asked for
         time next{};                           ///< when it wants to be driven
     };
+
+    void hand_on_packet(entry& receiver, const jaus::header& head, bytes body, time now, jaus::message_sink out) {
+        using jaus::reassembled;
+        bool taken = false;
+        const auto whole = [&](jaus::header first, bytes complete) {
+            first.ack_nak = jaus::ack_nak::none;
+            first.data_flag = jaus::data_flag::only;
+            taken = give(receiver, first, complete, now, out) == jaus::component_outcome::taken;
+        };
+        const auto what = (*receiver.large)->on_packet(head, body, now, whole, tell_lost(now, receiver.it.self));
+        if (what == reassembled::no_room || what == reassembled::too_large)
+            log_(now, [&] { return in_text(head) + ": refused: " + std::string{describe(what)}; });
+        if (what == reassembled::waiting)
+            stale_at_ = std::min(stale_at_, jaus::later(now, options_.large_data_patience));
+        if (head.ack_nak != jaus::ack_nak::request || !jaus::names_one_component(head.destination)) return;
+        const bool good = is_good(receiver, head, what, taken);
+        jaus::acknowledge(head, receiver.it.self, good ? jaus::ack_nak::ack : jaus::ack_nak::nak, out);
+    }
+    /// Whether a packet gets an ACK. `taken`: what the component made of the whole.
+    static bool is_good(entry& receiver, const jaus::header& head, jaus::reassembled what, bool taken) {
+        auto& refused = receiver.refused;
+        const bool is_of_refused =
+            refused && refused->source == head.source && refused->command_code == head.command_code;
+        switch (what) {
+        case jaus::reassembled::whole:
+            if (!taken) refused = head;
+            return taken;
+        case jaus::reassembled::waiting:
+            if (is_of_refused) refused.reset(); // another data set
+            return true;
+        case jaus::reassembled::repeated: // the one that made a refused data set whole: its sender has not got the NAK
+            return !is_of_refused || refused->sequence_number != head.sequence_number;
+        default: return false;
+        }
+    }
 
     jaus::component_outcome give(entry& receiver, const jaus::header& head, bytes body, time now,
                                  jaus::message_sink out) {
