@@ -110,8 +110,8 @@ class jaus_node {
     [[nodiscard]] bool running() const noexcept { return running_; }
 
     /// Sends a message of a component of this node; one of more than 4080 bytes of body as a large data set, bit by
-    /// bit; where `ack_nak` asks for acknowledgement its packets are repeated until they have it. Only `destination`,
-    /// `source`, `command_code`, `ack_nak`, `priority` and `sequence_number` of `head` count.
+    /// bit; where `ack_nak` asks for acknowledgement its packets are repeated until they have it. Of `head` all counts
+    /// but `data_size` and `data_flag`, and for a large data set `sequence_number`.
     outcome send(jaus::header head, bytes body) {
         if (!running()) return outcome{"the node is not running"};
         head.data_flag = jaus::data_flag::only;
