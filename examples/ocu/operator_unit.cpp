@@ -24,7 +24,7 @@ void show(const char* verb, std::span<const std::byte> message) {
     const bool known = text::with_message(parts.header.command_code, operator_messages{}, [&]<class Message>() {
         std::cout << text::annotate<Message>(parts.body, jaus::header_size);
     });
-    if (!known) std::cout << text::hex_dump(parts.body);
+    if (!known) std::cout << text::hex_dump(parts.body, "  ", jaus::header_size);
 }
 
 std::chrono::nanoseconds now() { return net::jaus_node::now(); }

@@ -91,7 +91,9 @@ TEST_CASE("a problem names line and element") {
                   "Descriptions/Devices/Device/Profile/Dictionary/DataTypes/DataType/SubItem/Flags/Access")
               .ends_with("<Access>: \"w\", expected ro, wo or rw"));
     CHECK(problem("<EtherCATInfo/>", "Vendor") == "line 1: <EtherCATInfo>: has no <Vendor>");
-    CHECK(problem("<EtherCATInfo/>", "Vendor/Id") == "its parent is missing");
+    for (const auto* rule : {"Vendor/Id", "SyncManagers 0 and 1 are the mailbox",
+                             "ConfigData has the SII's words 0 to 6", "object #x1018, identity"})
+        CHECK(problem("<EtherCATInfo/>", rule) == "its parent is missing");
 }
 
 TEST_CASE("the mailbox is the first two SyncManagers") {

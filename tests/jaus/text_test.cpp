@@ -48,7 +48,7 @@ TEST_CASE("a message is shown with offsets, bytes, names, units and raw values")
 TEST_CASE("a body that does not decode is dumped with the field at fault") {
     const auto cut = support::bytes(0x03, 0x00, 0x00, 0x40, 0x01);
     CHECK(text::annotate<jaus::set_wrench_effort>(cut, 16) ==
-          "  0000  03 00 00 40 01\n"
+          "  0010  03 00 00 40 01\n"
           "  truncated: the bytes end before the last field: propulsive_linear_effort_y at byte 20 needs 2 bytes, 1 "
           "left\n");
 }
@@ -62,4 +62,6 @@ TEST_CASE("an acknowledgement, an unknown code and an unnamed enumerator have th
     CHECK(text::hex_number(0x1AF4, 2) == "0x1AF4");
     CHECK(text::hex_dump(std::vector<std::byte>(17)) ==
           "  0000  00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00\n  0010  00\n");
+    CHECK(text::hex_dump(std::vector<std::byte>(17), "", 16) ==
+          "0010  00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00\n0020  00\n");
 }

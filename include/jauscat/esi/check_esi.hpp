@@ -56,6 +56,9 @@ class esi_checker : xml_source {
     std::string at(pugi::xml_node node) const {
         return "line " + std::to_string(line_of(node)) + ": <" + node.name() + ">: ";
     }
+    std::string fault(pugi::xml_node node, const std::string& what) const {
+        return node ? at(node) + what : std::string{parent_is_missing};
+    }
 
     void look_for(const requirement& wanted) {
         std::vector<pugi::xml_node> parents{root_};
@@ -70,7 +73,7 @@ class esi_checker : xml_source {
         }
         findings_.push_back({std::string{wanted.path}, std::string{wanted.reason},
                              parents.empty() && !wanted.if_parent
-                                 ? "its parent is missing"
+                                 ? std::string{parent_is_missing}
                                  : problem_in(parents, std::string{rest}, wanted.holds)});
     }
 
@@ -121,9 +124,9 @@ class esi_checker : xml_source {
         auto& result = add("SyncManagers 0 and 1 are the mailbox", "tools number the Sm elements from 0");
         const auto out = device.child("Sm"), in = out.next_sibling("Sm");
         if (out.text().get() != std::string_view{"MBoxOut"}) {
-            result.problem = at(out ? out : device) + "expected the first <Sm> to be MBoxOut";
+            result.problem = fault(out ? out : device, "expected the first <Sm> to be MBoxOut");
         } else if (in.text().get() != std::string_view{"MBoxIn"}) {
-            result.problem = at(in ? in : device) + "expected the second <Sm> to be MBoxIn";
+            result.problem = fault(in ? in : device, "expected the second <Sm> to be MBoxIn");
         }
         for (const auto sm : {out, in})
             if (const auto size = parse_number(sm.attribute("DefaultSize").value());
@@ -135,18 +138,18 @@ class esi_checker : xml_source {
         auto& config = add("ConfigData has the SII's words 0 to 6", "the slave controller's configuration");
         const auto bytes = parse_bytes(node.child("ConfigData").text().get());
         if (!bytes || bytes->size() < ethercat::sii_configuration_checked)
-            config.problem = at(node) + "expected 14 bytes or more in <ConfigData>";
+            config.problem = fault(node, "expected 14 bytes or more in <ConfigData>");
         auto& size = add("ByteSize holds the SII's fixed part", "its categories begin at byte 128");
         const auto value = parse_number(node.child("ByteSize").text().get());
         if (!value || *value < 2 * ethercat::sii_words::categories)
-            size.problem = at(node) + "expected 128 or more in <ByteSize>";
+            size.problem = fault(node, "expected 128 or more in <ByteSize>");
     }
 
     void check_object(pugi::xml_node objects, std::uint32_t index, const std::string& name) {
         auto& result = add("object " + hex_number(index, 4) + ", " + name, "mandatory in every CoE device");
         for (const auto each : objects.children("Object"))
             if (parse_number(each.child("Index").text().get()) == index) return;
-        result.problem = at(objects) + "has no object " + hex_number(index, 4);
+        result.problem = fault(objects, "has no object " + hex_number(index, 4));
     }
 
     void check_order() {
@@ -187,6 +190,8 @@ class esi_checker : xml_source {
     finding& add(std::string what, std::string reason) {
         return findings_.emplace_back(finding{std::move(what), std::move(reason), {}});
     }
+
+    static constexpr std::string_view parent_is_missing = "its parent is missing";
 
     std::string_view text_;
     std::string name_;

@@ -90,8 +90,6 @@ template <class Table> class packet_exchange {
         return jaus::make_acknowledgement(request, done ? jaus::ack_nak::ack : jaus::ack_nak::nak, out).size();
     }
 
-    /// The header of the message that is being delivered.
-    [[nodiscard]] constexpr const jaus::header& message_header() const noexcept { return head_; }
     /// ulSta of the last confirmation that was taken.
     [[nodiscard]] constexpr hilscher::packet_status status() const noexcept { return status_; }
     /// Why the message or the report was refused here; `ok` if the last confirmation says why.

@@ -28,13 +28,14 @@ namespace jauscat::text {
     return "0x" + text;
 }
 
-/// Lines of 16 bytes, each with its offset, behind `indent`.
-[[nodiscard]] inline std::string hex_dump(std::span<const std::byte> bytes, const std::string& indent = "  ") {
+/// Lines of 16 bytes, each with its offset, counted from `first_offset`, behind `indent`.
+[[nodiscard]] inline std::string hex_dump(std::span<const std::byte> bytes, const std::string& indent = "  ",
+                                          std::size_t first_offset = 0) {
     constexpr const char* digits = "0123456789abcdef";
     std::string text;
     for (std::size_t at = 0; at < bytes.size(); at += 16) {
         text += indent;
-        for (int shift = 12; shift >= 0; shift -= 4) text += digits[(at >> shift) & 0xF];
+        for (int shift = 12; shift >= 0; shift -= 4) text += digits[((first_offset + at) >> shift) & 0xF];
         text += "  " + hex(bytes.subspan(at, std::min<std::size_t>(16, bytes.size() - at))) + "\n";
     }
     return text;

@@ -42,7 +42,7 @@ template <jaus::coded_message... Messages>
                  (text += body.empty() && jaus::is_acknowledgement(head) ? std::string{}
                                                                          : annotate<Messages>(body, jaus::header_size),
                   true)));
-    return known ? text : text + hex_dump(body);
+    return known ? text : text + hex_dump(body, "  ", jaus::header_size);
 }
 
 } // namespace jauscat::text
