@@ -34,14 +34,11 @@ class limited_log {
         write_(std::string{text()});
     }
 
-    /// How many lines were left out since the last one.
-    [[nodiscard]] std::uint64_t left_out() const noexcept { return left_out_; }
-
   private:
     handler write_;
     rate limit_;
     token_bucket bucket_{};
-    std::uint64_t left_out_{};
+    std::uint64_t left_out_{}; ///< lines, since the last one that was written
 };
 
 } // namespace jauscat::net
