@@ -46,6 +46,7 @@ template <auto Member, class Codec> struct entries_of<wire::field<Member, Codec>
 template <auto Member, std::size_t Width> struct entries_of<wire::bit<Member, Width>> {
     static constexpr std::size_t count = 1;
     static constexpr void put(pdo_entry*& out, entry_numbers& next) noexcept {
+        static_assert(Width <= 8, "image_entries: a field of bits has 8 at most, BIT1 to BIT8; declare it as a number");
         constexpr auto type =
             std::is_same_v<wire::member_t<Member>, bool> ? data_types::boolean : data_types::bit1 + Width - 1;
         *out++ = {.index = next.index,

@@ -1,0 +1,15 @@
+// expect: image_entries: a field of bits has 8 at most, BIT1 to BIT8; declare it as a number
+#include <jauscat/ethercat/image_entries.hpp>
+
+#include <cstdint>
+
+struct status {
+    std::uint16_t count{};
+    std::uint8_t mode{};
+};
+
+template <> struct jauscat::wire::schema<status> {
+    using type = layout<bits<u16le, bit<&status::count, 12>, bit<&status::mode, 4>>>;
+};
+
+static_assert(jauscat::ethercat::image_entries<status, 0x7000>.size() == 2);
