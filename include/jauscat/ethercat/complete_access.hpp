@@ -25,9 +25,8 @@ template <class Objects> class complete_object {
     [[nodiscard]] bool is_possible() const noexcept {
         if (!info_.complete_access || info_.code == object_code::variable || first_ > 1) return false;
         return for_entries([](const place& at) {
-                   const bool fits = at.subindex == 0    ? at.bits == 8 // has 16 in the transfer
-                                     : is_whole(at.bits) ? true
-                                                         : at.bits <= max_bit_entry * 8;
+                   const bool fits = at.subindex == 0 ? at.bits == 8 // has 16 in the transfer
+                                                      : is_whole(at.bits) || at.bits <= max_bit_entry * 8;
                    return fits ? abort_code::none : abort_code::complete_access;
                }).error == abort_code::none;
     }

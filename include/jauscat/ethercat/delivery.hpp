@@ -16,11 +16,16 @@ struct slave_identity {
     std::uint8_t instance{1};
 
     /// `asked` with the slave's own octets where it says "all", 255, because nobody can answer as all. Which of its
-    /// components is meant, an identity does not know.
-    [[nodiscard]] constexpr jaus::address answering_as(jaus::address asked) const noexcept {
-        if (asked.subsystem == 255) asked.subsystem = subsystem;
-        if (asked.node == 255) asked.node = static_cast<std::uint8_t>(station);
-        if (asked.instance == 255) asked.instance = instance;
+    /// components is meant, an identity does not know: `component`, or still all of them.
+    [[nodiscard]] constexpr jaus::address answering_as(jaus::address asked,
+                                                       std::uint8_t component = 255) const noexcept {
+        const auto fill_in = [](std::uint8_t& octet, std::uint8_t own) {
+            if (octet == 255) octet = own;
+        };
+        fill_in(asked.subsystem, subsystem);
+        fill_in(asked.node, static_cast<std::uint8_t>(station));
+        fill_in(asked.component, component);
+        fill_in(asked.instance, instance);
         return asked;
     }
 };

@@ -56,7 +56,7 @@ class image_exchange {
     /// Whether the message is for the process image. All others are for the mailbox.
     [[nodiscard]] constexpr bool takes(const jaus::header& head) const noexcept {
         return (head.command_code == command_code || head.command_code == query_code) &&
-               (head.destination.component == component_ || head.destination.component == all) &&
+               (head.destination.component == component_ || head.destination.component == 255) &&
                head.destination.node == slave_.station && head.data_flag == jaus::data_flag::only &&
                !jaus::is_acknowledgement(head);
     }
@@ -125,7 +125,6 @@ class image_exchange {
   private:
     using count_field = typename CommandTable::counter_row::counts_messages;
     using counter = typename count_field::type;
-    static constexpr std::uint8_t all = 255;
 
     struct waiting {
         jaus::header head{};
@@ -138,8 +137,7 @@ class image_exchange {
         return static_cast<counter>(now - wanted) <= std::numeric_limits<counter>::max() / 2;
     }
     [[nodiscard]] constexpr jaus::header addressed(jaus::header head) const noexcept {
-        head.destination = slave_.answering_as(head.destination);
-        if (head.destination.component == all) head.destination.component = component_;
+        head.destination = slave_.answering_as(head.destination, component_);
         return head;
     }
 

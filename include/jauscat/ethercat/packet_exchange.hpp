@@ -143,9 +143,7 @@ template <class Table> class packet_exchange {
         // The slave's object carries the slave's addresses: the answer goes from the one asked to the asker.
         jaus::header report{};
         static_cast<void>(wire::decode_prefix(report, buffer));
-        const auto component = report.source.component;
-        report.source = slave_.answering_as(head_.destination);
-        if (report.source.component == 255) report.source.component = component;
+        report.source = slave_.answering_as(head_.destination, report.source.component);
         if (!jaus::names_one_component(report.source)) return fail(translate::errc::out_of_range);
         report.destination = head_.source;
         report.sequence_number = head_.sequence_number;
