@@ -3,7 +3,7 @@
 #include "net/defended_node.hpp"
 #include "support/allocations.hpp"
 #include "support/random_message.hpp"
-#include <jauscat/net/run_until.hpp>
+#include "support/until.hpp"
 #include <jauscat/net/udp_transport.hpp>
 
 #include <map>
@@ -212,7 +212,7 @@ TEST_CASE("a storm through a socket is counted to the last datagram, and the nex
         const auto next = datagrams.next();
         from.send_to(boost::asio::const_buffer{next.data(), next.size()}, transport.local());
         stranger.send_to(boost::asio::buffer(query), transport.local()); // an answer would go to whoever is spoofed
-        if ((sent += 2) % 100 == 0) REQUIRE(net::run_until(context, 5s, [&] { return seen() == sent; }));
+        if ((sent += 2) % 100 == 0) REQUIRE(support::until(context, [&] { return seen() == sent; }));
     }
     CHECK(counts.received > 5'000);
     CHECK(counts.wrong_sender > 20'000);
@@ -223,7 +223,7 @@ TEST_CASE("a storm through a socket is counted to the last datagram, and the nex
     byte_vector buffer(65536);
     while (console.available() != 0) console.receive(boost::asio::buffer(buffer));
     console.send_to(boost::asio::buffer(query), transport.local());
-    REQUIRE(net::run_until(context, 5s, [&] { return console.available() != 0; }));
+    REQUIRE(support::until(context, [&] { return console.available() != 0; }));
     buffer.resize(console.receive(boost::asio::buffer(buffer)));
     const auto answer = jaus::split(buffer);
     REQUIRE(answer);

@@ -173,7 +173,7 @@ TEST_CASE("no frame of the master's begins in the part of a cycle that is kept f
     robot r{{.period = 10ms, .reserve = 1}}; // all of it
     std::array<std::byte, 4> vendor{};
     REQUIRE(r.master.upload(station, 0x1018, 1, vendor));
-    CHECK(r.cycles.run_job(50ms, nothing, nothing).error == ethercat::master_errc::timeout);
+    for (int i = 0; i != 5; ++i) CHECK(r.cycles.run(nothing).back);
+    CHECK(r.cycles.run_job(1ns, nothing, nothing).error == ethercat::master_errc::timeout);
     CHECK(r.link.other_frames == 0);
-    CHECK(r.data.statistics().complete > 2);
 }

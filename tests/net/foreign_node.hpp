@@ -1,8 +1,8 @@
 // A node that knows nothing of this library: a plain socket, and bytes put together by hand.
 #pragma once
 
+#include "support/until.hpp"
 #include <jauscat/net/multicast.hpp>
-#include <jauscat/net/run_until.hpp>
 
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/io_context.hpp>
@@ -93,14 +93,14 @@ class foreign_node {
     void fall_silent() { timer_.cancel(); }
 
     /// The next datagram, while the node that is tested runs; empty when none comes.
-    std::vector<std::byte> receive(std::chrono::milliseconds patience = std::chrono::seconds{5}) {
+    std::vector<std::byte> receive(std::chrono::milliseconds patience = support::wait_limit) {
         if (!jauscat::net::run_until(context_, patience, [&] { return socket_.available() != 0; })) return {};
         std::vector<std::byte> bytes(65536);
         bytes.resize(socket_.receive(boost::asio::buffer(bytes)));
         return bytes;
     }
     /// The next message with this code; others are dropped, and nothing comes of what is not a message.
-    std::optional<raw_message> wait_for(unsigned code, std::chrono::milliseconds patience = std::chrono::seconds{5}) {
+    std::optional<raw_message> wait_for(unsigned code, std::chrono::milliseconds patience = support::wait_limit) {
         const auto end = std::chrono::steady_clock::now() + patience;
         while (std::chrono::steady_clock::now() < end) {
             const auto bytes = receive(std::chrono::duration_cast<std::chrono::milliseconds>(

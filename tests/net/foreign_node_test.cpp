@@ -12,6 +12,8 @@ using numbers = std::vector<unsigned>;
 
 /// The robot 2.1 with a primitive driver, 2.1.33.1, that reports its wrench effort to service connections.
 struct robot {
+    static constexpr auto period = 50ms; // of heartbeats
+
     explicit robot(boost::asio::io_context& context, const std::string& others = "",
                    net::access who = net::access::open)
         : port{free_ports<1>()[0]},
@@ -27,8 +29,8 @@ struct robot {
     }
     net::jaus_node_options options(net::access who) {
         net::jaus_node_options made{.who = who};
-        made.beat.period = 50ms;
-        made.patience = 500ms;
+        made.beat.period = period;
+        made.patience = 2s;
         made.log = [this](std::string_view line) { log.emplace_back(line); };
         made.appeared = [this](const jaus::address& one) { appeared.push_back(one); };
         made.disappeared = [this](const jaus::address& one) { disappeared.push_back(one); };
@@ -215,7 +217,7 @@ TEST_CASE("a foreign operator connects, takes control, commands and loses it wit
 
     // Only the communicator sends heartbeats: with them the whole subsystem is gone.
     other.fall_silent();
-    REQUIRE(net::run_until(context, 5s, [&] { return has(r.disappeared, make(7, 1, 35)); }));
+    REQUIRE(support::until(context, [&] { return has(r.disappeared, make(7, 1, 35)); }));
     REQUIRE_FALSE(r.core.control().controller());
 }
 
@@ -265,17 +267,14 @@ TEST_CASE("a stranger is answered where it was last heard, and gets no heartbeat
     REQUIRE(answer[3] == std::byte{0x40});
     while (before.wait_for(0x4202, 100ms)) {}
     REQUIRE_FALSE(before.wait_for(0x4202, 200ms));
-    net::run_until(context, 600ms, [] { return false; });
-    while (!after.receive(1ms).empty()) {}
-    REQUIRE(after.receive(300ms).empty());
+    const auto no_beat_comes = [&] { return after.receive(6 * r.period).empty(); };
+    REQUIRE(support::until(context, no_beat_comes));
     // Nor reports that go on by themselves. What is for it alone goes out all the same.
     after.send(
         r.port,
         {.code = 0x0008, .source = commander, .destination = driver, .body = {0x05, 0x44, 0xB0, 4, 0xFF, 0xFF, 0, 0}});
     REQUIRE(after.wait_for(0x4405));
-    net::run_until(context, 600ms, [] { return false; });
-    while (!after.receive(1ms).empty()) {}
-    REQUIRE(after.receive(300ms).empty());
+    REQUIRE(support::until(context, no_beat_comes));
     REQUIRE(r.node.send({.destination = make(7, 1, 32), .source = make(2, 1, 33)}, jaus::query_component_status{}));
     REQUIRE_FALSE(after.receive().empty());
 }
@@ -315,13 +314,13 @@ TEST_CASE("a foreign node of the own subsystem is asked for its components, and 
     other.send(
         r.port,
         {.code = 0x4B01, .source = tool, .destination = manager, .body = {1, 2, 3, 1, 1, 37, 1, 37, 2}}); // two cameras
-    REQUIRE(net::run_until(context, 5s, [&] { return has(r.appeared, make(2, 2, 37, 2)); }));
+    REQUIRE(support::until(context, [&] { return has(r.appeared, make(2, 2, 37, 2)); }));
     other.send(r.port, {.code = 0x2B01, .source = tool, .destination = manager, .body = {2}});
     const auto report = other.wait_for(0x4B01);
     REQUIRE(report);
     REQUIRE(report->body == numbers{2, 1, 3, 1, 1, 33, 1, 34, 1, 2, 3, 1, 1, 37, 1, 37, 2});
     // With its node manager go its components.
-    REQUIRE(net::run_until(context, 5s, [&] { return has(r.disappeared, make(2, 2, 37, 1)); }));
+    REQUIRE(support::until(context, [&] { return has(r.disappeared, make(2, 2, 37, 1)); }));
 }
 
 TEST_CASE("a stranger that is heard by multicast is answered by unicast, and hears the group itself") {
@@ -334,7 +333,7 @@ TEST_CASE("a stranger that is heard by multicast is answered by unicast, and hea
     foreign_node other{context};
     const net::multicast_options options{.port = group_port, .interface_name = "lo", .ttl = 0};
     other.send_to_group(options, {.code = 0x4202, .source = communicator, .destination = all_managers});
-    REQUIRE(net::run_until(context, 5s, [&] { return has(robot.appeared, make(7, 1, 35)); }));
+    REQUIRE(support::until(context, [&] { return has(robot.appeared, make(7, 1, 35)); }));
     REQUIRE(robot.node.send({.destination = make(7, 1, 35), .source = robot.self}, jaus::query_services{}));
     const auto query = other.wait_for(0x2B03);
     REQUIRE(query);
@@ -345,7 +344,7 @@ TEST_CASE("a stranger that is heard by multicast is answered by unicast, and hea
     member.set_option(udp::socket::reuse_address{true});
     member.bind({options.group, group_port});
     net::join_group(member, options);
-    REQUIRE(net::run_until(context, 5s, [&] { return member.available() != 0; }));
+    REQUIRE(support::until(context, [&] { return member.available() != 0; }));
     std::vector<std::byte> beat(100);
     beat.resize(member.receive(boost::asio::buffer(beat)));
     REQUIRE(read_datagram(beat));
@@ -400,8 +399,7 @@ TEST_CASE("what a recorded foreign node asked for is answered as its recorded pe
         if (m->source[0] != 152) {
             if (to[0] != 255 && !(to[0] == 152 && to[1] == 5)) continue;
             (m->source[0] == 120 ? ocu : base).send(port, datagram);
-            net::run_until(context, 5s,
-                           [&, before = node.counts().received] { return node.counts().received != before; });
+            support::until(context, [&, before = node.counts().received] { return node.counts().received != before; });
             ++sent;
         } else if (m->source == jaus_id{152, 5, 45, 1} && (m->code == 0x000F || (m->properties & 0x20) != 0)) {
             // What the recorded component confirmed or acknowledged, this one has too, byte by byte.

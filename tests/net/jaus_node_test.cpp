@@ -29,7 +29,7 @@ TEST_CASE("two nodes hear each other and identify themselves") {
 
     p.robot.node.stop();
     REQUIRE(p.until([&] { return has(p.ocu.disappeared, make(2, 1)); }));
-    REQUIRE(p.ocu.logged("closed port"));
+    REQUIRE(p.until([&] { return p.ocu.logged("closed port"); }));
     p.ocu.appeared.clear();
     p.robot.node.start();
     REQUIRE(p.until([&] { return has(p.ocu.appeared, make(2, 1)); }));
@@ -141,7 +141,7 @@ TEST_CASE("an acknowledged command and a large data set go through a node in the
                                   system("arm", "2.2.0.0", ports[2])),
                 make(2, 2, 33)};
     REQUIRE(ocu.core.send({.destination = arm.self}, jaus::set_wrench_effort{}, net::jaus_node::now(), ocu.node.out()));
-    REQUIRE(net::run_until(context, 5s, [&] { return !ocu.hooks.delivered.empty(); }));
+    REQUIRE(support::until(context, [&] { return !ocu.hooks.delivered.empty(); }));
     REQUIRE(ocu.hooks.delivered.front() == jaus::delivered::acknowledged);
     REQUIRE(arm.find(0x0405, ocu.self) != nullptr);
     REQUIRE(gateway.find(0x0405, ocu.self) == nullptr);
@@ -149,13 +149,13 @@ TEST_CASE("an acknowledged command and a large data set go through a node in the
     const bytes image(50'000, std::byte{7});
     REQUIRE(ocu.node.send({.command_code = 0xD111, .destination = arm.self, .source = ocu.self},
                           std::span<const std::byte>{image}));
-    REQUIRE(net::run_until(context, 5s, [&] { return !arm.large.empty(); }));
+    REQUIRE(support::until(context, [&] { return !arm.large.empty(); }));
     REQUIRE(arm.large.front() == image);
     REQUIRE(gateway.large.empty());
 
     // A node that nobody knows.
     REQUIRE(ocu.node.send({.destination = make(2, 9, 33), .source = ocu.self}, jaus::standby{}));
-    REQUIRE(net::run_until(context, 5s, [&] { return gateway.logged("no way to the destination is known"); }));
+    REQUIRE(support::until(context, [&] { return gateway.logged("no way to the destination is known"); }));
     const auto here = ocu.node.send({.destination = make(3, 1, 33), .source = ocu.self}, jaus::standby{});
     REQUIRE(here.problem().find("unroutable: no way") != std::string::npos);
 }
@@ -211,17 +211,15 @@ TEST_CASE("nodes find each other by multicast and ignore their own echo") {
     const auto systems = system("ocu", "1.0.0.0", ports[0], group) + system("robot", "2.0.0.0", ports[1], group);
     program ocu{context, config("ocu", systems), make(1, 1, 32)};
     program robot{context, config("robot", systems), make(2, 1, 33)};
-    REQUIRE(
-        net::run_until(context, 5s, [&] { return has(ocu.appeared, make(2, 1)) && has(robot.appeared, make(1, 1)); }));
-    net::run_until(context, 300ms, [] { return false; });
-    REQUIRE(ocu.log.empty());
-    REQUIRE(robot.log.empty());
+    REQUIRE(support::until(context, [&] { return has(ocu.appeared, make(2, 1)) && has(robot.appeared, make(1, 1)); }));
     const auto beats = [](const program& p, const jaus::address& from) {
         return std::ranges::count_if(
             p.seen, [&](const seen_message& m) { return m.head.command_code == 0x4202 && m.head.source == from; });
     };
-    REQUIRE(beats(ocu, make(2, 1)) >= 3);
+    REQUIRE(support::until(context, [&] { return beats(ocu, make(2, 1)) >= 3; }));
     REQUIRE(beats(ocu, make(1, 1)) == 0);
+    REQUIRE(ocu.log.empty());
+    REQUIRE(robot.log.empty());
 }
 
 TEST_CASE("a configuration that cannot be routed by is refused with its line") {
@@ -278,7 +276,7 @@ TEST_CASE("an exception of the log, called while a component sends, leaves the i
                             if (throws) throw std::runtime_error{std::string{line}};
                         }}};
     node.start();
-    REQUIRE_THROWS_AS(net::run_until(context, 5s, [] { return false; }), std::runtime_error);
+    REQUIRE_THROWS_AS(support::until(context, [] { return false; }), std::runtime_error);
     node.stop();
     throws = false;
     node.start();
@@ -324,7 +322,7 @@ TEST_CASE("a handler may stop the node, but not add components to it while they 
     robot.add(first, application);
     robot.start();
     REQUIRE(robot.send({.command_code = 0xD100, .destination = make(2, 1, 33), .source = make(2, 1)}, bytes{}));
-    REQUIRE(net::run_until(context, 5s, [&] { return heard; }));
+    REQUIRE(support::until(context, [&] { return heard; }));
     REQUIRE(refused);
     robot.add(second, other);
     robot.start();

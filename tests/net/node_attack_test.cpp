@@ -26,7 +26,7 @@ struct besieged {
     }
     /// Until all that was sent so far has been looked at.
     void settle(std::uint64_t sent) {
-        REQUIRE(net::run_until(context, 20s, [&] { return looked_at() >= sent; }));
+        REQUIRE(support::until(context, [&] { return looked_at() >= sent; }));
     }
     [[nodiscard]] std::uint64_t looked_at() const {
         const auto c = robot.node.counts();
@@ -68,7 +68,7 @@ TEST_CASE("a recorded command that is sent again is acknowledged again and not o
     REQUIRE(b.efforts() == 1);
     // From elsewhere not even that.
     for (int i = 0; i != 20; ++i) b.stranger.send(b.port, recorded);
-    REQUIRE(net::run_until(b.context, 5s, [&] { return b.robot.node.counts().wrong_sender == 20; }));
+    REQUIRE(support::until(b.context, [&] { return b.robot.node.counts().wrong_sender == 20; }));
     REQUIRE(b.stranger.receive(50ms).empty());
     REQUIRE(b.efforts() == 1);
     // The next number is another command.
@@ -140,7 +140,7 @@ TEST_CASE("nobody takes control from its holder but a higher authority from wher
         b.ocu.send(b.port, {.code = 0x0002, .source = self, .destination = robot_id});
         forged += 2;
     }
-    REQUIRE(net::run_until(b.context, 5s, [&] { return b.robot.node.counts().wrong_sender == forged; }));
+    REQUIRE(support::until(b.context, [&] { return b.robot.node.counts().wrong_sender == forged; }));
     REQUIRE(b.stranger.receive(50ms).empty());
     REQUIRE(control.controls(make(1, 1, 32)));
     REQUIRE(control.authority_code() == 0);
@@ -230,7 +230,7 @@ TEST_CASE("one million random and mutated datagrams are all counted, and the nod
         from.send(b.port, datagram);
         ++sent;
         if (sent % 125 == 0 || sent == all) {
-            REQUIRE(net::run_until(b.context, 20s, [&] { return looked_at() == sent; }));
+            REQUIRE(support::until(b.context, [&] { return looked_at() == sent; }));
             if (sent % 5000 == 0)
                 while (!b.ocu.receive(0ms).empty()) {}
         }

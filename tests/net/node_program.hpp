@@ -2,10 +2,10 @@
 #pragma once
 
 #include "net/config_text.hpp"
+#include "support/until.hpp"
 #include <jauscat/jaus/component.hpp>
 #include <jauscat/jaus/held_control.hpp>
 #include <jauscat/net/jaus_node.hpp>
-#include <jauscat/net/run_until.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 
 #include <boost/asio/io_context.hpp>
@@ -75,7 +75,7 @@ struct program {
 
     net::jaus_node_options with_hooks(net::jaus_node_options options) {
         options.beat.period = 50ms;
-        options.patience = 400ms;
+        options.patience = 2s;
         options.log = [this](std::string_view line) { log.emplace_back(line); };
         options.seen = [this](const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
                               jaus::component_outcome what) {
@@ -107,7 +107,7 @@ struct program {
     std::vector<bytes> large{};
     hooks_type hooks{};
     jaus::component_memory<> memory{};
-    jaus::held_control other{self, make(2, 1, 33), {.patience = 200ms}};
+    jaus::held_control other{self, make(2, 1, 33), {.patience = 2s}};
     jaus::component<hooks_type, jaus::held_control> core{self, memory, hooks, {}, other};
     struct handler {
         program& mine;
@@ -133,7 +133,7 @@ struct pair {
     program ocu{context, config("ocu", systems), make(1, 1, 32)};
     program robot{context, config("robot", systems), make(2, 1, 33)};
 
-    bool until(auto done) { return net::run_until(context, 5s, done); }
+    bool until(auto done) { return support::until(context, done); }
     void run_for(std::chrono::milliseconds time) {
         net::run_until(context, time, [] { return false; });
     }

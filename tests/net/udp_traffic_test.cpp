@@ -2,7 +2,7 @@
 // versions.
 #include "support/allocations.hpp"
 #include "support/catch.hpp"
-#include <jauscat/net/run_until.hpp>
+#include "support/until.hpp"
 #include <jauscat/net/udp_transport.hpp>
 
 #include <iostream>
@@ -51,10 +51,6 @@ struct station {
     std::function<void(std::span<const std::byte>)> on_message{};
 };
 
-template <class Done> bool run(boost::asio::io_context& context, Done done) {
-    return net::run_until(context, 5s, done);
-}
-
 /// Whether this machine lets a socket be opened there.
 bool can_bind(boost::asio::io_context& context, const udp::endpoint& local) {
     udp::socket socket{context, local.protocol()};
@@ -71,7 +67,7 @@ TEST_CASE("a thousand datagrams that wait arrive in their order") {
     station receiver{context, any_port, {.receive_buffer = 4'000'000}};
     udp::socket peer{context, any_port};
     for (int i = 0; i != 1000; ++i) peer.send_to(boost::asio::buffer(std::to_string(i)), receiver.transport.local());
-    REQUIRE(run(context, [&] { return receiver.messages.size() == 1000; }));
+    REQUIRE(support::until(context, [&] { return receiver.messages.size() == 1000; }));
     for (int i = 0; i != 1000; ++i) CHECK(receiver.messages[static_cast<std::size_t>(i)] == std::to_string(i));
     CHECK(receiver.transport.counts().received == 1000);
     CHECK(receiver.transport.counts().dropped == 0);
@@ -92,12 +88,12 @@ TEST_CASE("what the kernel drops is counted") {
     udp::socket peer{context, any_port};
     const std::string message(1000, 'x');
     for (int i = 0; i != 500; ++i) peer.send_to(boost::asio::buffer(message), receiver.transport.local());
-    REQUIRE(run(context, [&] { return receiver.transport.counts().received != 0; }));
+    REQUIRE(support::until(context, [&] { return receiver.transport.counts().received != 0; }));
     // The next one tells how many were lost before it.
     const auto count = [&] { return receiver.transport.counts().received + receiver.transport.counts().dropped; };
     for (int i = 1; i != 4; ++i) {
         peer.send_to(boost::asio::buffer(message), receiver.transport.local());
-        REQUIRE(run(context, [&] { return count() == static_cast<std::uint64_t>(500 + i); }));
+        REQUIRE(support::until(context, [&] { return count() == static_cast<std::uint64_t>(500 + i); }));
     }
     CHECK(receiver.transport.counts().received < 100);
     CHECK(receiver.transport.counts().dropped > 400);
@@ -126,7 +122,7 @@ TEST_CASE("what a handler posts goes out when the datagrams received with it hav
     };
     const auto to = answering.transport.local();
     for (int i = 0; i != 100; ++i) REQUIRE(asking.transport.send(bytes_of(std::to_string(i)), to));
-    REQUIRE(run(context, [&] { return asking.messages.size() == 100; }));
+    REQUIRE(support::until(context, [&] { return asking.messages.size() == 100; }));
     CHECK(asking.messages == answering.messages);
     CHECK(answering.transport.counts().sent == 100);
 
@@ -149,7 +145,7 @@ TEST_CASE("posted and sent messages keep their order, large ones among them") {
         answering.transport.stop(); // what was posted goes out
     };
     REQUIRE(asking.transport.send(bytes_of("go"), answering.transport.local()));
-    REQUIRE(run(context, [&] { return asking.messages.size() == 5; }));
+    REQUIRE(support::until(context, [&] { return asking.messages.size() == 5; }));
     CHECK(asking.messages == std::vector<std::string>{"1", large, "2", "3", "4"});
 }
 
@@ -166,8 +162,8 @@ TEST_CASE("a posted message to a closed port does not hold up the others") {
         }
     };
     REQUIRE(asking.transport.send(bytes_of("go"), answering.transport.local()));
-    REQUIRE(run(context, [&] { return asking.messages.size() == 20; }));
-    REQUIRE(run(context, [&] { return answering.transport.counts().refused != 0; }));
+    REQUIRE(support::until(context, [&] { return asking.messages.size() == 20; }));
+    REQUIRE(support::until(context, [&] { return answering.transport.counts().refused != 0; }));
     CHECK(answering.errors.front().ends_with(": closed port: no program receives there"));
     CHECK(answering.transport.counts().errors == 0);
     CHECK(answering.transport.counts().sent == 40);
@@ -182,9 +178,9 @@ TEST_CASE("after an exception of a handler receiving goes on with the datagram b
     };
     for (const char* message : {"1", "2", "3", "4"})
         peer.send_to(boost::asio::buffer(message, 1), receiver.transport.local());
-    CHECK_THROWS_AS(run(context, [&] { return receiver.messages.size() == 4; }), std::runtime_error);
+    CHECK_THROWS_AS(support::until(context, [&] { return receiver.messages.size() == 4; }), std::runtime_error);
     receiver.start();
-    REQUIRE(run(context, [&] { return receiver.messages.size() == 4; }));
+    REQUIRE(support::until(context, [&] { return receiver.messages.size() == 4; }));
     CHECK(receiver.messages == std::vector<std::string>{"1", "2", "3", "4"});
 }
 
@@ -209,7 +205,7 @@ TEST_CASE("a filter decides first, and what it refuses is counted without a repo
     udp::socket peer{context, any_port};
     for (const std::string_view message : {"", "JAUS01.0", "JAUS01.04", "1", "2", "2", "3", "4", "4", "4", "0 taken"})
         peer.send_to(boost::asio::buffer(message), receiver.transport.local());
-    REQUIRE(run(context, [&] { return !receiver.messages.empty(); }));
+    REQUIRE(support::until(context, [&] { return !receiver.messages.empty(); }));
     const auto& counts = receiver.transport.counts();
     CHECK(receiver.messages == std::vector<std::string>{"0 taken"});
     CHECK(counts.received == 1);
@@ -229,7 +225,7 @@ TEST_CASE("several transports share a port") {
         station second{context, first.transport.local(), options};
         udp::socket peer{context, any_port};
         peer.send_to(boost::asio::buffer("x", 1), first.transport.local());
-        REQUIRE(run(context, [&] { return first.messages.size() + second.messages.size() == 1; }));
+        REQUIRE(support::until(context, [&] { return first.messages.size() + second.messages.size() == 1; }));
         CHECK_THROWS_AS(udp_transport(context, first.transport.local()), net::open_error);
     }
 }
@@ -245,7 +241,7 @@ TEST_CASE("every member of a group on this host hears what one of them sends, fr
     station sender{context};
     sender.transport.send_multicast_by(group);
     REQUIRE(sender.transport.send(bytes_of("heartbeat"), first.transport.local()));
-    REQUIRE(run(context, [&] { return first.messages.size() + second.messages.size() == 2; }));
+    REQUIRE(support::until(context, [&] { return first.messages.size() + second.messages.size() == 2; }));
     CHECK(first.messages == second.messages);
     CHECK(first.from == sender.transport.local());
 }
@@ -271,7 +267,7 @@ TEST_CASE("a group of IPv6 works as one of IPv4") {
     }
     member.transport.join(group);
     REQUIRE(sender.transport.send(bytes_of("heartbeat"), to));
-    REQUIRE(run(context, [&] { return !member.messages.empty(); }));
+    REQUIRE(support::until(context, [&] { return !member.messages.empty(); }));
     CHECK(member.messages.front() == "heartbeat");
     CHECK(member.from.port() == sender.transport.local().port());
 }
@@ -322,10 +318,10 @@ TEST_CASE("one socket serves both IP versions and names the addresses of each as
     for (const auto* const ip : {"127.0.0.1", "::1"}) {
         station peer{context, at(ip)};
         REQUIRE(peer.transport.send(bytes_of(ip), at(ip, port)));
-        REQUIRE(run(context, [&] { return !both.messages.empty() && both.messages.back() == ip; }));
+        REQUIRE(support::until(context, [&] { return !both.messages.empty() && both.messages.back() == ip; }));
         CHECK(both.from == peer.transport.local());
         REQUIRE(both.transport.send(bytes_of("back"), both.from));
-        REQUIRE(run(context, [&] { return !peer.messages.empty(); }));
+        REQUIRE(support::until(context, [&] { return !peer.messages.empty(); }));
     }
 }
 
@@ -342,7 +338,7 @@ TEST_CASE("a filter, a batch and its answers allocate nothing") {
             for (int n = 0; n != 20; ++n)
                 if (!asking.send(bytes_of("sixteen bytes .."), answering.local(), jaus::framing::jaus01)) return;
             const auto wanted = answered + 20;
-            net::run_until(context, 5s, [&] { return answered >= wanted; });
+            support::until(context, [&] { return answered >= wanted; });
         }
     };
     exchange(5);

@@ -1,6 +1,7 @@
 // JAUS over UDP on the loopback interface: framings, limits, closed ports, garbage, and a program that goes on.
 #include "support/allocations.hpp"
 #include "support/catch.hpp"
+#include "support/until.hpp"
 #include <jauscat/net/next_hop.hpp>
 #include <jauscat/net/read_jaus_config.hpp>
 #include <jauscat/net/run_until.hpp>
@@ -72,7 +73,7 @@ TEST_CASE("a message arrives as it was sent, in either framing") {
         const auto message = bytes_of(framing == jaus::framing::bare ? "bare message" : "prefixed message");
         const auto before = receiver.events();
         REQUIRE(sender.transport.send(message, receiver.transport.local(), framing));
-        REQUIRE(net::run_until(context, 5s, [&] { return receiver.events() > before; }));
+        REQUIRE(support::until(context, [&] { return receiver.events() > before; }));
         CHECK(receiver.message == message);
         CHECK(receiver.framing == framing);
         CHECK(receiver.from == sender.transport.local());
@@ -131,12 +132,12 @@ TEST_CASE("a closed port at the peer is reported by its address, and the transpo
     const auto closed = closed_port(context);
 
     REQUIRE(sender.transport.send(bytes_of("to nobody"), closed));
-    REQUIRE(net::run_until(context, 5s, [&] { return !sender.errors.empty(); }));
+    REQUIRE(support::until(context, [&] { return !sender.errors.empty(); }));
     CHECK(sender.errors == std::vector{text(closed) + ": closed port: no program receives there"});
     CHECK(sender.transport.counts().refused == 1);
 
     REQUIRE(receiver.transport.send(bytes_of("to the sender"), sender.transport.local()));
-    REQUIRE(net::run_until(context, 5s, [&] { return !sender.message.empty(); }));
+    REQUIRE(support::until(context, [&] { return !sender.message.empty(); }));
     CHECK(sender.message == bytes_of("to the sender"));
 }
 
@@ -150,7 +151,7 @@ TEST_CASE("one peer's closed port does not swallow the next message to another")
     REQUIRE(sender.transport.send(bytes_of("to nobody"), closed));
     REQUIRE(sender.transport.send(bytes_of("to somebody"), receiver.transport.local()));
     CHECK(sender.errors == std::vector{text(closed) + ": closed port: no program receives there"});
-    REQUIRE(net::run_until(context, 5s, [&] { return receiver.events() > 0; }));
+    REQUIRE(support::until(context, [&] { return receiver.events() > 0; }));
     CHECK(receiver.message == bytes_of("to somebody"));
     CHECK(sender.transport.counts().sent == 2);
     CHECK(sender.transport.counts().refused == 1);
@@ -164,7 +165,7 @@ TEST_CASE("datagrams without a message are reported") {
     for (const std::string_view content : {"", "JAUS01.0"}) {
         receiver.errors.clear();
         peer.send_to(boost::asio::buffer(content), receiver.transport.local());
-        REQUIRE(net::run_until(context, 5s, [&] { return !receiver.errors.empty(); }));
+        REQUIRE(support::until(context, [&] { return !receiver.errors.empty(); }));
         CHECK(receiver.errors == std::vector{"a datagram from " + text(peer.local_endpoint()) + " holds no message"});
     }
     CHECK(receiver.transport.counts().received == 0);
@@ -178,7 +179,7 @@ TEST_CASE("messages up to 65507 bytes pass, larger and empty ones are not sent")
     byte_vector message(65507);
     std::generate(message.begin(), message.end(), [n = 0u]() mutable { return static_cast<std::byte>(n++ * 7u); });
     REQUIRE(sender.transport.send(message, receiver.transport.local()));
-    REQUIRE(net::run_until(context, 5s, [&] { return receiver.events() > 0; }));
+    REQUIRE(support::until(context, [&] { return receiver.events() > 0; }));
     CHECK(receiver.message == message);
 
     const auto with_prefix = sender.transport.send(message, receiver.transport.local(), jaus::framing::jaus01);
@@ -207,7 +208,7 @@ TEST_CASE("a datagram larger than any over IPv4 is dropped with a report") {
     transport.start([](auto...) { FAIL("an oversized datagram was handed on"); },
                     [&](std::string_view text) { error = text; });
     peer->send_to(boost::asio::buffer(byte_vector(65508)), transport.local());
-    REQUIRE(net::run_until(context, 5s, [&] { return !error.empty(); }));
+    REQUIRE(support::until(context, [&] { return !error.empty(); }));
     CHECK(error == "a datagram from [::1]:" + std::to_string(peer->local_endpoint().port()) +
                        " is larger than 65507 bytes and was dropped");
 
@@ -218,7 +219,7 @@ TEST_CASE("a datagram larger than any over IPv4 is dropped with a report") {
     }
     error.clear();
     REQUIRE(transport.send(bytes_of("to nobody"), closed));
-    REQUIRE(net::run_until(context, 5s, [&] { return !error.empty(); }));
+    REQUIRE(support::until(context, [&] { return !error.empty(); }));
     CHECK(error == "[::1]:" + std::to_string(closed.port()) + ": closed port: no program receives there");
 }
 
@@ -236,7 +237,7 @@ TEST_CASE("ten thousand datagrams of random content and size are all counted and
         std::generate(content.begin(), content.end(), [&] { return static_cast<std::byte>(value(random)); });
         if (n % 4 == 0 && content.size() >= prefix.size()) std::ranges::copy(prefix, content.begin());
         peer.send_to(boost::asio::buffer(content), receiver.transport.local());
-        REQUIRE(net::run_until(context, 5s, [&] { return receiver.events() == n; }));
+        REQUIRE(support::until(context, [&] { return receiver.events() == n; }));
     }
 }
 
@@ -253,7 +254,7 @@ TEST_CASE("sending and receiving allocate nothing") {
         for (std::size_t i = 0; i < times; ++i) {
             if (!sender.send(message, receiver.local(), jaus::framing::jaus01)) return;
             const auto wanted = seen + message.size();
-            net::run_until(context, 5s, [&] { return seen == wanted; });
+            support::until(context, [&] { return seen == wanted; });
         }
     };
     exchange(10);
@@ -321,7 +322,7 @@ TEST_CASE("a message goes to the system its header names, framed as that system 
     header.destination = {1, 33, 1, 2};
     REQUIRE(wire::encode(header, message));
     REQUIRE(net::send_to_next_hop(here.transport, config, message));
-    REQUIRE(net::run_until(context, 5s, [&] { return there.events() > 0; }));
+    REQUIRE(support::until(context, [&] { return there.events() > 0; }));
     CHECK(std::ranges::equal(there.message, message));
     CHECK(there.framing == jaus::framing::jaus01);
 

@@ -3,11 +3,11 @@
 #include "ethercat/objects.hpp"
 #include "support/catch.hpp"
 #include "support/random_message.hpp"
+#include "support/until.hpp"
 #include <jauscat/ethercat/master.hpp>
 #include <jauscat/ethercat/slave.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/net/run_master.hpp>
-#include <jauscat/net/run_until.hpp>
 #include <jauscat/net/udp_link.hpp>
 #include <jauscat/net/udp_transport.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
@@ -110,7 +110,7 @@ TEST_CASE("stations on threads of their own exchange messages") {
     for (unsigned i = 0; i != 100; ++i) {
         const std::vector<std::byte> message(16 + i, static_cast<std::byte>(i));
         REQUIRE(asking.send(message, echo));
-        REQUIRE(net::run_until(here, 30s, [&] { return heard == message; }));
+        REQUIRE(support::until(here, [&] { return heard == message; }));
     }
     there.stop();
     thread.join();
