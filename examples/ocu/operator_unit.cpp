@@ -66,7 +66,7 @@ bool operator_unit::hear_robot(milliseconds patience) {
 
 bool operator_unit::take_control(std::uint8_t authority) {
     held_.ask(authority, now(), out_);
-    wait([this] { return held_.state() != control_state::asking; }, longest());
+    wait([this] { return held_.state() != control_state::asking; });
     if (held_.state() == control_state::refused) tell_why();
     return holds();
 }
@@ -99,10 +99,10 @@ bool operator_unit::finish() {
     bool released = true;
     if (holds() || held_.state() == control_state::asking) {
         outcome_.reset();
-        held_.release([this](bytes message) { send(message); });
-        work([this] { return outcome_.has_value(); }, longest(), [] { return false; });
+        held_.release([&](bytes message) { released = send(message); });
+        if (released) work([this] { return outcome_.has_value(); }, [] { return false; });
         const auto name = text::to_text(robot_);
-        released = outcome_ && outcome_ != jaus::delivered::timed_out;
+        released = released && outcome_ != jaus::delivered::timed_out;
         if (!released)
             say("FAILED: nobody acknowledged that control of " + name + " is released");
         else
@@ -168,19 +168,21 @@ void operator_unit::seen(const jaus::address& component, const jaus::header& hea
         report_.emplace(body.begin(), body.end());
 }
 
-/// Lets the node work until `done()`, at most so long. Returns `done()`.
-bool operator_unit::work(const std::function<bool()>& done, milliseconds how_long,
-                         const std::function<bool()>& given_up) {
-    const auto until = now() + how_long;
+/// Lets the node work until `done()` or `given_up()`. Returns `done()`.
+bool operator_unit::work(const std::function<bool()>& done, const std::function<bool()>& given_up) {
     const auto look = [&] {
         tell_control();
         return done();
     };
-    while (!look() && !given_up() && now() < until) net::run_until(context_, milliseconds{10}, look);
+    while (!look() && !given_up()) net::run_until(context_, milliseconds{10}, look);
     return done();
 }
+/// For what ends by itself: a request that is not answered is given up after its repeats.
+void operator_unit::wait(const std::function<bool()>& done) {
+    work(done, [] { return example::stop_requested.load(); });
+}
 bool operator_unit::wait(const std::function<bool()>& done, milliseconds how_long) {
-    return work(done, how_long, [] { return example::stop_requested.load(); });
+    return work(done, [until = now() + how_long] { return example::stop_requested || now() >= until; });
 }
 
 reply operator_unit::exchange(const order& what) {
@@ -195,7 +197,8 @@ reply operator_unit::exchange(const order& what) {
     }
     if (!send(message)) return reply::not_sent;
     const bool asks = awaited_report_ != 0;
-    wait([&] { return report_ || (outcome_ && !(asks && outcome_ == jaus::delivered::acknowledged)); }, longest());
+    wait([&] { return report_ || outcome_; });
+    if (asks && outcome_ == jaus::delivered::acknowledged) wait([&] { return report_.has_value(); }, timeout_);
     if (outcome_ == jaus::delivered::refused) return reply::refused;
     if (asks ? report_.has_value() : outcome_ == jaus::delivered::acknowledged) return reply::taken;
     return example::stop_requested ? reply::stopped : reply::silence;

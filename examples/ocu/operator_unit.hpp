@@ -74,12 +74,11 @@ class operator_unit {
     };
 
     [[nodiscard]] bool holds() const noexcept { return held_.state() == control_state::held; }
-    /// The longest that an answer can take.
-    [[nodiscard]] milliseconds longest() const noexcept { return (retries + 2) * timeout_; }
     net::jaus_node_options node_options();
     void seen(const jaus::address& component, const jaus::header& head, bytes body);
     void robot_is_there(const jaus::address& who, bool is_there);
-    bool work(const std::function<bool()>& done, milliseconds how_long, const std::function<bool()>& given_up);
+    bool work(const std::function<bool()>& done, const std::function<bool()>& given_up);
+    void wait(const std::function<bool()>& done);
     bool wait(const std::function<bool()>& done, milliseconds how_long);
     reply exchange(const order& what);
     bool send(bytes message);
