@@ -2,6 +2,7 @@
 #pragma once
 
 #include "net/config_text.hpp"
+#include "support/free_ports.hpp"
 #include "support/until.hpp"
 #include <jauscat/jaus/component.hpp>
 #include <jauscat/jaus/held_control.hpp>
@@ -20,6 +21,7 @@ namespace test {
 namespace jaus = jauscat::jaus;
 namespace net = jauscat::net;
 namespace wire = jauscat::wire;
+using support::free_ports;
 using namespace std::chrono_literals;
 using udp = boost::asio::ip::udp;
 using bytes = std::vector<std::byte>;
@@ -27,19 +29,6 @@ using bytes = std::vector<std::byte>;
 constexpr jaus::address make(unsigned subsystem, unsigned node, unsigned component = 1, unsigned instance = 1) {
     const auto id = [](unsigned n) { return static_cast<std::uint8_t>(n); };
     return {id(instance), id(component), id(node), id(subsystem)};
-}
-
-/// Ports that nobody has, all different.
-template <std::size_t N>
-std::array<std::uint16_t, N> free_ports(const boost::asio::ip::address& ip = boost::asio::ip::address_v4::loopback()) {
-    boost::asio::io_context context;
-    std::vector<udp::socket> sockets;
-    std::array<std::uint16_t, N> ports{};
-    for (auto& port : ports) {
-        sockets.emplace_back(context, udp::endpoint{ip, 0});
-        port = sockets.back().local_endpoint().port();
-    }
-    return ports;
 }
 
 inline std::string system(const std::string& name, const std::string& jausip, unsigned port,

@@ -5,6 +5,7 @@
 #include "soak/relay.hpp"
 #include "soak/robot_end.hpp"
 #include "support/allocations.hpp"
+#include "support/free_ports.hpp"
 #include "support/program.hpp"
 
 #include <cstdio>
@@ -57,12 +58,6 @@ arguments read(int argc, char** argv) {
     return found;
 }
 
-/// A port that nobody has now.
-std::uint16_t free_port() {
-    boost::asio::io_context context;
-    return udp::socket{context, loopback()}.local_endpoint().port();
-}
-
 /// This end listens at `own`; it finds the other at `other`, which is a port of the relay.
 net::jaus_config config(bool of_robot, std::uint16_t own, std::uint16_t other) {
     const auto ip = boost::asio::ip::make_address("127.0.0.1");
@@ -91,8 +86,7 @@ class run {
   public:
     explicit run(const arguments& a)
         : wanted_{a}, relay_{a.loss / 100.0, a.seed}, book_{std::size_t{a.seconds} * 1100 + 5000} {
-        std::array<std::uint16_t, 2> ports{free_port(), free_port()};
-        while (ports[0] == ports[1]) ports[1] = free_port();
+        const auto ports = support::free_ports<2>();
         relay_.start(ports);
         operator_.emplace(config(false, ports[0], relay_.port(0)), book_, a.seconds / 10);
         robot_.emplace(config(true, ports[1], relay_.port(1)), book_);
