@@ -1,6 +1,7 @@
 // JAUS over UDP on the loopback interface: framings, limits, closed ports, garbage, and a program that goes on.
 #include "support/allocations.hpp"
 #include "support/catch.hpp"
+#include "support/free_ports.hpp"
 #include "support/until.hpp"
 #include <jauscat/net/next_hop.hpp>
 #include <jauscat/net/read_jaus_config.hpp>
@@ -55,10 +56,8 @@ struct station {
     std::vector<std::string> errors{};
 };
 
-/// A port on which nobody listens.
-udp::endpoint closed_port(boost::asio::io_context& context) {
-    udp::socket socket{context, any_port};
-    return socket.local_endpoint();
+udp::endpoint closed_port(const boost::asio::ip::address& ip = boost::asio::ip::address_v4::loopback()) {
+    return {ip, support::free_ports<1>(ip)[0]};
 }
 
 std::string text(const udp::endpoint& endpoint) { return "127.0.0.1:" + std::to_string(endpoint.port()); }
@@ -129,7 +128,7 @@ TEST_CASE("a closed port at the peer is reported by its address, and the transpo
     boost::asio::io_context context;
     station sender{context};
     station receiver{context};
-    const auto closed = closed_port(context);
+    const auto closed = closed_port();
 
     REQUIRE(sender.transport.send(bytes_of("to nobody"), closed));
     REQUIRE(support::until(context, [&] { return !sender.errors.empty(); }));
@@ -145,7 +144,7 @@ TEST_CASE("one peer's closed port does not swallow the next message to another")
     boost::asio::io_context context;
     station sender{context};
     station receiver{context};
-    const auto closed = closed_port(context);
+    const auto closed = closed_port();
 
     // On the loopback interface the refusal is there before `send` returns; the io_context does not run in between.
     REQUIRE(sender.transport.send(bytes_of("to nobody"), closed));
@@ -212,11 +211,7 @@ TEST_CASE("a datagram larger than any over IPv4 is dropped with a report") {
     CHECK(error == "a datagram from [::1]:" + std::to_string(peer->local_endpoint().port()) +
                        " is larger than 65507 bytes and was dropped");
 
-    udp::endpoint closed{};
-    {
-        const udp::socket socket{context, v6};
-        closed = socket.local_endpoint();
-    }
+    const auto closed = closed_port(v6.address());
     error.clear();
     REQUIRE(transport.send(bytes_of("to nobody"), closed));
     REQUIRE(support::until(context, [&] { return !error.empty(); }));
