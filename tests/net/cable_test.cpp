@@ -3,25 +3,23 @@
 #include "ethercat/objects.hpp"
 #include "support/bytes.hpp"
 #include "support/catch.hpp"
+#include "support/interfaces.hpp"
 #include "support/slave_thread.hpp"
 #include <jauscat/ethercat/master.hpp>
 #include <jauscat/net/raw_link.hpp>
 #include <jauscat/net/run_master.hpp>
 
 #include <atomic>
-#include <cstdlib>
 #include <string>
 
 using namespace jauscat;
 using namespace std::chrono_literals;
 using ethercat::master_errc;
+using support::ip;
 
 namespace {
 
 constexpr std::uint16_t station = 2;
-
-/// Changes the namespace's interfaces. True when that was done.
-bool ip(const std::string& arguments) { return std::system(("ip " + arguments).c_str()) == 0; }
 
 std::vector<std::byte> numbered(std::size_t size) {
     std::vector<std::byte> data(size);

@@ -1,6 +1,7 @@
 // EtherCAT on a pair of virtual Ethernet interfaces, jc0 and jc1, in a network namespace: see with_veth.sh.
 #include "net/frames.hpp"
 #include "support/catch.hpp"
+#include "support/interfaces.hpp"
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/net/raw_link.hpp>
 
@@ -8,7 +9,6 @@
 #include <boost/asio/generic/raw_protocol.hpp>
 #include <boost/asio/io_context.hpp>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -16,14 +16,13 @@ using namespace jauscat;
 using namespace std::chrono_literals;
 using net::raw_link;
 using support::bytes;
+using support::comes_to;
 using support::frame_buffer;
+using support::ip;
 
 static_assert(ethercat::link<raw_link>);
 
 namespace {
-
-/// Changes or checks the namespace's interfaces with `ip`.
-void ip(const std::string& arguments) { REQUIRE(std::system(("ip " + arguments).c_str()) == 0); }
 
 std::string refusal(const std::string& interface) {
     try {
@@ -100,7 +99,7 @@ TEST_CASE("a link does not hear its own frames", "[veth]") {
 
 TEST_CASE("a link hears every destination address, and no other EtherType", "[veth]") {
     raw_link slave{"jc1"};
-    ip("-details link show jc1 | grep -q 'promiscuity 1'");
+    REQUIRE(ip("-details link show jc1 | grep -q 'promiscuity 1'"));
     auto other = support::frame(1);
     other[12] = std::byte{0x08};
     other[13] = std::byte{0x00};
@@ -177,16 +176,19 @@ TEST_CASE("an interface that goes down is reported, and works again when it is u
     raw_link slave{"jc1"};
     frame_buffer buffer;
     const std::string down = "interface jc0 is down; run: sudo ip link set jc0 up";
-    ip("link set jc0 down");
+    REQUIRE(ip("link set jc0 down"));
     for (int look = 0; look != 3; ++look) {
         CHECK(buffer.receive_from(master, 1ms) == 0);
         CHECK(master.problem() == down);
     }
     CHECK_FALSE(master.send(support::frame(1)));
     CHECK(master.problem() == down);
+    REQUIRE(comes_to("LOWERLAYERDOWN", "jc1"));
     CHECK(buffer.receive_from(slave, 1ms) == 0);
     CHECK(slave.problem() == "no link on jc1: is the cable in, and the other end on?");
-    ip("link set jc0 up");
+    REQUIRE(ip("link set jc0 up"));
+    REQUIRE(comes_to("UP", "jc0"));
+    REQUIRE(comes_to("UP", "jc1"));
     CHECK(buffer.receive_from(slave, 1ms) == 0);
     CHECK(slave.problem().empty());
     CHECK(master.send(support::frame(1)));
@@ -194,14 +196,17 @@ TEST_CASE("an interface that goes down is reported, and works again when it is u
 }
 
 TEST_CASE("a link may be opened before the cable is in", "[veth]") {
-    ip("link set jc1 down");
+    REQUIRE(ip("link set jc1 down"));
+    REQUIRE(comes_to("LOWERLAYERDOWN", "jc0"));
     raw_link master{"jc0"};
     const std::string no_link = "no link on jc0: is the cable in, and the other end on?";
     CHECK(master.problem() == no_link);
     frame_buffer buffer;
     CHECK(buffer.receive_from(master, 1ms) == 0);
     CHECK(master.problem() == no_link);
-    ip("link set jc1 up");
+    REQUIRE(ip("link set jc1 up"));
+    REQUIRE(comes_to("UP", "jc0"));
+    REQUIRE(comes_to("UP", "jc1"));
     raw_link slave{"jc1"};
     CHECK(slave.problem().empty());
     CHECK(master.send(support::frame(1)));
@@ -210,13 +215,15 @@ TEST_CASE("a link may be opened before the cable is in", "[veth]") {
 
 TEST_CASE("an interface that vanishes is reported, and taken again when it is back", "[veth]") {
     const auto plug_in = [] {
-        ip("link add jc2 type veth peer name jc3");
-        ip("link set jc3 up");
-        ip("link set jc2 up");
+        REQUIRE(ip("link add jc2 type veth peer name jc3"));
+        REQUIRE(ip("link set jc3 up"));
+        REQUIRE(ip("link set jc2 up"));
+        REQUIRE(comes_to("UP", "jc2"));
+        REQUIRE(comes_to("UP", "jc3"));
     };
     plug_in();
     raw_link link{"jc2"};
-    ip("link delete jc2");
+    REQUIRE(ip("link delete jc2"));
     frame_buffer buffer;
     for (int look = 0; look != 2; ++look) {
         CHECK(buffer.receive_from(link, 1ms) == 0);
@@ -225,25 +232,25 @@ TEST_CASE("an interface that vanishes is reported, and taken again when it is ba
     CHECK_FALSE(link.send(support::frame(1)));
     CHECK(link.problem() == "interface jc2 is gone");
     plug_in();
-    ip("-details link show jc2 | grep -q 'promiscuity 0'");
+    REQUIRE(ip("-details link show jc2 | grep -q 'promiscuity 0'"));
     CHECK(buffer.receive_from(link, 1ms) == 0);
     CHECK(link.problem().empty());
-    ip("-details link show jc2 | grep -q 'promiscuity 1'");
+    REQUIRE(ip("-details link show jc2 | grep -q 'promiscuity 1'"));
     raw_link peer{"jc3"};
     CHECK(link.send(support::frame(1)));
     REQUIRE(buffer.receive_from(peer) == 60);
     CHECK(buffer.frame() == from(link, support::frame(1)));
     CHECK(peer.send(support::frame(1)));
     CHECK(buffer.receive_from(link) == 60);
-    ip("link delete jc2");
+    REQUIRE(ip("link delete jc2"));
 }
 
 TEST_CASE("an interface that cannot be used is refused with the reason", "[veth]") {
     CHECK(refusal("jc7") == "there is no interface jc7; this machine has: lo, jc1, jc0");
     CHECK(refusal("a-name-that-is-much-too-long").starts_with("there is no interface a-name-that-is-much-too-long; "));
-    ip("link set jc0 down");
+    REQUIRE(ip("link set jc0 down"));
     CHECK(refusal("jc0") == "interface jc0 is down; run: sudo ip link set jc0 up");
-    ip("link set jc0 up");
+    REQUIRE(ip("link set jc0 up"));
     CHECK(refusal("jc0") == "opened");
     CHECK(refusal("lo") == "lo is not an Ethernet interface; this machine has: lo, jc1, jc0");
 }

@@ -56,6 +56,7 @@ struct station {
     std::vector<std::string> errors{};
 };
 
+/// A port on which nobody listens.
 udp::endpoint closed_port(const boost::asio::ip::address& ip = boost::asio::ip::address_v4::loopback()) {
     return {ip, support::free_ports<1>(ip)[0]};
 }

@@ -36,4 +36,11 @@ for interface in jc0 jc1; do
     [ ! -e /proc/sys/net/ipv6/conf/$interface/disable_ipv6 ] || echo 1 >/proc/sys/net/ipv6/conf/$interface/disable_ipv6
     ip link set $interface up
 done
+# The kernel takes note of the cable a moment later, and loses frames before.
+tries=0
+until [ "$(ip link show type veth | grep -c 'state UP ')" -eq 2 ]; do
+    tries=$((tries + 1))
+    [ "$tries" -lt 1000 ] || skip "the veth pair does not come up"
+    sleep 0.01
+done
 exec "$@"
