@@ -198,7 +198,8 @@ reply operator_unit::exchange(const order& what) {
     if (!send(message)) return reply::not_sent;
     const bool asks = awaited_report_ != 0;
     wait([&] { return report_ || outcome_; });
-    if (asks && outcome_ == jaus::delivered::acknowledged) wait([&] { return report_.has_value(); }, timeout_);
+    if (asks && outcome_ == jaus::delivered::acknowledged) // there are components that report later
+        wait([&] { return report_.has_value(); }, (retries + 2) * timeout_);
     if (outcome_ == jaus::delivered::refused) return reply::refused;
     if (asks ? report_.has_value() : outcome_ == jaus::delivered::acknowledged) return reply::taken;
     return example::stop_requested ? reply::stopped : reply::silence;

@@ -34,8 +34,8 @@ struct bench {
     std::array<ethercat::slave, 1> slaves{
         ethercat::slave{ethercat::slave_description{}, objects, {.transfer_memory = memory}}};
     net::raw_link link{"jc0"};
-    ethercat::master master{
-        {.retries = 24, .mailbox_timeout = 5s}}; // the slave is a thread, and the machine may be busy
+    // The slave is a thread, and the machine may be busy.
+    ethercat::master master{{.retries = 24, .mailbox_timeout = 5s}};
     std::vector<std::byte> data = numbered(1000);
 
     bench() { objects.add(0x2000, 1, 1000); }
