@@ -333,6 +333,118 @@ TEST_CASE("one source cannot take all places, all sources together can, Set Emer
     REQUIRE(a.hear(0x0001, 4, 0, 1s) == received::handed_on);
 }
 
+TEST_CASE("a deferred message is acknowledged when it is finished, its repeats before that are dropped") {
+    arm a;
+    const auto finish = [&](std::uint16_t number, bool executed, nanoseconds now) {
+        return a.commands.finish({.ack_nak = ack_nak::request,
+                                  .command_code = 0x0405,
+                                  .destination = arm_address,
+                                  .source = ocu_address,
+                                  .data_size = 1,
+                                  .sequence_number = number},
+                                 executed, now, a.sent.sink());
+    };
+    REQUIRE(a.hear(0x0405, 5, 1, 0s, message_outcome::deferred) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 6, 1, 0s, message_outcome::deferred) == received::handed_on);
+    for (const nanoseconds now : {0s, 1s, 3600s}) REQUIRE(a.hear(0x0405, 5, 1, now) == received::pending);
+    REQUIRE(a.sent.empty());
+    REQUIRE(finish(5, true, 3600s));
+    REQUIRE(a.sent.size() == 1);
+    REQUIRE(a.sent[0] == from_hex("36 02 05 04 01 20 01 01 01 31 02 03 00 00 05 00"));
+    REQUIRE(finish(6, false, 3600s));
+    REQUIRE(a.sent[1] == from_hex("26 02 05 04 01 20 01 01 01 31 02 03 00 00 06 00"));
+    REQUIRE_FALSE(finish(5, false, 3600s)); // once
+    REQUIRE_FALSE(finish(7, true, 3600s));
+    REQUIRE(a.sent.size() == 2);
+    // The answer is remembered from then on.
+    REQUIRE(a.hear(0x0405, 5, 1, 3601s - 1ns) == received::repeated);
+    REQUIRE(a.sent[2] == a.sent[0]);
+    REQUIRE(a.hear(0x0405, 6, 1, 3601s - 1ns) == received::repeated);
+    REQUIRE(a.sent[3] == a.sent[1]);
+    REQUIRE(a.hear(0x0405, 5, 1, 3601s) == received::handed_on);
+    REQUIRE(a.handed_on == 3);
+}
+
+TEST_CASE("pending messages keep their places, so there are no more of them than places") {
+    arm a;
+    for (std::uint16_t i = 0; i != 4; ++i)
+        REQUIRE(a.hear(0x0405, i, 0, 0s, message_outcome::deferred) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 9, 0, 3600s) == received::no_room);
+    const jaus::header first{
+        .ack_nak = ack_nak::request, .command_code = 0x0405, .destination = arm_address, .source = ocu_address};
+    REQUIRE(a.commands.finish(first, true, 3600s, a.sent.sink()));
+    REQUIRE(a.hear(0x0405, 9, 0, 3600s) == received::no_room); // remembered now
+    REQUIRE(a.hear(0x0405, 9, 0, 3601s) == received::handed_on);
+    for (std::uint16_t i = 1; i != 4; ++i) REQUIRE(a.hear(0x0405, i, 0, 7200s) == received::pending);
+}
+
+TEST_CASE("what is never remembered may be deferred: it is handed on each time, and each is answered") {
+    arm a;
+    const jaus::header stop{
+        .ack_nak = ack_nak::request, .command_code = 0x0006, .destination = arm_address, .source = ocu_address};
+    for (int i = 0; i != 20; ++i) REQUIRE(a.hear(0x0006, 0, 1, 0s, message_outcome::deferred) == received::handed_on);
+    REQUIRE(a.sent.empty());
+    for (int i = 0; i != 20; ++i) REQUIRE(a.commands.finish(stop, true, 0s, a.sent.sink()));
+    REQUIRE(a.sent.size() == 20);
+    REQUIRE(a.sent[19] == from_hex("36 02 06 00 01 20 01 01 01 31 02 03 00 00 00 00"));
+}
+
+TEST_CASE("a deferred message that wants no acknowledgement, or is for all of a level, gets none") {
+    arm a;
+    jaus::header head{.command_code = 0x0405, .destination = arm_address, .source = ocu_address};
+    REQUIRE(a.hear(0x0405, 0, 0, 0s, message_outcome::deferred, ocu_address, ack_nak::none) == received::handed_on);
+    REQUIRE_FALSE(a.commands.finish(head, true, 0s, a.sent.sink()));
+    head.ack_nak = ack_nak::request;
+    head.destination = {255, 255, 2, 3};
+    REQUIRE(a.hear(0x0405, 0, 0, 0s, message_outcome::deferred, ocu_address, ack_nak::request, head.destination) ==
+            received::handed_on);
+    REQUIRE_FALSE(a.commands.finish(head, true, 0s, a.sent.sink()));
+    REQUIRE(a.sent.empty());
+}
+
+TEST_CASE("a handler may finish its message at once") {
+    arm a;
+    const jaus::header head{.ack_nak = ack_nak::request,
+                            .command_code = 0x0405,
+                            .destination = arm_address,
+                            .source = ocu_address,
+                            .sequence_number = 3};
+    const auto hear = [&] {
+        return a.commands.on_message(head, {}, 0s, a.sent.sink(), [&] {
+            REQUIRE(a.commands.finish(head, true, 0s, a.sent.sink()));
+            return message_outcome::deferred;
+        });
+    };
+    REQUIRE(hear() == received::handed_on);
+    REQUIRE(hear() == received::repeated);
+    REQUIRE(a.sent.size() == 2);
+    REQUIRE(a.answer(1) == ack_nak::ack);
+}
+
+TEST_CASE("of a sender that numbers all its messages 0 the pending ones are finished in their order") {
+    arm a;
+    const auto finish = [&](std::uint16_t code, bool executed) {
+        return a.commands.finish(
+            {.ack_nak = ack_nak::request, .command_code = code, .destination = arm_address, .source = ocu_address},
+            executed, 3s, a.sent.sink());
+    };
+    REQUIRE(a.hear(0x0405, 0, 1, 0s, message_outcome::deferred) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 0, 2, 1s, message_outcome::deferred) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 0, 2, 2s) == received::pending);
+    REQUIRE(finish(0x0405, false)); // body 1
+    REQUIRE(finish(0x0405, true));  // body 2
+    REQUIRE_FALSE(finish(0x0405, true));
+    REQUIRE(a.answer(0) == ack_nak::nak);
+    REQUIRE(a.answer(1) == ack_nak::ack);
+    REQUIRE(a.hear(0x0405, 0, 2, 3s) == received::repeated);
+    // Standby, Resume, both pending: the next Standby is no repeat, whenever they are finished.
+    REQUIRE(a.hear(0x0003, 0, 0, 3s, message_outcome::deferred) == received::handed_on);
+    REQUIRE(a.hear(0x0004, 0, 0, 3s, message_outcome::deferred) == received::handed_on);
+    REQUIRE(finish(0x0003, true));
+    REQUIRE(finish(0x0004, true));
+    REQUIRE(a.hear(0x0003, 0, 0, 3s, message_outcome::deferred) == received::handed_on);
+}
+
 TEST_CASE("over a channel that loses, doubles and delays, a message is handed on once at most and has one outcome") {
     using key = std::tuple<std::uint8_t, std::uint8_t, std::uint16_t>; // sender, receiver, number
     struct fate {

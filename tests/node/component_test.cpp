@@ -368,6 +368,95 @@ TEST_CASE("a repeated command is acknowledged again and obeyed once") {
     REQUIRE(a.efforts.size() == 4);
 }
 
+TEST_CASE("a command that an actuator executes later is acknowledged when it has") {
+    told hooks{};
+    jaus::component_memory<4, 64, 64> memory{};
+    jaus::component core{arm_address, memory, hooks, {}};
+    core.change(state_event::initialized);
+    sent_messages sent;
+    int handed_on{};
+    const auto hear = [&](const auto& body, std::uint16_t number) {
+        const auto bytes = message(
+            {.ack_nak = ack_nak::request, .destination = arm_address, .source = ocu_address, .sequence_number = number},
+            body);
+        const auto m = jaus::split(bytes);
+        const auto what = core.on_message(m.header, m.body, 0s, sent.sink(), [&](const jaus::header&, auto) {
+            ++handed_on;
+            return message_outcome::deferred;
+        });
+        return std::pair{m.header, what};
+    };
+    const auto [head, what] = hear(push, 7);
+    REQUIRE(what == deferred);
+    REQUIRE(hear(push, 7).second == pending);
+    REQUIRE(sent.empty());
+    REQUIRE(core.finish(head, true, 1s, sent.sink()));
+    REQUIRE(sent[0] == from_hex("36 02 05 04 01 20 01 01 01 31 02 03 00 00 07 00"));
+    REQUIRE(hear(push, 7).second == repeated);
+    REQUIRE(sent[1] == sent[0]);
+    REQUIRE(core.finish(hear(push, 8).first, false, 1s, sent.sink()));
+    REQUIRE(sent[2] == from_hex("26 02 05 04 01 20 01 01 01 31 02 03 00 00 08 00"));
+    REQUIRE(handed_on == 2);
+    REQUIRE(core.count(deferred) == 2);
+    REQUIRE(core.count(pending) == 1);
+}
+
+TEST_CASE("a hook decides what becomes of the state's commands, after it has heard of the new state") {
+    struct {
+        message_outcome outcome{message_outcome::deferred};
+        std::vector<std::uint16_t> heard{}; // command codes; FFFFh: a new state
+        void on_state(primary_status_code, primary_status_code) { heard.push_back(0xFFFF); }
+        message_outcome on_state_command(const jaus::header& head) {
+            heard.push_back(head.command_code);
+            return outcome;
+        }
+    } hooks{};
+    jaus::component_memory<4, 64, 64> memory{};
+    jaus::component core{arm_address, memory, hooks, {}};
+    core.change(state_event::initialized);
+    hooks.heard.clear();
+    sent_messages sent;
+    std::uint16_t number{};
+    const auto hear = [&](const auto& body) {
+        const auto bytes = message({.ack_nak = ack_nak::request,
+                                    .destination = arm_address,
+                                    .source = ocu_address,
+                                    .sequence_number = ++number},
+                                   body);
+        const auto m = jaus::split(bytes);
+        return std::pair{m.header, core.on_message(m.header, m.body, 0s, sent.sink(), [](const jaus::header&, auto) {
+                             return message_outcome::not_mine;
+                         })};
+    };
+    const auto [first, what] = hear(stop);
+    REQUIRE(what == deferred);
+    const auto [second, again] = hear(stop); // in force already, and told all the same
+    REQUIRE(again == deferred);
+    REQUIRE(hooks.heard == std::vector<std::uint16_t>{0xFFFF, 0x0006, 0x0006});
+    REQUIRE(core.state() == primary_status_code::emergency);
+    REQUIRE(sent.empty());
+    REQUIRE(core.finish(first, true, 1s, sent.sink()));
+    REQUIRE(sent[0] == from_hex("36 02 06 00 01 20 01 01 01 31 02 03 00 00 01 00"));
+    REQUIRE(core.finish(second, false, 1s, sent.sink()));
+    REQUIRE(sent[1] == from_hex("26 02 06 00 01 20 01 01 01 31 02 03 00 00 02 00"));
+
+    // What the state refuses, the hook does not hear of.
+    REQUIRE(hear(jaus::resume{}).second == refused);
+    REQUIRE(hooks.heard.size() == 3);
+    hooks.outcome = message_outcome::refused;
+    REQUIRE(hear(go_on).second == refused);
+    REQUIRE(sent[3] == from_hex("26 02 07 00 01 20 01 01 01 31 02 03 00 00 04 00"));
+    hooks.outcome = message_outcome::taken;
+    REQUIRE(hear(jaus::resume{}).second == taken);
+    REQUIRE(hear(jaus::standby{}).second == taken);
+    REQUIRE(hear(jaus::reset{}).second == taken);
+    REQUIRE(hear(jaus::shutdown{}).second == taken);
+    REQUIRE(hooks.heard == std::vector<std::uint16_t>{0xFFFF, 0x0006, 0x0006, 0xFFFF, 0x0007, 0xFFFF, 0x0004, 0xFFFF,
+                                                      0x0003, 0xFFFF, 0x0005, 0xFFFF, 0x0002});
+    REQUIRE(hear(jaus::set_component_authority{1}).second == taken); // none of the state's
+    REQUIRE(hooks.heard.size() == 13);
+}
+
 TEST_CASE("an acknowledgement that nobody waits for ends in the core, but is a sign of life") {
     arm a{{.control = {.timeout = 1s}}};
     a.put_under_control_of(ocu_address);

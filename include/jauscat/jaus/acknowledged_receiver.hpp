@@ -14,14 +14,16 @@ struct acknowledged_message {
     std::uint16_t command_code{};     ///< which message
     std::uint16_t sequence_number{};  ///< by which a repeat is known
     std::uint32_t digest{};           ///< of the body
-    ack_nak answer{};                 ///< the one that was given; none: the place is free
-    std::chrono::nanoseconds until{}; ///< when it is forgotten
+    ack_nak answer{};                 ///< the one that was given; request: still pending; none: the place is free
+    bool superseded{};                ///< its sender numbers all messages 0 and has sent another since
+    std::chrono::nanoseconds until{}; ///< when it is forgotten, unless it is pending
 };
 
 /// What became of a message.
 enum class received : std::uint8_t {
-    handed_on, ///< handed on; acknowledged by the handler's outcome if that was asked for
+    handed_on, ///< handed on; acknowledged by the handler's outcome if that was asked for, or by `finish`
     repeated,  ///< handed on before: acknowledged again as then, and dropped
+    pending,   ///< handed on before and not finished yet: dropped without an answer
     no_room,   ///< dropped without an answer, for it could not be told from its repeats: the sender will try again
 };
 
@@ -34,6 +36,9 @@ enum class received : std::uint8_t {
 /// copies are delayed on their way, and shorter than a sender takes to use its 65536 numbers. Within it no message is
 /// handed on twice: when the places are used up, or one source has half of them, its next message is not taken. So
 /// there must be twice as many places as one source sends messages that ask for an acknowledgement within `memory`.
+///
+/// A handler may defer its message: it is then pending, and its repeats are dropped without an answer, until `finish`
+/// acknowledges it. A pending message keeps its place however long that takes.
 ///
 /// There are nodes that number all messages 0. So the body counts too, and of those numbered 0 only the last one of a
 /// source is remembered: Standby after Standby and Resume is no repeat. What does no harm when it is done twice is
@@ -50,34 +55,65 @@ class acknowledged_receiver {
     /// sent after it.
     constexpr received on_message(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds now,
                                   message_sink out, auto&& handle) {
-        if (head.ack_nak != ack_nak::request || !names_one_component(head.destination)) {
+        if (!is_acknowledged(head)) {
             static_cast<void>(handle());
             return received::handed_on;
         }
-        const auto answer = [&] {
-            const ack_nak how = handle() == message_outcome::taken ? ack_nak::ack : ack_nak::nak;
-            acknowledge(head, self_, how, out);
-            return how;
-        };
         if (may_be_repeated(head.command_code)) {
-            answer();
+            const message_outcome outcome = handle();
+            if (outcome != message_outcome::deferred) acknowledge(head, self_, answer_of(outcome), out);
             return received::handed_on;
         }
         const acknowledged_message key{head.source, head.command_code, head.sequence_number, digest_of(body)};
         const search found = find(key, now);
         if (found.same != nullptr) {
+            if (found.same->answer == ack_nak::request) return received::pending;
             acknowledge(head, self_, found.same->answer, out);
             return received::repeated;
         }
         if (found.free == nullptr || 2 * found.of_source >= places_.size()) return received::no_room;
-        *found.free = key;
-        found.free->answer = ack_nak::nak; // while it is handled
-        found.free->until = later(now, memory_);
-        found.free->answer = answer();
+        acknowledged_message& place = *found.free;
+        place = key;
+        place.answer = ack_nak::request; // pending while it is handled
+        place.until = later(now, memory_);
+        const message_outcome outcome = handle();
+        if (outcome != message_outcome::deferred) settle(place, head, answer_of(outcome), out);
         return received::handed_on;
+    }
+    /// Acknowledges a message that its handler deferred: ACK if it was executed, NAK if not. The answer is remembered
+    /// for `memory` from now on. Several with the same header are finished in the order in which they came. False: the
+    /// message is not pending, or asked for no acknowledgement; nothing is sent.
+    constexpr bool finish(const header& head, bool executed, std::chrono::nanoseconds now, message_sink out) noexcept {
+        if (!is_acknowledged(head)) return false;
+        const ack_nak answer = executed ? ack_nak::ack : ack_nak::nak;
+        if (may_be_repeated(head.command_code)) return acknowledge(head, self_, answer, out);
+        acknowledged_message* const place = first_pending(head);
+        if (place == nullptr) return false;
+        place->until = later(now, memory_);
+        settle(*place, head, answer, out);
+        return true;
     }
 
   private:
+    [[nodiscard]] static constexpr bool is_acknowledged(const header& head) noexcept {
+        return head.ack_nak == ack_nak::request && names_one_component(head.destination);
+    }
+    [[nodiscard]] static constexpr ack_nak answer_of(message_outcome outcome) noexcept {
+        return outcome == message_outcome::taken ? ack_nak::ack : ack_nak::nak;
+    }
+    constexpr void settle(acknowledged_message& place, const header& head, ack_nak answer, message_sink out) noexcept {
+        place.answer = place.superseded ? ack_nak::none : answer;
+        acknowledge(head, self_, answer, out);
+    }
+    [[nodiscard]] constexpr acknowledged_message* first_pending(const header& head) const noexcept {
+        acknowledged_message* first = nullptr;
+        for (acknowledged_message& m : places_) {
+            const bool is_it = m.answer == ack_nak::request && m.source == head.source &&
+                               m.command_code == head.command_code && m.sequence_number == head.sequence_number;
+            if (is_it && (first == nullptr || m.until < first->until)) first = &m;
+        }
+        return first;
+    }
     [[nodiscard]] static constexpr bool may_be_repeated(std::uint16_t command_code) noexcept {
         return command_code == set_emergency::command_code || report_code_of(command_code) != 0;
     }
@@ -89,11 +125,15 @@ class acknowledged_receiver {
     [[nodiscard]] constexpr search find(const acknowledged_message& key, std::chrono::nanoseconds now) const noexcept {
         search found{};
         for (acknowledged_message& m : places_) {
-            const bool is_of_source = m.source == key.source && m.answer != ack_nak::none && m.until > now;
-            const bool has_number = is_of_source && m.sequence_number == key.sequence_number;
-            if (has_number && m.command_code == key.command_code && m.digest == key.digest) found.same = &m;
-            const bool is_superseded = has_number && key.sequence_number == 0 && found.same != &m;
-            if (m.answer == ack_nak::none || m.until <= now || is_superseded) {
+            const bool is_pending = m.answer == ack_nak::request;
+            const bool is_remembered = is_pending || (m.answer != ack_nak::none && m.until > now);
+            const bool is_of_source = is_remembered && m.source == key.source;
+            const bool has_number = is_of_source && m.sequence_number == key.sequence_number && !m.superseded;
+            if (has_number && m.command_code == key.command_code && m.digest == key.digest)
+                found.same = &m;
+            else if (has_number && key.sequence_number == 0)
+                m.superseded = true;
+            if (!is_remembered || (m.superseded && !is_pending)) {
                 m.answer = ack_nak::none;
                 found.free = &m;
             } else if (is_of_source) {

@@ -13,6 +13,7 @@ enum class message_outcome : std::uint8_t {
     taken,     ///< done, and answered where the standard has an answer; an ACK is due if one was asked for
     refused,   ///< understood, but not done: a NAK is due if an acknowledgement was asked for
     malformed, ///< its own, but the body does not decode; nothing was done, a NAK is due
+    deferred,  ///< executed later; acknowledged by component::finish
 };
 
 /// The outcome in one line, for logs.
@@ -22,6 +23,7 @@ enum class message_outcome : std::uint8_t {
     case message_outcome::taken: return "taken";
     case message_outcome::refused: return "refused";
     case message_outcome::malformed: return "malformed: the body does not decode";
+    case message_outcome::deferred: return "deferred: executed and acknowledged later";
     }
     return "unknown";
 }

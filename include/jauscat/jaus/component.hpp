@@ -26,10 +26,13 @@ struct no_hooks {};
 ///     void on_state(jaus::primary_status_code from, jaus::primary_status_code to);
 ///     void on_controller(const std::optional<jaus::controller>& now_it_is);
 ///     void on_delivered(const jaus::awaited_message&, jaus::delivered);
-/// which are called before the message that caused it is acknowledged. `Parts` are further state machines, such as
-/// service_connections, events and held_control: each has on_time and next_event; it is asked about messages if its
-/// on_message returns message_outcome, and hears of lost components if it has `lose(const address&)`,
-/// which gets what on_lost gets.
+///     jaus::message_outcome on_state_command(const jaus::header&);
+/// which are called before the message that caused it is acknowledged. on_state_command is called after the core has
+/// taken Shutdown, Standby, Resume, Reset, Set or Clear Emergency, and after on_state if the state has changed; what it
+/// returns is the message's outcome: taken, refused, or deferred until the actuator has obeyed. `Parts` are further
+/// state machines, such as service_connections, events and held_control: each has on_time and next_event; it is asked
+/// about messages if its on_message returns message_outcome, and hears of lost components if it has `lose(const
+/// address&)`, which gets what on_lost gets.
 ///
 /// Messages must be whole (large data sets put together) and meant for this component: the node sees to that.
 ///
@@ -80,6 +83,11 @@ template <class Hooks, class... Parts> class component {
         return first;
     }
 
+    /// Acknowledges a message whose outcome was deferred: `request` is its header, `executed` makes an ACK, otherwise a
+    /// NAK. False: no such message is pending, or no acknowledgement was asked for.
+    constexpr bool finish(const header& request, bool executed, time now, message_sink out) noexcept {
+        return receiver_.finish(request, executed, now, out);
+    }
     /// Sends a message of the component and repeats it until it is acknowledged; the hook on_delivered gets the
     /// outcome.
     template <coded_message T>
@@ -153,6 +161,7 @@ template <class Hooks, class... Parts> class component {
         switch (receiver_.on_message(head, body, now, out, handle)) {
         case received::handed_on: break;
         case received::repeated: what = component_outcome::repeated; break;
+        case received::pending: what = component_outcome::pending; break;
         case received::no_room: what = component_outcome::no_room; break;
         }
         return what;
@@ -167,6 +176,7 @@ template <class Hooks, class... Parts> class component {
             return message_outcome::refused;
         }
         message_outcome outcome = state_.on_message(head, body, now, out);
+        if (outcome == message_outcome::taken && is_state_command(head.command_code)) outcome = tell_command(head);
         const auto ask = [&](auto& next) {
             if constexpr (requires {
                               { next.on_message(head, body, now, out) } -> std::same_as<message_outcome>;
@@ -188,6 +198,7 @@ template <class Hooks, class... Parts> class component {
         case message_outcome::taken: what = component_outcome::taken; break;
         case message_outcome::refused: what = component_outcome::refused; break;
         case message_outcome::malformed: what = component_outcome::malformed; break;
+        case message_outcome::deferred: what = component_outcome::deferred; break;
         case message_outcome::not_mine: what = component_outcome::unknown; break;
         }
         return outcome;
@@ -198,6 +209,13 @@ template <class Hooks, class... Parts> class component {
             if constexpr (requires { hooks_.on_state(from, from); }) hooks_.on_state(from, told_state_);
         if (const auto before = std::exchange(told_controller_, control_.controller()); before != told_controller_)
             if constexpr (requires { hooks_.on_controller(before); }) hooks_.on_controller(control_.controller());
+    }
+    constexpr message_outcome tell_command([[maybe_unused]] const header& head) {
+        tell_changes();
+        if constexpr (requires { hooks_.on_state_command(head); })
+            return hooks_.on_state_command(head);
+        else
+            return message_outcome::taken;
     }
     constexpr auto delivered_hook() noexcept {
         return [&hooks = hooks_](const awaited_message& m, delivered what) { tell_delivered(hooks, m, what); };

@@ -10,29 +10,33 @@ namespace jauscat::jaus {
 /// What became of a message that a component got.
 enum class component_outcome : std::uint8_t {
     taken,           ///< done
+    deferred,        ///< executed later, see component::finish
     refused,         ///< understood, but not done
     malformed,       ///< the body does not decode
     unknown,         ///< nobody here knows the message
     not_controller,  ///< a command that only the controller may send, from another
     not_ready,       ///< a command that is obeyed in Ready only, in another state
     repeated,        ///< came before: acknowledged again, and dropped
+    pending,         ///< came before and is not finished yet: dropped, its sender is answered when it is
     no_room,         ///< asks for an acknowledgement, and cannot be remembered: dropped, its sender will try again
     acknowledgement, ///< the ACK or NAK that one of the component's own messages waited for
     not_waited_for,  ///< an ACK or NAK that no message waits for: late, or strange
 };
 /// How many outcomes there are, for counters.
-inline constexpr std::size_t component_outcome_count = 10;
+inline constexpr std::size_t component_outcome_count = 12;
 
 /// The outcome in one line, for logs.
 [[nodiscard]] constexpr std::string_view describe(component_outcome what) noexcept {
     constexpr std::array<std::string_view, component_outcome_count> lines{
         "taken",
+        "deferred: executed and acknowledged later",
         "refused",
         "malformed: the body does not decode",
         "unknown message",
         "refused: the sender does not control the component",
         "refused: the component is not ready",
         "repeated: acknowledged again and dropped",
+        "repeated while it is executed: dropped",
         "dropped: too many messages that ask for an acknowledgement",
         "acknowledgement of an own message",
         "acknowledgement that no message waits for"};

@@ -58,6 +58,11 @@ enum class state_event : std::uint8_t {
     return std::nullopt;
 }
 
+/// Whether a component's state takes this command: Shutdown, Standby, Resume, Reset, Set and Clear Emergency.
+[[nodiscard]] constexpr bool is_state_command(std::uint16_t command_code) noexcept {
+    return command_code >= shutdown::command_code && command_code <= clear_emergency::command_code;
+}
+
 /// Where an emergency ends for a component that was ready before.
 enum class after_emergency : std::uint8_t {
     standby, ///< nothing moves before a Resume: what the RA and its nodes do

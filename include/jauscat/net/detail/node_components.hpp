@@ -165,7 +165,8 @@ class node_components {
         auto& to = receiver.it;
         receiver.changed = true;
         const auto what = to.on_message(head, body, now, out);
-        if (what != taken && what != acknowledgement && what != repeated)
+        constexpr std::array unremarkable{taken, deferred, acknowledgement, repeated, pending};
+        if (std::ranges::find(unremarkable, what) == unremarkable.end())
             log_(now,
                  [&] { return in_text(head) + ": at " + to_jausip(to.self) + ": " + std::string{describe(what)}; });
         if (going_ && options_.seen) options_.seen(to.self, head, body, what);
