@@ -1,14 +1,18 @@
 // Process data with every slave on the wire, and what became of the cycles: how late they began, how long they took,
-// what was lost, and that mailbox traffic does not disturb them.
+// what was lost, whether each slave stayed in OP, and that mailbox traffic does not disturb them.
 #include "support/explain.hpp"
 #include "support/link_options.hpp"
 #include <jauscat/ethercat/process_data.hpp>
 #include <jauscat/net/latency_histogram.hpp>
 #include <jauscat/net/run_cycle.hpp>
 #include <jauscat/net/run_master.hpp>
+#include <jauscat/text/hex.hpp>
+#include <jauscat/text/value.hpp>
 
+#include <algorithm>
 #include <iomanip>
 #include <sched.h>
+#include <set>
 #include <sstream>
 #include <sys/mman.h>
 
@@ -20,7 +24,8 @@ using std::chrono::microseconds, std::chrono::milliseconds, std::chrono::seconds
 constexpr const char* help = R"(cyclic: exchanges process data with all slaves, once every period, and measures it.
 
 It brings each slave from INIT to OP, runs for --seconds or until Ctrl-C, and uploads an object of each slave in turn
-meanwhile. Outputs are all 0.
+meanwhile. Outputs are all 0. It says when a slave leaves OP or is no longer there; the exit code is 1 if one is not in OP
+at the end.
 
 Examples:
   cyclic                                     EtherCAT in UDP to 127.0.0.1, port 34980: robot_arm
@@ -44,6 +49,8 @@ void become_real_time(int priority) {
         throw std::runtime_error{"--priority needs CAP_SYS_NICE: sudo setcap cap_sys_nice,cap_net_raw+ep cyclic"};
     if (::mlockall(MCL_CURRENT | MCL_FUTURE) != 0) std::cout << "cyclic: memory is not locked (CAP_IPC_LOCK)\n";
 }
+
+constexpr auto longest_silence = milliseconds{100}; // then a slave counts as stopped
 
 constexpr const char *wake_up = "wake-up after the instant it was due", *round_trip = "round trip of the process data";
 
@@ -121,11 +128,55 @@ class uploads {
     std::array<std::byte, 4> value_{};
 };
 
+/// Says when a slave stops running, and when it runs again.
+class slave_watch {
+  public:
+    slave_watch(const ethercat::master& master, const ethercat::process_data& data, std::chrono::nanoseconds patience)
+        : master_{master}, data_{data}, patience_{patience} {}
+
+    void look() {
+        const auto now = std::chrono::steady_clock::now().time_since_epoch();
+        for (const auto& slave : master_.slaves()) {
+            const auto& status = data_.status(slave);
+            const bool runs = status.ran_within(patience_, now);
+            if (stopped_.contains(slave.station) != runs) continue;
+            const auto name = "cyclic: slave " + std::to_string(slave.station);
+            if (runs) {
+                stopped_.erase(slave.station);
+                std::cout << name << " is in OP again\n";
+            } else {
+                stopped_.insert(slave.station);
+                std::cout << example::bad(name + " does not run: " + reason(status, now)) << "\n";
+            }
+        }
+    }
+    [[nodiscard]] bool all_run() const noexcept { return stopped_.empty(); }
+
+  private:
+    [[nodiscard]] std::string reason(const ethercat::slave_status& status, std::chrono::nanoseconds now) const {
+        const auto condition = status.condition_within(patience_, now);
+        std::string text{describe(condition)};
+        if (condition == ethercat::slave_condition::not_in_op)
+            text += ": state " + jauscat::text::to_text(status.al.state) + ", " +
+                    jauscat::text::hex_number(static_cast<std::uint16_t>(status.al.code), 4) + ", " +
+                    std::string{describe(status.al.code)};
+        return text;
+    }
+
+    const ethercat::master& master_;
+    const ethercat::process_data& data_;
+    std::chrono::nanoseconds patience_;
+    std::set<std::uint16_t> stopped_{};
+};
+
 int measure(example::any_link& link, const auto& values) {
     ethercat::master master{{.frame_timeout = milliseconds{values["frame-timeout"].template as<unsigned>()}}};
     const auto stations = set_up(link, master, values["station"].template as<std::uint16_t>());
-    ethercat::process_data data{master.slaves()};
+    ethercat::process_data data{master.slaves(), {.watch_slaves = true}};
     if (data.image().size == 0) throw std::runtime_error{"no slave has process data"};
+    if (!data.fits())
+        throw std::runtime_error{"process data and states of " + std::to_string(stations.size()) +
+                                 " slaves do not fit into one frame: connect fewer slaves"};
 
     const microseconds period{values["period"].template as<unsigned>()};
     jauscat::net::cycle_runner cycles{
@@ -142,9 +193,11 @@ int measure(example::any_link& link, const auto& values) {
     const auto overruns_before = cycles.overruns();
     const auto end = std::chrono::steady_clock::now() + seconds{values["seconds"].template as<unsigned>()};
     uploads mailbox{stations, milliseconds{values["upload-every"].template as<unsigned>()}};
+    slave_watch slaves{master, data, std::max<std::chrono::nanoseconds>(longest_silence, 3 * period)};
     const auto result = std::make_unique<measurement>();
     while (!example::stop_requested && std::chrono::steady_clock::now() < end) {
         result->add(cycles.run(nothing));
+        slaves.look();
         mailbox.work(master, *result);
     }
 
@@ -160,7 +213,7 @@ int measure(example::any_link& link, const auto& values) {
         master.change_state(station, ethercat::al_state::pre_op);
         static_cast<void>(jauscat::net::run(link, master));
     }
-    return after.complete != before.complete ? example::success : example::failure;
+    return after.complete != before.complete && slaves.all_run() ? example::success : example::failure;
 }
 
 } // namespace

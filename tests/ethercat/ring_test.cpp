@@ -83,6 +83,15 @@ struct bench {
     }
 };
 
+/// One datagram of another master's.
+void write_register(slave& device, command cmd, std::uint16_t adp, std::uint16_t ado, std::string_view hex) {
+    bytes frame(max_frame_size);
+    frame_builder builder{frame};
+    builder.add(cmd, adp, ado, from_hex(hex));
+    frame.resize(builder.finish().size());
+    device.process(frame);
+}
+
 const slave_description motors{.vendor = 1, .product = 0x11, .serial = 7, .outputs = two_words, .inputs = one_byte};
 const slave_description lamps{.vendor = 1, .product = 0x22, .outputs = ten_bits};
 const slave_description sensor{.vendor = 1, .product = 0x33, .inputs = one_byte};
@@ -243,6 +252,198 @@ TEST_CASE("a cycle that does not come back is lost, and a late one is not taken 
     b.at(0).process(frame);
     CHECK_FALSE(data.on_frame(frame));
     CHECK(b.master.on_frame(frame, 2ms));
+}
+
+TEST_CASE("each cycle of watched slaves says of each one whether it is there and in OP") {
+    bench b{motors, sensor};
+    b.op();
+    process_data data{b.master.slaves(), {.watch_slaves = true}};
+    REQUIRE(data.fits());
+    const auto status = [&](std::uint16_t station) { return data.status(*b.master.find(station)); };
+    CHECK(status(1).condition == slave_condition::silent);
+    CHECK_FALSE(status(1).ran_within(1h, 0ms));
+
+    b.link.now = 10ms;
+    data.outputs(*b.master.find(1))[0] = std::byte{0x77};
+    b.at(0).inputs()[0] = std::byte{0x55};
+    b.at(1).inputs()[0] = std::byte{0x66};
+    bytes sent;
+    REQUIRE(b.cycle(data, &sent));
+    CHECK(to_hex(std::span{sent}.subspan(16)) ==
+          "0c 01 00 00 00 00 05 80 00 00 77 00 00 00 00 00 00 " // process data of the first
+          "0c 01 05 00 00 00 01 80 00 00 00 00 00 "             // and of the second
+          "04 01 01 00 30 01 06 80 00 00 00 00 00 00 00 00 00 00 "
+          "04 01 01 00 0d 08 03 80 00 00 00 00 00 00 00 "
+          "04 01 02 00 30 01 06 80 00 00 00 00 00 00 00 00 00 00 "
+          "04 01 02 00 0d 08 03 00 00 00 00 00 00 00 00");
+    CHECK(data.is_complete());
+    CHECK(data.working_counter() == 4);
+    CHECK(to_hex(b.at(0).outputs()) == "77 00 00 00");
+    CHECK(to_hex(data.inputs(*b.master.find(1))) == "55");
+    CHECK(to_hex(data.inputs(*b.master.find(2))) == "66");
+    for (std::uint16_t station = 1; station != 3; ++station) {
+        CHECK(status(station).condition == slave_condition::running);
+        CHECK(status(station).al.state == al_state::op);
+        CHECK(status(station).last_running == 10ms);
+        CHECK_FALSE(status(station).mail_waits);
+    }
+
+    // A master that took the first one's state: its inputs count in SAFE-OP, but it does not run.
+    b.link.now = 20ms;
+    write_register(b.at(0), command::fpwr, 1, 0x0120, "0400");
+    b.at(0).inputs()[0] = std::byte{0x56};
+    REQUIRE(b.cycle(data));
+    CHECK(status(1).condition == slave_condition::not_in_op);
+    CHECK(status(1).al.state == al_state::safe_op);
+    CHECK(status(1).last_running == 10ms);
+    CHECK(status(1).last_inputs == 20ms);
+    CHECK(to_hex(data.inputs(*b.master.find(1))) == "56");
+    CHECK(status(2).condition == slave_condition::running);
+
+    // Reset: what the other one says counts all the same.
+    b.link.now = 30ms;
+    b.at(0).power_on();
+    b.at(1).inputs()[0] = std::byte{0x67};
+    REQUIRE(b.cycle(data));
+    CHECK_FALSE(data.is_complete());
+    CHECK(status(1).condition == slave_condition::absent);
+    CHECK(status(1).last_inputs == 20ms);
+    CHECK(status(2).condition == slave_condition::running);
+    CHECK(to_hex(data.inputs(*b.master.find(2))) == "67");
+}
+
+TEST_CASE("a watched slave says why it left OP") {
+    bench b{motors};
+    b.op();
+    process_data data{b.master.slaves(), {.watch_slaves = true}};
+    b.at(0).on_time(0ms);
+    REQUIRE(b.cycle(data));
+    b.at(0).on_time(1ms);
+    b.at(0).on_time(200ms); // its watchdog has expired
+    REQUIRE(b.cycle(data));
+    const auto& status = data.status(b.master.slaves().front());
+    CHECK(status.condition == slave_condition::not_in_op);
+    CHECK(status.al.error);
+    CHECK(status.al.code == al_status_code::sync_manager_watchdog);
+    CHECK_FALSE(describe(status.condition).empty());
+}
+
+TEST_CASE("a slave whose station address is gone does not run, though its process data are exchanged") {
+    bench b{motors};
+    b.op();
+    process_data data{b.master.slaves(), {.watch_slaves = true}};
+    b.at(0).inputs()[0] = std::byte{1};
+    b.link.now = 10ms;
+    REQUIRE(b.cycle(data));
+    write_register(b.at(0), command::apwr, 0, 0x0010, "0900");
+    b.at(0).inputs()[0] = std::byte{2};
+    b.link.now = 20ms;
+    REQUIRE(b.cycle(data));
+    CHECK(data.is_complete());
+    const auto& status = data.status(b.master.slaves().front());
+    CHECK(status.condition == slave_condition::absent);
+    CHECK(status.last_running == 10ms);
+    CHECK(status.last_inputs == 10ms);
+    CHECK(to_hex(data.inputs(b.master.slaves().front())) == "01");
+
+    // Two slaves under one address: neither is believed.
+    bench two{motors, motors};
+    two.op();
+    process_data both{two.master.slaves(), {.watch_slaves = true}};
+    write_register(two.at(1), command::apwr, 0, 0x0010, "0100");
+    REQUIRE(two.cycle(both));
+    CHECK(both.status(*two.master.find(1)).condition == slave_condition::duplicate);
+    CHECK_FALSE(both.status(*two.master.find(1)).last_inputs);
+    CHECK(both.status(*two.master.find(2)).condition == slave_condition::absent);
+}
+
+TEST_CASE("a state that is not known does not count as running") {
+    bench b{motors};
+    b.op();
+    process_data data{b.master.slaves(), {.watch_slaves = true}};
+    for (const unsigned raw : {0u, 5u, 6u, 7u, 9u, 0xCu, 0xFu, 0x18u}) {
+        bytes frame(max_frame_size);
+        frame.resize(data.next_frame(frame, 1ms));
+        b.at(0).process(frame);
+        mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto d : view)
+            if (d.header.ado == 0x0130) d.data[0] = static_cast<std::byte>(raw);
+        REQUIRE(data.on_frame(frame));
+        const auto& status = data.status(b.master.slaves().front());
+        CHECK(status.condition == (raw == 0x18 ? slave_condition::running : slave_condition::not_in_op));
+        CHECK(status.last_inputs.has_value() == (raw == 0x18));
+    }
+}
+
+TEST_CASE("silence of a watched slave is measured by the clock, from when the last good frame was sent") {
+    bench b{motors};
+    b.op();
+    process_data data{b.master.slaves(), {.watch_slaves = true}};
+    const auto& status = data.status(b.master.slaves().front());
+    b.link.now = 10ms;
+    REQUIRE(b.cycle(data));
+    CHECK(status.ran_within(100ms, 110ms));
+    CHECK(status.has_inputs_within(100ms, 110ms));
+    CHECK(status.condition_within(100ms, 110ms) == slave_condition::running);
+    CHECK_FALSE(status.ran_within(100ms, 110ms + 1ns));
+    CHECK(status.condition_within(100ms, 110ms + 1ns) == slave_condition::silent);
+
+    bytes frame(max_frame_size); // received 300 ms after it was sent: its news are as old
+    frame.resize(data.next_frame(frame, 20ms));
+    b.at(0).process(frame);
+    REQUIRE(data.on_frame(frame));
+    CHECK_FALSE(status.ran_within(100ms, 320ms));
+    CHECK(status.condition_within(100ms, 320ms) == slave_condition::silent);
+
+    b.at(0).power_on();
+    b.link.now = 330ms;
+    REQUIRE(b.cycle(data));
+    CHECK(status.condition_within(100ms, 340ms) == slave_condition::absent);
+}
+
+TEST_CASE("slaves without process data are watched too, and a full reply mailbox is seen") {
+    bench b{plain};
+    b.devices[0]->objects.add(0x2002, 0, 4);
+    REQUIRE(b.up(0, 1));
+    process_data data{b.master.slaves(), {.watch_slaves = true}};
+    REQUIRE(b.cycle(data));
+    const auto& status = data.status(b.master.slaves().front());
+    CHECK(status.condition == slave_condition::not_in_op);
+    CHECK(status.al.state == al_state::pre_op);
+    CHECK_FALSE(status.mail_waits);
+
+    auto request = from_hex("0a00 0000 00 13 0020 40 0220 00 00000000"); // an upload of another master's
+    request.resize(plain.mailbox_out_size);
+    write_register(b.at(0), command::fpwr, 1, plain.mailbox_out_offset, to_hex(request));
+    REQUIRE(b.cycle(data));
+    CHECK(status.mail_waits);
+    REQUIRE(b.run(b.master.collect_emergencies(1)));
+    REQUIRE(b.cycle(data));
+    CHECK_FALSE(status.mail_waits);
+}
+
+TEST_CASE("as many slaves as a master has are watched in one frame; what does not fit is refused beforehand") {
+    bench b{};
+    for (std::size_t i = 0; i != slave_capacity; ++i) b.devices.push_back(std::make_unique<device>(motors));
+    b.op();
+    process_data data{b.master.slaves(), {.watch_slaves = true}};
+    REQUIRE(data.fits());
+    REQUIRE(b.cycle(data));
+    CHECK(data.is_complete());
+    for (const auto& slave : b.master.slaves()) CHECK(data.status(slave).condition == slave_condition::running);
+
+    static std::array<pdo_entry, 128> many{};
+    many.fill(pdo_entry{0x7000, 1, 32, 7, "word"});
+    bench large{{.outputs = many}, {.inputs = many}, {.outputs = std::span{many}.first(100)}};
+    large.safe_op();
+    bytes frame(max_frame_size);
+    process_data plain_cycle{large.master.slaves()};
+    CHECK(plain_cycle.fits());
+    CHECK(plain_cycle.next_frame(frame, 0ms) == 16 + 12 + 1424);
+    process_data too_much{large.master.slaves(), {.watch_slaves = true}};
+    CHECK_FALSE(too_much.fits());
+    CHECK(too_much.next_frame(frame, 0ms) == 0);
 }
 
 TEST_CASE("mail goes on between the cycles") {

@@ -475,6 +475,22 @@ cycles_are_measured() {
     says arm "state pre_op, station address 1"
     expect 2 "$bin/cyclic" --period 0
 }
+cyclic_sees_a_slave_leave_op() {
+    # Another master takes the states of all slaves, as a second cyclic does at its start; both frames come back.
+    start_bus "${link[@]}" --slaves 2 --outputs 2 --inputs 2
+    "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --seconds 60 >"$work/first.log" 2>&1 &
+    local first=$!
+    pids+=("$first")
+    wait_for first "2 in OP"
+    # The second one gives the slaves other station addresses.
+    expect 0 "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --seconds 1 --station 11
+    wait_for first "slave 1 does not run: "
+    wait_for first "slave 2 does not run: no slave has its station address"
+    kill -INT "$first"
+    wait "$first"
+    [ $? -eq 1 ] || fail "cyclic ends well although no slave is in OP"
+    forget "$first"
+}
 start_bus() { # OPTIONS...
     "${prefix[@]}" "${wrapper[@]}" "$bin/emulated_bus" "$@" >"$work/bus.log" 2>&1 &
     bus_pid=$!

@@ -101,7 +101,7 @@ class frame_traffic {
     }
 
     master_config config_;
-    outstanding_frame outstanding_{};
+    outstanding_frame<15> outstanding_{};
     std::uint8_t index_{};
     unsigned losses_{}; // in a row
     bool repeats_{};    // the next frame asks again what the lost one asked

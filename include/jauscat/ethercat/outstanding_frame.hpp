@@ -11,10 +11,10 @@
 
 namespace jauscat::ethercat {
 
-/// At most one frame of up to 15 datagrams that is under way; and what was last sent under each index.
-class outstanding_frame {
+/// At most one frame of up to `Capacity` datagrams that is under way; and what was last sent under each index.
+template <std::size_t Capacity> class outstanding_frame {
   public:
-    static constexpr std::size_t capacity = 15;
+    static constexpr std::size_t capacity = Capacity;
 
     /// Whether a reply is awaited.
     [[nodiscard]] bool waits() const noexcept { return count_ != 0; }
