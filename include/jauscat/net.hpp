@@ -13,6 +13,7 @@
 #include <jauscat/net/limited_log.hpp>
 #include <jauscat/net/multicast.hpp>
 #include <jauscat/net/next_hop.hpp>
+#include <jauscat/net/node_machine.hpp>
 #include <jauscat/net/open_error.hpp>
 #include <jauscat/net/outcome.hpp>
 #include <jauscat/net/rate_limit.hpp>

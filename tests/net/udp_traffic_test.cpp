@@ -77,7 +77,8 @@ TEST_CASE("a flood leaves room for the other handlers of the io_context") {
     boost::asio::io_context context;
     station receiver{context, any_port, {.receive_buffer = 4'000'000}};
     udp::socket peer{context, any_port};
-    for (int i = 0; i != 1000; ++i) peer.send_to(boost::asio::buffer("x", 1), receiver.transport.local());
+    const auto to = receiver.transport.local();
+    for (int i = 0; i != 1000; ++i) peer.send_to(boost::asio::buffer("x", 1), to);
     context.run_one_for(5s);
     CHECK(receiver.messages.size() == 128);
 }

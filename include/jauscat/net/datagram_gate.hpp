@@ -29,7 +29,10 @@ class datagram_gate {
 
     /// For the system that the configuration calls its own.
     explicit datagram_gate(const jaus_config& config, access how = access::closed)
-        : list_{config, how}, strangers_{system_limits{}.messages, std::random_device{}()} {
+        : datagram_gate{config, how, std::random_device{}()} {}
+    /// `seed`: a random number; see rate_limit.
+    datagram_gate(const jaus_config& config, access how, std::uint64_t seed)
+        : list_{config, how}, strangers_{system_limits{}.messages, seed} {
         for (const auto& system : config.systems) peers_.push_back({system.limits.messages, {}});
     }
 

@@ -17,7 +17,7 @@ class node_core {
   public:
     using time = std::chrono::nanoseconds;
     using bytes = std::span<const std::byte>;
-    using send_handler = std::function<void(bytes message, const node_routes::neighbour& to)>;
+    using send_handler = std::function<void(bytes message, const node_routes::endpoint& to, jaus::framing framing)>;
 
     node_core(const jaus_node_options& options, limited_log& log, send_handler send)
         : large{options.most_waiting, options.large_data_pace, options.large_data_acknowledgement},
@@ -100,7 +100,7 @@ class node_core {
             head, from, [&](std::uint16_t component, const jaus::address&) { to_component(component); },
             [&](jaus::hop by) {
                 const auto& to = (*routes_)[by];
-                if (now <= to.quiet_after || is_answer(head)) send_(message, to);
+                if (now <= to.quiet_after || is_answer(head)) send_(message, to.to, to.framing);
             });
     }
 

@@ -1,0 +1,268 @@
+// A JAUS node as a state machine: gate, router, large data sets, node manager and the user's components, without
+// sockets.
+#pragma once
+
+#include <jauscat/net/datagram_gate.hpp>
+#include <jauscat/net/detail/node_core.hpp>
+#include <jauscat/net/detail/own_manager.hpp>
+#include <jauscat/net/detail/presence_changes.hpp>
+#include <jauscat/net/limited_log.hpp>
+#include <jauscat/net/outcome.hpp>
+
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+namespace jauscat::net {
+
+/// What jaus_node does between its sockets and its timer: datagrams and time in, datagrams out. It reads no clock,
+/// opens no socket and starts no thread, so that it runs in simulated time too. Times are of one clock that never goes
+/// back.
+///
+///     net::node_machine node{config, {.log = log}, [&](auto message, const auto& to, auto framing) { ... }, seed};
+///     node.add(arm, arm_messages); // a jaus::component and a dispatcher for its own messages
+///     node.start(now);
+///     node.on_datagram(message, from, framing, by_group, now);
+///     if (node.next_event() <= now) node.on_time(now);
+///
+/// Whoever drives it asks next_event() again after every other call. Components must outlive it. An exception that a
+/// component, a handler or `send` throws leaves the call that led to it, or the next; then stop it, and start it again.
+class node_machine {
+  public:
+    using time = std::chrono::nanoseconds;
+    /// A message, or its body.
+    using bytes = std::span<const std::byte>;
+    using endpoint = access_list::endpoint;
+    /// Sends a message to a neighbour or to the multicast group, framed as told. The bytes are valid during the call.
+    using send_handler = detail::node_core::send_handler;
+
+    /// `seed` is a random number. Of `options` all count but `socket`. Throws `config_error` if this system's jausip
+    /// has no subsystem.
+    node_machine(jaus_config config, jaus_node_options options, send_handler send, std::uint64_t seed)
+        : config_{std::move(config)},
+          options_{std::move(options)},
+          self_{detail::manager_of(config_, options_.node)},
+          seed_{seed},
+          log_{options_.log, options_.log_limit},
+          core_{options_, log_, std::move(send)} {
+        if (!has_manager()) return;
+        make_manager({});
+        core_.components.add({manager_->core, *manager_});
+    }
+    node_machine(const node_machine&) = delete;
+    node_machine& operator=(const node_machine&) = delete;
+
+    /// A component of this node, and what takes its own messages, such as a dispatcher; see component::on_message.
+    /// Before start. Throws `std::invalid_argument` for a component of another node and for a second node manager.
+    template <class Component, class Application> void add(Component& component, Application& application) {
+        const auto& id = component.self();
+        if (running() || in_turn()) throw std::logic_error{"components are added before the node is started"};
+        if (id.subsystem != self_.subsystem || id.node != self_.node)
+            throw std::invalid_argument{"the component " + to_jausip(id) + " is not one of the node " +
+                                        std::to_string(self_.subsystem) + '.' + std::to_string(self_.node)};
+        if (has_manager() && id == self_)
+            throw std::invalid_argument{"the node has its node manager, " + to_jausip(id) + ", already"};
+        core_.components.add({component, application, std::make_shared<detail::default_answers>(config_, id)});
+    }
+
+    /// Begins, after `stop` from the start: who was there is forgotten. Not from within a handler of this node. Throws
+    /// `config_error`.
+    void start(time now) {
+        if (running() || in_turn()) throw std::logic_error{"the node is running"};
+        at_ = now;
+        gate_.emplace(config_, options_.who, seed_);
+        core_.start(config_, self_, options_.primary,
+                    gate_->list().is_open() ? std::optional{options_.patience} : std::nullopt);
+        if (has_manager()) {
+            make_manager(core_.components.addresses());
+            core_.components.replace(0, {manager_->core, *manager_});
+        }
+        core_.components.start(config_.me().limits.large_data_memory, has_manager());
+        running_ = true;
+        wake(now);
+    }
+
+    /// What waits inside is not sent, and is logged. No handler is called afterwards. May be called from a handler.
+    void stop() {
+        if (!running()) return;
+        running_ = false;
+        core_.components.stop();
+        const auto unsent = core_.large.size();
+        core_.large.clear();
+        changes_.clear();
+        thrown_ = nullptr;
+        wake_at_.reset();
+        if (unsent != 0)
+            log_(at_, [&] { return std::to_string(unsent) + " large data sets were not sent to their end"; });
+    }
+    /// Whether it was started and not stopped.
+    [[nodiscard]] bool running() const noexcept { return running_; }
+    /// Whether a handler or a component may be at work: within a call of received, on_datagram or on_time.
+    [[nodiscard]] bool in_turn() const noexcept { return core_.in_turn(); }
+
+    /// The gate's decision about a datagram's content without the framing; the rest belongs to `received`.
+    verdict check(bytes message, const endpoint& from, time now) {
+        at_ = now;
+        const auto what = (*gate_)(message, from, now);
+        if (what != verdict::taken)
+            log_(now, [&] {
+                return "a datagram from " + detail::text(from) + " is refused: " + std::string{describe(what)};
+            });
+        return what;
+    }
+    /// A message that has passed `check`. `by_group`: it was sent to the multicast group.
+    void received(bytes message, const endpoint& from, jaus::framing how, bool by_group, time now) {
+        if (!running()) return;
+        at_ = now;
+        const auto m = jaus::split(message);
+        if (!m)
+            return log_(now, [&] {
+                return "a datagram from " + detail::text(from) + " is dropped: " + std::string{describe(m.error)};
+            });
+        const auto origin = core_.routes().origin(m.header.source, from, how, by_group, gate_->list(), now);
+        const auto what = core_.received(message, m, origin, now, own_out_);
+        // Members of a group hear what is for others.
+        const auto& to = m.header.destination;
+        const bool is_for_others = by_group && to.subsystem != 255 && to.subsystem != self_.subsystem;
+        if (!is_for_others) core_.tell(m.header, what, now);
+        end_turn();
+    }
+    /// Both of them: a datagram, framing removed. Not one that this node has sent to the group itself.
+    verdict on_datagram(bytes message, const endpoint& from, jaus::framing how, bool by_group, time now) {
+        if (!running()) return verdict::taken;
+        const auto what = check(message, from, now);
+        if (what == verdict::taken) received(message, from, how, by_group, now);
+        return what;
+    }
+
+    /// Does what is due at `now`. Earlier than next_event it does no harm.
+    void on_time(time now) {
+        if (!running()) return;
+        at_ = now;
+        wake_at_.reset();
+        core_.turn(now, own_out_, [&] {
+            core_.components.on_time(now, own_out_);
+            if (running()) core_.large.on_time(now, own_out_, options_.large_data_done);
+        });
+        end_turn();
+    }
+    /// When on_time has something to do, unless another call comes before. Not within a turn.
+    [[nodiscard]] std::optional<time> next_event() {
+        if (!running()) return std::nullopt;
+        if (wake_at_) return wake_at_;
+        time next = core_.components.next_event().value_or(time::max());
+        next = std::min(next, core_.large.next_event().value_or(next));
+        if (core_.has_more()) next = at_;
+        if (next == time::max()) return std::nullopt;
+        return std::max(next, at_);
+    }
+
+    /// Sends a message of a component of this node; one of more than 4080 bytes of body as a large data set, bit by
+    /// bit; where `ack_nak` asks for acknowledgement its packets are repeated until they have it. Of `head` all counts
+    /// but `data_size` and `data_flag`, and for a large data set `sequence_number`.
+    outcome send(jaus::header head, bytes body, time now) {
+        if (!running()) return outcome{"the node is not running"};
+        head.data_flag = jaus::data_flag::only;
+        if (body.size() > jaus::max_body_size) {
+            const auto what = core_.large.push(head, body);
+            if (what != jaus::errc::ok)
+                return outcome{"a large data set is not sent: " + std::string{what == jaus::errc::no_space
+                                                                                  ? "too many bytes wait to be sent"
+                                                                                  : describe(what)}};
+            wake(now);
+            return {};
+        }
+        std::array<std::byte, jaus::header_size + jaus::max_body_size> message{};
+        const auto size = jaus::join(head, body, message);
+        if (!size) return outcome{std::string{describe(size.error())}};
+        const auto what = core_.send(bytes{message}.first(size.size()), now);
+        wake_after_sending(now);
+        if (what.outcome >= jaus::routed::no_such_component)
+            return outcome{std::string{describe(what.outcome)} + ": " + to_jausip(head.destination)};
+        return {};
+    }
+    /// The same for a typed body. Throws nothing; a value that does not encode is a problem of the outcome.
+    template <jaus::coded_message T> outcome send(jaus::header head, const T& body, time now) {
+        std::array<std::byte, wire::max_size<T>> encoded{};
+        const auto size = wire::encode(body, encoded);
+        if (!size) return outcome{std::string{wire::describe(size.error())}};
+        head.command_code = jaus::command_code_of<T>;
+        return send(head, bytes{encoded}.first(size.size()), now);
+    }
+    /// A whole message of a component, of at most 4096 bytes; what is unroutable is logged.
+    void put(bytes message, time now) noexcept {
+        if (!running()) return;
+        if (in_turn()) now = at_;
+        try {
+            core_.send_or_tell(message, now);
+        } catch (...) { // not through the component, whose functions are noexcept
+            thrown_ = std::current_exception();
+        }
+        wake_after_sending(now);
+    }
+    /// Where components put their messages when the application makes them send, until the next call with a time.
+    [[nodiscard]] jaus::message_sink out(time now) noexcept {
+        if (!in_turn()) at_ = now;
+        return own_out_;
+    }
+    /// To be called when a component was changed so that it wants to be driven earlier, and has sent nothing.
+    void wake(time now) noexcept {
+        if (running()) wake_at_ = now;
+    }
+    /// A line for the log, such as what its sockets say.
+    void log(std::string_view line, time now) {
+        log_(now, [&] { return std::string{line}; });
+    }
+
+    /// The node manager's address, also where another program has it.
+    [[nodiscard]] const jaus::address& manager() const noexcept { return self_; }
+    /// Whom the node manager hears, or nullptr where this program has none or was never started.
+    [[nodiscard]] const jaus::presence_table* present() const noexcept {
+        return manager_ ? &manager_->present() : nullptr;
+    }
+    /// What it was made with.
+    [[nodiscard]] const jaus_config& config() const noexcept { return config_; }
+    [[nodiscard]] const jaus_node_options& options() const noexcept { return options_; }
+
+  private:
+    [[nodiscard]] bool has_manager() const noexcept { return detail::covers(config_.me().jausip, self_); }
+    void make_manager(const std::vector<jaus::address>& components) {
+        manager_.emplace(config_, self_, components, options_, changes_);
+    }
+    // Outside of a turn: there may be something for a component here, or to be repeated.
+    void wake_after_sending(time now) noexcept {
+        if (!in_turn()) wake(now);
+    }
+    void end_turn() {
+        if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
+        if (!running()) return;
+        changes_.take([this](const jaus::address& who, bool is_there) {
+            manager_->tell_change(who, at_, own_out_);
+            if (!is_there) core_.components.on_lost(manager_->gone_with(who));
+            const auto& hear = is_there ? options_.appeared : options_.disappeared;
+            if (running() && hear) hear(who);
+        });
+    }
+
+    struct component_output {
+        node_machine& node;
+        void operator()(bytes message) const noexcept { node.put(message, node.at_); }
+    };
+
+    jaus_config config_;
+    jaus_node_options options_;
+    jaus::address self_; ///< of the node manager
+    std::uint64_t seed_;
+    limited_log log_;
+    detail::node_core core_; ///< of its components the node manager is the first
+    component_output own_out_{*this};
+    detail::presence_changes changes_{};
+    std::optional<datagram_gate> gate_{};
+    std::optional<detail::own_manager> manager_{};
+    bool running_{};
+    std::exception_ptr thrown_{};   ///< by a handler that was called while a component sent
+    std::optional<time> wake_at_{}; ///< something was done outside of a turn
+    time at_{};                     ///< the last time that was told
+};
+
+} // namespace jauscat::net

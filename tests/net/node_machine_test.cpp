@@ -1,0 +1,132 @@
+// The node without sockets: two of them against each other, in simulated time.
+#include "net/node_program.hpp"
+#include "net/simulated_network.hpp"
+
+using namespace test;
+
+namespace {
+
+/// A node with one component, without sockets.
+struct simulated_program {
+    simulated_program(simulated_network& network, const net::jaus_config& c, const jaus::address& id,
+                      net::jaus_node_options options = {})
+        : self{id}, at{c.me().endpoint()}, on{network}, node{c, with_hooks(std::move(options)), network.sender(at), 1} {
+        core.change(jaus::state_event::initialized);
+        node.add(core, application);
+        node.start(network.now);
+        network.attach(at, node);
+    }
+    ~simulated_program() { on.detach(at); }
+    simulated_program(const simulated_program&) = delete;
+    simulated_program& operator=(const simulated_program&) = delete;
+
+    net::jaus_node_options with_hooks(net::jaus_node_options options) {
+        options.log = [this](std::string_view line) { log.emplace_back(line); };
+        options.appeared = [this](const jaus::address& who) { appeared.push_back(who); };
+        options.disappeared = [this](const jaus::address& who) { disappeared.push_back(who); };
+        return options;
+    }
+
+    struct hooks_type {
+        std::vector<jaus::delivered> delivered{};
+        void on_delivered(const jaus::awaited_message&, jaus::delivered what) { delivered.push_back(what); }
+    };
+
+    jaus::address self;
+    simulated_network::endpoint at;
+    simulated_network& on;
+    std::vector<std::string> log{};
+    std::vector<jaus::address> appeared{}, disappeared{};
+    std::vector<bytes> large{};
+    hooks_type hooks{};
+    jaus::component_memory<> memory{};
+    jaus::held_control other{self, make(2, 1, 33), {.patience = 2s}};
+    jaus::component<hooks_type, jaus::held_control> core{self, memory, hooks, {}, other};
+    struct handler {
+        simulated_program& mine;
+        jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) const {
+            if (head.command_code != 0xD111) return jaus::message_outcome::not_mine;
+            mine.large.emplace_back(body.begin(), body.end());
+            return jaus::message_outcome::taken;
+        }
+    } application{*this};
+    net::node_machine node;
+};
+
+struct simulated_pair {
+    simulated_network network{};
+    std::string systems = system("ocu", "1.0.0.0", 1001) + system("robot", "2.0.0.0", 1002);
+    simulated_program ocu{network, config("ocu", systems), make(1, 1, 32)};
+    simulated_program robot{network, config("robot", systems), make(2, 1, 33)};
+};
+
+} // namespace
+
+TEST_CASE("two nodes without sockets find each other, exchange commands and lose each other in simulated time") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    const auto begin = now;
+    REQUIRE(p.network.run(begin + 2s, [&] { return has(p.ocu.appeared, make(2, 1)); }));
+    REQUIRE(has(p.robot.appeared, make(1, 1)));
+
+    p.ocu.other.ask(5, now, p.ocu.node.out(now));
+    REQUIRE(p.network.run(now + 1s, [&] { return p.ocu.other.state() == jaus::control_state::held; }));
+    REQUIRE(p.robot.core.control().controls(p.ocu.self));
+
+    // Half of what is sent gets lost.
+    p.network.faults = {.lose = 50};
+    REQUIRE(p.ocu.core.send({.destination = p.robot.self}, jaus::standby{}, now, p.ocu.node.out(now)));
+    REQUIRE(p.network.run(now + 1s, [&] { return !p.ocu.hooks.delivered.empty(); }));
+    REQUIRE(p.ocu.hooks.delivered == std::vector{jaus::delivered::acknowledged});
+    REQUIRE(p.robot.core.state() == jaus::primary_status_code::standby);
+
+    // The last heartbeat came at most a second ago; three seconds of silence end it.
+    p.network.faults = {};
+    p.network.run(now + 1100ms);
+    p.network.detach(p.ocu.at);
+    const auto silent_since = now;
+    REQUIRE(p.network.run(now + 10s, [&] { return has(p.robot.disappeared, make(1, 1)); }));
+    REQUIRE(now - silent_since <= 3s);
+    REQUIRE(now - silent_since >= 2s);
+    REQUIRE_FALSE(p.robot.core.control().controller());
+}
+
+TEST_CASE("a node without sockets sends large data sets at its pace, and nothing while it is stopped") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    const bytes image(100'000, std::byte{7});
+    const jaus::header head{.command_code = 0xD111, .destination = p.robot.self, .source = p.ocu.self};
+    REQUIRE(p.ocu.node.send(head, std::span<const std::byte>{image}, now));
+    const auto begin = now;
+    REQUIRE(p.network.run(now + 1s, [&] { return !p.robot.large.empty(); }));
+    REQUIRE(p.robot.large.front() == image);
+    REQUIRE(now - begin > 5ms); // 25 packets, 4 each millisecond
+    REQUIRE(now - begin < 10ms);
+
+    p.ocu.node.stop();
+    REQUIRE(p.ocu.node.next_event() == std::nullopt);
+    REQUIRE_FALSE(p.ocu.node.send(head, std::span<const std::byte>{image}, now));
+    p.robot.node.stop();
+    const auto sent = p.network.sent;
+    p.network.run(now + 10s);
+    REQUIRE(p.network.sent == sent);
+    p.ocu.node.start(now);
+    p.robot.node.start(now);
+    p.ocu.appeared.clear();
+    REQUIRE(p.network.run(now + 2s, [&] { return has(p.ocu.appeared, make(2, 1)); }));
+}
+
+TEST_CASE("a node without sockets says what its gate refuses") {
+    simulated_pair p;
+    std::array<std::byte, 64> message{};
+    const auto size =
+        jaus::make_message({.destination = p.robot.self, .source = make(7, 1)}, jaus::shutdown{}, message);
+    REQUIRE(size);
+    const std::span<const std::byte> datagram{message.data(), size.size()};
+    REQUIRE(p.robot.node.on_datagram(datagram, p.ocu.at, jaus::framing::bare, false, p.network.now) ==
+            net::verdict::unknown_peer);
+    REQUIRE(p.robot.node.on_datagram(datagram.first(3), p.ocu.at, jaus::framing::bare, false, p.network.now) ==
+            net::verdict::malformed);
+    REQUIRE(p.robot.log.size() == 2);
+    REQUIRE(p.robot.core.state() == jaus::primary_status_code::ready);
+}
