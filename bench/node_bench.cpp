@@ -107,10 +107,10 @@ class component {
 class component_node {
   public:
     component_node(boost::asio::io_context& context, const net::jaus_config& config, const jaus::address& self)
-        : core_{self, memory_, hooks_, {}}, node_{context, config, {.log = [](std::string_view line) {
-                                                      std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()),
-                                                                   line.data());
-                                                  }}} {
+        : core_{self, memory_, {}, {}}, node_{context, config, {.log = [](std::string_view line) {
+                                                  std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()),
+                                                               line.data());
+                                              }}} {
         core_.change(jaus::state_event::initialized);
         node_.add(core_, own_);
         node_.start();
@@ -119,8 +119,7 @@ class component_node {
   private:
     static constexpr auto ignore = [](const jaus::header&, const auto&) {};
     jaus::component_memory<> memory_{};
-    jaus::no_hooks hooks_{};
-    jaus::component<jaus::no_hooks> core_;
+    jaus::component<> core_;
     decltype(jaus::dispatcher{jaus::on<jaus::set_wrench_effort>(ignore)}) own_{
         jaus::on<jaus::set_wrench_effort>(ignore)};
     net::jaus_node node_;

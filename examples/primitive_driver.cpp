@@ -35,11 +35,8 @@ int main(int argc, char** argv) try {
     const auto rest = [&effort](state, state now) {
         if (now != state::ready) effort = {}; // standby, emergency, shutdown: the motors rest
     };
-    struct {
-        decltype(rest) on_state;
-    } hooks{rest};
     jaus::component_memory<> memory{};
-    jaus::component driver{self, memory, hooks, {}};
+    jaus::component driver{self, memory, {.on_state = rest}, {}};
     node.add(driver, own);
     node.start();
     driver.change(jaus::state_event::initialized); // Ready: obeys from now on

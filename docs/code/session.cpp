@@ -19,15 +19,13 @@ class driver {
 
   private:
     using header = jaus::header;
-    struct hooks_type {
-        driver& mine;
-        void on_state(jaus::primary_status_code, jaus::primary_status_code now) const {
-            if (now != jaus::primary_status_code::ready) mine.effort_ = {}; // the motors rest
-        }
-        void on_controller(const std::optional<jaus::controller>& who) const {
-            std::cout << (who ? "driver: controlled\n" : "driver: free\n");
-        }
-    };
+    void on_state(jaus::primary_status_code, jaus::primary_status_code now) {
+        if (now != jaus::primary_status_code::ready) effort_ = {}; // the motors rest
+    }
+    void on_controller(const std::optional<jaus::controller>& who, jaus::control_change why) {
+        if (why == jaus::control_change::lost) effort_ = {};
+        std::cout << (who ? "driver: controlled\n" : "driver: free\n");
+    }
     struct application_type {
         driver& mine;
         jaus::message_outcome operator()(const header& head, std::span<const std::byte> body) const {
@@ -51,13 +49,17 @@ class driver {
         jaus::connectable_report{.command_code = jaus::report_wrench_effort::command_code, .max_rate = 100}};
 
     jaus::report_wrench_effort effort_{.propulsive_linear_effort_x = 0.0};
-    hooks_type hooks_{*this};
     application_type application_{*this};
     filler fill_{*this};
     std::array<std::byte, 64> report_{};
     jaus::service_connections<4> connections_{self, reports, fill_, report_};
     jaus::component_memory<> memory_{};
-    jaus::component<hooks_type, jaus::service_connections<4>> core_{self, memory_, hooks_, {}, connections_};
+    jaus::component<jaus::service_connections<4>> core_{self,
+                                                        memory_,
+                                                        {.on_state = jaus::bound<&driver::on_state>(*this),
+                                                         .on_controller = jaus::bound<&driver::on_controller>(*this)},
+                                                        {},
+                                                        connections_};
 };
 // [robot end]
 
@@ -86,12 +88,9 @@ int main() try {
 
     std::optional<jaus::delivered> outcome;
     const auto keep = [&](const jaus::awaited_message&, jaus::delivered what) { outcome = what; };
-    struct {
-        decltype(keep) on_delivered;
-    } hooks{keep};
     jaus::component_memory<> memory{};
     jaus::held_control control{self, target};
-    jaus::component unit{self, memory, hooks, {}, control};
+    jaus::component unit{self, memory, {.on_delivered = keep}, {}, control};
     double forward{};
     jaus::dispatcher own{jaus::on<jaus::confirm_service_connection>([](const auto&, const auto&) {}),
                          jaus::on<jaus::report_wrench_effort>([&](const jaus::header&, const auto& report) {

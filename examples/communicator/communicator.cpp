@@ -49,7 +49,7 @@ class communicator {
     communicator(const net::jaus_config& config, net::jaus_node_options options, std::unique_ptr<line_source> input)
         : input_{std::move(input)},
           self_{own_component(config.me(), options.node)},
-          core_{self_, memory_, hooks_, {.acknowledgement = {.first_number = example::any_number()}}},
+          core_{self_, memory_, hooks(), {.acknowledgement = {.first_number = example::any_number()}}},
           node_{context_, config, with_hooks(std::move(options))} {
         for (const auto& kinds : {command_kinds(), query_kinds(), inform_kinds()})
             kinds_.insert(kinds_.end(), kinds.begin(), kinds.end());
@@ -88,23 +88,23 @@ class communicator {
         jaus::address from{};
         time until{};
     };
-    struct hooks_type {
-        communicator& mine;
-        void on_state(jaus::primary_status_code, jaus::primary_status_code to) const {
-            mine.show("state: " + state_name(to) + "\n");
-        }
-        void on_controller(const std::optional<jaus::controller>& who) const {
-            mine.show(who ? "controlled by " + text::to_text(who->address) + "\n" : "controlled by nobody\n");
-        }
-        void on_delivered(const jaus::awaited_message& m, jaus::delivered what) const {
-            const auto line = text::message_name(m.header.command_code) + " to " + text::to_text(m.header.destination) +
-                              ": " + std::string{describe(what)};
-            if (what == jaus::delivered::acknowledged)
-                mine.show(line + "\n");
-            else
-                mine.wrong(line);
-        }
-    };
+    void on_state(jaus::primary_status_code, jaus::primary_status_code to) { show("state: " + state_name(to) + "\n"); }
+    void on_controller(const std::optional<jaus::controller>& who, jaus::control_change) {
+        show(who ? "controlled by " + text::to_text(who->address) + "\n" : "controlled by nobody\n");
+    }
+    void on_delivered(const jaus::awaited_message& m, jaus::delivered what) {
+        const auto line = text::message_name(m.header.command_code) + " to " + text::to_text(m.header.destination) +
+                          ": " + std::string{describe(what)};
+        if (what == jaus::delivered::acknowledged)
+            show(line + "\n");
+        else
+            wrong(line);
+    }
+    jaus::component_hooks hooks() {
+        return {.on_state = jaus::bound<&communicator::on_state>(*this),
+                .on_controller = jaus::bound<&communicator::on_controller>(*this),
+                .on_delivered = jaus::bound<&communicator::on_delivered>(*this)};
+    }
     // Reports and answers are shown and no more; a command that the core does not know cannot be obeyed.
     struct application_type {
         jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte>) const {
@@ -251,10 +251,9 @@ class communicator {
     time next_line_at_{};
     std::vector<awaited_report> awaited_{};
     std::uint16_t sequence_{};
-    hooks_type hooks_{*this};
     application_type application_{};
     jaus::component_memory<16, jaus::header_size + jaus::max_body_size> memory_{};
-    jaus::component<hooks_type> core_;
+    jaus::component<> core_;
     net::jaus_node node_;
 };
 

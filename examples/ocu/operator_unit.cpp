@@ -46,10 +46,12 @@ operator_unit::operator_unit(const net::jaus_config& config, const jaus::address
                  {.name = {.identification = "operator control unit", .type = 60001}},
                  jaus::heartbeat_to_node_manager(self_),
                  services_},
-      core_{
-          self_,  memory_,
-          hooks_, {.acknowledgement = {.timeout = timeout, .retries = retries, .first_number = example::any_number()}},
-          held_,  described_},
+      core_{self_,
+            memory_,
+            {.on_delivered = jaus::bound<&operator_unit::on_delivered>(*this)},
+            {.acknowledgement = {.timeout = timeout, .retries = retries, .first_number = example::any_number()}},
+            held_,
+            described_},
       node_{context_, config, node_options()} {
     core_.change(jaus::state_event::initialized);
     node_.add(core_, application_);
@@ -116,9 +118,9 @@ bool operator_unit::finish() {
     return released;
 }
 
-void operator_unit::hooks_type::on_delivered(const jaus::awaited_message& m, jaus::delivered what) const {
+void operator_unit::on_delivered(const jaus::awaited_message& m, jaus::delivered what) {
     if (m.sent > 1) say(text::message_name(m.header.command_code) + " was sent " + std::to_string(m.sent) + " times");
-    if (m.header.sequence_number == mine.number_) mine.outcome_ = what;
+    if (m.header.sequence_number == number_) outcome_ = what;
 }
 
 // What the robot tells is for the operator; commands are for robots.

@@ -60,10 +60,6 @@ class operator_unit {
     static constexpr unsigned retries = 3;
     using control_state = jaus::control_state;
 
-    struct hooks_type {
-        operator_unit& mine;
-        void on_delivered(const jaus::awaited_message& m, jaus::delivered what) const;
-    };
     struct application_type {
         jaus::message_outcome operator()(const jaus::header& head, bytes body) const noexcept;
     };
@@ -75,6 +71,7 @@ class operator_unit {
 
     [[nodiscard]] bool holds() const noexcept { return held_.state() == control_state::held; }
     net::jaus_node_options node_options();
+    void on_delivered(const jaus::awaited_message& m, jaus::delivered what);
     void seen(const jaus::address& component, const jaus::header& head, bytes body);
     void robot_is_there(const jaus::address& who, bool is_there);
     bool work(const std::function<bool()>& done, const std::function<bool()>& given_up);
@@ -100,14 +97,13 @@ class operator_unit {
     std::uint64_t heartbeats_{};
     std::set<std::string> told_{}; ///< lines of the node's log: each is shown once
 
-    hooks_type hooks_{*this};
     application_type application_{};
     shown_output out_{*this};
     std::array<std::byte, 512> services_{};
     jaus::component_memory<16, jaus::header_size + jaus::max_body_size> memory_{};
     jaus::held_control held_;
     jaus::described_component described_;
-    jaus::component<hooks_type, jaus::held_control, jaus::described_component> core_;
+    jaus::component<jaus::held_control, jaus::described_component> core_;
     net::jaus_node node_;
 };
 

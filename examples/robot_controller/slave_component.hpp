@@ -22,7 +22,11 @@ class slave_component {
     slave_component(const jauscat::jaus::address& self, std::uint8_t authority, slave_driver& driver, speaker say)
         : driver_{driver},
           say_{std::move(say)},
-          core_{self, memory_, hooks_, {.control = {.authority_code = authority}}} {}
+          core_{self,
+                memory_,
+                {.on_state = jauscat::jaus::bound<&slave_component::changed_state>(*this),
+                 .on_controller = jauscat::jaus::bound<&slave_component::changed_controller>(*this)},
+                {.control = {.authority_code = authority}}} {}
     slave_component(const slave_component&) = delete;
     slave_component& operator=(const slave_component&) = delete;
 
@@ -50,17 +54,9 @@ class slave_component {
         initialize(); // after a Reset
         return what;
     }
-    void on_time(time now, jauscat::jaus::message_sink out) {
-        losing_ = true; // who does not let himself be heard
-        core_.on_time(now, out);
-        losing_ = false;
-    }
+    void on_time(time now, jauscat::jaus::message_sink out) { core_.on_time(now, out); }
     [[nodiscard]] std::optional<time> next_event() const { return core_.next_event(); }
-    void on_lost(const jauscat::jaus::address& who) {
-        losing_ = true;
-        core_.on_lost(who);
-        losing_ = false;
-    }
+    void on_lost(const jauscat::jaus::address& who) { core_.on_lost(who); }
 
     /// The slave has been brought up.
     void slave_is_up() {
@@ -69,14 +65,6 @@ class slave_component {
     }
 
   private:
-    struct hooks_type {
-        slave_component& mine;
-        void on_state(jauscat::jaus::primary_status_code from, jauscat::jaus::primary_status_code to) const {
-            mine.changed_state(from, to);
-        }
-        void on_controller(const std::optional<jauscat::jaus::controller>& now) const { mine.changed_controller(now); }
-    };
-
     [[nodiscard]] std::string name() const { return jauscat::text::to_text(self()); }
 
     void initialize() {
@@ -132,21 +120,19 @@ class slave_component {
         say_(name() + ": " + jauscat::text::to_text(from) + " -> " + jauscat::text::to_text(to));
         if (to != jauscat::jaus::primary_status_code::ready) bring_to_rest(jauscat::text::to_text(to));
     }
-    void changed_controller(const std::optional<jauscat::jaus::controller>& now) {
+    void changed_controller(const std::optional<jauscat::jaus::controller>& now, jauscat::jaus::control_change why) {
         if (now)
             return say_(name() + " is controlled by " + jauscat::text::to_text(now->address) + ", authority " +
                         std::to_string(now->authority_code));
         say_(name() + " is controlled by nobody");
-        if (losing_) bring_to_rest("its controller is lost");
+        if (why == jauscat::jaus::control_change::lost) bring_to_rest("its controller is lost");
     }
 
     slave_driver& driver_;
     speaker say_;
-    bool losing_{};    ///< who loses control now has not given it away
     bool owes_rest_{}; ///< the slave has not confirmed that it was brought to rest: once more when it is back
-    hooks_type hooks_{*this};
     jauscat::jaus::component_memory<16, 256, 4096> memory_{};
-    jauscat::jaus::component<hooks_type> core_;
+    jauscat::jaus::component<> core_;
 };
 
 } // namespace example

@@ -65,8 +65,7 @@ class defended_node {
   private:
     jauscat::net::datagram_gate gate_;
     jauscat::jaus::component_memory<> memory_{};
-    jauscat::jaus::no_hooks hooks_{};
-    jauscat::jaus::component<jauscat::jaus::no_hooks> core_{robot_arm, memory_, hooks_, {}};
+    jauscat::jaus::component<> core_{robot_arm, memory_, {}, {}};
     std::array<jauscat::jaus::partial_data_set, 4> places_{};
     std::array<jauscat::jaus::held_packet, 4 * 16> packets_{};
     std::array<std::byte, 4 * 16 * jauscat::jaus::max_body_size> large_memory_{};

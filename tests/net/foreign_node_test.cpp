@@ -59,9 +59,8 @@ struct robot {
     std::array<jaus::connectable_report, 1> reports{{{0x4405, 1, 100}}};
     jaus::service_connections<4> connections{make(2, 1, 33), reports, fill, report};
     jaus::component_memory<> memory{}, plain_memory{};
-    jaus::no_hooks hooks{};
-    jaus::component<jaus::no_hooks, jaus::service_connections<4>> core{make(2, 1, 33), memory, hooks, {}, connections};
-    jaus::component<jaus::no_hooks> plain{make(2, 1, 34), plain_memory, hooks, {}};
+    jaus::component<jaus::service_connections<4>> core{make(2, 1, 33), memory, {}, {}, connections};
+    jaus::component<> plain{make(2, 1, 34), plain_memory, {}, {}};
     net::jaus_node node;
 };
 
@@ -383,8 +382,7 @@ TEST_CASE("what a recorded foreign node asked for is answered as its recorded pe
                                    .appeared = [&](const jaus::address& who) { appeared.push_back(who); }};
     options.beat.period = 1min;
     jaus::component_memory<> memory{};
-    jaus::no_hooks hooks{};
-    jaus::component<jaus::no_hooks> mission{make(152, 5, 45), memory, hooks, {}};
+    jaus::component<> mission{make(152, 5, 45), memory, {}, {}};
     mission.change(jaus::state_event::initialized);
     net::jaus_node node{context, config("robot", all), std::move(options)};
     node.add(mission, application);

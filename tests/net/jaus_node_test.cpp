@@ -250,8 +250,7 @@ TEST_CASE("a component that its node cannot have is refused with the reason") {
     net::jaus_node node{context, config("a", system("a", "1.2.0.0", free_ports<1>()[0]))};
     const auto refusal = [&](const jaus::address& id) -> std::string {
         jaus::component_memory<> memory{};
-        jaus::no_hooks hooks{};
-        jaus::component core{id, memory, hooks, {}};
+        jaus::component core{id, memory, {}, {}};
         const auto application = [](const jaus::header&, std::span<const std::byte>) {
             return jaus::message_outcome::taken;
         };
@@ -302,8 +301,7 @@ TEST_CASE("a handler may stop the node, but not add components to it while they 
     boost::asio::io_context context;
     const auto ports = free_ports<1>();
     jaus::component_memory<> memory{};
-    jaus::no_hooks hooks{};
-    jaus::component first{make(2, 1, 33), memory, hooks, {}}, second{make(2, 1, 34), memory, hooks, {}};
+    jaus::component first{make(2, 1, 33), memory, {}, {}}, second{make(2, 1, 34), memory, {}, {}};
     const auto other = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::taken; };
     bool heard = false, refused = false;
     net::jaus_node* node = nullptr;

@@ -190,8 +190,7 @@ TEST_CASE("acknowledgements of others are not the queue's") {
 
 TEST_CASE("a large data set that the component refused is refused again when the NAK was lost") {
     jaus::component_memory<> memory{};
-    jaus::no_hooks hooks{};
-    jaus::component core{screen, memory, hooks, {}};
+    jaus::component core{screen, memory, {}, {}};
     unsigned count = 0;
     auto application = [&](const jaus::header&, std::span<const std::byte>) {
         return ++count % 2 == 1 ? jaus::message_outcome::refused : jaus::message_outcome::taken;
@@ -234,8 +233,7 @@ TEST_CASE("a large data set that the component refused is refused again when the
 
 TEST_CASE("a patience without end does not end, and wakes nobody") {
     jaus::component_memory<> memory{};
-    jaus::no_hooks hooks{};
-    jaus::component core{screen, memory, hooks, {}};
+    jaus::component core{screen, memory, {}, {}};
     auto application = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::taken; };
     const jauscat::net::jaus_node_options options{.large_data_patience = nanoseconds::max()};
     std::size_t lines = 0;

@@ -18,10 +18,9 @@ struct asked_node {
     boost::asio::ip::udp::socket asking{context, {boost::asio::ip::address_v4::loopback(), 0}};
     jaus::address self{1, 33, 1, 2}, other{1, 32, 1, 1};
     std::uint16_t port = free_ports<1>()[0];
-    jaus::no_hooks hooks{};
     jaus::component_memory<16, 256, 4096> memory{};
     // One source may send 100000 a second that ask for acknowledgement.
-    jaus::component<jaus::no_hooks> core{self, memory, hooks, {.memory = 20ms}};
+    jaus::component<> core{self, memory, {}, {.memory = 20ms}};
     std::size_t efforts{};
     jaus::message_outcome apply(const jaus::header& head, std::span<const std::byte> body) {
         if (head.command_code != jaus::set_wrench_effort::command_code) return jaus::message_outcome::not_mine;

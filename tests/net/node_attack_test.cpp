@@ -190,8 +190,7 @@ TEST_CASE("one million random and mutated datagrams are all counted, and the nod
     std::uint64_t lines = 0;
     options.log = [&](std::string_view) { ++lines; };
     jaus::component_memory<> memory{};
-    jaus::no_hooks hooks{};
-    jaus::component<jaus::no_hooks> core{make(2, 1, 33), memory, hooks, {}};
+    jaus::component<> core{make(2, 1, 33), memory, {}, {}};
     core.change(jaus::state_event::initialized);
     std::uint64_t obeyed = 0;
     const auto application = [&](const jaus::header&, std::span<const std::byte>) {

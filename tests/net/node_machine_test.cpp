@@ -41,7 +41,8 @@ struct simulated_program {
     hooks_type hooks{};
     jaus::component_memory<> memory{};
     jaus::held_control other{self, make(2, 1, 33), {.patience = 2s}};
-    jaus::component<hooks_type, jaus::held_control> core{self, memory, hooks, {}, other};
+    jaus::component<jaus::held_control> core{
+        self, memory, {.on_delivered = jaus::bound<&hooks_type::on_delivered>(hooks)}, {}, other};
     struct handler {
         simulated_program& mine;
         jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) const {

@@ -30,12 +30,21 @@ constexpr jaus::address arm_address{1, 49, 2, 3}, ocu_address{1, 32, 1, 1}, boss
 struct told {
     std::vector<std::pair<primary_status_code, primary_status_code>> states{};
     std::vector<std::optional<jaus::controller>> controllers{};
+    std::vector<jaus::control_change> changes{};
     std::vector<std::pair<std::uint16_t, delivered>> outcomes{}; // command code
 
     void on_state(primary_status_code from, primary_status_code to) { states.emplace_back(from, to); }
-    void on_controller(const std::optional<jaus::controller>& now_it_is) { controllers.push_back(now_it_is); }
+    void on_controller(const std::optional<jaus::controller>& now_it_is, jaus::control_change why) {
+        controllers.push_back(now_it_is);
+        changes.push_back(why);
+    }
     void on_delivered(const jaus::awaited_message& m, delivered what) {
         outcomes.emplace_back(m.header.command_code, what);
+    }
+    jaus::component_hooks hooks() {
+        return {.on_state = jaus::bound<&told::on_state>(*this),
+                .on_controller = jaus::bound<&told::on_controller>(*this),
+                .on_delivered = jaus::bound<&told::on_delivered>(*this)};
     }
 };
 
@@ -62,11 +71,12 @@ struct arm {
     told hooks{};
     jaus::component_memory<4, 64, 64> memory{};
     ticking_part part{.code = 0xD001, .due = 100h};
-    jaus::component<told, ticking_part> core;
+    jaus::component<ticking_part> core;
     sent_messages sent{};
     std::vector<double> efforts{};
 
-    explicit arm(const jaus::component_options& options = {}) : core{arm_address, memory, hooks, options, part} {
+    explicit arm(const jaus::component_options& options = {})
+        : core{arm_address, memory, hooks.hooks(), options, part} {
         core.change(state_event::initialized);
         hooks = {};
     }
@@ -99,11 +109,11 @@ struct ocu {
     told hooks{};
     jaus::component_memory<16, 64, 64> memory{};
     jaus::held_control control;
-    jaus::component<told, jaus::held_control> core;
+    jaus::component<jaus::held_control> core;
     std::vector<std::uint16_t> reports{};
 
     explicit ocu(const jaus::address& self, const jaus::component_options& options = {})
-        : control{self, arm_address}, core{self, memory, hooks, options, control} {}
+        : control{self, arm_address}, core{self, memory, hooks.hooks(), options, control} {}
     component_outcome hear(const jaus::header& head, std::span<const std::byte> body, nanoseconds now,
                            jaus::message_sink out) {
         return core.on_message(head, body, now, out, [&](const jaus::header& h, std::span<const std::byte>) {
@@ -201,11 +211,10 @@ TEST_CASE("a controller that renews its control keeps it, one that falls silent 
     lossy_channel channel;
     arm a{{.control = {.timeout = 1s}}};
     jaus::component_memory<1, 64, 4> memory{};
-    jaus::no_hooks hooks{};
     std::vector<control_state> states{};
     const auto changed = [&](control_state s) { states.push_back(s); };
     jaus::held_control control{ocu_address, arm_address, {.patience = 100ms, .renewal = 400ms}, changed};
-    jaus::component core{ocu_address, memory, hooks, {}, control};
+    jaus::component core{ocu_address, memory, {}, {}, control};
     bool alive = true;
     channel.listen(ocu_address, [&](const jaus::header& head, std::span<const std::byte> body) {
         core.on_message(head, body, channel.now, channel.sink(),
@@ -369,9 +378,8 @@ TEST_CASE("a repeated command is acknowledged again and obeyed once") {
 }
 
 TEST_CASE("a command that an actuator executes later is acknowledged when it has") {
-    told hooks{};
     jaus::component_memory<4, 64, 64> memory{};
-    jaus::component core{arm_address, memory, hooks, {}};
+    jaus::component core{arm_address, memory, {}, {}};
     core.change(state_event::initialized);
     sent_messages sent;
     int handed_on{};
@@ -402,19 +410,17 @@ TEST_CASE("a command that an actuator executes later is acknowledged when it has
 }
 
 TEST_CASE("a hook decides what becomes of the state's commands, after it has heard of the new state") {
-    struct {
-        message_outcome outcome{message_outcome::deferred};
-        std::vector<std::uint16_t> heard{}; // command codes; FFFFh: a new state
-        void on_state(primary_status_code, primary_status_code) { heard.push_back(0xFFFF); }
-        message_outcome on_state_command(const jaus::header& head) {
-            heard.push_back(head.command_code);
-            return outcome;
-        }
-    } hooks{};
+    message_outcome outcome{message_outcome::deferred};
+    std::vector<std::uint16_t> heard; // command codes; FFFFh: a new state
+    const auto on_state = [&](primary_status_code, primary_status_code) { heard.push_back(0xFFFF); };
+    const auto on_state_command = [&](const jaus::header& head) {
+        heard.push_back(head.command_code);
+        return outcome;
+    };
     jaus::component_memory<4, 64, 64> memory{};
-    jaus::component core{arm_address, memory, hooks, {}};
+    jaus::component core{arm_address, memory, {.on_state = on_state, .on_state_command = on_state_command}, {}};
     core.change(state_event::initialized);
-    hooks.heard.clear();
+    heard.clear();
     sent_messages sent;
     std::uint16_t number{};
     const auto hear = [&](const auto& body) {
@@ -432,7 +438,7 @@ TEST_CASE("a hook decides what becomes of the state's commands, after it has hea
     REQUIRE(what == deferred);
     const auto [second, again] = hear(stop); // in force already, and told all the same
     REQUIRE(again == deferred);
-    REQUIRE(hooks.heard == std::vector<std::uint16_t>{0xFFFF, 0x0006, 0x0006});
+    REQUIRE(heard == std::vector<std::uint16_t>{0xFFFF, 0x0006, 0x0006});
     REQUIRE(core.state() == primary_status_code::emergency);
     REQUIRE(sent.empty());
     REQUIRE(core.finish(first, true, 1s, sent.sink()));
@@ -442,19 +448,19 @@ TEST_CASE("a hook decides what becomes of the state's commands, after it has hea
 
     // What the state refuses, the hook does not hear of.
     REQUIRE(hear(jaus::resume{}).second == refused);
-    REQUIRE(hooks.heard.size() == 3);
-    hooks.outcome = message_outcome::refused;
+    REQUIRE(heard.size() == 3);
+    outcome = message_outcome::refused;
     REQUIRE(hear(go_on).second == refused);
     REQUIRE(sent[3] == from_hex("26 02 07 00 01 20 01 01 01 31 02 03 00 00 04 00"));
-    hooks.outcome = message_outcome::taken;
+    outcome = message_outcome::taken;
     REQUIRE(hear(jaus::resume{}).second == taken);
     REQUIRE(hear(jaus::standby{}).second == taken);
     REQUIRE(hear(jaus::reset{}).second == taken);
     REQUIRE(hear(jaus::shutdown{}).second == taken);
-    REQUIRE(hooks.heard == std::vector<std::uint16_t>{0xFFFF, 0x0006, 0x0006, 0xFFFF, 0x0007, 0xFFFF, 0x0004, 0xFFFF,
-                                                      0x0003, 0xFFFF, 0x0005, 0xFFFF, 0x0002});
+    REQUIRE(heard == std::vector<std::uint16_t>{0xFFFF, 0x0006, 0x0006, 0xFFFF, 0x0007, 0xFFFF, 0x0004, 0xFFFF, 0x0003,
+                                                0xFFFF, 0x0005, 0xFFFF, 0x0002});
     REQUIRE(hear(jaus::set_component_authority{1}).second == taken); // none of the state's
-    REQUIRE(hooks.heard.size() == 13);
+    REQUIRE(heard.size() == 13);
 }
 
 TEST_CASE("an acknowledgement that nobody waits for ends in the core, but is a sign of life") {
@@ -510,8 +516,7 @@ TEST_CASE("service connections, events, a description and control of another are
     jaus::described_component description{arm_address, {}, {.to = {1, 1, 2, 3}, .period = 1s}, description_memory};
     jaus::held_control gripper{arm_address, {1, 50, 2, 3}};
     jaus::component_memory<> memory{};
-    jaus::no_hooks hooks{};
-    jaus::component core{arm_address, memory, hooks, {}, connections, events, description, gripper};
+    jaus::component core{arm_address, memory, {}, {}, connections, events, description, gripper};
     sent_messages sent;
     const auto hear = [&](const auto& body) {
         const auto bytes =

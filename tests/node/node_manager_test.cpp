@@ -431,8 +431,7 @@ TEST_CASE("a list memory that is too small refuses the report") {
 TEST_CASE("a node manager is a part of a component, which acknowledges what it takes") {
     node n;
     jaus::component_memory<> memory{};
-    jaus::no_hooks hooks{};
-    jaus::component core{make(1, 2), memory, hooks, {}, n.manager};
+    jaus::component core{make(1, 2), memory, {}, {}, n.manager};
     const auto ask = [&](std::uint8_t level) {
         const std::array<std::byte, 1> body{static_cast<std::byte>(level)};
         const jaus::header head{.ack_nak = jaus::ack_nak::request,

@@ -13,10 +13,7 @@ namespace soak {
 
 /// One who wants to control the robot. Commands are repeated for 1.5 s, which outlasts the stalls of a busy machine.
 struct commander {
-    struct hooks_type {
-        std::function<void(const jaus::awaited_message&, jaus::delivered)> tell;
-        void on_delivered(const jaus::awaited_message& m, jaus::delivered what) const { tell(m, what); }
-    };
+    using listener = std::function<void(const jaus::awaited_message&, jaus::delivered)>;
     struct handler {
         large_traffic& large;
         jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) const {
@@ -24,20 +21,23 @@ struct commander {
         }
     };
 
-    commander(const jaus::address& self, large_traffic& large,
-              std::function<void(const jaus::awaited_message&, jaus::delivered)> tell)
-        : hooks{std::move(tell)},
+    commander(const jaus::address& self, large_traffic& large, listener tell)
+        : on_delivered{std::move(tell)},
           application{large},
           control{self, robot_id, {.patience = 100ms, .requests = 10, .renewal = 250ms}},
-          core{self, memory, hooks, {.acknowledgement = {.timeout = 50ms, .retries = 29}}, control} {
+          core{self,
+               memory,
+               {.on_delivered = on_delivered},
+               {.acknowledgement = {.timeout = 50ms, .retries = 29}},
+               control} {
         core.change(jaus::state_event::initialized);
     }
 
-    hooks_type hooks;
+    listener on_delivered;
     handler application;
     jaus::held_control control;
     jaus::component_memory<512, 64, 64> memory{};
-    jaus::component<hooks_type, jaus::held_control> core;
+    jaus::component<jaus::held_control> core;
     /// By the sequence number of what waits for its acknowledgement.
     struct sent_effort {
         std::uint32_t number{};

@@ -36,12 +36,9 @@ class robot_end : public end {
   private:
     void stopped() override {}
 
-    struct hooks_type {
-        robot_end& mine;
-        void on_controller(const std::optional<jaus::controller>& now) {
-            mine.controllers_.push_back(now ? std::optional{now->address} : std::nullopt);
-        }
-    } hooks_{*this};
+    void on_controller(const std::optional<jaus::controller>& now, jaus::control_change) {
+        controllers_.push_back(now ? std::optional{now->address} : std::nullopt);
+    }
     struct handler {
         robot_end& mine;
         jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) const {
@@ -57,7 +54,7 @@ class robot_end : public end {
     std::vector<std::optional<jaus::address>> controllers_{};
     // 1000 a second for two seconds are at most half of what can be remembered.
     jaus::component_memory<16, 256, 5000> memory_{};
-    jaus::component<hooks_type> core_{robot_id, memory_, hooks_, {}};
+    jaus::component<> core_{robot_id, memory_, {.on_controller = jaus::bound<&robot_end::on_controller>(*this)}, {}};
 };
 
 } // namespace soak

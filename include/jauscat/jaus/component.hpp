@@ -2,6 +2,7 @@
 // message. With a dispatcher for its own messages it is a JAUS component.
 #pragma once
 #include <jauscat/jaus/component_clock.hpp>
+#include <jauscat/jaus/component_hooks.hpp>
 #include <jauscat/jaus/component_options.hpp>
 #include <jauscat/jaus/component_outcome.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
@@ -12,9 +13,6 @@
 
 namespace jauscat::jaus {
 
-/// Hears of nothing.
-struct no_hooks {};
-
 /// The core of the component `self`. A message goes through it in this order: an acknowledgement ends here; a repeat is
 /// acknowledged again and ends; a command of one that has no control is refused; then state, control, clock, the parts
 /// and the application each get it until one takes it. ACK or NAK follow when that is done.
@@ -22,14 +20,7 @@ struct no_hooks {};
 /// A Clear Emergency passes the control check if its sender holds the emergency: else who stopped the machine under
 /// another's control could not let it go on, and the controller may not.
 ///
-/// `Hooks` may have any of
-///     void on_state(jaus::primary_status_code from, jaus::primary_status_code to);
-///     void on_controller(const std::optional<jaus::controller>& now_it_is);
-///     void on_delivered(const jaus::awaited_message&, jaus::delivered);
-///     jaus::message_outcome on_state_command(const jaus::header&);
-/// which are called before the message that caused it is acknowledged. on_state_command is called after the core has
-/// taken Shutdown, Standby, Resume, Reset, Set or Clear Emergency, and after on_state if the state has changed; what it
-/// returns is the message's outcome: taken, refused, or deferred until the actuator has obeyed. `Parts` are further
+/// `component_hooks` tell the application what happens, and let it defer commands of the state. `Parts` are further
 /// state machines, such as service_connections, events and held_control: each has on_time and next_event; it is asked
 /// about messages if its on_message returns message_outcome, and hears of lost components if it has `lose(const
 /// address&)`, which gets what on_lost gets.
@@ -37,18 +28,17 @@ struct no_hooks {};
 /// Messages must be whole (large data sets put together) and meant for this component: the node sees to that.
 ///
 ///     jaus::component_memory<> memory{};
-///     jaus::no_hooks hooks{};
-///     jaus::component core{self, memory, hooks, {}, connections, events};
+///     jaus::component core{self, memory, {.on_state = rest}, {}, connections, events};
 ///     jaus::dispatcher own{jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const auto& efforts) { ... })};
 ///     core.on_message(head, body, now, out, own);
-template <class Hooks, class... Parts> class component {
+template <class... Parts> class component {
   public:
     using time = std::chrono::nanoseconds;
 
-    /// With this address. The memory, the hooks and the parts must outlive it; see above what hooks there may be.
+    /// With this address. The memory, the parts and what the hooks refer to must outlive it.
     template <std::size_t Waiting, std::size_t Size, std::size_t Remembered>
-    constexpr component(const address& self, component_memory<Waiting, Size, Remembered>& memory, Hooks& hooks,
-                        const component_options& options, Parts&... parts) noexcept
+    constexpr component(const address& self, component_memory<Waiting, Size, Remembered>& memory,
+                        const component_hooks& hooks, const component_options& options, Parts&... parts) noexcept
         : self_{self},
           hooks_{hooks},
           obeys_only_when_ready_{options.obeys_only_when_ready},
@@ -206,30 +196,25 @@ template <class Hooks, class... Parts> class component {
 
     constexpr void tell_changes() {
         if (const auto from = std::exchange(told_state_, state_.state()); from != told_state_)
-            if constexpr (requires { hooks_.on_state(from, from); }) hooks_.on_state(from, told_state_);
+            if (hooks_.on_state) hooks_.on_state(from, told_state_);
         if (const auto before = std::exchange(told_controller_, control_.controller()); before != told_controller_)
-            if constexpr (requires { hooks_.on_controller(before); }) hooks_.on_controller(control_.controller());
+            if (hooks_.on_controller) hooks_.on_controller(control_.controller(), control_.last_change());
     }
-    constexpr message_outcome tell_command([[maybe_unused]] const header& head) {
+    constexpr message_outcome tell_command(const header& head) {
         tell_changes();
-        if constexpr (requires { hooks_.on_state_command(head); })
-            return hooks_.on_state_command(head);
-        else
-            return message_outcome::taken;
+        return hooks_.on_state_command ? hooks_.on_state_command(head) : message_outcome::taken;
     }
     constexpr auto delivered_hook() noexcept {
-        return [&hooks = hooks_](const awaited_message& m, delivered what) { tell_delivered(hooks, m, what); };
-    }
-    static constexpr void tell_delivered([[maybe_unused]] Hooks& hooks, [[maybe_unused]] const awaited_message& m,
-                                         [[maybe_unused]] delivered what) {
-        if constexpr (requires { hooks.on_delivered(m, what); }) hooks.on_delivered(m, what);
+        return [&hooks = hooks_](const awaited_message& m, delivered what) {
+            if (hooks.on_delivered) hooks.on_delivered(m, what);
+        };
     }
     constexpr void each_part(auto&& use) const {
         std::apply([&](auto&... part) { (use(part), ...); }, parts_);
     }
 
     address self_;
-    Hooks& hooks_;
+    component_hooks hooks_;
     bool obeys_only_when_ready_;
     component_state<> state_;
     component_control control_;
@@ -243,8 +228,8 @@ template <class Hooks, class... Parts> class component {
 };
 
 /// The arguments of the template follow from those of the constructor.
-template <std::size_t Waiting, std::size_t Size, std::size_t Remembered, class Hooks, class... Parts>
-component(const address&, component_memory<Waiting, Size, Remembered>&, Hooks&, const component_options&, Parts&...)
-    -> component<Hooks, Parts...>;
+template <std::size_t Waiting, std::size_t Size, std::size_t Remembered, class... Parts>
+component(const address&, component_memory<Waiting, Size, Remembered>&, const component_hooks&,
+          const component_options&, Parts&...) -> component<Parts...>;
 
 } // namespace jauscat::jaus

@@ -53,6 +53,15 @@ struct controller {
     friend constexpr bool operator==(const controller&, const controller&) = default;
 };
 
+/// Why a component's controller has changed.
+enum class control_change : std::uint8_t {
+    granted,    ///< who asked for control has it, also the controller with another authority
+    taken_over, ///< one of higher authority has it
+    released,   ///< the controller has given it back
+    rejected,   ///< the component has taken it back
+    lost,       ///< the controller has disappeared, or was silent for the timeout
+};
+
 /// How a component lets itself be controlled.
 struct control_options {
     /// The component's own authority, until Set Component Authority.
@@ -75,6 +84,8 @@ class component_control {
 
     /// Who controls the component, if anybody.
     [[nodiscard]] constexpr const std::optional<jaus::controller>& controller() const noexcept { return controller_; }
+    /// Why that is so; of no meaning before control was first granted.
+    [[nodiscard]] constexpr control_change last_change() const noexcept { return last_change_; }
     /// The component's own authority code.
     [[nodiscard]] constexpr std::uint8_t authority_code() const noexcept { return authority_; }
     /// Commands that others than the controller sent: how often `admits` said no.
@@ -115,7 +126,7 @@ class component_control {
                 body, [&](const auto& m) { request(head, m.authority_code, now, out); });
         case release_component_control::command_code:
             return decode_for<release_component_control>(body, [&](const auto&) {
-                if (controls(head.source)) controller_.reset();
+                if (controls(head.source)) end(control_change::released);
             });
         case query_component_authority::command_code:
             return decode_for<query_component_authority>(
@@ -131,20 +142,16 @@ class component_control {
     }
 
     /// The component takes control back: the controller, if there is one, gets Reject Component Control.
-    constexpr void reject(message_sink out) noexcept {
-        if (!controller_) return;
-        put({.destination = controller_->address, .source = self_}, reject_component_control{}, out);
-        controller_.reset();
-    }
+    constexpr void reject(message_sink out) noexcept { take_back(control_change::rejected, out); }
     /// The components that `gone(const address&)` says yes to are no longer there: a controller among them has none any
     /// more. It is not told, for it would not hear.
     constexpr void on_lost(auto&& gone) noexcept {
-        if (controller_ && gone(std::as_const(controller_->address))) controller_.reset();
+        if (controller_ && gone(std::as_const(controller_->address))) end(control_change::lost);
     }
     /// Takes control from a controller that has been silent for the timeout.
     constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
         const auto due = next_event();
-        if (due && now >= *due) reject(out);
+        if (due && now >= *due) take_back(control_change::lost, out);
     }
     [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
         if (!controller_ || options_.timeout == options_.timeout.zero()) return std::nullopt;
@@ -162,16 +169,30 @@ class component_control {
             answer(head, self_, confirm_component_control{control_not_accepted}, out);
             return;
         }
-        if (!is_controller) reject(out);
+        const bool is_other = controller_ && !is_controller;
+        if (is_other) take_back(control_change::taken_over, out);
+        last_change_ = is_other ? control_change::taken_over : control_change::granted;
         controller_ = jaus::controller{head.source, authority};
         heard_ = now;
         answer(head, self_, confirm_component_control{control_accepted}, out);
+    }
+
+    constexpr void end(control_change why) noexcept {
+        controller_.reset();
+        last_change_ = why;
+    }
+    // The controller is told.
+    constexpr void take_back(control_change why, message_sink out) noexcept {
+        if (!controller_) return;
+        put({.destination = controller_->address, .source = self_}, reject_component_control{}, out);
+        end(why);
     }
 
     address self_;
     std::uint8_t authority_;
     control_options options_;
     std::optional<jaus::controller> controller_{};
+    control_change last_change_{};
     std::chrono::nanoseconds heard_{};
     std::uint64_t refused_{};
 };

@@ -34,7 +34,7 @@ class own_manager {
                     .appeared = changes.appeared,
                     .disappeared = changes.disappeared}},
           events_{self, manager_},
-          core{self, memory_, hooks_, {}, manager_, events_.part} {
+          core{self, memory_, {}, {}, manager_, events_.part} {
         core.change(jaus::state_event::initialized);
     }
     own_manager(const own_manager&) = delete;
@@ -94,10 +94,9 @@ class own_manager {
     jaus::node_manager manager_;
     configuration_events events_;
     jaus::component_memory<> memory_{};
-    jaus::no_hooks hooks_{};
 
   public:
-    jaus::component<jaus::no_hooks, jaus::node_manager, jaus::events<configuration_events::most>> core;
+    jaus::component<jaus::node_manager, jaus::events<configuration_events::most>> core;
 };
 
 } // namespace jauscat::net::detail

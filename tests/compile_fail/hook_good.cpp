@@ -1,0 +1,21 @@
+// expect: no error
+#include <jauscat/jaus/component_hooks.hpp>
+
+namespace jaus = jauscat::jaus;
+
+constexpr auto on_state_function = [](jaus::primary_status_code, jaus::primary_status_code) {};
+constexpr auto on_controller_function = [](const std::optional<jaus::controller>&, jaus::control_change) {};
+constexpr auto on_delivered_function = [](const jaus::awaited_message&, jaus::delivered) {};
+constexpr auto on_state_command_function = [](const jaus::header&) { return jaus::message_outcome::taken; };
+const jaus::component_hooks hooks{.on_state = on_state_function,
+                                  .on_controller = on_controller_function,
+                                  .on_delivered = on_delivered_function,
+                                  .on_state_command = on_state_command_function};
+
+struct driver {
+    void rest(jaus::primary_status_code, jaus::primary_status_code) {}
+    jaus::message_outcome stop(const jaus::header&) const { return jaus::message_outcome::deferred; }
+    jaus::component_hooks hooks{.on_state = jaus::bound<&driver::rest>(*this),
+                                .on_state_command = jaus::bound<&driver::stop>(*this)};
+} one;
+const driver other;

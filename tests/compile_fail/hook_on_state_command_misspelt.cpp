@@ -1,0 +1,7 @@
+// expect: on_state_comand
+#include <jauscat/jaus/component_hooks.hpp>
+
+namespace jaus = jauscat::jaus;
+
+constexpr auto function = [](const jaus::header&) { return jaus::message_outcome::taken; };
+const jaus::component_hooks hooks{.on_state_comand = function};

@@ -1,0 +1,7 @@
+// expect: hook: the function has other parameters than the hook
+#include <jauscat/jaus/component_hooks.hpp>
+
+namespace jaus = jauscat::jaus;
+
+constexpr auto function = [](jaus::header&) { return jaus::message_outcome::taken; };
+const jaus::component_hooks hooks{.on_state_command = function};
