@@ -74,7 +74,8 @@ void print_quantiles(const measurement& measured) {
 }
 
 /// Every slave to SAFE-OP under the stations `first` and up.
-std::vector<std::uint16_t> set_up(example::any_link& link, ethercat::master& master, std::uint16_t first) {
+std::vector<std::uint16_t> set_up(example::any_link& link, ethercat::master& master, std::uint16_t first,
+                                  milliseconds watchdog) {
     const auto run = [&](bool, const std::string& what) {
         const auto result = jauscat::net::run(link, master);
         example::require(result, what);
@@ -86,7 +87,7 @@ std::vector<std::uint16_t> set_up(example::any_link& link, ethercat::master& mas
         const auto station = static_cast<std::uint16_t>(first + i);
         const auto name = "slave " + std::to_string(station);
         run(master.bring_up(static_cast<std::uint16_t>(i), station), name + " to PRE-OP");
-        run(master.configure(station), name + ", process data");
+        run(master.configure(station, watchdog), name + ", process data");
         run(master.change_state(station, ethercat::al_state::safe_op), name + " to SAFE-OP");
         const auto& place = master.find(station)->process_data;
         std::cout << "cyclic: " << name << ": " << place.output_size << " bytes of outputs, " << place.input_size
@@ -171,7 +172,8 @@ class slave_watch {
 
 int measure(example::any_link& link, const auto& values) {
     ethercat::master master{{.frame_timeout = milliseconds{values["frame-timeout"].template as<unsigned>()}}};
-    const auto stations = set_up(link, master, values["station"].template as<std::uint16_t>());
+    const auto stations = set_up(link, master, values["station"].template as<std::uint16_t>(),
+                                 milliseconds{values["watchdog"].template as<unsigned>()});
     ethercat::process_data data{master.slaves(), {.watch_slaves = true}};
     if (data.image().size == 0) throw std::runtime_error{"no slave has process data"};
     if (!data.fits())
@@ -229,12 +231,15 @@ int main(int argc, char** argv) {
             ("spin", po::value<unsigned>()->default_value(0), "the last microseconds of each wait are spent awake: more exact, and costs processor time")
             ("priority", po::value<unsigned>()->default_value(0), "real-time priority, 1 to 99; 0: none")
             ("upload-every", po::value<unsigned>()->default_value(1000), "milliseconds between two SDO uploads; 0: none")
+            ("watchdog", po::value<unsigned>()->default_value(100), "milliseconds without outputs after which a slave leaves OP, 1 to 6553")
             ("station", po::value<std::uint16_t>()->default_value(1), "station address of the first slave; the others follow")
             ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
         // clang-format on
         example::add_medium_options(options);
         const auto values = example::parse(argc, argv, options, help);
         if (values["period"].as<unsigned>() == 0) throw example::usage_error{"--period must be 1 or more"};
+        if (const auto watchdog = values["watchdog"].as<unsigned>(); watchdog < 1 || watchdog > 6553)
+            throw example::usage_error{"--watchdog must be 1 to 6553"};
         const auto priority = values["priority"].as<unsigned>();
         if (priority > 99) throw example::usage_error{"--priority must be 0 to 99"};
         if (priority != 0) become_real_time(static_cast<int>(priority));

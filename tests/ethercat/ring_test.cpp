@@ -165,6 +165,137 @@ TEST_CASE("a refused state is explained, and the error does not stand in the way
     CHECK(b.run(b.master.change_state(2, al_state::op)) == outcome{.error = master_errc::wrong_station, .detail = 2});
 }
 
+TEST_CASE("a state that is not known leads to INIT, never upwards") {
+    for (const unsigned raw : {0u, 5u, 6u, 7u, 9u, 0xCu, 0xFu}) {
+        bench b{motors};
+        std::string asked;
+        unsigned polls = 0;
+        b.link.on_way_back = [&](bytes& frame) {
+            mutable_frame_view view;
+            REQUIRE(view.parse(frame));
+            for (const auto d : view) {
+                if (d.header.ado == 0x0120) asked += to_hex(d.data.first(1)) + " ";
+                if (d.header.ado == 0x0130 && polls != 0) --polls, d.data[0] = static_cast<std::byte>(raw);
+            }
+        };
+        polls = 1;
+        REQUIRE(b.up(0, 1));
+        CHECK(asked == "11 01 02 ");
+        asked.clear();
+        polls = 1;
+        REQUIRE(b.run(b.master.change_state(1, al_state::init)));
+        CHECK(asked == "01 ");
+        REQUIRE(b.up(0, 1));
+        asked.clear();
+        polls = 1;
+        REQUIRE(b.run(b.master.change_state(1, al_state::pre_op)));
+        CHECK(asked == "01 02 ");
+        asked.clear();
+        CHECK(b.run(b.master.change_state(1, static_cast<al_state>(raw))) ==
+              outcome{.error = master_errc::al_error, .detail = 0x12});
+        CHECK(asked.empty());
+    }
+}
+
+TEST_CASE("configure sets the watchdog, whatever an earlier tool has left in its registers") {
+    bench b{motors};
+    REQUIRE(b.up(0, 1));
+    const auto registers = [&] {
+        std::string text;
+        for (const std::uint16_t address : {std::uint16_t{0x0400}, std::uint16_t{0x0420}}) {
+            std::array<std::byte, 2> value{};
+            REQUIRE(b.run(b.master.exchange(command::fprd, 1, address, value)));
+            text += to_hex(value) + " ";
+        }
+        return text;
+    };
+    write_register(b.at(0), command::fpwr, 1, 0x0400, "ffff");
+    write_register(b.at(0), command::fpwr, 1, 0x0420, "0000");
+    REQUIRE(b.run(b.master.configure(1)));
+    CHECK(registers() == "c2 09 e8 03 ");
+    CHECK(b.master.find(1)->watchdog == 100ms);
+    REQUIRE(b.run(b.master.configure(1, 250ms)));
+    CHECK(registers() == "c2 09 c4 09 ");
+    REQUIRE(b.run(b.master.configure(1, 1ns))); // rounded up
+    CHECK(registers() == "c2 09 01 00 ");
+    CHECK(b.master.find(1)->watchdog == 100us);
+    for (const auto wrong : {0ns, -1ns, std::chrono::nanoseconds{6'553'500'001}}) {
+        CHECK(b.run(b.master.configure(1, wrong)).error == master_errc::watchdog_range);
+        CHECK(b.run(b.master.change_state(1, al_state::op)).error == master_errc::not_configured);
+    }
+    REQUIRE(b.run(b.master.configure(1, std::chrono::nanoseconds{6'553'500'000})));
+    CHECK(registers() == "c2 09 ff ff ");
+}
+
+TEST_CASE("a slave that does not keep its watchdog's settings does not get to OP") {
+    const auto spoil = [](bench& b, std::uint16_t ado, std::string_view hex) {
+        b.link.on_way_back = [ado, value = from_hex(hex)](bytes& frame) {
+            mutable_frame_view view;
+            REQUIRE(view.parse(frame));
+            for (const auto d : view)
+                if (d.header.ado == ado && d.header.cmd == command::fprd) std::ranges::copy(value, d.data.begin());
+        };
+    };
+    const auto refused = [&](bench& b) {
+        const auto result = b.run(b.master.configure(1));
+        CHECK(b.run(b.master.change_state(1, al_state::op)).error == master_errc::not_configured);
+        CHECK(b.at(0).state() == al_state::pre_op);
+        return result;
+    };
+    bench b{motors};
+    REQUIRE(b.up(0, 1));
+    CHECK(b.run(b.master.change_state(1, al_state::op)).error == master_errc::not_configured);
+    spoil(b, 0x0420, "0000");
+    CHECK(refused(b) == outcome{.error = master_errc::watchdog_not_kept, .detail = 0x000009C2});
+    spoil(b, 0x0400, "ffff");
+    CHECK(refused(b) == outcome{.error = master_errc::watchdog_not_kept, .detail = 0x03E8FFFF});
+    spoil(b, 0x0810, "001c 0400 24 00 01 00"); // writes of the outputs do not trigger it
+    CHECK(refused(b).error == master_errc::watchdog_not_kept);
+    CHECK_FALSE(describe(master_errc::watchdog_not_kept).empty());
+    b.link.on_way_back = [](bytes& frame) { // a controller without these registers
+        mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto d : view)
+            if (d.header.ado == 0x0420) d.bytes.last(2).front() = std::byte{0};
+    };
+    CHECK(refused(b).error == master_errc::working_counter);
+    b.link.on_way_back = {};
+    REQUIRE(b.run(b.master.configure(1)));
+    REQUIRE(b.run(b.master.change_state(1, al_state::op)));
+    REQUIRE(b.up(0, 1)); // once more
+    CHECK(b.run(b.master.change_state(1, al_state::op)).error == master_errc::not_configured);
+
+    bench without{sensor}; // without outputs there is nothing to watch
+    REQUIRE(without.up(0, 1));
+    spoil(without, 0x0420, "0000");
+    REQUIRE(without.run(without.master.configure(1)));
+    REQUIRE(without.run(without.master.change_state(1, al_state::op)));
+}
+
+TEST_CASE("writes of the outputs trigger the watchdog even if the SII says otherwise") {
+    bench b{motors};
+    unsigned changed = 0;
+    b.link.on_way_back = [&](bytes& frame) {
+        mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto d : view) {
+            if (d.header.ado != 0x0502 || d.header.cmd != command::fprd) continue;
+            if (to_hex(d.data.subspan(6, 4)) == "64 00 01 03") ++changed, d.data[6] = std::byte{0x24};
+        }
+    };
+    b.op();
+    CHECK(changed != 0);
+    process_data data{b.master.slaves()};
+    std::array<std::byte, 8> manager{};
+    REQUIRE(b.run(b.master.exchange(command::fprd, 1, 0x0810, manager)));
+    CHECK(to_hex(std::span{manager}.first(5)) == "00 1c 04 00 64");
+    b.at(0).on_time(0ms);
+    REQUIRE(b.cycle(data));
+    b.at(0).on_time(1ms);
+    b.at(0).on_time(102ms);
+    CHECK(b.at(0).state() == al_state::safe_op);
+}
+
 TEST_CASE("each slave gets a place for its process data, and keeps it when it comes back") {
     bench b{motors, lamps, plain, sensor};
     b.safe_op();

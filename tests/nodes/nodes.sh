@@ -465,7 +465,7 @@ slave_leaves_op() { # as its watchdog bids, when the controller has been stopped
 }
 cycles_are_measured() {
     start_arm
-    expect 0 "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --seconds 2 --upload-every 100
+    expect 0 "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --watchdog 2000 --seconds 2 --upload-every 100
     says out "22 bytes of outputs, 22 of inputs"
     says out "wake-up after the instant it was due"
     says out "round trip of the process data"
@@ -474,16 +474,17 @@ cycles_are_measured() {
     says arm "state op, station address 1"
     says arm "state pre_op, station address 1"
     expect 2 "$bin/cyclic" --period 0
+    expect 2 "$bin/cyclic" --watchdog 6554
+    says out "--watchdog must be 1 to 6553"
 }
-cyclic_sees_a_slave_leave_op() {
-    # Another master takes the states of all slaves, as a second cyclic does at its start; both frames come back.
+cyclic_sees_a_slave_leave_op() { # because another master takes the slaves
     start_bus "${link[@]}" --slaves 2 --outputs 2 --inputs 2
-    "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --seconds 60 >"$work/first.log" 2>&1 &
+    "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --watchdog 2000 --seconds 60 >"$work/first.log" 2>&1 &
     local first=$!
     pids+=("$first")
     wait_for first "2 in OP"
     # The second one gives the slaves other station addresses.
-    expect 0 "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --seconds 1 --station 11
+    expect 0 "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --watchdog 2000 --seconds 1 --station 11
     wait_for first "slave 1 does not run: "
     wait_for first "slave 2 does not run: no slave has its station address"
     kill -INT "$first"
@@ -507,7 +508,7 @@ a_bus_of_emulated_slaves() {
     dies "$master"
     wait_for bus "slave 5: state safe_op, error 0x001B: SyncManager watchdog"
     # The next one brings them up again.
-    expect 0 "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --seconds 2 --upload-every 100
+    expect 0 "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --watchdog 2000 --seconds 2 --upload-every 100
     says out "slave 5: 10 bytes of outputs, 7 of inputs"
     says out "with another working counter 0"
     says out "failed 0"

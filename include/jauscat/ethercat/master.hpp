@@ -15,6 +15,7 @@
 #include <jauscat/ethercat/slave_list.hpp>
 #include <jauscat/ethercat/state_change.hpp>
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -54,20 +55,29 @@ class master {
     }
 
     /// Finds out what process data a slave in PRE-OP has and sets its SyncManagers and FMMUs up. Its place in the
-    /// process image is then in its record. Errors: those of `upload` and of SII reads, sii_malformed, no_fmmu,
-    /// too_many_managers, image_full.
-    bool configure(std::uint16_t station) noexcept {
+    /// process image is then in its record. If it has outputs, it will leave OP when it gets none for the time
+    /// `watchdog`. Errors: those of `upload` and of SII reads, sii_malformed, no_fmmu, too_many_managers, image_full,
+    /// watchdog_range, watchdog_not_kept.
+    bool configure(std::uint16_t station, std::chrono::nanoseconds watchdog = default_watchdog) noexcept {
         if (!begin(job::configure)) return false;
         if (!choose(station)) return true;
-        setup_ = process_setup{*slave_, slaves_.image_without(*slave_)};
+        slave_->watchdog = {};
+        setup_ = process_setup{*slave_, slaves_.image_without(*slave_), watchdog};
+        if (watchdog_units(watchdog) == 0) finish({.error = master_errc::watchdog_range});
         return true;
     }
 
     /// Takes a slave to another state, step by step. OP needs the cyclic exchange to be running. Errors: wrong_station,
-    /// duplicate_station, working_counter, al_error, state_timeout.
+    /// duplicate_station, working_counter, al_error, state_timeout; not_configured if OP is the goal and `configure`
+    /// has not been done since the slave was brought up.
     bool change_state(std::uint16_t station, al_state goal) noexcept {
         if (!begin(job::change_state)) return false;
         if (!choose(station)) return true;
+        if (!is_known(goal))
+            finish(
+                {.error = master_errc::al_error, .detail = static_cast<std::uint32_t>(al_status_code::unknown_state)});
+        else if (goal == al_state::op && slave_->watchdog == slave_->watchdog.zero())
+            finish({.error = master_errc::not_configured});
         change_ = state_change{station, goal};
         slave_->drained = false;
         return true;
@@ -317,7 +327,10 @@ class master {
     }
 
     void configured() noexcept {
-        if (setup_.result()) slave_->process_data = setup_.place();
+        if (setup_.result()) {
+            slave_->process_data = setup_.place();
+            slave_->watchdog = setup_.watchdog();
+        }
         finish(setup_.result());
     }
     void bring_up_complete() noexcept {

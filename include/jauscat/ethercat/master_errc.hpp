@@ -31,6 +31,9 @@ enum class master_errc : std::uint8_t {
     no_fmmu,           ///< the slave has fewer FMMUs than it has process data; detail: how many
     too_many_managers, ///< more than four SyncManagers carry process data
     image_full,        ///< the process image has no room for the slave's data; detail: their bytes
+    watchdog_range,    ///< a watchdog time that the registers cannot express
+    watchdog_not_kept, ///< the slave does not keep its watchdog's settings; detail: 0400h, and 0420h in the upper half
+    not_configured,    ///< the slave's process data and watchdog are not set: OP is not asked for
     mailbox_full,      ///< the slave does not take its mail
     mailbox_timeout,   ///< the slave took the request and did not answer
     mailbox_error,     ///< the slave refused the message; detail: mailbox_error_code
@@ -67,6 +70,9 @@ enum class master_errc : std::uint8_t {
     case master_errc::no_fmmu: return "the slave has too few FMMUs for its process data: it cannot be mapped";
     case master_errc::too_many_managers: return "the slave spreads its process data over more than four SyncManagers";
     case master_errc::image_full: return "the process image is full at 1486 bytes: use a second master";
+    case master_errc::watchdog_range: return "the watchdog time is out of range: give 0.1 ms to 6553.5 ms";
+    case master_errc::watchdog_not_kept: return "the slave does not keep its watchdog's settings: it must not go to OP";
+    case master_errc::not_configured: return "the slave's watchdog is not set: configure the slave before OP";
     case master_errc::mailbox_full: return "the slave does not take its mail: it hangs or is not in PRE-OP";
     case master_errc::mailbox_timeout: return "the slave took the request and did not answer: allow more time";
     case master_errc::mailbox_error: return "the slave refused the mailbox message: see the mailbox error code";

@@ -90,8 +90,8 @@ struct packet_coe_service : packet_service<Request, Confirmation, Repeated> {
         if (result.detail == 0) return service_step::done(packet_status::coe_slave_not_addressable);
         al_status status{};
         static_cast<void>(wire::decode(status, read_));
-        return service_step::done(status.state == al_state::init ? packet_status::coe_invalid_communication_state
-                                                                 : failed_);
+        const bool has_mailbox = is_known(status.state) && status.state != al_state::init;
+        return service_step::done(has_mailbox ? failed_ : packet_status::coe_invalid_communication_state);
     }
 
   protected:

@@ -102,7 +102,9 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
         switch (stage_) {
         case stage::clear: return goal_ == al_state::init && !is_known(m, member.slave);
         case stage::look: return is_known(m, member.slave);
-        case stage::bring_up: return goal_ != al_state::init && (state < al_state::pre_op || state == al_state::boot);
+        case stage::bring_up:
+            return goal_ != al_state::init &&
+                   (!ethercat::is_known(state) || state == al_state::init || state == al_state::boot);
         case stage::lower: return state > goal_ || (state == goal_ && error);
         case stage::configure:
         case stage::safe_op: return goal_ > al_state::pre_op && state == al_state::pre_op;

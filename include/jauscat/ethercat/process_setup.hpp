@@ -1,5 +1,5 @@
-// Finds out what process data a slave has, and sets its SyncManagers and FMMUs up for them. Where the slave says so
-// over CoE (PDO assignment 1C10h + SyncManager, PDO mapping objects) that counts, else its SII.
+// Finds out what process data a slave has, and sets its SyncManagers, FMMUs and watchdog up for them. Where the slave
+// says so over CoE (PDO assignment 1C10h + SyncManager, PDO mapping objects) that counts, else its SII.
 #pragma once
 
 #include <jauscat/ethercat/activity.hpp>
@@ -9,9 +9,11 @@
 #include <jauscat/ethercat/sii_survey.hpp>
 #include <jauscat/ethercat/slave_record.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
+#include <jauscat/schema/ethercat/watchdog.hpp>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,15 +26,20 @@ class process_setup {
   public:
     process_setup() noexcept = default;
     /// `slave` is in PRE-OP. `image` is that of all other slaves: this one's place follows.
-    process_setup(const slave_record& slave, const process_image& image) noexcept
+    process_setup(const slave_record& slave, const process_image& image, std::chrono::nanoseconds watchdog) noexcept
         : station_{slave.station},
           coe_{slave.mailbox.coe && slave.mailbox.receive_size != 0},
           before_{slave.process_data},
-          image_{image} {}
+          image_{image},
+          watchdog_units_{watchdog_units(watchdog)} {}
 
     [[nodiscard]] const outcome& result() const noexcept { return result_; }
     /// Where the slave's process data are; once it is done.
     [[nodiscard]] const process_place& place() const noexcept { return place_; }
+    /// What its watchdog waits.
+    [[nodiscard]] std::chrono::nanoseconds watchdog() const noexcept {
+        return watchdog_time(default_watchdog_divider, watchdog_units_);
+    }
 
     [[nodiscard]] bool wants_upload() const noexcept { return step_ == step::assignment || step_ == step::mapping; }
     /// The upload that it waits for.
@@ -65,6 +72,11 @@ class process_setup {
             break;
         case step::give_sii: write(esc_registers::sii_owner, sii_owner{.pdi = true}); break;
         case step::set_up: set_up(frame); break;
+        case step::set_watchdog:
+            write(esc_registers::watchdog_divider, esc_word{default_watchdog_divider});
+            write(esc_registers::process_data_watchdog, esc_word{watchdog_units_});
+            break;
+        case step::check_watchdog: read_watchdog(frame); break;
         default: survey_.request(frame, station_);
         }
     }
@@ -81,7 +93,9 @@ class process_setup {
         }
         case step::take_sii: return survey(!coe_);
         case step::give_sii: return lay_out();
-        case step::set_up: return progress::done;
+        case step::set_up: return place_.output_size != 0 ? go(step::set_watchdog) : progress::done;
+        case step::set_watchdog: return go(step::check_watchdog);
+        case step::check_watchdog: return check_watchdog(datagrams);
         default: break;
         }
         const auto after = survey_.reply(datagrams.front(), now, config);
@@ -99,6 +113,8 @@ class process_setup {
         mapping,    // CoE: what a PDO is made of
         give_sii,
         set_up,
+        set_watchdog,
+        check_watchdog,
     };
     static constexpr std::size_t max_fmmus = 16;
 
@@ -182,6 +198,10 @@ class process_setup {
         return fmmus_ == 0 && survey_.managers().empty() ? progress::done : go(step::set_up);
     }
 
+    static constexpr std::uint16_t register_of(esc_register first, std::size_t n) noexcept {
+        return static_cast<std::uint16_t>(first.address + n * first.size);
+    }
+
     // All in one frame. A SyncManager can be changed only while it is off.
     void set_up(frame_builder& frame) const noexcept {
         auto output = place_.output_address, input = place_.input_address;
@@ -191,9 +211,6 @@ class process_setup {
             frame.add(command::fpwr, station_, esc_registers::fmmu.address,
                       std::min<std::size_t>(fmmus_, max_fmmus) * esc_registers::fmmu.size);
         for (const auto& each : survey_.managers()) {
-            const auto register_of = [](esc_register first, std::size_t n) {
-                return static_cast<std::uint16_t>(first.address + n * first.size);
-            };
             // The SII has the register's control byte, which is its fifth.
             std::array<std::byte, wire::max_size<sync_manager>> bytes{};
             bytes[4] = static_cast<std::byte>(each.description.control);
@@ -201,6 +218,7 @@ class process_setup {
             static_cast<void>(wire::decode(settings, bytes));
             settings.start = each.description.start;
             settings.length = each.bytes();
+            settings.watchdog = settings.watchdog || each.is_output(); // whatever the SII says
             const auto at = register_of(esc_registers::sync_manager, each.number);
             frame.add(command::fpwr, station_, at, settings);
             settings.enable = each.bits != 0;
@@ -219,10 +237,33 @@ class process_setup {
         }
     }
 
+    // An earlier tool may have left any value in these registers, and registers may be missing.
+    void read_watchdog(frame_builder& frame) const noexcept {
+        frame.add(command::fprd, station_, esc_registers::watchdog_divider.address, wire::max_size<esc_word>);
+        frame.add(command::fprd, station_, esc_registers::process_data_watchdog.address, wire::max_size<esc_word>);
+        for (const auto& each : survey_.managers())
+            if (each.is_output() && each.bits != 0)
+                frame.add(command::fprd, station_, register_of(esc_registers::sync_manager, each.number),
+                          wire::max_size<sync_manager>);
+    }
+    progress check_watchdog(replies datagrams) noexcept {
+        esc_word divider{}, units{};
+        static_cast<void>(wire::decode(divider, datagrams[0].data));
+        static_cast<void>(wire::decode(units, datagrams[1].data));
+        const bool triggered = std::ranges::all_of(datagrams.subspan(2), [](const datagram_view& datagram) {
+            sync_manager settings{};
+            return wire::decode(settings, datagram.data) && settings.watchdog && settings.enable;
+        });
+        if (triggered && divider.value == default_watchdog_divider && units.value == watchdog_units_)
+            return progress::done;
+        return fail(master_errc::watchdog_not_kept, divider.value | std::uint32_t{units.value} << 16);
+    }
+
     std::uint16_t station_{};
     bool coe_{};
     process_place before_{}, place_{};
     process_image image_{};
+    std::uint16_t watchdog_units_{};
     std::uint8_t fmmus_{};
     step step_{};
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -78,8 +79,10 @@ struct slave_record {
     std::uint16_t position{}; ///< in the ring, from 0
     std::uint16_t station{};  ///< configured station address
     sii_identity identity{};
-    sii_mailbox mailbox{};            ///< sizes 0: the slave has none
-    process_place process_data{};     ///< after `configure`
+    sii_mailbox mailbox{};        ///< sizes 0: the slave has none
+    process_place process_data{}; ///< after `configure`
+    /// Without outputs for so long, the slave leaves OP: set by `configure`; 0: not yet since it was brought up.
+    std::chrono::nanoseconds watchdog{};
     std::uint8_t last_counter{};      ///< of the last mailbox request; 0: none yet
     std::uint32_t last_reply_mark{};  ///< of the last mailbox message received: tells it from the next one
     std::uint8_t abandoned_counter{}; ///< of a request that was given up: its answer may still come

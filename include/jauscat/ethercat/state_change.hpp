@@ -11,7 +11,8 @@
 namespace jauscat::ethercat {
 
 /// State machine: `request` adds the datagram of the present step, `reply` takes its return. Upwards one state at a
-/// time, as slaves have it; downwards at once. An error that stands from before is acknowledged first.
+/// time, as slaves have it; downwards at once. An error that stands from before is acknowledged first. From a state
+/// that is not known the way leads over INIT.
 class state_change {
   public:
     state_change() noexcept = default;
@@ -85,6 +86,7 @@ class state_change {
     }
     // BOOT is entered and left by INIT only.
     static al_state towards(al_state from, al_state goal) noexcept {
+        if (!is_known(from)) return al_state::init;
         if (goal == al_state::boot || from == al_state::boot) return from == al_state::init ? goal : al_state::init;
         return goal < from ? goal : above(from);
     }

@@ -11,6 +11,12 @@ namespace jauscat::ethercat {
 /// State of the application layer, in AL control and AL status.
 enum class al_state : std::uint8_t { init = 1, pre_op = 2, boot = 3, safe_op = 4, op = 8 };
 
+/// Whether it is one of them. A slave whose application has not started, or fails, may show any other value.
+[[nodiscard]] constexpr bool is_known(al_state state) noexcept {
+    return state == al_state::init || state == al_state::pre_op || state == al_state::boot ||
+           state == al_state::safe_op || state == al_state::op;
+}
+
 /// Why a slave did not take a state or left it. Other values occur: they pass through. ETG.1020, table 11.
 enum class al_status_code : std::uint16_t {
     none = 0x0000,

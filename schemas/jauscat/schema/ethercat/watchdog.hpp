@@ -23,4 +23,17 @@ inline constexpr std::uint16_t default_watchdog_time = 1000;    ///< of these un
     return (std::int64_t{divider} + 2) * units * std::chrono::nanoseconds{40};
 }
 
+/// The default: 100 ms.
+inline constexpr std::chrono::nanoseconds default_watchdog =
+    watchdog_time(default_watchdog_divider, default_watchdog_time);
+
+/// Units of 100 us, the default divider's, that are not shorter than `time`; 0 where there are none: 100 us to 6.5535
+/// s.
+[[nodiscard]] constexpr std::uint16_t watchdog_units(std::chrono::nanoseconds time) noexcept {
+    constexpr auto unit = watchdog_time(default_watchdog_divider, 1);
+    constexpr std::uint16_t most = 0xFFFF;
+    if (time <= time.zero() || time > most * unit) return 0;
+    return static_cast<std::uint16_t>((time + unit - std::chrono::nanoseconds{1}) / unit);
+}
+
 } // namespace jauscat::ethercat
