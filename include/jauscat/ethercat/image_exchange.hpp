@@ -32,6 +32,8 @@ class image_exchange {
     static constexpr std::uint16_t report_code = ReportTable::message_type::command_code;
     static constexpr std::uint16_t query_code = report_code - 0x2000; // RA 3.3 part 3
     static_assert(jaus::report_code_of(query_code) == report_code, "image_exchange: the inputs must be a report");
+    /// The type of the command counter.
+    using counter = typename CommandTable::counter_row::counts_messages::type;
     /// Commands that wait for their acknowledgement at one time.
     static constexpr std::size_t capacity = 16;
 
@@ -99,10 +101,10 @@ class image_exchange {
                                           std::span<std::byte> out) noexcept {
         const auto last = taken(inputs);
         const auto waits = std::span{wait_}.first(waiting_);
-        const auto over = [&](const waiting& each) { return reached(each.count, last) || now >= each.deadline; };
+        const auto over = [&](const waiting& each) { return has_reached(each.count, last) || now >= each.deadline; };
         const auto first = std::ranges::find_if(waits, over);
         if (first == waits.end()) return 0;
-        const auto how = reached(first->count, last) ? jaus::ack_nak::ack : jaus::ack_nak::nak;
+        const auto how = has_reached(first->count, last) ? jaus::ack_nak::ack : jaus::ack_nak::nak;
         const auto size = jaus::make_acknowledgement(addressed(first->head), how, out);
         std::copy(first + 1, waits.end(), first);
         --waiting_;
@@ -122,9 +124,14 @@ class image_exchange {
         return CountIn::of(image);
     }
 
+    /// Whether the command `wanted` is not later than `now`. Counters go round: one is later than another if it is less than
+    /// half a round ahead.
+    [[nodiscard]] static constexpr bool has_reached(counter wanted, counter now) noexcept {
+        return static_cast<counter>(now - wanted) <= std::numeric_limits<counter>::max() / 2;
+    }
+
   private:
     using count_field = typename CommandTable::counter_row::counts_messages;
-    using counter = typename count_field::type;
 
     struct waiting {
         jaus::header head{};
@@ -132,10 +139,6 @@ class image_exchange {
         counter count{};
     };
 
-    // Counters go round: one is later than another if it is less than half a round ahead.
-    [[nodiscard]] static constexpr bool reached(counter wanted, counter now) noexcept {
-        return static_cast<counter>(now - wanted) <= std::numeric_limits<counter>::max() / 2;
-    }
     [[nodiscard]] constexpr jaus::header addressed(jaus::header head) const noexcept {
         head.destination = slave_.answering_as(head.destination, component_);
         return head;

@@ -1,0 +1,238 @@
+// A JAUS component whose actuator is an EtherCAT slave: state, control and acknowledgement are kept here, what is left
+// of its messages is the slave's. Stop orders come from here.
+#pragma once
+#include <jauscat/bridge/slave_front.hpp>
+#include <jauscat/jaus/component.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
+#include <jauscat/wire/visit.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace jauscat::bridge {
+
+/// To be added to a node as a jaus::component is. Its actuator is brought to rest, by a Set Wrench Effort with zeros in
+/// all fields, when the component leaves Ready, when its controller is lost (not when that releases control), when the
+/// slave was away, and when the program ends. In an emergency it is told of that instead. Such a stop order goes before
+/// every message that waits, and is repeated until the actuator has confirmed it; the message that caused it is
+/// acknowledged then. Commands that waited are refused.
+///
+/// While the slave does not answer, the component is in Failure, and its controller has got Reject Component Control.
+/// When the slave is back and at rest, the component is ready again, or in Standby if it was that or in an emergency.
+class component {
+  public:
+    using bytes = std::span<const std::byte>;
+    using time = time_point;
+
+    /// The front must outlive it and have room: component_capacity.
+    component(const jaus::address& self, slave_front& front, const jaus::component_options& options = {}) noexcept
+        : front_{front},
+          debt_{front.timing().stop_interval},
+          core_{self,
+                memory_,
+                {.on_state = jaus::bound<&component::changed_state>(*this),
+                 .on_controller = jaus::bound<&component::changed_controller>(*this),
+                 .on_state_command = jaus::bound<&component::state_command>(*this)},
+                options} {
+        front.add(*this);
+    }
+    component(const component&) = delete;
+    component& operator=(const component&) = delete;
+
+    [[nodiscard]] const jaus::address& self() const noexcept { return core_.self(); }
+    [[nodiscard]] jaus::primary_status_code state() const noexcept { return core_.state(); }
+    [[nodiscard]] const jaus::component_control& control() const noexcept { return core_.control(); }
+    [[nodiscard]] const slave_front& front() const noexcept { return front_; }
+    /// What the actuator has not confirmed yet.
+    [[nodiscard]] const stop_debt& debt() const noexcept { return debt_; }
+
+    /// `application` gets what the core leaves; what that leaves is the slave's.
+    jaus::component_outcome on_message(const jaus::header& head, bytes body, time now, jaus::message_sink out,
+                                       auto&& application) {
+        const auto what = core_.on_message(head, body, now, out, [&](const jaus::header& own, bytes own_body) {
+            const jaus::message_outcome answered = application(own, own_body);
+            return answered == jaus::message_outcome::not_mine ? accept(own, own_body, now, out) : answered;
+        });
+        follow_up(now, out);
+        return what;
+    }
+    void on_time(time now, jaus::message_sink out) {
+        core_.on_time(now, out);
+        follow_up(now, out);
+    }
+    [[nodiscard]] std::optional<time> next_event() const {
+        return motion_is_dropped_ ? std::optional{time::min()} : core_.next_event();
+    }
+    void on_lost(const jaus::address& who) { core_.on_lost(who); }
+
+    /// The program ends: the actuator is brought to rest, and nothing that moves it is taken any more.
+    void shut_down(time now, jaus::message_sink out) {
+        owe_rest(stop_cause::program_ends);
+        core_.change(jaus::state_event::shutdown);
+        follow_up(now, out);
+    }
+
+    // For the ring.
+
+    /// The slave answers again: what the actuator does is not known.
+    void on_slave_up() {
+        if (core_.state() == jaus::primary_status_code::emergency)
+            owe_emergency(stop_cause::slave_back);
+        else
+            owe_rest(stop_cause::slave_back);
+    }
+    void on_slave_lost(time now, jaus::message_sink out) {
+        using enum jaus::primary_status_code;
+        was_at_rest_ = was_at_rest_ || core_.state() == standby || core_.state() == emergency;
+        debt_.begin();
+        drops_motion();
+        core_.change(jaus::state_event::failed);
+        core_.reject_control(out);
+        follow_up(now, out);
+    }
+    /// Writes the message that tells the actuator `what` to `out`; returns its size.
+    [[nodiscard]] std::size_t stop_message(stop_order what, std::span<std::byte> out) const noexcept {
+        const jaus::header head{.ack_nak = jaus::ack_nak::request, .destination = self(), .source = self()};
+        if (what == stop_order::emergency) {
+            jaus::set_emergency stop{};
+            stop.emergency_code.set(jaus::set_emergency_code::transition_to_emergency);
+            return jaus::make_message(head, stop, out).size();
+        }
+        if (what == stop_order::clear_emergency) {
+            jaus::clear_emergency clear{};
+            clear.emergency_code.set(jaus::clear_emergency_code::clear_emergency);
+            return jaus::make_message(head, clear, out).size();
+        }
+        jaus::set_wrench_effort nothing{};
+        wire::visit(nothing, [](auto, auto& effort) { effort = 0.0; });
+        return jaus::make_message(head, nothing, out).size();
+    }
+    /// The actuator has confirmed it.
+    void on_confirmed(stop_order what, time now, jaus::message_sink out) {
+        debt_.confirmed(what);
+        if (!debt_.owes_stop()) answer_waiting(false, true, now, out);
+        if (!debt_.owes_clear()) answer_waiting(true, what == stop_order::clear_emergency, now, out);
+        if (debt_.settled()) front_.watcher().settled(*this);
+        follow_up(now, out);
+    }
+    /// The actuator has refused it; `unknown`: it has no object for it.
+    void on_refused(stop_order what, bool unknown, const refusal_reason& why, time now, jaus::message_sink out) {
+        const bool goes_on = debt_.refused(what, unknown, now);
+        front_.watcher().stop_refused(*this, what, why, debt_.refusals());
+        if (!goes_on) answer_waiting(true, false, now, out);
+        if (!debt_.owes_stop()) answer_waiting(false, true, now, out);
+        follow_up(now, out);
+    }
+    /// A message that `accept` has deferred was executed.
+    void on_executed(const jaus::header& head, time now, jaus::message_sink out) { core_.finish(head, true, now, out); }
+    /// It was not.
+    void on_not_executed(const jaus::header& head, const refusal_reason& why, time now, jaus::message_sink out) {
+        front_.watcher().refused(*this, head, why);
+        core_.finish(head, false, now, out);
+    }
+
+  private:
+    // What the core leaves: to be delivered, and acknowledged when it is.
+    jaus::message_outcome accept(jaus::header head, bytes body, time now, jaus::message_sink out) {
+        const auto refuse = [&](refusal why) {
+            front_.watcher().refused(*this, head, {.why = why});
+            return jaus::message_outcome::refused;
+        };
+        if (!front_.up()) return refuse(refusal::slave_down);
+        const order message{.header = head, .unit = this, .expires = jaus::later(now, front_.timing().order_timeout)};
+        switch (front_.orders().push(message, body, [&](const jaus::header& older) {
+            on_not_executed(older, {.why = refusal::superseded}, now, out);
+        })) {
+        case queued::full: return refuse(refusal::queue_full);
+        case queued::too_large: return refuse(refusal::too_large);
+        default: return jaus::message_outcome::deferred;
+        }
+    }
+
+    // The core has obeyed a command that changes its state: acknowledged when the actuator has, too.
+    jaus::message_outcome state_command(const jaus::header& head) {
+        using enum jaus::message_outcome;
+        if (head.command_code == jaus::resume::command_code) return taken;
+        if (head.command_code == jaus::clear_emergency::command_code) {
+            if (core_.state() == jaus::primary_status_code::emergency) return taken; // others hold it
+            debt_.owe_clear();
+        }
+        if (debt_.settled()) return taken;
+        const auto same = [&](const jaus::header& each) {
+            return each.source == head.source && each.sequence_number == head.sequence_number &&
+                   each.command_code == head.command_code;
+        };
+        const auto known = std::span{waiting_}.first(waiting_count_);
+        if (head.ack_nak != jaus::ack_nak::request || std::ranges::any_of(known, same)) return deferred;
+        if (waiting_count_ == waiting_.size())
+            return refused; // obeyed; a repeat finds room when the others are confirmed
+        waiting_[waiting_count_++] = head;
+        return deferred;
+    }
+    void answer_waiting(bool clears, bool executed, time now, jaus::message_sink out) {
+        std::size_t left = 0;
+        for (const jaus::header& each : std::span{waiting_}.first(waiting_count_))
+            if ((each.command_code == jaus::clear_emergency::command_code) == clears)
+                core_.finish(each, executed, now, out);
+            else
+                waiting_[left++] = each;
+        waiting_count_ = left;
+    }
+
+    // In all other states the actuator is at rest already, or that is owed.
+    void changed_state(jaus::primary_status_code from, jaus::primary_status_code to) {
+        front_.watcher().changed_state(*this, from, to);
+        if (to == jaus::primary_status_code::emergency)
+            owe_emergency(stop_cause::state);
+        else if (from == jaus::primary_status_code::ready)
+            owe_rest(stop_cause::state);
+    }
+    void changed_controller(const std::optional<jaus::controller>&, jaus::control_change why) {
+        front_.watcher().changed_controller(*this, why);
+        if (why == jaus::control_change::lost) owe_rest(stop_cause::controller_lost);
+    }
+    void owe_rest(stop_cause why) {
+        debt_.owe_rest();
+        drops_motion();
+        front_.watcher().owed(*this, stop_order::rest, why);
+    }
+    void owe_emergency(stop_cause why) {
+        debt_.owe_emergency();
+        drops_motion();
+        front_.watcher().owed(*this, stop_order::emergency, why);
+    }
+    void drops_motion() noexcept { motion_is_dropped_ = true; }
+
+    // What the core's hooks have caused and needs `out`.
+    void follow_up(time now, jaus::message_sink out) {
+        if (std::exchange(motion_is_dropped_, false)) {
+            front_.orders().remove_if(
+                [&](const order& each) { return each.unit == this && !is_query(each.header); },
+                [&](const order& each) { on_not_executed(each.header, {.why = refusal::stopped}, now, out); });
+            if (!debt_.owes_clear()) answer_waiting(true, false, now, out); // a new emergency came before
+        }
+        if (!front_.up() || !debt_.settled()) return;
+        if (core_.state() == jaus::primary_status_code::failure) core_.change(jaus::state_event::reset);
+        if (core_.state() != jaus::primary_status_code::initialize) return;
+        core_.change(jaus::state_event::initialized);
+        if (std::exchange(was_at_rest_, false)) core_.change(jaus::state_event::standby);
+    }
+    [[nodiscard]] static bool is_query(const jaus::header& head) noexcept {
+        return jaus::report_code_of(head.command_code) != 0;
+    }
+
+    slave_front& front_;
+    stop_debt debt_;
+    std::array<jaus::header, 16> waiting_{}; // state commands that the actuator has not confirmed
+    std::size_t waiting_count_{};
+    bool motion_is_dropped_{}; // commands that wait are refused at the next opportunity
+    bool was_at_rest_{};       // the component was not ready when the slave was lost
+    jaus::component_memory<16, 256, 4096> memory_{};
+    jaus::component<> core_;
+};
+
+} // namespace jauscat::bridge

@@ -1,0 +1,17 @@
+// JAUS by process data: the commands and queries of one component that travel in a slave's outputs and inputs.
+#pragma once
+#include <jauscat/ethercat/image_exchange.hpp>
+#include <jauscat/schema/translation/wrench_effort_image.hpp>
+
+namespace jauscat::bridge {
+
+/// Which messages go by process data: `command_table` into the outputs, `report_table` from the inputs, `query` asks
+/// for the report, `component` is the JAUS component ID they are for.
+struct wrench_effort_path {
+    using command_table = translation::set_wrench_effort_table;
+    using report_table = translation::report_wrench_effort_table;
+    using query = jaus::query_wrench_effort;
+    static constexpr std::uint8_t component = 33; // Primitive Driver
+};
+
+} // namespace jauscat::bridge

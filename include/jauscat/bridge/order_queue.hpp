@@ -1,0 +1,137 @@
+// Messages that wait for their slave: first in, first out; of motion commands only the newest of a sender and code.
+#pragma once
+#include <jauscat/bridge/supersede.hpp>
+#include <jauscat/jaus/message.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace jauscat::bridge {
+
+/// Time since any epoch, as the caller counts it.
+using time_point = std::chrono::nanoseconds;
+
+class component;
+
+/// A message that waits for its slave: a place in the memory of an order_queue.
+struct order {
+    jaus::header header{};  ///< as it came
+    component* unit{};      ///< whose it is
+    time_point expires{};   ///< refused if it still waits then
+    std::uint16_t size{};   ///< bytes of the body
+    std::uint64_t number{}; ///< order of arrival; 0: the place is free
+};
+
+/// The memory of an order_queue: `Orders` messages of at most `Size` bytes of body.
+template <std::size_t Orders = 16, std::size_t Size = 1532> struct order_memory {
+    std::array<order, Orders> orders{};
+    std::array<std::byte, Orders * Size> bodies{};
+};
+
+/// How a message was queued.
+enum class queued : std::uint8_t {
+    last,      ///< behind all others
+    merged,    ///< into an older command of the same sender and code, whose place it takes
+    full,      ///< not queued: no free place
+    too_large, ///< not queued: the body does not fit a place
+};
+
+class order_queue {
+  public:
+    using bytes = std::span<const std::byte>;
+
+    /// The memory must outlive this.
+    template <std::size_t Orders, std::size_t Size>
+    constexpr explicit order_queue(order_memory<Orders, Size>& memory) noexcept
+        : orders_{memory.orders}, bodies_{memory.bodies} {}
+
+    /// Queues a message. Where it supersedes a waiting command of the same sender, `superseded(const header&)` gets the
+    /// older one's header; fields that only the older one carries are kept.
+    constexpr queued push(const order& message, bytes body, auto&& superseded) {
+        if (body.size() > share()) return queued::too_large;
+        if (order* const older = superseded_by(message)) {
+            const auto place = body_place(*older);
+            const auto size = merge(message.header.command_code, place.first(older->size), body, place);
+            if (size) {
+                superseded(std::as_const(older->header));
+                older->header = message.header;
+                older->expires = message.expires;
+                older->size = static_cast<std::uint16_t>(*size);
+                return queued::merged;
+            }
+        }
+        const auto free = std::ranges::find(orders_, std::uint64_t{}, &order::number);
+        if (free == orders_.end()) return queued::full;
+        *free = message;
+        free->size = static_cast<std::uint16_t>(body.size());
+        free->number = ++last_number_;
+        std::ranges::copy(body, body_place(*free).begin());
+        return queued::last;
+    }
+
+    /// The oldest message for which `wanted(const order&)` holds; nullptr where there is none.
+    [[nodiscard]] constexpr const order* first(auto&& wanted) const {
+        const order* found = nullptr;
+        for (const order& each : orders_)
+            if (each.number != 0 && wanted(each) && (found == nullptr || each.number < found->number)) found = &each;
+        return found;
+    }
+    /// Its body.
+    [[nodiscard]] constexpr bytes body(const order& message) const noexcept {
+        return body_place(message).first(message.size);
+    }
+    /// Frees the place of a message of this queue.
+    constexpr void remove(const order& message) noexcept { orders_[index(message)].number = 0; }
+    /// Removes each message for which `unwanted(const order&)` holds; `dropped(const order&)` gets it.
+    constexpr void remove_if(auto&& unwanted, auto&& dropped) {
+        for (order& each : orders_) {
+            if (each.number == 0 || !unwanted(std::as_const(each))) continue;
+            const order gone = each;
+            each.number = 0;
+            dropped(gone);
+        }
+    }
+    /// When the first of the waiting messages expires.
+    [[nodiscard]] constexpr std::optional<time_point> next_expiry() const noexcept {
+        const order* const found = earliest();
+        return found == nullptr ? std::nullopt : std::optional{found->expires};
+    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(orders_, [](const order& each) { return each.number != 0; }));
+    }
+
+  private:
+    [[nodiscard]] constexpr std::size_t share() const noexcept { return bodies_.size() / orders_.size(); }
+    [[nodiscard]] constexpr std::size_t index(const order& of) const noexcept {
+        return static_cast<std::size_t>(&of - orders_.data());
+    }
+    [[nodiscard]] constexpr std::span<std::byte> body_place(const order& of) const noexcept {
+        return bodies_.subspan(index(of) * share(), share());
+    }
+    [[nodiscard]] constexpr const order* earliest() const noexcept {
+        const order* found = nullptr;
+        for (const order& each : orders_)
+            if (each.number != 0 && (found == nullptr || each.expires < found->expires)) found = &each;
+        return found;
+    }
+    [[nodiscard]] constexpr order* superseded_by(const order& newer) const noexcept {
+        if (!is_superseding(newer.header.command_code)) return nullptr;
+        const auto found = std::ranges::find_if(orders_, [&](const order& each) {
+            return each.number != 0 && each.unit == newer.unit && each.header.source == newer.header.source &&
+                   each.header.command_code == newer.header.command_code;
+        });
+        return found == orders_.end() ? nullptr : &*found;
+    }
+
+    std::span<order> orders_;
+    std::span<std::byte> bodies_;
+    std::uint64_t last_number_{};
+};
+
+} // namespace jauscat::bridge

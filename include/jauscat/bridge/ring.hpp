@@ -1,0 +1,692 @@
+// The slaves of one link and the components in front of them: frames, messages and time in, frames and messages out. It
+// never waits: while one transfer runs, messages are taken, and stop orders overtake them.
+#pragma once
+#include <jauscat/bridge/component.hpp>
+#include <jauscat/bridge/image_path.hpp>
+#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/packet_exchange.hpp>
+#include <jauscat/ethercat/packet_job.hpp>
+#include <jauscat/ethercat/process_data.hpp>
+#include <jauscat/schema/jaus/communications.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace jauscat::bridge {
+
+/// `Table` translates messages to SDO packets, `Image` says which go by the process data of cyclic slaves.
+///
+/// Call `on_time` at `next_event()` and after the components have got messages, `on_frame` for each frame that arrives,
+/// and after either send what `next_frame` gives until it gives nothing. `out` takes the JAUS messages:
+/// acknowledgements and reports.
+template <class Table, class Image = wrench_effort_path> class ring {
+  public:
+    using bytes = std::span<const std::byte>;
+    using time = time_point;
+
+    /// The options must outlive it.
+    explicit ring(const bridge_options& options) noexcept : options_{options}, master_{options.master} {}
+    ring(const ring&) = delete;
+    ring& operator=(const ring&) = delete;
+
+    /// A slave of this link; before the first frame. It must outlive the ring. False where there is no room.
+    bool add(slave_front& front) noexcept {
+        if (place_count_ == places_.size()) return false;
+        places_[place_count_++].front = &front;
+        return true;
+    }
+
+    /// Takes a frame that arrived. False if it was not waited for: it may be another master's.
+    bool on_frame(bytes frame, time now, jaus::message_sink out) {
+        const bool was_taken = data_.on_frame(frame) || master_.on_frame(frame, now);
+        on_time(now, out);
+        return was_taken;
+    }
+    void on_time(time now, jaus::message_sink out) {
+        master_.on_time(now);
+        watch_cycles(now, out);
+        refuse_expired(now, out);
+        use_images(now, out);
+        stop_what_hinders(now);
+        while (master_.idle() && advance(now, out)) {}
+    }
+    /// Writes the next frame to `frame`, which holds 1514 bytes, and returns its size; 0 when there is nothing to send
+    /// now.
+    std::size_t next_frame(std::span<std::byte> frame, time now) {
+        if (cycles() && now >= next_cycle_) {
+            // What was missed is left out: the freshest outputs count.
+            next_cycle_ = std::max(next_cycle_ + options_.period, now + options_.period / 2);
+            if (const auto size = data_.next_frame(frame, now)) return size;
+        }
+        if (cycles() && next_cycle_ - now <= reserve()) return 0; // the process data must not wait behind it
+        return master_.next_frame(frame, now);
+    }
+    /// The link has not taken the last frame.
+    void not_sent() noexcept { master_.cancel(ethercat::master_errc::not_sent); }
+
+    /// When `on_time` or `next_frame` will next have something to do, if nothing arrives first.
+    [[nodiscard]] std::optional<time> next_event() const {
+        std::optional<time> next;
+        const auto consider = [&](std::optional<time> other) {
+            if (other && (!next || *other < *next)) next = other;
+        };
+        if (!master_.idle()) {
+            auto frame = master_.next_event();
+            if (frame && cycles() && next_cycle_ - *frame <= reserve()) frame = std::max(*frame, next_cycle_);
+            consider(frame);
+            if (const auto hindered = hindered_until()) consider(*hindered);
+        }
+        if (cycles()) consider(next_cycle_);
+        for (const place& each : places()) {
+            consider(each.front->orders().next_expiry());
+            if (master_.idle()) consider(next_work_of(each));
+        }
+        return next;
+    }
+
+    /// Every actuator that can be reached has confirmed that it stops.
+    [[nodiscard]] bool at_rest() const noexcept {
+        return std::ranges::all_of(places(), [](const place& each) {
+            return !each.front->up() || std::ranges::none_of(each.front->components(), [](const component* unit) {
+                return unit->debt().owes_stop();
+            });
+        });
+    }
+    /// The program ends: see component::shut_down. Goes on until `at_rest`.
+    void shut_down(time now, jaus::message_sink out) {
+        ends_ = true;
+        for (place& each : places())
+            for (component* unit : each.front->components()) unit->shut_down(now, out);
+    }
+
+    [[nodiscard]] const ethercat::master& master() const noexcept { return master_; }
+    [[nodiscard]] const ethercat::process_data& process_data() const noexcept { return data_; }
+    /// How the last attempt to bring the slave up ended.
+    [[nodiscard]] const ethercat::outcome& bring_up_result(const slave_front& front) const noexcept {
+        const auto found = std::ranges::find(places(), &front, &place::front);
+        static constexpr ethercat::outcome none{};
+        return found == places().end() ? none : found->bring_up;
+    }
+
+  private:
+    using exchange_type = ethercat::packet_exchange<Table>;
+    using image_type = ethercat::image_exchange<typename Image::command_table, typename Image::report_table>;
+    static constexpr std::size_t message_size = jaus::header_size + jaus::max_body_size;
+    static constexpr std::size_t waiting_capacity = 16;
+
+    enum class phase : std::uint8_t {
+        absent,     // next: bring_up
+        pre_op,     // cyclic: next is configure
+        configured, // next: SAFE-OP
+        safe_op,    // next: OP; its process data are exchanged from here on
+        settling,   // in OP; until its inputs are there
+        up,
+    };
+    // A command that the slave has not yet taken out of its outputs.
+    struct image_wait {
+        component* unit{};
+        jaus::header header{}; // data_size 0: a stop order
+        typename image_type::counter count{};
+        time deadline{};
+        bool is_stop{};
+    };
+    struct place {
+        slave_front* front{};
+        phase at{};
+        ethercat::outcome bring_up{};
+        time next_try = time::min();
+        time next_check{};
+        time next_keep_alive{};
+        time last_heard{};
+        bool takes_keep_alive{true};
+        bool has_mail{};
+        bool is_exchanged{};     // its process data are in data_
+        bool has_rest_outputs{}; // no command but zeros stands in its outputs
+        std::optional<image_type> image{};
+        std::array<image_wait, waiting_capacity> waiting{};
+        std::size_t waiting_count{};
+    };
+    // What the master's present job is for.
+    enum class work : std::uint8_t { none, bring_up, configure, safe_op, op, check, collect, message };
+    enum class purpose : std::uint8_t { order, stop, keep_alive };
+
+    [[nodiscard]] std::span<place> places() noexcept { return std::span{places_}.first(place_count_); }
+    [[nodiscard]] std::span<const place> places() const noexcept { return std::span{places_}.first(place_count_); }
+    [[nodiscard]] bool cycles() const noexcept { return exchanged_ != 0; }
+    [[nodiscard]] time reserve() const noexcept { return options_.period / 4; }
+
+    // ---- The master's next job, in the order of urgency.
+
+    // True where something was done and there may be more.
+    bool advance(time now, jaus::message_sink out) {
+        if (work_ != work::none) {
+            complete(now, out);
+            return true;
+        }
+        for (place& each : places())
+            if (begin_stop(each, now, out)) return true;
+        // Round robin: no slave waits for more than one job of each of the others.
+        for (std::size_t i = 0; i != place_count_; ++i) {
+            place& each = places_[(last_served_ + 1 + i) % place_count_];
+            if (!begin_other(each, now, out)) continue;
+            last_served_ = static_cast<std::size_t>(&each - places_.data());
+            return true;
+        }
+        return false;
+    }
+
+    bool begin_stop(place& at, time now, jaus::message_sink out) {
+        if (!at.front->up()) return false;
+        for (component* unit : at.front->components()) {
+            const auto what = unit->debt().next();
+            if (!what || unit->debt().next_attempt() > now) continue;
+            if (*what == stop_order::rest && by_image(at, *unit)) continue; // see use_images
+            unit_ = unit;
+            stop_ = *what;
+            const auto size = unit->stop_message(*what, message_);
+            begin_message(at, purpose::stop, size, now, out);
+            return true;
+        }
+        return false;
+    }
+
+    bool begin_other(place& at, time now, jaus::message_sink out) {
+        switch (at.at) {
+        case phase::absent: return now >= at.next_try && !ends_ && begin_bring_up(at);
+        case phase::pre_op:
+            return begin_job(at, work::configure, master_.configure(at.front->station(), options_.watchdog));
+        case phase::configured:
+            return begin_job(at, work::safe_op, master_.change_state(at.front->station(), ethercat::al_state::safe_op));
+        case phase::safe_op:
+            return begin_job(at, work::op, master_.change_state(at.front->station(), ethercat::al_state::op));
+        case phase::settling: return false;
+        case phase::up: break;
+        }
+        if (at.has_mail) return begin_job(at, work::collect, master_.collect_emergencies(at.front->station()));
+        if (!at.front->options().cyclic && now >= at.next_check) return begin_check(at);
+        if (begin_order(at, now, out)) return true;
+        return begin_keep_alive(at, now, out);
+    }
+
+    bool begin_job(place& at, work what, bool started) {
+        served_ = &at;
+        was_cancelled_ = false;
+        work_ = started ? what : work::none;
+        return started;
+    }
+    bool begin_bring_up(place& at) {
+        const auto& slave = at.front->options();
+        return begin_job(at, work::bring_up, master_.bring_up(slave.position, slave.identity.station));
+    }
+    bool begin_check(place& at) {
+        return begin_job(at, work::check,
+                         master_.exchange(ethercat::command::fprd, at.front->station(),
+                                          ethercat::esc_registers::al_status.address, status_));
+    }
+    bool begin_order(place& at, time now, jaus::message_sink out) {
+        auto& orders = at.front->orders();
+        const order* const next = orders.first([](const order&) { return true; });
+        if (next == nullptr) return false;
+        unit_ = next->unit;
+        order_ = *next;
+        jaus::header head = order_.header;
+        head.destination = unit_->self(); // also where all of a level are meant
+        const auto size = jaus::join(head, orders.body(*next), message_);
+        orders.remove(*next);
+        begin_message(at, purpose::order, size ? size.size() : 0, now, out);
+        return true;
+    }
+    bool begin_keep_alive(place& at, time now, jaus::message_sink out) {
+        if (at.front->options().cyclic || options_.keep_alive == time{} || !at.takes_keep_alive ||
+            now < at.next_keep_alive || at.front->components().empty())
+            return false;
+        unit_ = at.front->components().front();
+        const auto size = jaus::make_message({.destination = unit_->self(), .source = unit_->self()},
+                                             jaus::report_heartbeat_pulse{}, message_);
+        begin_message(at, purpose::keep_alive, size.size(), now, out);
+        return true;
+    }
+
+    void begin_message(place& at, purpose what, std::size_t size, time now, jaus::message_sink out) {
+        served_ = &at;
+        work_ = work::message;
+        purpose_ = what;
+        was_cancelled_ = false;
+        exchange_.emplace(at.front->options().identity);
+        take_step(exchange_->begin(std::span{message_}.first(size), packet_), now, out);
+    }
+    // A request packet is executed by the master; any other step ends the exchange.
+    void take_step(const ethercat::exchange_step& step, time now, jaus::message_sink out) {
+        if (step.what != ethercat::exchange_progress::request) return end_message(step, now, out);
+        const auto packet = std::span{packet_}.first(step.size);
+        tell_packet(packet);
+        job_.emplace(packet, confirmation_, ethercat::packet_options{.download = options_.download});
+        if (!job_->start(master_)) confirm(now, out);
+    }
+    void confirm(time now, jaus::message_sink out) {
+        const auto size = job_->finish(job_->result());
+        take_step(exchange_->on_confirmation(std::span{confirmation_}.first(size), packet_), now, out);
+    }
+    void tell_packet(bytes packet) const {
+        if (purpose_ == purpose::keep_alive) return;
+        auto& watcher = served_->front->watcher();
+        hilscher::packet_header head{};
+        static_cast<void>(wire::decode_prefix(head, packet));
+        if (head.ul_cmd == hilscher::packet_command::sdo_upload_req)
+            watcher.asks_report(*served_->front, packet);
+        else
+            watcher.translated(*served_->front, packet);
+    }
+
+    // ---- What its end means.
+
+    void complete(time now, jaus::message_sink out) {
+        if (work_ == work::message) {
+            if (job_->next(master_)) return;
+            return confirm(now, out);
+        }
+        place& at = *served_;
+        const auto result = master_.result();
+        switch (std::exchange(work_, work::none)) {
+        case work::bring_up: return brought_up(at, result, now, out);
+        case work::configure: return set_up(at, result, phase::configured, now, out);
+        case work::safe_op: return set_up(at, result, phase::safe_op, now, out);
+        case work::op: return set_up(at, result, phase::settling, now, out);
+        case work::check: return checked(at, result, now, out);
+        case work::collect: at.has_mail = false; return tell_emergencies(at);
+        default: return;
+        }
+    }
+
+    void brought_up(place& at, const ethercat::outcome& result, time now, jaus::message_sink out) {
+        at.bring_up = result;
+        at.next_try = jaus::later(now, options_.bring_up_interval);
+        if (!result) return at.front->watcher().bring_up_failed(*at.front, result);
+        heard(at, now);
+        at.next_check = jaus::later(now, options_.check_interval);
+        at.takes_keep_alive = true;
+        at.at = at.front->options().cyclic ? phase::pre_op : phase::up;
+        at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), at.at == phase::up);
+        if (at.at == phase::up) ready(at, now, out);
+    }
+    void set_up(place& at, const ethercat::outcome& result, phase next, time now, jaus::message_sink out) {
+        if (!result) {
+            at.bring_up = result;
+            return lose(at, loss::no_process_data, result, now, out);
+        }
+        at.at = next;
+        if (next == phase::safe_op) rebuild_process_data(now);
+        if (next == phase::settling) settling_until_ = jaus::later(now, options_.master.state_timeout);
+    }
+    void ready(place& at, time now, jaus::message_sink out) {
+        at.at = phase::up;
+        heard(at, now);
+        at.front->set_up(true);
+        for (component* unit : at.front->components()) unit->on_slave_up();
+        static_cast<void>(out);
+    }
+    void checked(place& at, const ethercat::outcome& result, time now, jaus::message_sink out) {
+        using namespace ethercat;
+        at.next_check = jaus::later(now, options_.check_interval);
+        if (!result) {
+            if (now - at.last_heard >= options_.longest_mailbox_silence) lose(at, loss::no_answer, result, now, out);
+            return;
+        }
+        al_status status{};
+        const bool is_known = wire::decode_prefix(status, status_).error() == wire::errc::ok;
+        if (result.detail != 1) return lose(at, loss::no_station, result, now, out);
+        const bool works =
+            status.state == al_state::pre_op || status.state == al_state::safe_op || status.state == al_state::op;
+        if (!is_known || !works)
+            return lose(at, loss::left_state,
+                        {.error = master_errc::al_error, .detail = static_cast<std::uint32_t>(status.code)}, now, out);
+        heard(at, now);
+        at.has_mail = false;
+    }
+    void tell_emergencies(place& at) {
+        const auto* const record = master_.find(at.front->station());
+        if (record == nullptr) return;
+        for (const auto& each : record->emergencies.kept()) at.front->watcher().slave_emergency(*at.front, each);
+        master_.clear_emergencies(at.front->station());
+    }
+    static void heard(place& at, time now) noexcept { at.last_heard = now; }
+
+    void end_message(const ethercat::exchange_step& step, time now, jaus::message_sink out) {
+        work_ = work::none;
+        place& at = *served_;
+        const bool was_executed = step.what == ethercat::exchange_progress::done;
+        const auto result = job_ ? job_->result() : ethercat::outcome{};
+        const refusal_reason why{.why = exchange_->error() != translate::errc::ok ? refusal::not_translated
+                                                                                  : refusal::by_slave,
+                                 .error = exchange_->error(),
+                                 .status = exchange_->status(),
+                                 .outcome = result};
+        const bool answers = was_executed || is_of_slave(result);
+        if (answers) {
+            heard(at, now);
+            at.next_keep_alive = jaus::later(now, options_.keep_alive);
+        }
+        const auto report = std::span{packet_}.first(was_executed ? step.size : 0);
+        job_.reset();
+        switch (purpose_) {
+        case purpose::order: end_order(was_executed, report, why, now, out); break;
+        case purpose::stop: end_stop(was_executed, why, now, out); break;
+        case purpose::keep_alive:
+            if (was_executed || !answers) break;
+            at.takes_keep_alive = false;
+            at.front->watcher().no_keep_alive(*at.front, why);
+            break;
+        }
+        tell_emergencies(at);
+        if (!answers && !was_cancelled_) lose(at, loss::no_answer, result, now, out);
+    }
+    // The slave has said no, and so is there.
+    static bool is_of_slave(const ethercat::outcome& result) noexcept {
+        using enum ethercat::master_errc;
+        return result.error == ok || result.error == sdo_abort || result.error == clear_refused ||
+               result.error == mailbox_error || result.error == data_too_long;
+    }
+    void end_order(bool was_executed, bytes report, const refusal_reason& why, time now, jaus::message_sink out) {
+        if (!was_executed) return unit_->on_not_executed(order_.header, why, now, out);
+        if (!report.empty()) send(*unit_, report, out);
+        unit_->on_executed(order_.header, now, out);
+    }
+    void end_stop(bool was_executed, const refusal_reason& why, time now, jaus::message_sink out) {
+        if (was_executed) return unit_->on_confirmed(stop_, now, out);
+        using enum ethercat::abort_code;
+        const auto code = static_cast<ethercat::abort_code>(why.outcome.detail);
+        const bool is_unknown =
+            (why.outcome.error == ethercat::master_errc::sdo_abort && (code == no_object || code == no_subindex)) ||
+            why.error == translate::errc::unknown_index;
+        unit_->on_refused(stop_, is_unknown, why, now, out);
+    }
+    void send(const component& unit, bytes message, jaus::message_sink out) const {
+        out(message);
+        unit.front().watcher().sent(unit, message);
+    }
+
+    // ---- What ends by time.
+
+    // A job that stands in the way of a stop order is given up; one that is itself a stop order is not.
+    [[nodiscard]] std::optional<time> hindered_until() const {
+        if (master_.idle() || (work_ == work::message && purpose_ == purpose::stop)) return std::nullopt;
+        for (const place& each : places()) {
+            if (!each.front->up()) continue;
+            for (const component* unit : each.front->components())
+                if (unit->debt().next() && unit->debt().owes_stop() && hindered_since_)
+                    return *hindered_since_ + options_.stop_patience;
+        }
+        return std::nullopt;
+    }
+    void stop_what_hinders(time now) {
+        const bool stop_waits = std::ranges::any_of(places(), [&](const place& each) {
+            return each.front->up() && std::ranges::any_of(each.front->components(), [&](const component* unit) {
+                       return unit->debt().owes_stop() && unit->debt().next_attempt() <= now &&
+                              !(unit->debt().next() == stop_order::rest && by_image(each, *unit));
+                   });
+        });
+        const bool is_hindered =
+            stop_waits && !master_.idle() && !(work_ == work::message && purpose_ == purpose::stop);
+        if (!is_hindered) return hindered_since_.reset();
+        if (!hindered_since_) hindered_since_ = now;
+        if (now - *hindered_since_ < options_.stop_patience) return;
+        was_cancelled_ = true;
+        master_.cancel(ethercat::master_errc::timeout);
+        hindered_since_.reset();
+    }
+    void refuse_expired(time now, jaus::message_sink out) {
+        for (place& each : places())
+            each.front->orders().remove_if([&](const order& waiting) { return waiting.expires <= now; },
+                                           [&](const order& late) {
+                                               late.unit->on_not_executed(late.header, {.why = refusal::expired}, now,
+                                                                          out);
+                                           });
+    }
+    [[nodiscard]] std::optional<time> next_work_of(const place& at) const {
+        switch (at.at) {
+        case phase::absent: return ends_ ? std::nullopt : std::optional{at.next_try};
+        case phase::pre_op:
+        case phase::configured:
+        case phase::safe_op: return time::min();
+        case phase::settling: return settling_until_;
+        case phase::up: break;
+        }
+        if (at.has_mail || at.front->orders().size() != 0) return time::min();
+        std::optional<time> next;
+        const auto consider = [&](time other) { next = next ? std::min(*next, other) : other; };
+        for (const component* unit : at.front->components())
+            if (unit->debt().next()) consider(unit->debt().next_attempt());
+        if (!at.front->options().cyclic) {
+            consider(at.next_check);
+            if (at.takes_keep_alive && options_.keep_alive != time{}) consider(at.next_keep_alive);
+        }
+        return next;
+    }
+
+    void lose(place& at, loss what, const ethercat::outcome& why, time now, jaus::message_sink out) {
+        const bool was_up = at.front->up();
+        at.at = phase::absent;
+        at.next_try = was_up ? now : jaus::later(now, options_.bring_up_interval);
+        at.front->set_up(false);
+        at.image.reset();
+        at.front->watcher().slave_lost(*at.front, what, why);
+        for (const image_wait& each : std::span{at.waiting}.first(std::exchange(at.waiting_count, 0)))
+            if (!each.is_stop) each.unit->on_not_executed(each.header, {.why = refusal::slave_down}, now, out);
+        at.front->orders().remove_if([](const order&) { return true; },
+                                     [&](const order& each) {
+                                         each.unit->on_not_executed(each.header, {.why = refusal::slave_down}, now,
+                                                                    out);
+                                     });
+        if (was_up)
+            for (component* unit : at.front->components()) unit->on_slave_lost(now, out);
+        if (at.front->options().cyclic) rebuild_process_data(now);
+    }
+
+    // ---- Process data.
+
+    [[nodiscard]] static bool is_exchanged(const place& at) noexcept {
+        return at.front->options().cyclic && at.at >= phase::safe_op;
+    }
+    // Of the slaves in SAFE-OP and OP, with the outputs that they have.
+    void rebuild_process_data(time now) {
+        std::array<ethercat::slave_record, ethercat::slave_capacity> records{};
+        std::size_t count = 0;
+        for (place& each : places()) {
+            const auto* const record = master_.find(each.front->station());
+            if (is_exchanged(each) && record != nullptr) records[count++] = *record;
+        }
+        ethercat::process_data next{std::span{std::as_const(records)}.first(count), {.watch_slaves = true}};
+        for (place& each : places()) {
+            const bool stays = std::exchange(each.is_exchanged, is_exchanged(each)) && each.is_exchanged;
+            const auto* const record = master_.find(each.front->station());
+            if (stays && record != nullptr) std::ranges::copy(data_.outputs(*record), next.outputs(*record).begin());
+        }
+        if (exchanged_ == 0) next_cycle_ = now;
+        data_ = next;
+        exchanged_ = count;
+    }
+    [[nodiscard]] static bool by_image(const place& at, const component& unit) noexcept {
+        return at.image.has_value() && unit.self().component == Image::component;
+    }
+    [[nodiscard]] std::span<std::byte> outputs(const place& at) {
+        const auto* const record = master_.find(at.front->station());
+        return record == nullptr ? std::span<std::byte>{} : data_.outputs(*record);
+    }
+    [[nodiscard]] bytes inputs(const place& at) const {
+        const auto* const record = master_.find(at.front->station());
+        return record == nullptr ? bytes{} : data_.inputs(*record);
+    }
+    [[nodiscard]] ethercat::slave_status status(const place& at) const {
+        const auto* const record = master_.find(at.front->station());
+        return record == nullptr ? ethercat::slave_status{} : data_.status(*record);
+    }
+
+    // What the cycles say of each slave.
+    void watch_cycles(time now, jaus::message_sink out) {
+        for (place& each : places()) {
+            if (!is_exchanged(each)) continue;
+            const auto seen = status(each);
+            using enum ethercat::slave_condition;
+            if (each.at == phase::settling) {
+                if (seen.condition == running)
+                    start_image(each, now, out);
+                else if (now >= settling_until_)
+                    lose(each, loss::no_process_data, {.error = ethercat::master_errc::working_counter}, now, out);
+                continue;
+            }
+            if (each.at != phase::up) continue;
+            if (seen.last_running) each.last_heard = std::max(each.last_heard, *seen.last_running);
+            each.has_mail = seen.mail_waits;
+            const ethercat::outcome state{.error = ethercat::master_errc::al_error,
+                                          .detail = static_cast<std::uint32_t>(seen.al.code)};
+            if (seen.condition == absent)
+                lose(each, loss::no_station, {.error = ethercat::master_errc::working_counter}, now, out);
+            else if (seen.condition == not_in_op)
+                lose(each, loss::left_state, state, now, out);
+            else if (now - each.last_heard >= options_.longest_silence)
+                lose(each, loss::no_answer, {.error = ethercat::master_errc::no_reply}, now, out);
+        }
+    }
+    void start_image(place& at, time now, jaus::message_sink out) {
+        at.image.emplace(at.front->options().identity, Image::component);
+        if (!at.image->start(outputs(at), inputs(at)))
+            return lose(at, loss::no_process_data, {.error = ethercat::master_errc::size_mismatch}, now, out);
+        at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), true);
+        ready(at, now, out);
+    }
+
+    // Messages that go by process data, and the slave's confirmations of those that went.
+    void use_images(time now, jaus::message_sink out) {
+        for (place& each : places()) {
+            if (each.at != phase::up || !each.image) continue;
+            take_confirmations(each, now, out);
+            for (component* unit : each.front->components()) put_rest(each, *unit, now);
+            put_orders(each, now, out);
+        }
+    }
+    // In an emergency the slave is told by mailbox; its outputs are brought to rest all the same.
+    void put_rest(place& at, component& unit, time now) {
+        const auto& debt = unit.debt();
+        if (!by_image(at, unit) || !debt.owes_stop()) return;
+        const bool is_awaited = debt.next() == stop_order::rest && debt.next_attempt() <= now;
+        const auto waits = std::span{at.waiting}.first(at.waiting_count);
+        if (std::ranges::any_of(waits, [&](const image_wait& each) { return each.is_stop && each.unit == &unit; }) ||
+            (at.has_rest_outputs && !is_awaited))
+            return;
+        const auto size = unit.stop_message(stop_order::rest, message_);
+        const auto parts = jaus::split(bytes{message_}.first(size));
+        put_command(at, unit, parts.header, parts.body, true, now);
+        at.has_rest_outputs = true;
+        if (!is_awaited) --at.waiting_count;
+    }
+    void put_orders(place& at, time now, jaus::message_sink out) {
+        auto& orders = at.front->orders();
+        while (const order* const next = orders.first([&](const order& each) {
+            return each.unit->self().component == Image::component && at.image->takes(addressed(each));
+        })) {
+            const order taken = *next;
+            component& unit = *taken.unit;
+            if (unit.debt().next()) return; // after the stop order
+            const auto body = orders.body(*next);
+            orders.remove(*next);
+            if (taken.header.command_code == image_type::command_code) {
+                if (const auto why = put_command(at, unit, taken.header, body, false, now))
+                    unit.on_not_executed(taken.header, *why, now, out);
+            } else {
+                answer_from_inputs(at, unit, taken, body, now, out);
+            }
+        }
+    }
+    [[nodiscard]] static jaus::header addressed(const order& each) noexcept {
+        jaus::header head = each.header;
+        head.destination = each.unit->self();
+        return head;
+    }
+
+    // Nothing where it is in the outputs; else why not.
+    std::optional<refusal_reason> put_command(place& at, component& unit, const jaus::header& head, bytes body,
+                                              bool is_stop, time now) {
+        if (at.waiting_count == at.waiting.size()) return refusal_reason{.why = refusal::queue_full};
+        jaus::header plain = head;
+        plain.ack_nak = jaus::ack_nak::none; // acknowledged by the component
+        at.has_rest_outputs = false;
+        const auto error = at.image->on_command(plain, body, outputs(at), inputs(at), now);
+        if (error != translate::errc::ok) return refusal_reason{.why = refusal::not_translated, .error = error};
+        const auto count = at.image->given(outputs(at));
+        at.waiting[at.waiting_count++] = {&unit, head, count, jaus::later(now, options_.longest_silence), is_stop};
+        at.front->watcher().into_image(*at.front, count, outputs(at));
+        return std::nullopt;
+    }
+    void answer_from_inputs(place& at, component& unit, const order& query, bytes body, time now,
+                            jaus::message_sink out) {
+        const auto seen = status(at);
+        if (!seen.has_inputs_within(options_.longest_silence, now))
+            return unit.on_not_executed(query.header, {.why = refusal::stale}, now, out);
+        const auto size =
+            at.image->template on_query<typename Image::query>(addressed(query), body, inputs(at), packet_);
+        if (size == 0)
+            return unit.on_not_executed(
+                query.header, {.why = refusal::not_translated, .error = translate::errc::out_of_range}, now, out);
+        at.front->watcher().from_image(*at.front, inputs(at));
+        send(unit, bytes{packet_}.first(size), out);
+        unit.on_executed(query.header, now, out);
+    }
+    void take_confirmations(place& at, time now, jaus::message_sink out) {
+        const auto taken = at.image->taken(inputs(at));
+        std::size_t left = 0;
+        const std::size_t count = std::exchange(at.waiting_count, 0);
+        std::array<image_wait, waiting_capacity> over{};
+        std::size_t over_count = 0;
+        for (std::size_t i = 0; i != count; ++i) {
+            const image_wait each = at.waiting[i];
+            if (image_type::has_reached(each.count, taken) || now >= each.deadline)
+                over[over_count++] = each;
+            else
+                at.waiting[left++] = each;
+        }
+        at.waiting_count = left;
+        for (const image_wait& each : std::span{over}.first(over_count)) {
+            const bool was_taken = image_type::has_reached(each.count, taken);
+            if (each.is_stop && was_taken)
+                each.unit->on_confirmed(stop_order::rest, now, out);
+            else if (each.is_stop)
+                each.unit->on_refused(stop_order::rest, false, {.why = refusal::not_taken}, now, out);
+            else if (was_taken)
+                each.unit->on_executed(each.header, now, out);
+            else
+                each.unit->on_not_executed(each.header, {.why = refusal::not_taken}, now, out);
+        }
+    }
+
+    const bridge_options& options_;
+    ethercat::master master_;
+    ethercat::process_data data_{};
+    std::array<place, ethercat::slave_capacity> places_{};
+    std::size_t place_count_{};
+    std::size_t last_served_{};
+    std::size_t exchanged_{}; // slaves in the cyclic exchange
+    time next_cycle_{};
+    time settling_until_{};
+    bool ends_{};
+
+    work work_{};
+    place* served_{};
+    purpose purpose_{};
+    component* unit_{};
+    stop_order stop_{};
+    order order_{};
+    std::optional<time> hindered_since_{};
+    bool was_cancelled_{};
+    std::array<std::byte, wire::max_size<ethercat::al_status>> status_{};
+    std::optional<exchange_type> exchange_{};
+    std::optional<ethercat::packet_job> job_{};
+    std::array<std::byte, message_size> message_{};
+    std::array<std::byte, std::max(exchange_type::buffer_size, message_size)> packet_{};
+    std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation_{};
+};
+
+} // namespace jauscat::bridge

@@ -1,0 +1,56 @@
+// A slave as its components see it: whether it is there, and the messages that wait for it.
+#pragma once
+#include <jauscat/bridge/bridge_options.hpp>
+#include <jauscat/bridge/observer.hpp>
+#include <jauscat/bridge/order_queue.hpp>
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace jauscat::bridge {
+
+/// Components that one slave can have.
+inline constexpr std::size_t component_capacity = 8;
+
+/// Between the components in front of a slave and the ring that reaches it. Both refer to it.
+class slave_front {
+  public:
+    /// The memory, the options of the bridge and the observer must outlive this.
+    template <std::size_t Orders, std::size_t Size>
+    slave_front(const slave_options& options, const bridge_options& timing, order_memory<Orders, Size>& memory,
+                observer& watcher) noexcept
+        : options_{options}, timing_{timing}, watcher_{watcher}, orders_{memory} {}
+    slave_front(const slave_front&) = delete;
+    slave_front& operator=(const slave_front&) = delete;
+
+    [[nodiscard]] const slave_options& options() const noexcept { return options_; }
+    [[nodiscard]] const bridge_options& timing() const noexcept { return timing_; }
+    [[nodiscard]] std::uint16_t station() const noexcept { return options_.identity.station; }
+    /// Whether the slave answers and takes messages.
+    [[nodiscard]] bool up() const noexcept { return up_; }
+    void set_up(bool up) noexcept { up_ = up; }
+
+    [[nodiscard]] observer& watcher() const noexcept { return watcher_; }
+    [[nodiscard]] order_queue& orders() noexcept { return orders_; }
+    [[nodiscard]] std::span<component* const> components() const noexcept {
+        return std::span{components_}.first(component_count_);
+    }
+    /// False where there is no room for another.
+    bool add(component& unit) noexcept {
+        if (component_count_ == components_.size()) return false;
+        components_[component_count_++] = &unit;
+        return true;
+    }
+
+  private:
+    slave_options options_;
+    const bridge_options& timing_;
+    observer& watcher_;
+    order_queue orders_;
+    std::array<component*, component_capacity> components_{};
+    std::size_t component_count_{};
+    bool up_{};
+};
+
+} // namespace jauscat::bridge

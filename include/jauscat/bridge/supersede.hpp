@@ -1,0 +1,82 @@
+// Motion commands of which only the newest counts, and how an older one that still waits is merged into it.
+#pragma once
+#include <jauscat/schema/jaus/environment_sensor.hpp>
+#include <jauscat/schema/jaus/manipulator.hpp>
+#include <jauscat/schema/jaus/payload.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
+#include <jauscat/wire/decode.hpp>
+#include <jauscat/wire/encode.hpp>
+#include <jauscat/wire/raw.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace jauscat::bridge {
+
+/// Commands that set what an actuator does from now on, so that a newer one of the same sender replaces one that has
+/// not been executed. Waypoints, path segments and motions with a number are not among them: each of those counts.
+inline constexpr std::array<std::uint16_t, 10> superseding_commands{
+    jaus::set_wrench_effort::command_code,
+    jaus::set_global_vector::command_code,
+    jaus::set_local_vector::command_code,
+    jaus::set_travel_speed::command_code,
+    jaus::set_joint_efforts::command_code,
+    jaus::set_joint_positions::command_code,
+    jaus::set_joint_velocities::command_code,
+    jaus::set_end_effector_pose::command_code,
+    jaus::set_end_effector_velocity_state::command_code,
+    jaus::set_camera_pose::command_code,
+};
+
+[[nodiscard]] constexpr bool is_superseding(std::uint16_t command_code) noexcept {
+    return std::ranges::find(superseding_commands, command_code) != superseding_commands.end();
+}
+
+namespace detail {
+
+// Integers as on the wire: a field that both carry or only the older one carries keeps its exact value.
+template <class Message>
+constexpr std::optional<std::size_t> merge_fields(std::span<const std::byte> older, std::span<const std::byte> newer,
+                                                  std::span<std::byte> out) noexcept {
+    wire::raw<Message> merged{}, latest{};
+    if (!wire::decode(merged, older) || !wire::decode(latest, newer)) return std::nullopt;
+    [&]<auto... Members>(wire::key_list<Members...>) {
+        const auto copy = [](const auto& from, auto& to) {
+            if constexpr (requires { from.has_value(); }) {
+                if (from) to = from;
+            } else {
+                to = from;
+            }
+        };
+        (copy(latest.template slot<Members>(), merged.template slot<Members>()), ...);
+    }
+    (typename wire::layout_of<Message>::keys{});
+    const auto size = wire::encode(merged, out);
+    return size ? std::optional<std::size_t>{size.size()} : std::nullopt;
+}
+
+} // namespace detail
+
+/// Writes the command that stands for both to `out`, which may be the memory of `older`, and returns its size. Fields
+/// under a presence vector that `newer` leaves out are taken from `older`. Nothing where a body does not decode or
+/// `out` is too small; `out` is then unchanged.
+[[nodiscard]] constexpr std::optional<std::size_t> merge(std::uint16_t command_code, std::span<const std::byte> older,
+                                                         std::span<const std::byte> newer,
+                                                         std::span<std::byte> out) noexcept {
+    switch (command_code) {
+    case jaus::set_wrench_effort::command_code: return detail::merge_fields<jaus::set_wrench_effort>(older, newer, out);
+    case jaus::set_global_vector::command_code: return detail::merge_fields<jaus::set_global_vector>(older, newer, out);
+    case jaus::set_local_vector::command_code: return detail::merge_fields<jaus::set_local_vector>(older, newer, out);
+    case jaus::set_camera_pose::command_code: return detail::merge_fields<jaus::set_camera_pose>(older, newer, out);
+    default: // all fields are mandatory
+        if (newer.size() > out.size()) return std::nullopt;
+        std::ranges::copy(newer, out.begin());
+        return newer.size();
+    }
+}
+
+} // namespace jauscat::bridge

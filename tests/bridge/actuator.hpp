@@ -1,0 +1,188 @@
+// An emulated slave whose objects are JAUS messages, with faults on demand.
+#pragma once
+#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/ethercat/image_entries.hpp>
+#include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/jaus/copy_present.hpp>
+#include <jauscat/schema/jaus/messages.hpp>
+#include <jauscat/schema/translation/seed_table.hpp>
+#include <jauscat/schema/translation/wrench_effort_image.hpp>
+#include <jauscat/translate/image_translator.hpp>
+#include <jauscat/translate/object_list.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace test {
+
+namespace ethercat = jauscat::ethercat;
+namespace jaus = jauscat::jaus;
+
+/// What the actuator does, and what it was told: the code of each message that it has executed.
+class actuator {
+  public:
+    using table = jauscat::translation::seed_table;
+    using image = jauscat::translation::wrench_effort_image;
+
+    double effort{};  ///< the propulsive linear effort in x that is in force, in percent
+    bool emergency{}; ///< takes no efforts
+    std::vector<std::uint16_t> executed{};
+    std::vector<double> efforts{}; ///< each that was commanded, in order
+    /// The next writes of this code are aborted.
+    std::uint16_t abort_code_of{};
+    unsigned aborts{};
+    ethercat::abort_code abort{ethercat::abort_code::general};
+    unsigned aborted{}; ///< so many were
+
+    explicit actuator(std::uint8_t subsystem, std::uint16_t station)
+        : self_{.subsystem = subsystem, .station = station} {
+        reset();
+    }
+    /// As after power-on.
+    void reset() {
+        effort = 0;
+        emergency = false;
+    }
+
+    ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
+        using ethercat::abort_code;
+        const auto size = delivery::message_of({self_.station, index, subindex, data}, self_, message_);
+        if (!size) return abort_code::parameter_incompatible;
+        const auto parts = jaus::split(std::span<const std::byte>{message_}.first(size.size()));
+        const auto code = parts.header.command_code;
+        if (code == abort_code_of && aborts != 0) {
+            --aborts;
+            ++aborted;
+            return abort;
+        }
+        if (code == jaus::set_wrench_effort::command_code) {
+            if (emergency) return abort_code::device_state;
+            jaus::set_wrench_effort told{};
+            if (!jauscat::wire::decode(told, parts.body)) return abort_code::value_range;
+            drive(told);
+        }
+        if (code == jaus::set_emergency::command_code) {
+            emergency = true;
+            effort = 0;
+        }
+        if (code == jaus::clear_emergency::command_code) emergency = false;
+        if (code == jaus::query_wrench_effort::command_code) prepare(parts.header);
+        executed.push_back(code);
+        return abort_code::none;
+    }
+    ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
+        std::array<std::byte, delivery::translator::max_packet_size> packet{};
+        const auto size = delivery::translator::forth(report_, packet);
+        if (!size) return {ethercat::abort_code::no_data, 0};
+        const auto object = delivery::object_of(std::span{packet}.first(size.size()));
+        if (object.index != index || object.subindex != subindex) return {ethercat::abort_code::no_data, 0};
+        std::ranges::copy(object.data, out.begin());
+        return {ethercat::abort_code::none, object.data.size()};
+    }
+    /// Process data: outputs in OP into force, and what is in force into the inputs.
+    void work(ethercat::slave& slave) {
+        if (slave.take_outputs()) take(slave.outputs());
+        if (driven_ && slave.state() != ethercat::al_state::op) {
+            driven_ = false;
+            effort = 0;
+        }
+        give(slave.inputs());
+    }
+
+  private:
+    using delivery = ethercat::delivery<table>;
+    using command = jauscat::translate::image_translator<jauscat::translation::set_wrench_effort_table>;
+    using report = jauscat::translate::image_translator<jauscat::translation::report_wrench_effort_table>;
+
+    void drive(const jaus::set_wrench_effort& told) {
+        if (!told.propulsive_linear_effort_x) return;
+        effort = *told.propulsive_linear_effort_x;
+        efforts.push_back(effort);
+    }
+    void prepare(const jaus::header& query) {
+        jaus::header head = jaus::answer_to(query);
+        head.destination = head.source = query.destination;
+        std::array<std::byte, 256> bytes{};
+        const auto size =
+            jaus::make_message(head, jaus::report_wrench_effort{.propulsive_linear_effort_x = effort}, bytes);
+        report_.assign(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size.size()));
+    }
+    void take(std::span<const std::byte> written) {
+        image values{};
+        if (!jauscat::wire::decode(values, written) || values.command_count == taken_ || emergency) return;
+        taken_ = values.command_count;
+        std::array<std::byte, 64> body{};
+        const auto size = command::back(written, body);
+        jaus::set_wrench_effort told{};
+        if (!size || !jauscat::wire::decode(told, std::span<const std::byte>{body}.first(size.size()))) return;
+        driven_ = true;
+        drive(told);
+    }
+    void give(std::span<std::byte> inputs) const {
+        std::array<std::byte, report::image_size> bytes{};
+        static_cast<void>(jauscat::wire::encode(image{.command_count = taken_}, bytes));
+        std::array<std::byte, 64> body{};
+        const auto size = jauscat::wire::encode(jaus::report_wrench_effort{.propulsive_linear_effort_x = effort}, body);
+        if (inputs.size() == bytes.size() && size &&
+            report::forth(std::span<const std::byte>{body}.first(size.size()), bytes) == jauscat::translate::errc::ok)
+            std::ranges::copy(bytes, inputs.begin());
+    }
+
+    ethercat::slave_identity self_;
+    std::vector<std::byte> report_{};
+    std::array<std::byte, delivery::translator::max_message_size> message_{};
+    std::uint16_t taken_{};
+    bool driven_{};
+};
+
+/// The slave that it is behind.
+class emulated_actuator {
+  public:
+    static constexpr std::array objects{
+        jauscat::translate::object_list<actuator::table, 33, jaus::set_wrench_effort, jaus::query_wrench_effort,
+                                        jaus::report_wrench_effort, jaus::set_emergency, jaus::clear_emergency,
+                                        jaus::set_travel_speed, jaus::report_heartbeat_pulse>::description};
+
+    emulated_actuator(std::uint8_t subsystem, std::uint16_t station) : behind{subsystem, station} {}
+
+    /// A frame passes. False if the slave is dead: then it does not come back.
+    void pass(std::span<std::byte> frame, std::chrono::nanoseconds now) {
+        slave.process(frame);
+        slave.on_time(now);
+        behind.work(slave);
+    }
+    void power_cycle() {
+        slave.power_on();
+        behind.reset();
+    }
+
+    actuator behind;
+
+  private:
+    static constexpr std::span<const ethercat::pdo_entry> outputs{
+        ethercat::image_entries<actuator::image, ethercat::image_objects::outputs>};
+    static constexpr std::span<const ethercat::pdo_entry> inputs{
+        ethercat::image_entries<actuator::image, ethercat::image_objects::inputs>};
+    ethercat::slave_description description_{.vendor = 1,
+                                             .product = 2,
+                                             .mailbox_out_size = 256,
+                                             .mailbox_in_size = 256,
+                                             .name = "actuator",
+                                             .outputs = outputs,
+                                             .inputs = inputs};
+    ethercat::listed_objects list_{objects, behind, ethercat::size_rule::up_to_largest};
+    ethercat::standard_objects dictionary_{description_, list_};
+    std::array<std::byte, 4096> memory_{};
+
+  public:
+    ethercat::slave slave{description_, dictionary_, {.transfer_memory = memory_}};
+};
+
+} // namespace test

@@ -1,0 +1,157 @@
+// Messages and stop orders by process data.
+#include "rig.hpp"
+
+using namespace test;
+using jaus::ack_nak;
+using status = jaus::primary_status_code;
+
+TEST_CASE("a command by process data is acknowledged when the slave's inputs say that it has it") {
+    rig r{1, true};
+    r.run_until_ready();
+    const auto number = r.drive(50);
+    CHECK(!r.answer(number));
+    const auto took = r.run_until([&] { return r.answer(number).has_value(); });
+    CHECK(r.is_acknowledged(number));
+    CHECK(took <= 30ms);
+    CHECK(r.motor().effort == Approx(50).margin(0.01));
+    // Not by mailbox.
+    CHECK(std::ranges::count(r.motor().executed, jaus::set_wrench_effort::command_code) == 0);
+}
+
+TEST_CASE("a query is answered from fresh inputs, and refused when the cable is out") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.run(20ms);
+    r.tell(jaus::query_wrench_effort{.presence_vector = 1}, 0, ack_nak::none);
+    REQUIRE(r.received<jaus::report_wrench_effort>().size() == 1);
+    CHECK(r.received<jaus::report_wrench_effort>().front().propulsive_linear_effort_x == Approx(50).margin(0.01));
+    r.cable_is_out = true;
+    r.run(120ms);
+    const auto number = r.tell(jaus::query_wrench_effort{.presence_vector = 1});
+    r.run(100ms);
+    CHECK(r.received<jaus::report_wrench_effort>().size() == 1);
+    CHECK(r.is_refused(number));
+}
+
+TEST_CASE("a silent slave is lost by the clock within the limit, and the bridge goes on taking messages") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.cable_is_out = true;
+    const auto took = r.run_until([&] { return r.unit().state() == status::failure; });
+    CHECK(took <= 120ms);
+    CHECK(r.is_refused(r.drive(20)));
+    // The slave's own watchdog.
+    r.run_until([&] { return r.motor().effort == 0; }, 200ms);
+    r.cable_is_out = false;
+    r.run_until_ready();
+    const auto number = r.drive(30);
+    r.run_until([&] { return r.is_acknowledged(number); });
+}
+
+TEST_CASE("a slave that falls out of OP is lost within two cycles") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    std::array<std::byte, 64> frame{};
+    ethercat::frame_builder build{frame, 77};
+    build.add(ethercat::command::fpwr, 2, ethercat::esc_registers::al_control.address,
+              ethercat::al_control{.state = ethercat::al_state::safe_op});
+    const auto size = build.finish();
+    REQUIRE(size);
+    r.actuators[0].pass(std::span{frame}.first(size.size()), r.now);
+    const auto took = r.run_until([&] { return r.watcher.lost == 1; });
+    CHECK(took <= 21ms);
+    CHECK(r.watcher.last_loss == bridge::loss::left_state);
+    r.run_until([&] { return r.watcher.up == 2; });
+    CHECK(r.motor().effort == 0);
+}
+
+TEST_CASE("a slave that has lost its station address is lost within two cycles") {
+    rig r{1, true};
+    r.run_until_ready();
+    std::array<std::byte, 64> frame{};
+    ethercat::frame_builder build{frame, 77};
+    build.add(ethercat::command::fpwr, 2, ethercat::esc_registers::station_address.address, ethercat::esc_word{0x1001});
+    const auto size = build.finish();
+    REQUIRE(size);
+    r.actuators[0].pass(std::span{frame}.first(size.size()), r.now);
+    const auto took = r.run_until([&] { return r.watcher.lost == 1; });
+    CHECK(took <= 21ms);
+    CHECK(r.watcher.last_loss == bridge::loss::no_station);
+}
+
+TEST_CASE("standby by process data is acknowledged when the inputs say so") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    const auto number = r.tell(jaus::standby{});
+    CHECK(!r.answer(number));
+    const auto took = r.run_until([&] { return r.is_acknowledged(number); });
+    CHECK(took <= 50ms);
+    CHECK(r.motor().effort == 0);
+}
+
+TEST_CASE("an emergency of a cyclic slave goes by mailbox, and its outputs are zero too") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    const auto number = r.tell(rig::stop());
+    const auto took = r.run_until([&] { return r.motor().effort == 0; });
+    CHECK(took <= 100ms);
+    r.run_until([&] { return r.is_acknowledged(number); });
+    CHECK(r.motor().emergency);
+    r.run_until([&, cleared = r.tell(rig::clear())] { return r.is_acknowledged(cleared); });
+    r.run(100ms);
+    CHECK(r.motor().effort == 0);
+    r.tell(jaus::resume{});
+    r.run_until([&, moves = r.drive(20)] { return r.is_acknowledged(moves); });
+    CHECK(r.motor().effort == Approx(20).margin(0.01));
+}
+
+TEST_CASE("messages without process data go by mailbox between cycles") {
+    rig r{1, true};
+    r.run_until_ready();
+    const auto number = r.tell(jaus::set_travel_speed{.desired_speed = 3});
+    r.run_until([&] { return r.is_acknowledged(number); });
+    CHECK(r.bus.process_data().statistics().lost == 0);
+}
+
+TEST_CASE("of two cyclic slaves one that is lost does not take the other's process data with it") {
+    rig r{2, true};
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50, 0)] { return r.is_acknowledged(number); });
+    r.run_until([&, number = r.drive(40, 1)] { return r.is_acknowledged(number); });
+    r.actuators[1].power_cycle();
+    r.run_until([&] { return r.watcher.lost == 1; });
+    CHECK(r.motor(0).effort == Approx(50).margin(0.01));
+    r.run_until([&] { return r.watcher.up == 3; });
+    CHECK(r.watcher.lost == 1);
+    CHECK(r.motor(0).effort == Approx(50).margin(0.01));
+    CHECK(r.motor(1).effort == 0);
+    CHECK(r.unit(0).state() == status::ready);
+}
+
+TEST_CASE("lost process data frames are no loss of the slave, and the mailbox works on") {
+    rig r{1, true};
+    r.run_until_ready();
+    for (int i = 0; i != 20; ++i) {
+        r.frames_to_lose = 3;
+        const auto number = r.tell(jaus::set_travel_speed{.desired_speed = 3});
+        r.run_until([&] { return r.answer(number).has_value(); });
+        CHECK(r.is_acknowledged(number));
+        r.run(50ms); // the slave's watchdog
+    }
+    CHECK(r.watcher.lost == 0);
+}
+
+TEST_CASE("the end of the program brings a cyclic slave to rest") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.shut_down();
+    const auto took = r.run_until([&] { return r.bus.at_rest(); });
+    CHECK(took <= 50ms);
+    CHECK(r.motor().effort == 0);
+}

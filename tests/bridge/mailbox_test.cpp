@@ -1,0 +1,303 @@
+// Messages and stop orders by mailbox.
+#include "rig.hpp"
+
+using namespace test;
+using jaus::ack_nak;
+using status = jaus::primary_status_code;
+
+TEST_CASE("a command is acknowledged when the slave has executed it, and not before") {
+    rig r;
+    r.run_until_ready();
+    const auto number = r.drive(50);
+    CHECK(r.motor().effort == 0);
+    CHECK(!r.answer(number));
+    r.run_until([&] { return r.answer(number).has_value(); });
+    CHECK(r.is_acknowledged(number));
+    CHECK(r.motor().effort == Approx(50).margin(0.01));
+}
+
+TEST_CASE("a query is answered with the slave's report") {
+    rig r;
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(25)] { return r.is_acknowledged(number); });
+    r.tell(jaus::query_wrench_effort{}, 0, ack_nak::none);
+    r.run_until([&] { return !r.received<jaus::report_wrench_effort>().empty(); });
+    CHECK(r.received<jaus::report_wrench_effort>().front().propulsive_linear_effort_x == Approx(25).margin(0.01));
+}
+
+TEST_CASE("a command that the slave aborts is refused") {
+    rig r;
+    r.run_until_ready();
+    r.motor().abort_code_of = jaus::set_wrench_effort::command_code;
+    r.motor().aborts = 1;
+    const auto number = r.drive(50);
+    r.run_until([&] { return r.answer(number).has_value(); });
+    CHECK(r.is_refused(number));
+    CHECK(r.motor().effort == 0);
+}
+
+TEST_CASE("an emergency stop that the slave aborts is repeated until it is confirmed, and acknowledged then") {
+    rig r;
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.motor().abort_code_of = jaus::set_emergency::command_code;
+    r.motor().aborts = 3;
+    const auto number = r.tell(rig::stop());
+    CHECK(r.unit().state() == status::emergency);
+    r.run_until([&] { return r.motor().aborted == 1; });
+    CHECK(!r.answer(number));
+    r.run_until([&] { return r.motor().emergency; });
+    CHECK(r.motor().aborted == 3);
+    r.run_until([&] { return r.is_acknowledged(number); }, 1s);
+    CHECK(r.motor().effort == 0);
+    CHECK(r.unit().debt().settled());
+}
+
+TEST_CASE("while an emergency is refused the slave gets zeros") {
+    rig r;
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.motor().abort_code_of = jaus::set_emergency::command_code;
+    r.motor().aborts = 1'000'000;
+    const auto number = r.tell(rig::stop());
+    const auto took = r.run_until([&] { return r.motor().effort == 0; });
+    CHECK(took < 100ms);
+    r.run(2s);
+    CHECK(!r.answer(number)); // not in an emergency, as far as it says
+    CHECK(r.unit().debt().owes_stop());
+}
+
+TEST_CASE("a slave that has no object for emergencies is at rest with zeros") {
+    rig r;
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.motor().abort_code_of = jaus::set_emergency::command_code;
+    r.motor().aborts = 1'000'000;
+    r.motor().abort = ethercat::abort_code::no_subindex;
+    const auto number = r.tell(rig::stop());
+    r.run_until([&] { return r.is_acknowledged(number); }, 200ms);
+    CHECK(r.motor().effort == 0);
+    CHECK(r.motor().aborted == 1);
+}
+
+TEST_CASE("stop orders go before commands that wait, and those are refused") {
+    rig r;
+    r.round_trip = 8ms;
+    r.run_until_ready();
+    std::vector<std::uint16_t> numbers;
+    for (int i = 0; i != 100; ++i) {
+        numbers.push_back(r.drive(1 + i % 50));
+        r.run(10ms);
+    }
+    const auto number = r.tell(rig::stop());
+    const auto took = r.run_until([&] { return r.is_acknowledged(number); });
+    CHECK(took < 150ms);
+    r.run(1s);
+    CHECK(r.motor().effort == 0);
+    CHECK(r.motor().executed.back() != jaus::set_wrench_effort::command_code);
+    for (const auto each : numbers) CHECK(r.answer(each).has_value());
+}
+
+TEST_CASE("of commands that wait only the newest of a sender and code is kept, with the fields of the older ones") {
+    rig r;
+    r.round_trip = 8ms;
+    r.run_until_ready();
+    const auto first = r.drive(10);
+    r.run(1ms);
+    const auto second = r.tell(jaus::set_wrench_effort{.propulsive_linear_effort_y = 5});
+    const auto third = r.drive(30);
+    r.run_until([&] { return r.answer(third).has_value(); });
+    CHECK(r.is_acknowledged(first));
+    CHECK(r.is_refused(second));
+    CHECK(r.is_acknowledged(third));
+    CHECK(r.watcher.refusals == std::vector{bridge::refusal::superseded});
+    REQUIRE(r.motor().efforts.size() >= 2);
+    CHECK(r.motor().efforts.back() == Approx(30).margin(0.01));
+}
+
+TEST_CASE(
+    "a slave that is lost makes its component fail, tells the controller, and is brought to rest when it is back") {
+    rig r;
+    r.run_until_ready();
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
+    REQUIRE(r.unit().control().controller());
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.cable_is_out = true;
+    const auto took = r.run_until([&] { return r.unit().state() == status::failure; });
+    CHECK(took < 600ms);
+    CHECK(!r.received<jaus::reject_component_control>().empty());
+    const auto refused = r.drive(60);
+    CHECK(r.is_refused(refused));
+    CHECK(r.motor().effort != 0); // nobody could tell it
+    r.cable_is_out = false;
+    r.run_until([&] { return r.motor().effort == 0; }, 1s);
+    r.run_until_ready();
+    CHECK(r.watcher.lost == 1);
+}
+
+TEST_CASE("a slave that was reset is noticed, and an emergency is told to it again") {
+    rig r;
+    r.run_until_ready();
+    const auto number = r.tell(rig::stop());
+    r.run_until([&] { return r.is_acknowledged(number); });
+    r.actuators[0].power_cycle();
+    REQUIRE(!r.motor().emergency);
+    r.run_until([&] { return r.motor().emergency; }, 1s);
+    CHECK(r.watcher.last_loss == bridge::loss::no_station);
+    CHECK(r.unit().state() == status::emergency);
+}
+
+TEST_CASE("an emergency stop while the slave is away is acknowledged when the slave is back and has obeyed") {
+    rig r;
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.cable_is_out = true;
+    r.run_until([&] { return r.watcher.lost == 1; });
+    const auto number = r.tell(rig::stop());
+    r.run(3s);
+    CHECK(!r.answer(number));
+    CHECK(r.unit().debt().owes_stop());
+    r.cable_is_out = false;
+    r.run_until([&] { return r.motor().emergency; }, 1s);
+    r.run_until([&] { return r.is_acknowledged(number); }, 100ms);
+}
+
+TEST_CASE("a clear emergency while the slave is away is acknowledged when the slave has obeyed") {
+    rig r;
+    r.run_until_ready();
+    r.run_until([&, number = r.tell(rig::stop())] { return r.is_acknowledged(number); });
+    r.cable_is_out = true;
+    r.run_until([&] { return r.watcher.lost == 1; });
+    const auto number = r.tell(rig::clear());
+    r.run(2s);
+    CHECK(!r.answer(number));
+    CHECK(r.is_refused(r.drive(10)));
+    r.cable_is_out = false;
+    r.run_until([&] { return r.is_acknowledged(number); });
+    CHECK(!r.motor().emergency);
+    // Whoever was in an emergency waits for a Resume.
+    CHECK(r.unit().state() == status::standby);
+    r.tell(jaus::resume{});
+    const auto moves = r.drive(10);
+    r.run_until([&] { return r.is_acknowledged(moves); });
+    CHECK(r.motor().effort == Approx(10).margin(0.01));
+}
+
+TEST_CASE("a clear emergency that the slave refuses is refused") {
+    rig r;
+    r.run_until_ready();
+    r.run_until([&, number = r.tell(rig::stop())] { return r.is_acknowledged(number); });
+    r.motor().abort_code_of = jaus::clear_emergency::command_code;
+    r.motor().aborts = 1000;
+    const auto number = r.tell(rig::clear());
+    r.run_until([&] { return r.answer(number).has_value(); });
+    CHECK(r.is_refused(number));
+    CHECK(r.motor().emergency);
+}
+
+TEST_CASE("an emergency that nobody here knows of is brought to rest by another one") {
+    rig r;
+    r.motor().emergency = true; // left over from an earlier controller
+    r.run_until_ready();
+    CHECK(r.motor().emergency);
+    CHECK(r.is_refused([&] {
+        const auto number = r.drive(10);
+        r.run_until([&] { return r.answer(number).has_value(); });
+        return number;
+    }()));
+    const auto number = r.tell(rig::clear());
+    r.run_until([&] { return r.is_acknowledged(number); });
+    CHECK(!r.motor().emergency);
+}
+
+TEST_CASE("a controller that is lost brings the slave to rest, one that releases control does not") {
+    rig r;
+    r.run_until_ready();
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.tell(jaus::release_component_control{}, 0, ack_nak::none);
+    r.run(200ms);
+    CHECK(r.motor().effort != 0);
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
+    r.lose(rig::operator_unit);
+    r.run_until([&] { return r.motor().effort == 0; }, 100ms);
+}
+
+TEST_CASE("standby is acknowledged when the slave is at rest, and nothing that waited moves it afterwards") {
+    rig r;
+    r.round_trip = 4ms;
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    const auto late = r.drive(70);
+    const auto later = r.tell(jaus::set_travel_speed{.desired_speed = 3});
+    const auto number = r.tell(jaus::standby{});
+    CHECK(!r.answer(number));
+    r.run_until([&] { return r.is_acknowledged(number); });
+    CHECK(r.motor().effort == 0);
+    r.run(1s);
+    CHECK(r.motor().effort == 0);
+    CHECK(r.is_refused(later));
+    CHECK(r.answer(late).has_value());
+}
+
+TEST_CASE("a repeat of a message that is not executed yet is not executed twice") {
+    rig r;
+    r.round_trip = 8ms;
+    r.run_until_ready();
+    const jaus::set_travel_speed body{.desired_speed = 3};
+    const auto number = r.tell(body);
+    r.repeat(body, number);
+    r.run(5ms);
+    r.repeat(body, number);
+    r.run_until([&] { return r.is_acknowledged(number); });
+    r.repeat(body, number);
+    r.run(200ms);
+    CHECK(std::ranges::count(r.motor().executed, jaus::set_travel_speed::command_code) == 1);
+}
+
+TEST_CASE("a slave that gets no message gets heartbeats") {
+    rig r;
+    r.run_until_ready();
+    r.motor().executed.clear();
+    r.run(1s);
+    const auto beats = std::ranges::count(r.motor().executed, jaus::report_heartbeat_pulse::command_code);
+    CHECK(beats >= 8);
+    CHECK(beats <= 11);
+}
+
+TEST_CASE("the end of the program brings every slave to rest") {
+    rig r{3};
+    r.run_until_ready();
+    for (std::size_t i = 0; i != 3; ++i)
+        r.run_until([&, number = r.drive(50, i)] { return r.is_acknowledged(number); });
+    CHECK(r.bus.at_rest());
+    r.shut_down();
+    CHECK(!r.bus.at_rest());
+    const auto took = r.run_until([&] { return r.bus.at_rest(); });
+    CHECK(took < 200ms);
+    for (std::size_t i = 0; i != 3; ++i) CHECK(r.motor(i).effort == 0);
+}
+
+TEST_CASE("a slave that is away holds up nobody else") {
+    rig r{2};
+    r.run_until_ready();
+    r.dead_from = 1;
+    r.run_until([&] { return !r.fronts[1].up(); });
+    for (int i = 0; i != 50; ++i) {
+        const auto number = r.drive(i, 0);
+        const auto took = r.run_until([&] { return r.is_acknowledged(number); });
+        CHECK(took < 300ms);
+        r.run(50ms);
+    }
+}
+
+TEST_CASE("a message waits for its slave for a bounded time") {
+    rig r;
+    r.run_until_ready();
+    r.frames_to_lose = 1000;
+    const auto number = r.drive(50);
+    const auto later = r.tell(jaus::set_travel_speed{.desired_speed = 3});
+    r.run_until([&] { return r.answer(number).has_value() && r.answer(later).has_value(); }, 1s);
+    CHECK(r.is_refused(number));
+    CHECK(r.is_refused(later));
+}

@@ -1,0 +1,216 @@
+// A bridge between an operator's messages and a chain of emulated slaves, in simulated time.
+#pragma once
+#include "actuator.hpp"
+#include "support/catch.hpp"
+#include <jauscat/bridge/ring.hpp>
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace test {
+
+using namespace std::chrono_literals;
+namespace bridge = jauscat::bridge;
+using bytes = std::span<const std::byte>;
+
+/// Remembers what is told.
+struct notes : bridge::observer {
+    unsigned up{}, lost{}, settled_debts{}, stops_refused{}, failed_bring_ups{};
+    std::optional<bridge::loss> last_loss{};
+    std::vector<bridge::refusal> refusals{};
+
+    void slave_up(const bridge::slave_front&, const ethercat::slave_record&, bool ready) override { up += ready; }
+    void bring_up_failed(const bridge::slave_front&, const ethercat::outcome&) override { ++failed_bring_ups; }
+    void slave_lost(const bridge::slave_front&, bridge::loss what, const ethercat::outcome&) override {
+        ++lost;
+        last_loss = what;
+    }
+    void settled(const bridge::component&) override { ++settled_debts; }
+    void stop_refused(const bridge::component&, bridge::stop_order, const bridge::refusal_reason&, unsigned) override {
+        ++stops_refused;
+    }
+    void refused(const bridge::component&, const jaus::header&, const bridge::refusal_reason& why) override {
+        refusals.push_back(why.why);
+    }
+};
+
+/// One operator, one ring. Each frame takes `round_trip`; a cable that is out loses it.
+class rig {
+  public:
+    static constexpr jaus::address operator_unit{.instance = 1, .component = 32, .node = 1, .subsystem = 1};
+    static constexpr jaus::address stranger{.instance = 1, .component = 32, .node = 1, .subsystem = 3};
+
+    explicit rig(std::size_t slaves = 1, bool cyclic = false) {
+        if (cyclic) options.period = 10ms;
+        for (std::size_t i = 0; i != slaves; ++i) {
+            const auto station = static_cast<std::uint16_t>(2 + i);
+            actuators.emplace_back(std::uint8_t{2}, station);
+            memories_.emplace_back();
+            fronts.emplace_back(bridge::slave_options{.position = static_cast<std::uint16_t>(i),
+                                                      .identity = {.subsystem = 2, .station = station},
+                                                      .cyclic = cyclic},
+                                options, memories_.back(), watcher);
+            units.emplace_back(unit_address(i), fronts.back(), core_options);
+            REQUIRE(bus.add(fronts.back()));
+        }
+    }
+
+    static jaus::address unit_address(std::size_t i) {
+        return {.instance = 1, .component = 33, .node = static_cast<std::uint8_t>(2 + i), .subsystem = 2};
+    }
+    bridge::component& unit(std::size_t i = 0) { return units[i]; }
+    actuator& motor(std::size_t i = 0) { return actuators[i].behind; }
+
+    /// Time passes: frames, events, messages.
+    void run(std::chrono::nanoseconds duration) {
+        const auto end = now + duration;
+        while (now < end) step(end);
+    }
+    /// Until `done()`, at most for `limit`; how long it took.
+    std::chrono::nanoseconds run_until(auto&& done, std::chrono::nanoseconds limit = 20s) {
+        const auto begun = now;
+        while (!done() && now - begun < limit) step(begun + limit);
+        INFO("still not after " << limit.count() / 1'000'000 << " ms");
+        REQUIRE(done());
+        return now - begun;
+    }
+    void run_until_ready() {
+        run_until([&] {
+            return std::ranges::all_of(units, [](const auto& each) {
+                return each.state() == jaus::primary_status_code::ready && each.debt().settled();
+            });
+        });
+    }
+
+    /// A message from `source` to the unit; returns its sequence number.
+    template <class T>
+    std::uint16_t tell(const T& body, std::size_t to = 0, jaus::ack_nak ack = jaus::ack_nak::request,
+                       const jaus::address& source = operator_unit) {
+        ++number_;
+        repeat(body, number_, to, ack, source);
+        return number_;
+    }
+    template <class T>
+    void repeat(const T& body, std::uint16_t number, std::size_t to = 0, jaus::ack_nak ack = jaus::ack_nak::request,
+                const jaus::address& source = operator_unit) {
+        const jaus::header head{.ack_nak = ack,
+                                .command_code = T::command_code,
+                                .destination = unit_address(to),
+                                .source = source,
+                                .sequence_number = number};
+        std::array<std::byte, 256> buffer{};
+        const auto size = jauscat::wire::encode(body, buffer);
+        REQUIRE(size);
+        last_outcome = units[to].on_message(head, bytes{buffer}.first(size.size()), now, out_,
+                                            [](const jaus::header&, bytes) { return jaus::message_outcome::not_mine; });
+        bus.on_time(now, out_);
+    }
+    std::uint16_t drive(double percent, std::size_t to = 0, jaus::ack_nak ack = jaus::ack_nak::request) {
+        return tell(jaus::set_wrench_effort{.propulsive_linear_effort_x = percent}, to, ack);
+    }
+    static jaus::set_emergency stop() {
+        jaus::set_emergency message{};
+        message.emergency_code.set(jaus::set_emergency_code::transition_to_emergency);
+        return message;
+    }
+    static jaus::clear_emergency clear() {
+        jaus::clear_emergency message{};
+        message.emergency_code.set(jaus::clear_emergency_code::clear_emergency);
+        return message;
+    }
+    /// The answer to the message of this number, if one has come.
+    [[nodiscard]] std::optional<jaus::ack_nak> answer(std::uint16_t number) const {
+        for (const auto& message : messages) {
+            const auto head = jaus::split(message).header;
+            if (jaus::is_acknowledgement(head) && head.sequence_number == number) return head.ack_nak;
+        }
+        return std::nullopt;
+    }
+    bool is_acknowledged(std::uint16_t number) const { return answer(number) == jaus::ack_nak::ack; }
+    bool is_refused(std::uint16_t number) const { return answer(number) == jaus::ack_nak::nak; }
+    /// Messages of this type that came out.
+    template <class T> [[nodiscard]] std::vector<T> received() const {
+        std::vector<T> all;
+        for (const auto& message : messages) {
+            const auto parts = jaus::split(message);
+            T body{};
+            if (!jaus::is_acknowledgement(parts.header) && parts.header.command_code == T::command_code &&
+                jauscat::wire::decode(body, parts.body))
+                all.push_back(body);
+        }
+        return all;
+    }
+    void lose(const jaus::address& who) {
+        for (auto& each : units) each.on_lost(who);
+        for (auto& each : units) each.on_time(now, out_);
+        bus.on_time(now, out_);
+    }
+    void shut_down() { bus.shut_down(now, out_); }
+
+    bridge::bridge_options options{};
+    jaus::component_options core_options{};
+    notes watcher{};
+    std::deque<emulated_actuator> actuators{};
+    std::deque<bridge::slave_front> fronts{};
+    std::deque<bridge::component> units{};
+    bridge::ring<actuator::table> bus{options};
+    std::vector<std::vector<std::byte>> messages{};
+    jaus::component_outcome last_outcome{};
+    std::chrono::nanoseconds now{1s};
+    std::chrono::nanoseconds round_trip{200us};
+    bool cable_is_out{};
+    std::size_t dead_from{100}; ///< slaves from here on do not get frames
+    unsigned frames_to_lose{};  ///< the next frames
+    std::uint64_t frames{};
+
+  private:
+    struct flight {
+        std::vector<std::byte> frame;
+        std::chrono::nanoseconds at;
+    };
+
+    void step(std::chrono::nanoseconds limit) {
+        std::array<std::byte, ethercat::max_frame_size> frame{};
+        while (const auto size = bus.next_frame(frame, now)) send(std::span{frame}.first(size));
+        auto next = limit;
+        if (const auto event = bus.next_event()) next = std::min(next, *event);
+        for (auto& each : units)
+            if (const auto event = each.next_event()) next = std::min(next, *event);
+        for (const auto& each : flights_) next = std::min(next, each.at);
+        now = std::max(now + 1us, next); // a node's wake-up takes time, and nothing here may stand still
+        while (!flights_.empty() && flights_.front().at <= now) {
+            auto back = std::move(flights_.front().frame);
+            flights_.pop_front();
+            bus.on_frame(back, now, out_);
+        }
+        for (auto& each : actuators) each.slave.on_time(now), each.behind.work(each.slave);
+        for (auto& each : units) each.on_time(now, out_);
+        bus.on_time(now, out_);
+    }
+    void send(std::span<std::byte> frame) {
+        ++frames;
+        if (cable_is_out) return;
+        if (frames_to_lose != 0) {
+            --frames_to_lose;
+            return;
+        }
+        for (std::size_t i = 0; i != actuators.size() && i < dead_from; ++i) actuators[i].pass(frame, now);
+        flights_.push_back({{frame.begin(), frame.end()}, now + round_trip});
+    }
+    void take(bytes message) { messages.emplace_back(message.begin(), message.end()); }
+
+    struct sink {
+        rig& mine;
+        void operator()(bytes message) const { mine.take(message); }
+    };
+    sink sink_{*this};
+    jaus::message_sink out_{sink_};
+    std::deque<flight> flights_{};
+    std::deque<bridge::order_memory<16, 256>> memories_{};
+    std::uint16_t number_{100};
+};
+
+} // namespace test

@@ -1,0 +1,56 @@
+// What an actuator is owed, and in what order.
+#include "support/catch.hpp"
+#include <jauscat/bridge/stop_debt.hpp>
+
+using namespace std::chrono_literals;
+using jauscat::bridge::stop_debt;
+using jauscat::bridge::stop_order;
+
+TEST_CASE("an emergency goes first, and its confirmation covers rest") {
+    stop_debt debt{20ms};
+    CHECK(debt.settled());
+    debt.owe_rest();
+    debt.owe_emergency();
+    CHECK(debt.next() == stop_order::emergency);
+    debt.confirmed(stop_order::emergency);
+    CHECK(debt.settled());
+}
+
+TEST_CASE("a refused order is tried again after the interval, without end") {
+    stop_debt debt{20ms};
+    debt.owe_emergency();
+    for (unsigned i = 1; i != 1000; ++i) {
+        CHECK(debt.refused(*debt.next(), false, 1s));
+        CHECK(debt.next_attempt() == 1s + 20ms);
+        CHECK(debt.refusals() == i);
+        CHECK(debt.owes_stop());
+    }
+}
+
+TEST_CASE("zeros that are refused three times alternate with an emergency") {
+    stop_debt debt{20ms};
+    debt.owe_rest();
+    for (int i = 0; i != 3; ++i) {
+        CHECK(debt.next() == stop_order::rest);
+        debt.refused(stop_order::rest, false, 0s);
+    }
+    CHECK(debt.next() == stop_order::emergency);
+    debt.confirmed(stop_order::emergency);
+    CHECK(debt.settled());
+}
+
+TEST_CASE("the end of an emergency comes last, is given up after three refusals, and ends with a new emergency") {
+    stop_debt debt{20ms};
+    debt.owe_clear();
+    debt.owe_rest();
+    CHECK(debt.next() == stop_order::rest);
+    debt.confirmed(stop_order::rest);
+    CHECK(debt.next() == stop_order::clear_emergency);
+    CHECK(debt.refused(stop_order::clear_emergency, false, 0s));
+    CHECK(debt.refused(stop_order::clear_emergency, false, 0s));
+    CHECK(!debt.refused(stop_order::clear_emergency, false, 0s));
+    CHECK(debt.settled());
+    debt.owe_clear();
+    debt.owe_emergency();
+    CHECK(!debt.owes_clear());
+}
