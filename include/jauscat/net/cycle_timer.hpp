@@ -23,13 +23,13 @@ class cycle_timer {
         ::prctl(PR_SET_TIMERSLACK, 1UL); // 1 ns; 0 would be the default again
     }
 
-    /// Waits for the next instant and returns by how much it came later, 0 or more. Instants that are over when this is
-    /// called are left out and counted as overruns; those after them stay where they are.
+    /// Waits for the next instant and returns by how much it came later, 0 or more. An instant that is over by less
+    /// than half a period is still used: who waited for something until the end of a cycle is late by a little.
+    /// Instants that are over for longer are left out and counted as overruns. Those after them stay where they are.
     std::chrono::nanoseconds wait() noexcept {
         due_ += period_;
         auto now = clock::now();
-        if (now > due_) {
-            const auto missed = (now - due_ + period_ - std::chrono::nanoseconds{1}) / period_;
+        if (const auto missed = (now - due_ + period_ / 2) / period_; missed > 0) {
             overruns_ += static_cast<std::uint64_t>(missed);
             due_ += missed * period_;
         }

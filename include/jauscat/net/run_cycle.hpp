@@ -32,6 +32,9 @@ struct cycle_config {
     /// In the last part of a cycle, 1 / `reserve` of it, no frame of the master's begins: the next cycle's must not
     /// wait behind it.
     unsigned reserve{4};
+    /// Process data that are not back after this part of a cycle, 1 / `patience` of it, keep the master waiting no
+    /// longer: they are lost, mostly.
+    unsigned patience{2};
 };
 
 /// Everything given here must outlive the runner. Between cycles the master is free for a new job.
@@ -43,10 +46,12 @@ template <ethercat::link Link> class cycle_runner {
         : link_{link}, data_{data}, master_{master}, config_{config}, timer_{config.period, config.spin} {}
 
     /// Waits for the next cycle, calls `prepare()`, which writes the outputs, and sends them at once; then takes frames
-    /// until the process data are back and the master has nothing to do, at most until the cycle is over.
+    /// until the process data are back and the master has nothing to do, at most until the cycle is over. The master
+    /// works while the process data are not under way, or are taken for lost.
     template <class Prepare> cycle_report run(Prepare&& prepare) {
         cycle_report report{.late = timer_.wait()};
-        const auto end = to_time(timer_.due()) + config_.period;
+        const auto start = to_time(timer_.due()), end = start + config_.period;
+        const auto masters_turn = start + config_.period / std::max(config_.patience, 1u);
         prepare();
         const auto begun = now();
         const auto size = data_.next_frame(frame_, begun);
@@ -56,8 +61,8 @@ template <ethercat::link Link> class cycle_runner {
             const auto at = now();
             const bool over = at >= end;
             if (over && (!waits(report) || ++late_frames == max_late_frames)) break;
-            auto wake = end;
-            if (!waits(report)) wake = std::min(wake, work(at, end));
+            const bool works = !waits(report) || (at >= masters_turn && !over);
+            const auto wake = std::min(end, works ? work(at, end) : masters_turn);
             const auto received = link_.receive(frame_, std::max(wake - now(), std::chrono::nanoseconds{}));
             if (received == 0) {
                 if (over) break;
@@ -97,7 +102,7 @@ template <ethercat::link Link> class cycle_runner {
     }
     static time now() noexcept { return to_time(cycle_timer::clock::now()); }
 
-    // The process data are under way. The master waits for them: they have come, or are lost, within the cycle.
+    // The process data are under way.
     static bool waits(const cycle_report& report) noexcept { return report.sent && !report.back; }
 
     // The master's turn; returns when it has something to do again.
