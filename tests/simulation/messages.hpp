@@ -1,0 +1,73 @@
+// What the simulation reads of messages, and the command that each Set Wrench Effort carries.
+#pragma once
+
+#include <jauscat/jaus/message.hpp>
+#include <jauscat/schema/jaus/core.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
+#include <jauscat/wire/raw.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+namespace simulation {
+
+namespace jaus = jauscat::jaus;
+namespace wire = jauscat::wire;
+using bytes = std::span<const std::byte>;
+
+/// What a motion command is known by, everywhere: two of its efforts hold it. 0: no effort at all.
+using command_number = std::uint32_t;
+
+inline constexpr std::uint32_t efforts_of_one = 32'000; ///< values that one effort is used for
+
+/// The integers of a Set Wrench Effort or a report that say `command`; the rotational effort around z says whether it
+/// turns something: 0 only for command 0.
+template <class Message> [[nodiscard]] wire::raw<Message> efforts_of(command_number command) {
+    using T = Message;
+    wire::raw<T> made{};
+    const auto low = static_cast<std::int16_t>(command % efforts_of_one);
+    const auto high = static_cast<std::int16_t>(command / efforts_of_one % efforts_of_one);
+    made.template set<&T::propulsive_linear_effort_x>(low);
+    made.template set<&T::propulsive_linear_effort_y>(high);
+    made.template set<&T::propulsive_rotational_effort_z>(static_cast<std::int16_t>(command == 0 ? 0 : 1));
+    return made;
+}
+/// The inverse; nothing for a message without these efforts.
+template <class Message> [[nodiscard]] std::optional<command_number> command_of(const wire::raw<Message>& efforts) {
+    using T = Message;
+    const auto& low = efforts.template get<&T::propulsive_linear_effort_x>();
+    const auto& high = efforts.template get<&T::propulsive_linear_effort_y>();
+    if (!low || !high || *low < 0 || *high < 0) return std::nullopt;
+    return static_cast<std::uint32_t>(*high) * efforts_of_one + static_cast<std::uint32_t>(*low);
+}
+template <class Message> [[nodiscard]] std::optional<command_number> command_in(bytes body) {
+    wire::raw<Message> efforts{};
+    if (!wire::decode(efforts, body)) return std::nullopt;
+    return command_of<Message>(efforts);
+}
+/// The same of efforts in percent.
+template <class Message> [[nodiscard]] std::optional<command_number> command_of_percents(const Message& efforts) {
+    const auto raw = [](const std::optional<double>& percent) {
+        return static_cast<std::uint32_t>(std::lround(percent.value_or(0) * 32767 / 100));
+    };
+    return raw(efforts.propulsive_linear_effort_y) * efforts_of_one + raw(efforts.propulsive_linear_effort_x);
+}
+
+[[nodiscard]] constexpr std::uint64_t digest_of(bytes content) noexcept {
+    std::uint64_t digest = 0xCBF29CE484222325;
+    for (const std::byte b : content) digest = (digest ^ std::to_integer<std::uint64_t>(b)) * 0x100000001B3;
+    return digest;
+}
+
+/// What moves something, of the codes that the simulation uses.
+[[nodiscard]] constexpr bool moves(std::uint16_t code) noexcept {
+    return code == jaus::set_wrench_effort::command_code;
+}
+/// What brings to rest.
+[[nodiscard]] constexpr bool stops(std::uint16_t code) noexcept {
+    return code == jaus::set_emergency::command_code || code == jaus::standby::command_code ||
+           code == jaus::shutdown::command_code;
+}
+
+} // namespace simulation

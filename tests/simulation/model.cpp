@@ -1,0 +1,496 @@
+#include "simulation/model.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace simulation {
+namespace {
+
+using jaus::primary_status_code;
+
+constexpr auto slack = std::chrono::milliseconds{150};
+
+std::string hex(std::uint16_t code) {
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "%04Xh", unsigned{code});
+    return text.data();
+}
+std::string text(primary_status_code state) {
+    constexpr std::array names{"Initialize", "Ready", "Standby", "Shutdown", "Failure", "Emergency"};
+    const auto i = static_cast<std::size_t>(state);
+    return i < names.size() ? names[i] : "state " + std::to_string(i);
+}
+std::string in_ms(time t) { return std::to_string(t / std::chrono::milliseconds{1}) + " ms"; }
+
+} // namespace
+
+// ---------------------------------------------------------------------------------------------------- senders
+
+std::uint32_t model::hands_over(std::uint8_t sender, bytes message, time must_end_in) {
+    jaus::header head{};
+    if (!wire::decode_prefix(head, message) || jaus::is_acknowledgement(head)) return 0;
+    if (head.command_code >= 0x2000 || !jaus::names_one_component(head.destination)) return 0;
+    auto& account = senders_[sender];
+    const auto body = message.subspan(jaus::header_size);
+    const auto digest = digest_of(body);
+    // A message that is sent again is the same one.
+    for (std::size_t i = 0; i != std::min<std::size_t>(account.count, account.last.size()); ++i) {
+        const auto* known = find(account.last[(account.count - 1 - i) % account.last.size()]);
+        if (known != nullptr && !known->closed && known->wants_acknowledgement &&
+            head.ack_nak == jaus::ack_nak::request && known->life == account.program->life() &&
+            known->code == head.command_code && known->sequence_number == head.sequence_number &&
+            known->destination == head.destination && known->digest == digest)
+            return known->number;
+    }
+    const auto number = ++numbers_;
+    auto& made = sent_[number % sent_.size()];
+    made = {.number = number,
+            .sender = sender,
+            .life = account.program->life(),
+            .source = head.source,
+            .destination = head.destination,
+            .code = head.command_code,
+            .sequence_number = head.sequence_number,
+            .wants_acknowledgement = head.ack_nak == jaus::ack_nak::request,
+            .digest = digest,
+            .at = world_.now()};
+    if (moves(head.command_code)) {
+        made.command = command_in<jaus::set_wrench_effort>(body).value_or(0);
+        if (made.command != 0) of_command_[made.command % of_command_.size()] = number;
+    }
+    account.last[account.count++ % account.last.size()] = number;
+    if (must_end_in != time{}) account.open.emplace_back(number, account.program->run_time() + must_end_in);
+    return number;
+}
+
+void model::learns(std::uint8_t sender, const jaus::header& head, bool acknowledged) {
+    auto& account = senders_[sender];
+    sent_message* mine = nullptr;
+    bool ambiguous = head.sequence_number == 0;
+    for (std::size_t i = 0; i != std::min<std::size_t>(account.count, account.last.size()); ++i) {
+        auto* known = find(account.last[(account.count - 1 - i) % account.last.size()]);
+        if (known == nullptr || known->code != head.command_code || known->sequence_number != head.sequence_number ||
+            known->destination != head.destination)
+            continue;
+        // Another message of the same number: the acknowledgement does not say whose it is.
+        if (mine != nullptr) ambiguous = true;
+        if (mine == nullptr && known->life == account.program->life()) mine = known;
+    }
+    if (mine == nullptr) return;
+    mine->closed = true;
+    world_.tell({.what = acknowledged ? deed::hears_acknowledged : deed::hears_refused,
+                 .who = account.program->number(),
+                 .code = head.command_code,
+                 .number = head.sequence_number,
+                 .message = mine->number});
+    if (acknowledged && !ambiguous && !mine->done &&
+        std::ranges::find(actuators_, mine->destination, &actuator_account::id) != actuators_.end())
+        breaks(contract::s1, account, mine->number, "an acknowledgement only of what was executed",
+               "command code " + hex(head.command_code) + " was acknowledged, and not executed");
+}
+
+void model::learns_nothing(std::uint8_t sender, const jaus::header& head) {
+    auto& account = senders_[sender];
+    for (std::size_t i = 0; i != std::min<std::size_t>(account.count, account.last.size()); ++i) {
+        auto* known = find(account.last[(account.count - 1 - i) % account.last.size()]);
+        if (known == nullptr || known->closed || known->code != head.command_code ||
+            known->sequence_number != head.sequence_number || known->destination != head.destination)
+            continue;
+        known->closed = true;
+        world_.tell({.what = deed::hears_nothing,
+                     .who = account.program->number(),
+                     .code = head.command_code,
+                     .number = head.sequence_number,
+                     .message = known->number});
+        return;
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------- large data sets
+
+void model::sends_large(std::uint8_t sender, const jaus::header& head, std::uint64_t identity) {
+    auto& account = senders_[sender];
+    if (account.large.size() == 32) account.large.erase(account.large.begin());
+    account.large.push_back({.identity = identity,
+                             .destination = head.destination,
+                             .code = head.command_code,
+                             .life = account.program->life(),
+                             .wants_acknowledgement = head.ack_nak == jaus::ack_nak::request});
+    world_.tell({.what = deed::sends_large,
+                 .who = account.program->number(),
+                 .code = head.command_code,
+                 .value = static_cast<std::uint32_t>(identity)});
+}
+
+void model::learns_large(std::uint8_t sender, const jaus::header& head, jaus::delivered what) {
+    auto& account = senders_[sender];
+    for (auto& one : account.large) {
+        if (one.closed || !one.wants_acknowledgement || one.life != account.program->life() ||
+            one.code != head.command_code || one.destination != head.destination)
+            continue;
+        one.closed = true;
+        world_.tell({.what = what == jaus::delivered::acknowledged ? deed::hears_acknowledged
+                             : what == jaus::delivered::refused    ? deed::hears_refused
+                                                                   : deed::hears_nothing,
+                     .who = account.program->number(),
+                     .code = head.command_code,
+                     .value = static_cast<std::uint32_t>(one.identity)});
+        if (what == jaus::delivered::acknowledged && one.delivered == 0)
+            breaks(contract::s1, account, 0, "a large data set is acknowledged when its receiver has all of it",
+                   "number " + std::to_string(one.identity) + " was acknowledged, and its receiver has not got it");
+        return;
+    }
+}
+
+void model::delivers_large(const process& at, const jaus::header& head, bytes body) {
+    const auto identity = identity_of_large(body);
+    world_.tell({.what = deed::delivers_large,
+                 .who = at.number(),
+                 .code = head.command_code,
+                 .value = static_cast<std::uint32_t>(identity.value_or(0))});
+    const auto fail = [&](contract point, const std::string& expected, const std::string& found) {
+        world_.breaks({.point = point, .who = at.number(), .expected = expected, .found = found});
+    };
+    if (!identity)
+        return fail(contract::s7, "the bytes of one large data set that was sent",
+                    "a body of " + std::to_string(body.size()) + " bytes that nobody has sent as it is");
+    const auto from = account_of(head.source);
+    if (!from) return fail(contract::s7, "a large data set of its sender", "the sender is another");
+    for (auto& one : senders_[*from].large) {
+        if (one.identity != *identity || one.code != head.command_code) continue;
+        if (one.delivered != 0 && one.wants_acknowledgement && at.jumped_at() <= one.delivered_at)
+            fail(contract::s1, "a large data set is delivered once",
+                 "number " + std::to_string(*identity) + " was delivered " + in_ms(world_.now() - one.delivered_at) +
+                     " ago too");
+        ++one.delivered;
+        one.delivered_at = world_.now();
+        return;
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------- actuators
+
+void model::starts(std::uint8_t which) {
+    auto& a = actuators_[which];
+    a.state = {};
+    a.command = 0;
+    a.controller.reset();
+    a.holders.clear();
+    a.current = 0;
+    a.arrived_count = 0;
+    // What was executed in an earlier life may be executed again.
+    for (auto& one : sent_)
+        if (one.destination == a.id) one.executed = 0;
+}
+
+void model::arrives(std::uint8_t which, std::uint32_t message, const jaus::header& head) {
+    auto& a = actuators_[which];
+    a.current = message;
+    a.head = head;
+    a.acknowledged = a.refused = false;
+    if (message != 0) a.arrived[a.arrived_count++ % a.arrived.size()] = message;
+    const auto* sent = find(message);
+    a.was_repeat = sent != nullptr && sent->done;
+    world_.tell({.what = deed::gets,
+                 .who = a.number,
+                 .whom = sent != nullptr ? senders_[sent->sender].program->number() : std::uint8_t{},
+                 .code = head.command_code,
+                 .number = head.sequence_number,
+                 .message = message});
+}
+
+void model::answers(std::uint8_t which, bytes message) {
+    auto& a = actuators_[which];
+    const auto m = jaus::split(message);
+    if (!m) return;
+    const auto& head = m.header;
+    if (!jaus::is_acknowledgement(head)) {
+        if (head.command_code == jaus::confirm_component_control::command_code) confirmed(a, head, m.body);
+        if (head.command_code == jaus::reject_component_control::command_code) {
+            const auto to = account_of(head.destination);
+            if (to && a.controller == to) a.controller.reset();
+        }
+        return reported(a, head, m.body);
+    }
+    const bool ack = head.ack_nak == jaus::ack_nak::ack;
+    if (a.current != 0 && head.destination == a.head.source && head.command_code == a.head.command_code &&
+        head.sequence_number == a.head.sequence_number) {
+        (ack ? a.acknowledged : a.refused) = true;
+        return;
+    }
+    // One that comes later, of a message that took its time.
+    for (std::size_t i = 0; i != std::min<std::size_t>(a.arrived_count, a.arrived.size()); ++i) {
+        const auto* sent = find(a.arrived[(a.arrived_count - 1 - i) % a.arrived.size()]);
+        if (sent == nullptr || sent->source != head.destination || sent->code != head.command_code ||
+            sent->sequence_number != head.sequence_number)
+            continue;
+        if (ack) acknowledged(a, sent->number);
+        return;
+    }
+}
+
+bool model::has_effect(const actuator_account& a, std::uint16_t code) const {
+    using enum primary_status_code;
+    switch (code) {
+    case jaus::set_emergency::command_code: return a.state == emergency || a.state == primary_status_code::shutdown;
+    case jaus::standby::command_code: return a.state == primary_status_code::standby;
+    case jaus::shutdown::command_code: return a.state == primary_status_code::shutdown;
+    case jaus::resume::command_code: return a.state == ready;
+    default: return true;
+    }
+}
+
+void model::acknowledged(actuator_account& a, std::uint32_t number) {
+    auto* sent = find(number);
+    if (sent == nullptr) return;
+    world_.tell({.what = deed::acknowledges,
+                 .who = a.number,
+                 .whom = senders_[sent->sender].program->number(),
+                 .code = sent->code,
+                 .number = sent->sequence_number,
+                 .message = number});
+    if (!sent->done)
+        breaks(stops(sent->code) ? contract::s2 : contract::s1, a, number,
+               "command code " + hex(sent->code) + " is executed before it is acknowledged",
+               "it was acknowledged, the state is " + text(a.state) +
+                   (a.command == 0 ? ", at rest" : ", efforts of command " + std::to_string(a.command)));
+}
+
+void model::handled(std::uint8_t which) {
+    auto& a = actuators_[which];
+    auto* sent = find(std::exchange(a.current, 0));
+    if (sent == nullptr) return;
+    if (!moves(sent->code) && !a.was_repeat && !a.refused && has_effect(a, sent->code)) sent->done = true;
+    // A message numbered 0 is not known from the one before: what is like the last one is taken for its repeat.
+    const bool is_in_force = moves(sent->code) ? a.command == sent->command : has_effect(a, sent->code);
+    if (a.acknowledged && !sent->done && sent->sequence_number == 0 && is_in_force) sent->done = true;
+    if (a.acknowledged) acknowledged(a, sent->number);
+    if (a.refused) {
+        world_.tell({.what = deed::refuses,
+                     .who = a.number,
+                     .whom = senders_[sent->sender].program->number(),
+                     .code = sent->code,
+                     .number = sent->sequence_number,
+                     .message = sent->number});
+        if (moves(sent->code) && sent->executed != 0 && a.program->jumped_at() <= sent->executed_at)
+            breaks(contract::s1, a, sent->number, "ACK or nothing for what was executed", "a NAK");
+    }
+    take_emergency_codes(a, *sent);
+    if (sent->code == jaus::set_emergency::command_code && !has_effect(a, sent->code))
+        breaks(contract::s2, a, sent->number, "Set Emergency stops, whoever sends it", "the state is " + text(a.state));
+    if (sent->code == jaus::release_component_control::command_code && a.controller == sent->sender && !a.was_repeat &&
+        !a.refused)
+        a.controller.reset();
+}
+
+void model::take_emergency_codes(actuator_account& a, const sent_message& sent) {
+    const auto held = std::ranges::find(a.holders, sent.source, &emergency_holder::id);
+    if (sent.code == jaus::set_emergency::command_code && a.state == primary_status_code::emergency) {
+        if (held == a.holders.end())
+            a.holders.push_back({sent.source, world_.now(), false});
+        else
+            *held = {sent.source, world_.now(), false};
+    }
+    if (sent.code == jaus::clear_emergency::command_code && !a.refused && held != a.holders.end())
+        a.holders.erase(held);
+}
+
+void model::executes(std::uint8_t which, command_number command) {
+    auto& a = actuators_[which];
+    const auto number = of_command_[command % of_command_.size()];
+    auto* sent = command == 0 ? find(a.current) : find(number);
+    world_.tell({.what = deed::executes,
+                 .who = a.number,
+                 .code = sent != nullptr ? sent->code : std::uint16_t{},
+                 .number = sent != nullptr ? sent->sequence_number : std::uint16_t{},
+                 .message = sent != nullptr ? sent->number : 0,
+                 .value = command});
+    a.command = command;
+    if (sent == nullptr || (command != 0 && sent->command != command) || sent->destination != a.id)
+        return breaks(contract::s7, a, 0, "efforts that somebody sent to this actuator",
+                      "command " + std::to_string(command) + ", which nobody has sent");
+    a.commander = sent->sender;
+    if (a.current != 0 && sent->number != a.current)
+        breaks(contract::s7, a, sent->number, "the body of the message that came", "that of another");
+    const bool known_again = sent->executed != 0 && sent->wants_acknowledgement && sent->sequence_number != 0 &&
+                             a.program->jumped_at() <= sent->executed_at;
+    if (known_again)
+        breaks(contract::s1, a, sent->number, "a command that asks for an acknowledgement is executed once",
+               "it was executed " + in_ms(world_.now() - sent->executed_at) + " ago too");
+    ++sent->executed;
+    sent->executed_at = world_.now();
+    sent->done = true;
+    if (a.state != primary_status_code::ready)
+        breaks(contract::s5, a, sent->number, "motion commands are obeyed in Ready only",
+               "one was obeyed in " + text(a.state));
+    if (a.controller && *a.controller != sent->sender)
+        breaks(contract::s5, a, sent->number, "motion commands come from the controller",
+               "one of " + world_.names()[senders_[sent->sender].program->number()] + " was obeyed under control of " +
+                   world_.names()[senders_[*a.controller].program->number()]);
+}
+
+void model::rests(std::uint8_t which) {
+    auto& a = actuators_[which];
+    if (a.command != 0) world_.tell({.what = deed::rests, .who = a.number});
+    a.command = 0;
+}
+
+void model::enters(std::uint8_t which, primary_status_code from, primary_status_code to) {
+    using enum primary_status_code;
+    auto& a = actuators_[which];
+    world_.tell({.what = deed::enters_state,
+                 .who = a.number,
+                 .number = static_cast<std::uint16_t>(from),
+                 .message = a.current,
+                 .value = static_cast<std::uint32_t>(to)});
+    a.state = to;
+    const auto* cause = find(a.current);
+    const auto is = [&](std::uint16_t code) { return cause != nullptr && cause->code == code; };
+    const bool by_controller = cause != nullptr && (!a.controller || *a.controller == cause->sender);
+    if (from == primary_status_code::standby && to == ready && (!is(jaus::resume::command_code) || !by_controller))
+        breaks(contract::s5, a, a.current, "only Resume of the controller leads from Standby to Ready",
+               cause == nullptr ? "nobody's message" : "command code " + hex(cause->code));
+    if (to == emergency || from != emergency) return;
+    if (is(jaus::clear_emergency::command_code)) {
+        const bool others_are_gone = std::ranges::all_of(a.holders, [&](const emergency_holder& holder) {
+            return holder.id == cause->source || holder.may_be_lost;
+        });
+        if (!others_are_gone)
+            breaks(contract::s5, a, a.current, "an emergency ends when each who set it has cleared it",
+                   "Clear Emergency of one ended it, and another had set it");
+    } else if (!is(jaus::shutdown::command_code) && a.current != 0) {
+        breaks(contract::s5, a, a.current, "an emergency ends by Clear Emergency or Shutdown only",
+               "it ended with command code " + hex(cause == nullptr ? 0 : cause->code));
+    }
+    a.holders.clear();
+}
+
+void model::person_clears(std::uint8_t which) {
+    world_.tell({.what = deed::person, .who = actuators_[which].number});
+    actuators_[which].holders.clear();
+}
+
+void model::controlled(std::uint8_t which, const std::optional<jaus::address>& now) {
+    auto& a = actuators_[which];
+    const auto who = now ? account_of(*now) : std::nullopt;
+    world_.tell({.what = deed::controlled_by,
+                 .who = a.number,
+                 .whom = who ? senders_[*who].program->number() : std::uint8_t{},
+                 .message = a.current});
+    if (!now) a.controller.reset();
+}
+
+// ---------------------------------------------------------------------------------------------------- control, reports
+
+void model::confirmed(actuator_account& a, const jaus::header& head, bytes body) {
+    jaus::confirm_component_control m{};
+    const auto to = account_of(head.destination);
+    if (!to || !wire::decode(m, body) || m.response_code != jaus::component_control_response::control_accepted) return;
+    a.controller = *to;
+}
+
+void model::reported(const actuator_account& a, const jaus::header& head, bytes body) {
+    if (head.command_code == jaus::report_component_status::command_code) {
+        jaus::report_component_status m{};
+        if (wire::decode(m, body) && m.primary_status_code != a.state)
+            breaks(contract::s4, a, 0, "the state that is: " + text(a.state),
+                   "reported: " + text(m.primary_status_code));
+    }
+    if (head.command_code == jaus::report_wrench_effort::command_code) {
+        const auto told = command_in<jaus::report_wrench_effort>(body);
+        if (told && *told != a.command)
+            breaks(contract::s4, a, 0, "the efforts in force: command " + std::to_string(a.command),
+                   "reported: command " + std::to_string(*told));
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------- checks
+
+void model::check() {
+    if (world_.now() - checked_ < std::chrono::milliseconds{10}) return;
+    checked_ = world_.now();
+    for (auto& a : actuators_) {
+        look_for_lost_holders(a);
+        check_actuator(a);
+    }
+    check_senders();
+}
+
+void model::check_actuator(const actuator_account& a) {
+    if (!a.program->running()) return;
+    if (a.command != 0 && a.state != primary_status_code::ready)
+        breaks(contract::s2, a, 0, "at rest in every state but Ready",
+               "efforts of command " + std::to_string(a.command) + " in " + text(a.state));
+    if (a.command == 0 || !a.controller) return;
+    const auto since = unreachable_since(*a.controller, a);
+    if (!since) return;
+    // What was on its way when the controller was lost still arrives; a program that was away itself has just begun.
+    const time begin = std::max(*since + network::longest_delay, a.program->jumped_at());
+    if (world_.now() - begin > a.controller_limit + slack)
+        breaks(contract::s3, a, 0, "at rest " + in_ms(a.controller_limit) + " after the controller is lost",
+               "efforts of command " + std::to_string(a.command) + ", " + in_ms(world_.now() - *since) + " after " +
+                   world_.names()[senders_[*a.controller].program->number()] + " was lost");
+}
+
+void model::check_senders() {
+    for (auto& account : senders_) {
+        if (!account.program->running()) continue;
+        std::erase_if(account.open, [&](const auto& one) {
+            const auto* sent = find(one.first);
+            return sent == nullptr || sent->closed || sent->life != account.program->life();
+        });
+        for (const auto& [number, until] : account.open)
+            if (account.program->run_time() > until)
+                return breaks(contract::s6, account, number, "an outcome, or that there is none, in bounded time",
+                              "its sender still waits");
+    }
+}
+
+// ---------------------------------------------------------------------------------------------------- small things
+
+std::optional<std::uint8_t> model::account_of(const jaus::address& id) const noexcept {
+    for (std::size_t i = 0; i != senders_.size(); ++i)
+        if (senders_[i].id == id) return static_cast<std::uint8_t>(i);
+    return std::nullopt;
+}
+
+std::optional<time> model::unreachable_since(std::uint8_t sender, const actuator_account& to) const {
+    const auto& from = *senders_[sender].program;
+    std::optional<time> first = from.silent_since();
+    for (const auto& other : {network_.cut_since(from.port(), to.program->port()), senders_[sender].mute_since})
+        if (other && (!first || *other < *first)) first = other;
+    return first;
+}
+
+// The actuator's node gives up whom it has not heard for three seconds; heartbeats come once a second.
+void model::look_for_lost_holders(actuator_account& a) {
+    for (auto& holder : a.holders) {
+        const auto who = account_of(holder.id);
+        const auto heard = who ? network_.pulse_heard(senders_[*who].program->port(), a.program->port()) : time{};
+        if (world_.now() - std::max(heard, holder.since) > std::chrono::milliseconds{1500} ||
+            a.program->jumped_at() >= holder.since)
+            holder.may_be_lost = true;
+    }
+}
+
+void model::breaks(contract point, const actuator_account& a, std::uint32_t message, std::string expected,
+                   std::string found) {
+    const auto* sent = find(message);
+    const auto other = sent != nullptr ? std::optional{sent->sender} : a.controller;
+    world_.breaks({.point = point,
+                   .who = a.number,
+                   .whom = other ? senders_[*other].program->number() : std::uint8_t{},
+                   .message = message,
+                   .expected = std::move(expected),
+                   .found = std::move(found)});
+}
+void model::breaks(contract point, const sender_account& s, std::uint32_t message, std::string expected,
+                   std::string found) {
+    world_.breaks({.point = point,
+                   .who = s.program->number(),
+                   .message = message,
+                   .expected = std::move(expected),
+                   .found = std::move(found)});
+}
+
+} // namespace simulation

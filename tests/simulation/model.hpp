@@ -1,0 +1,173 @@
+// What ought to be: who sent what, who may command, what an actuator really does. Written apart from the library, from
+// what can be seen from outside: bytes that programs hand over, bytes that they are given, efforts in force.
+#pragma once
+
+#include "simulation/large_data.hpp"
+#include "simulation/messages.hpp"
+#include "simulation/process.hpp"
+#include <jauscat/jaus/acknowledged_sender.hpp>
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace simulation {
+
+/// A message that a program has sent, whatever number of copies.
+struct sent_message {
+    std::uint32_t number{};
+    std::uint8_t sender{}; ///< index of the account
+    std::uint32_t life{};  ///< of the sender's process
+    jaus::address source{}, destination{};
+    std::uint16_t code{}, sequence_number{};
+    bool wants_acknowledgement{};
+    std::uint64_t digest{};
+    time at{};
+    command_number command{};
+    // What became of it:
+    bool done{};         ///< the actuator has done what it says
+    unsigned executed{}; ///< how often, in one life of the actuator
+    time executed_at{};
+    bool closed{}; ///< its sender has the outcome
+};
+
+/// A large data set that a program has sent.
+struct sent_large {
+    std::uint64_t identity{};
+    jaus::address destination{};
+    std::uint16_t code{};
+    std::uint32_t life{};
+    bool wants_acknowledgement{};
+    bool closed{};
+    unsigned delivered{};
+    time delivered_at{};
+};
+
+/// Who sends.
+struct sender_account {
+    const process* program{};
+    jaus::address id{};
+    std::array<std::uint32_t, 128> last{}; ///< numbers of messages
+    std::uint32_t count{};
+    std::vector<std::pair<std::uint32_t, time>> open{}; ///< message, and run time when there must be an outcome
+    std::optional<time> mute_since{};
+    std::vector<sent_large> large{}; ///< the last ones
+};
+
+/// Who has set an emergency.
+struct emergency_holder {
+    jaus::address id{};
+    time since{};
+    bool may_be_lost{}; ///< the actuator may have given it up
+};
+
+/// An actuator, as far as it shows.
+struct actuator_account {
+    const process* program{};
+    jaus::address id{};
+    std::uint8_t number{};   ///< of the actor
+    time controller_limit{}; ///< how long after its controller is lost it must be at rest
+    // What was seen:
+    jaus::primary_status_code state{};
+    command_number command{};                 ///< in force; 0: at rest
+    std::uint8_t commander{};                 ///< account of who sent it
+    std::optional<std::uint8_t> controller{}; ///< account
+    std::uint8_t authority{};
+    std::vector<emergency_holder> holders{};
+    // The message that is being handled:
+    std::uint32_t current{};
+    jaus::header head{};
+    bool acknowledged{}, refused{}, was_repeat{};
+    std::array<std::uint32_t, 64> arrived{};
+    std::uint32_t arrived_count{};
+};
+
+class model {
+  public:
+    model(world& w, network& n) : world_{w}, network_{n} {}
+
+    std::uint8_t add_sender(const process& program, const jaus::address& id) {
+        senders_.push_back({.program = &program, .id = id});
+        return static_cast<std::uint8_t>(senders_.size() - 1);
+    }
+    std::uint8_t add_actuator(const process& program, const jaus::address& id, std::uint8_t number, time limit) {
+        actuators_.push_back({.program = &program, .id = id, .number = number, .controller_limit = limit});
+        return static_cast<std::uint8_t>(actuators_.size() - 1);
+    }
+    [[nodiscard]] const actuator_account& actuator(std::uint8_t which) const { return actuators_[which]; }
+
+    /// For a new motion command.
+    command_number new_command() noexcept { return ++commands_; }
+
+    // ---- what senders do
+    /// A program hands a message over; `must_end_in`: it has to learn the outcome. Returns the message's number, 0
+    /// where the model does not follow it.
+    std::uint32_t hands_over(std::uint8_t sender, bytes message, time must_end_in = {});
+    /// A program learns what became of one of its messages.
+    void learns(std::uint8_t sender, const jaus::header& head, bool acknowledged);
+    void learns_nothing(std::uint8_t sender, const jaus::header& head);
+    void sender_dies(std::uint8_t sender) {
+        senders_[sender].open.clear();
+        senders_[sender].mute_since.reset();
+    }
+    /// Its component does nothing any more, while its node goes on; and the end of that.
+    void mutes(std::uint8_t sender) {
+        senders_[sender].open.clear();
+        senders_[sender].mute_since = world_.now();
+    }
+    void speaks(std::uint8_t sender) { sender_dies(sender); }
+
+    // ---- large data sets
+    void sends_large(std::uint8_t sender, const jaus::header& head, std::uint64_t identity);
+    void learns_large(std::uint8_t sender, const jaus::header& head, jaus::delivered what);
+    /// A component gets a whole one.
+    void delivers_large(const process& at, const jaus::header& head, bytes body);
+
+    // ---- what an actuator's component is given and gives
+    void starts(std::uint8_t which);
+    void arrives(std::uint8_t which, std::uint32_t message, const jaus::header& head);
+    void answers(std::uint8_t which, bytes message);
+    void handled(std::uint8_t which);
+    /// What its motors do: the application got a command, or has brought them to rest.
+    void executes(std::uint8_t which, command_number command);
+    void rests(std::uint8_t which);
+    void enters(std::uint8_t which, jaus::primary_status_code from, jaus::primary_status_code to);
+    void controlled(std::uint8_t which, const std::optional<jaus::address>& now);
+    /// Somebody at the machine ends the emergency.
+    void person_clears(std::uint8_t which);
+
+    /// After each step.
+    void check();
+
+  private:
+    [[nodiscard]] sent_message* find(std::uint32_t number) noexcept {
+        auto& one = sent_[number % sent_.size()];
+        return number != 0 && one.number == number ? &one : nullptr;
+    }
+    [[nodiscard]] std::optional<std::uint8_t> account_of(const jaus::address& id) const noexcept;
+    [[nodiscard]] std::optional<time> unreachable_since(std::uint8_t sender, const actuator_account& to) const;
+    void acknowledged(actuator_account& a, std::uint32_t number);
+    [[nodiscard]] bool has_effect(const actuator_account& a, std::uint16_t code) const;
+    void confirmed(actuator_account& a, const jaus::header& head, bytes body);
+    void take_emergency_codes(actuator_account& a, const sent_message& sent);
+    void reported(const actuator_account& a, const jaus::header& head, bytes body);
+    void breaks(contract point, const actuator_account& a, std::uint32_t message, std::string expected,
+                std::string found);
+    void breaks(contract point, const sender_account& s, std::uint32_t message, std::string expected,
+                std::string found);
+    void check_senders();
+    void check_actuator(const actuator_account& a);
+    void look_for_lost_holders(actuator_account& a);
+
+    world& world_;
+    network& network_;
+    std::vector<sender_account> senders_{};
+    std::vector<actuator_account> actuators_{};
+    std::vector<sent_message> sent_ = std::vector<sent_message>(std::size_t{1} << 14U);
+    std::vector<std::uint32_t> of_command_ = std::vector<std::uint32_t>(std::size_t{1} << 14U);
+    std::uint32_t numbers_{};
+    command_number commands_{};
+    time checked_{};
+};
+
+} // namespace simulation

@@ -1,0 +1,266 @@
+// Each check of the model can fail: it is shown what must not be.
+#include "simulation/model.hpp"
+#include "support/catch.hpp"
+
+using namespace simulation;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr jaus::address robot_id{1, 33, 1, 2}, operator_id{1, 32, 1, 1}, other_id{1, 32, 1, 4};
+
+/// A process that does nothing by itself.
+class still final : public process {
+  public:
+    using process::process;
+
+  private:
+    void boot() override {}
+    void kill() override {}
+    void receive(const datagram&) override {}
+    void run() override {}
+    std::optional<simulation::time> next() override { return std::nullopt; }
+};
+
+/// A robot, its operator and another one; all that they do is said by the test.
+struct stage {
+    world w{1, 0};
+    network n{w};
+    still robot{w, n, "robot"}, unit{w, n, "operator"}, other_unit{w, n, "other operator"};
+    model m{w, n};
+    std::uint8_t actuator{m.add_actuator(robot, robot_id, robot.number(), 500ms)};
+    std::uint8_t sender{m.add_sender(unit, operator_id)}, other{m.add_sender(other_unit, other_id)};
+    std::uint16_t number{1};
+
+    stage() {
+        for (process* one : {&robot, &unit, &other_unit}) one->start();
+        m.starts(actuator);
+        m.enters(actuator, jaus::primary_status_code::initialize, jaus::primary_status_code::ready);
+    }
+    /// The message as it is handed over, with the number of the model's.
+    struct sent {
+        std::uint32_t message;
+        jaus::header head;
+    };
+    template <class T> sent send(std::uint8_t who, const T& body, jaus::ack_nak how = jaus::ack_nak::request) {
+        sent made{};
+        made.head = {.ack_nak = how,
+                     .command_code = jaus::command_code_of<T>,
+                     .destination = robot_id,
+                     .source = who == sender ? operator_id : other_id,
+                     .sequence_number = number++};
+        jaus::put(made.head, body, [&](bytes whole) { made.message = m.hands_over(who, whole); });
+        return made;
+    }
+    template <class T> void answer(const jaus::header& request, const T& body) {
+        jaus::answer(request, robot_id, body, [&](bytes whole) { m.answers(actuator, whole); });
+    }
+    void acknowledge(const sent& one, jaus::ack_nak how = jaus::ack_nak::ack) {
+        jaus::acknowledge(one.head, robot_id, how, [&](bytes whole) { m.answers(actuator, whole); });
+    }
+    /// It comes, `work()` is done, and it is acknowledged.
+    void take(const sent& one, auto&& work) {
+        m.arrives(actuator, one.message, one.head);
+        work();
+        if (one.head.ack_nak == jaus::ack_nak::request) acknowledge(one);
+        m.handled(actuator);
+    }
+    void take_control(std::uint8_t who) {
+        const auto asked = send(who, jaus::request_component_control{1}, jaus::ack_nak::none);
+        m.arrives(actuator, asked.message, asked.head);
+        answer(asked.head, jaus::confirm_component_control{jaus::component_control_response::control_accepted});
+        m.handled(actuator);
+    }
+    command_number move(std::uint8_t who) {
+        const auto command = m.new_command();
+        take(send(who, efforts_of<jaus::set_wrench_effort>(command)), [&] { m.executes(actuator, command); });
+        return command;
+    }
+    void pass(simulation::time how_long) {
+        w.run(w.now() + how_long);
+        m.check();
+    }
+    [[nodiscard]] std::optional<contract> broken() const {
+        return w.broken() ? std::optional{w.broken()->point} : std::nullopt;
+    }
+};
+
+} // namespace
+
+TEST_CASE("what a robot should do breaks nothing") {
+    stage s;
+    s.take_control(s.sender);
+    s.move(s.sender);
+    s.take(s.send(s.sender, jaus::standby{}), [&] {
+        s.m.enters(s.actuator, jaus::primary_status_code::ready, jaus::primary_status_code::standby);
+        s.m.rests(s.actuator);
+    });
+    s.pass(1s);
+    REQUIRE_FALSE(s.broken());
+}
+
+TEST_CASE("S1: an acknowledgement of what was not executed") {
+    stage s;
+    s.take(s.send(s.sender, efforts_of<jaus::set_wrench_effort>(s.m.new_command())), [] {});
+    REQUIRE(s.broken() == contract::s1);
+}
+
+TEST_CASE("S1: the sender hears an acknowledgement that was not given for its message") {
+    stage s;
+    const auto one = s.send(s.sender, efforts_of<jaus::set_wrench_effort>(s.m.new_command()));
+    s.m.learns(s.sender, one.head, true);
+    REQUIRE(s.broken() == contract::s1);
+}
+
+TEST_CASE("S1: a command is executed twice") {
+    stage s;
+    const auto command = s.m.new_command();
+    const auto one = s.send(s.sender, efforts_of<jaus::set_wrench_effort>(command));
+    s.pass(1ms);
+    s.take(one, [&] { s.m.executes(s.actuator, command); });
+    REQUIRE_FALSE(s.broken());
+    s.take(one, [&] { s.m.executes(s.actuator, command); });
+    REQUIRE(s.broken() == contract::s1);
+}
+
+TEST_CASE("S1: a NAK for what was executed") {
+    stage s;
+    s.pass(1ms);
+    const auto command = s.m.new_command();
+    const auto one = s.send(s.sender, efforts_of<jaus::set_wrench_effort>(command));
+    s.m.arrives(s.actuator, one.message, one.head);
+    s.m.executes(s.actuator, command);
+    s.acknowledge(one, jaus::ack_nak::nak);
+    s.m.handled(s.actuator);
+    REQUIRE(s.broken() == contract::s1);
+}
+
+TEST_CASE("S1: a large data set is acknowledged that nobody has got") {
+    stage s;
+    const jaus::header head{.ack_nak = jaus::ack_nak::request, .command_code = large_code, .destination = robot_id};
+    s.m.sends_large(s.sender, head, 1);
+    s.m.learns_large(s.sender, head, jaus::delivered::acknowledged);
+    REQUIRE(s.broken() == contract::s1);
+}
+
+TEST_CASE("S2: a stop order is acknowledged, and the robot has not stopped") {
+    stage s;
+    s.take(s.send(s.sender, jaus::standby{}), [] {});
+    REQUIRE(s.broken() == contract::s2);
+}
+
+TEST_CASE("S2: Set Emergency changes nothing, also where it asks for no acknowledgement") {
+    stage s;
+    s.take(s.send(s.sender, jaus::set_emergency{}, jaus::ack_nak::none), [] {});
+    REQUIRE(s.broken() == contract::s2);
+}
+
+TEST_CASE("S2: efforts go on in Standby") {
+    stage s;
+    s.move(s.sender);
+    s.take(s.send(s.sender, jaus::standby{}),
+           [&] { s.m.enters(s.actuator, jaus::primary_status_code::ready, jaus::primary_status_code::standby); });
+    s.pass(1s);
+    REQUIRE(s.broken() == contract::s2);
+}
+
+TEST_CASE("S3: efforts go on after the controller has died, and after its component has") {
+    stage s;
+    s.take_control(s.sender);
+    s.move(s.sender);
+    SECTION("it lives") {
+        s.pass(5s);
+        REQUIRE_FALSE(s.broken());
+    }
+    SECTION("it has died") {
+        s.unit.die(10s);
+        s.pass(800ms);
+        REQUIRE_FALSE(s.broken());
+        s.pass(200ms);
+        REQUIRE(s.broken() == contract::s3);
+    }
+    SECTION("its component does nothing any more") {
+        s.m.mutes(s.sender);
+        s.pass(1s);
+        REQUIRE(s.broken() == contract::s3);
+    }
+}
+
+TEST_CASE("S4: a report of other efforts or of another state than there is") {
+    stage s;
+    const auto command = s.move(s.sender);
+    const jaus::header query{.destination = robot_id, .source = operator_id};
+    SECTION("right") {
+        s.answer(query, efforts_of<jaus::report_wrench_effort>(command));
+        s.answer(query, jaus::report_component_status{jaus::primary_status_code::ready, 0});
+        REQUIRE_FALSE(s.broken());
+    }
+    SECTION("old efforts") {
+        s.answer(query, efforts_of<jaus::report_wrench_effort>(command - 1));
+        REQUIRE(s.broken() == contract::s4);
+    }
+    SECTION("another state") {
+        s.answer(query, jaus::report_component_status{jaus::primary_status_code::standby, 0});
+        REQUIRE(s.broken() == contract::s4);
+    }
+}
+
+TEST_CASE("S5: motion in Standby, or of another than the controller") {
+    stage s;
+    s.take_control(s.sender);
+    SECTION("of another") {
+        s.move(s.other);
+        REQUIRE(s.broken() == contract::s5);
+    }
+    SECTION("in Standby") {
+        s.m.enters(s.actuator, jaus::primary_status_code::ready, jaus::primary_status_code::standby);
+        s.move(s.sender);
+        REQUIRE(s.broken() == contract::s5);
+    }
+}
+
+TEST_CASE("S5: an emergency ends though one who set it has not cleared it") {
+    stage s;
+    s.pass(1ms);
+    using enum jaus::primary_status_code;
+    jaus::set_emergency stop{};
+    s.take(s.send(s.sender, stop), [&] { s.m.enters(s.actuator, ready, emergency); });
+    REQUIRE_FALSE(s.broken());
+    s.take(s.send(s.other, jaus::clear_emergency{}),
+           [&] { s.m.enters(s.actuator, emergency, jaus::primary_status_code::standby); });
+    REQUIRE(s.broken() == contract::s5);
+}
+
+TEST_CASE("S6: a sender that never learns what became of its message") {
+    stage s;
+    const auto one = [&] {
+        std::uint32_t made{};
+        jaus::put({.ack_nak = jaus::ack_nak::request, .destination = robot_id, .source = operator_id}, jaus::resume{},
+                  [&](bytes whole) { made = s.m.hands_over(s.sender, whole, 1s); });
+        return made;
+    }();
+    REQUIRE(one != 0);
+    s.pass(900ms);
+    REQUIRE_FALSE(s.broken());
+    s.pass(200ms);
+    REQUIRE(s.broken() == contract::s6);
+}
+
+TEST_CASE("S7: efforts that nobody sent, and a large data set with a wrong byte") {
+    stage s;
+    SECTION("efforts") {
+        s.m.executes(s.actuator, 77);
+        REQUIRE(s.broken() == contract::s7);
+    }
+    SECTION("a large data set") {
+        std::vector<std::byte> body(5000);
+        fill_large(body, 5);
+        const jaus::header head{.command_code = large_code, .destination = robot_id, .source = operator_id};
+        s.m.sends_large(s.sender, head, 5);
+        s.m.delivers_large(s.robot, head, body);
+        REQUIRE_FALSE(s.broken());
+        body[4321] ^= std::byte{1};
+        s.m.delivers_large(s.robot, head, body);
+        REQUIRE(s.broken() == contract::s7);
+    }
+}

@@ -1,0 +1,91 @@
+#include "simulation/robot.hpp"
+
+#include <jauscat/jaus/dispatcher.hpp>
+
+namespace simulation {
+
+actuator::actuator(const jaus::address& self, const process& program, model& m, std::uint8_t account,
+                   time controller_timeout)
+    : program_{program},
+      model_{m},
+      account_{account},
+      connections_{self, reports, filler_, report_},
+      core{self,
+           memory_,
+           {.on_state = jaus::bound<&actuator::on_state>(*this),
+            .on_controller = jaus::bound<&actuator::on_controller>(*this)},
+           {.control = {.timeout = controller_timeout}},
+           connections_} {}
+
+jaus::message_outcome actuator::operator()(const jaus::header& head, bytes body) {
+    using jaus::message_outcome;
+    switch (head.command_code) {
+    case jaus::set_wrench_effort::command_code: {
+        const auto command = command_in<jaus::set_wrench_effort>(body);
+        if (!command) return message_outcome::malformed;
+        command_ = *command;
+        model_.executes(account_, command_);
+        return message_outcome::taken;
+    }
+    case large_code: model_.delivers_large(program_, head, body); return message_outcome::taken;
+    default: return message_outcome::not_mine;
+    }
+}
+
+void actuator::on_state(jaus::primary_status_code from, jaus::primary_status_code to) {
+    model_.enters(account_, from, to);
+    if (to != jaus::primary_status_code::ready) rest();
+}
+
+void actuator::on_controller(const std::optional<jaus::controller>& now, jaus::control_change) {
+    model_.controlled(account_, now ? std::optional{now->address} : std::nullopt);
+    rest();
+}
+
+void actuator::rest() {
+    command_ = 0;
+    model_.rests(account_);
+}
+
+std::optional<std::size_t> actuator::filler::operator()(std::uint16_t, std::uint32_t, std::span<std::byte> body) const {
+    const auto size = wire::encode(efforts_of<jaus::report_wrench_effort>(mine.command_), body);
+    return size ? std::optional<std::size_t>{size.size()} : std::nullopt;
+}
+
+robot::robot(world& w, network& n, model& m, const std::vector<place>& places, std::size_t which)
+    : node_program{w, n, m, places, which},
+      id_{.instance = 1, .component = 33, .node = 1, .subsystem = places[which].jausip.subsystem},
+      account_{m.add_actuator(*this, id_, number(), timeout)} {}
+
+void robot::add_components(net::node_machine& node) {
+    model_.starts(account_);
+    stuck_since_ = world_.now();
+    actuator_.emplace(id_, *this, model_, account_, timeout);
+    watched_.emplace(actuator_->core, *actuator_);
+    watched_->seen_in = [this](const jaus::header& head) { model_.arrives(account_, current_message(), head); };
+    watched_->seen_out = [this](bytes message) { model_.answers(account_, message); };
+    watched_->seen_done = [this] { model_.handled(account_); };
+    static const auto nothing = [](const jaus::header&, bytes) { return jaus::message_outcome::not_mine; };
+    node.add(*watched_, nothing);
+    actuator_->core.change(jaus::state_event::initialized);
+}
+
+void robot::remove_components() {
+    watched_.reset();
+    actuator_.reset();
+}
+
+// Somebody looks after the machine.
+void robot::act() {
+    using enum jaus::primary_status_code;
+    const auto state = actuator_->core.state();
+    if (state == initialize) actuator_->core.change(jaus::state_event::initialized);
+    if (state != emergency && state != jaus::primary_status_code::shutdown) stuck_since_ = world_.now();
+    if (world_.now() - stuck_since_ < std::chrono::seconds{15}) return;
+    if (state == jaus::primary_status_code::shutdown) return die(std::chrono::milliseconds{100});
+    model_.person_clears(account_);
+    actuator_->core.end_emergency();
+    stuck_since_ = world_.now();
+}
+
+} // namespace simulation

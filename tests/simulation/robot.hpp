@@ -1,0 +1,68 @@
+// A program whose component is an actuator itself: a Primitive Driver whose motors it drives directly.
+#pragma once
+
+#include "simulation/node_program.hpp"
+#include <jauscat/jaus/component.hpp>
+#include <jauscat/jaus/service_connections.hpp>
+
+#include <array>
+
+namespace simulation {
+
+/// The Primitive Driver. What it must do by itself is to bring its motors to rest whenever it is told to.
+class actuator {
+  public:
+    actuator(const jaus::address& self, const process& program, model& m, std::uint8_t account,
+             time controller_timeout);
+    actuator(const actuator&) = delete;
+    actuator& operator=(const actuator&) = delete;
+
+    jaus::message_outcome operator()(const jaus::header& head, bytes body);
+
+  private:
+    void on_state(jaus::primary_status_code from, jaus::primary_status_code to);
+    void on_controller(const std::optional<jaus::controller>& now, jaus::control_change why);
+    void rest();
+
+    const process& program_;
+    model& model_;
+    std::uint8_t account_;
+    command_number command_{};
+    std::array<std::byte, 256> report_{};
+    struct filler {
+        actuator& mine;
+        std::optional<std::size_t> operator()(std::uint16_t, std::uint32_t, std::span<std::byte> body) const;
+    } filler_{*this};
+    static constexpr std::array<jaus::connectable_report, 1> reports{{{0x2405, 1, 50}}};
+    jaus::service_connections<8> connections_;
+    jaus::component_memory<8, 256, 256> memory_{};
+
+  public:
+    jaus::component<jaus::service_connections<8>> core;
+};
+
+/// The program around it.
+class robot final : public node_program {
+  public:
+    robot(world& w, network& n, model& m, const std::vector<place>& places, std::size_t which);
+
+    [[nodiscard]] std::uint8_t account() const noexcept { return account_; }
+
+  protected:
+    void add_components(net::node_machine& node) override;
+    void remove_components() override;
+    [[nodiscard]] std::optional<std::uint8_t> sender_of(const jaus::address&) const override { return std::nullopt; }
+    void act() override;
+    [[nodiscard]] time act_interval() const override { return std::chrono::seconds{1}; }
+
+  private:
+    static constexpr time timeout = std::chrono::milliseconds{500};
+
+    jaus::address id_;
+    std::uint8_t account_;
+    std::optional<actuator> actuator_{};
+    std::optional<watched_component<decltype(actuator::core), actuator>> watched_{};
+    time stuck_since_{};
+};
+
+} // namespace simulation

@@ -1,0 +1,215 @@
+// The program of the simulation: many seeds, or one with its story.
+#include "simulation/simulation.hpp"
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <mutex>
+#include <random>
+#include <stdexcept>
+#include <thread>
+
+namespace {
+
+using namespace simulation;
+namespace po = boost::program_options;
+using wall = std::chrono::steady_clock;
+
+constexpr const char* help =
+    R"(simulate: whole systems in simulated time, and the contract of docs/safety.md checked after every step.
+
+Each seed is a run of its own: operators, a network, robots, a bridge and its slaves, with faults at random. It replays
+exactly. At the first violation the program tries to do with fewer faults and actors, prints what happened, and exits
+with 1.
+
+Examples:
+  simulate --for 60                    new seeds for a minute
+  simulate --hours 10                  ten simulated hours
+  simulate --seed 4711                 one seed, again
+  simulate --seed 4711 --whole         the same with all that happened in the end
+  simulate --hours 1 --without process-frozen --without clock-leap
+)";
+
+std::atomic<bool> interrupted{};
+
+struct options {
+    std::uint64_t first_seed{};
+    bool one_seed{}, whole{}, keep_going{}, progress{true};
+    double hours{};   ///< simulated; 0: no limit
+    double seconds{}; ///< real; 0: no limit
+    unsigned jobs{};
+    settings each{};
+};
+
+fault_set faults_of(const po::variables_map& values) {
+    const auto named = [](const std::string& name) {
+        const auto kind = fault_of(name);
+        if (!kind) throw std::runtime_error{"there is no fault " + name + "; --list names them"};
+        return only(*kind);
+    };
+    fault_set chosen = every_fault;
+    if (values.count("only") != 0) {
+        chosen = 0;
+        for (const auto& name : values["only"].as<std::vector<std::string>>()) chosen |= named(name);
+    }
+    if (values.count("without") != 0)
+        for (const auto& name : values["without"].as<std::vector<std::string>>()) chosen &= ~named(name);
+    return chosen;
+}
+
+/// All that the runs have shown so far.
+struct totals {
+    std::mutex mutex{};
+    double simulated{}; ///< seconds
+    std::uint64_t steps{}, runs{};
+    fault_counts faults{};
+    unsigned violations{};
+
+    void add(const run_result& one) {
+        simulated += std::chrono::duration<double>(one.length).count();
+        steps += one.steps;
+        ++runs;
+        for (std::size_t i = 0; i != fault_count; ++i) faults[i] += one.faults[i];
+        if (one.broken) ++violations;
+    }
+};
+
+void show_violation(settings what, const run_result& first, bool whole) {
+    std::printf("\nseed %llu breaks the contract; looking for what it takes\n",
+                static_cast<unsigned long long>(what.seed));
+    std::fflush(stdout);
+    what = shrink(what, *first.broken);
+    const auto again = run(what);
+    std::fputs(story_text(what, again, whole).c_str(), stdout);
+    std::printf("again: scripts/simulate --seed %llu --seconds %lld\n", static_cast<unsigned long long>(what.seed),
+                static_cast<long long>(what.length / std::chrono::seconds{1}));
+}
+
+void show_progress(totals& all, wall::time_point begin) {
+    const std::lock_guard lock{all.mutex};
+    const double real = std::chrono::duration<double>(wall::now() - begin).count();
+    std::printf("%7.0f s: %9.3f simulated hours, %5.0f times real time, %llu seeds, %llu steps, %u violations\n", real,
+                all.simulated / 3600, all.simulated / real, static_cast<unsigned long long>(all.runs),
+                static_cast<unsigned long long>(all.steps), all.violations);
+    std::fflush(stdout);
+}
+
+void show_faults(const totals& all) {
+    std::printf("faults:\n");
+    for (std::size_t i = 0; i != fault_count; ++i)
+        std::printf("  %-18s %12llu\n", std::string{fault_names[i]}.c_str(),
+                    static_cast<unsigned long long>(all.faults[i]));
+}
+
+bool run_seeds(const options& chosen) {
+    const auto begin = wall::now();
+    totals all{};
+    std::atomic<std::uint64_t> next{chosen.first_seed};
+    std::atomic<bool> over{};
+    const auto work = [&] {
+        while (!over && !interrupted) {
+            settings what = chosen.each;
+            what.seed = next++;
+            const auto result = run(what);
+            const std::lock_guard lock{all.mutex};
+            all.add(result);
+            if (result.broken && (!over || chosen.keep_going)) {
+                if (!chosen.keep_going) over = true;
+                show_violation(what, result, chosen.whole);
+            }
+            if (chosen.hours != 0 && all.simulated >= chosen.hours * 3600) over = true;
+            if (chosen.seconds != 0 && std::chrono::duration<double>(wall::now() - begin).count() >= chosen.seconds)
+                over = true;
+        }
+    };
+    {
+        std::vector<std::jthread> workers;
+        for (unsigned i = 0; i != chosen.jobs; ++i) workers.emplace_back(work);
+        auto shown = begin;
+        while (!over && !interrupted) {
+            std::this_thread::sleep_for(std::chrono::milliseconds{100});
+            if (wall::now() - shown < std::chrono::seconds{10}) continue;
+            shown = wall::now();
+            show_progress(all, begin);
+        }
+    }
+    show_progress(all, begin);
+    show_faults(all);
+    if (interrupted) std::printf("interrupted\n");
+    return all.violations == 0;
+}
+
+bool run_one(const options& chosen) {
+    settings what = chosen.each;
+    what.seed = chosen.first_seed;
+    const auto result = run(what);
+    std::printf("seed %llu: %lld simulated seconds, %llu steps, digest %016llx\n",
+                static_cast<unsigned long long>(what.seed),
+                static_cast<long long>(result.length / std::chrono::seconds{1}),
+                static_cast<unsigned long long>(result.steps), static_cast<unsigned long long>(result.digest));
+    if (!result.broken) return true;
+    show_violation(what, result, chosen.whole);
+    return false;
+}
+
+int start(int argc, char** argv) {
+    po::options_description known;
+    // clang-format off
+    known.add_options()
+        ("help,h", "this text")
+        ("list", "names of the faults")
+        ("hours", po::value<double>()->default_value(0), "simulated hours; 0: no limit")
+        ("for", po::value<double>()->default_value(0), "real seconds; 0: no limit")
+        ("seed", po::value<std::uint64_t>(), "only this seed")
+        ("from", po::value<std::uint64_t>(), "the first seed; without it a random one, which is printed")
+        ("seconds", po::value<long>()->default_value(120), "simulated seconds of each seed")
+        ("jobs", po::value<unsigned>()->default_value(std::max(std::thread::hardware_concurrency(), 1U)), "threads")
+        ("only", po::value<std::vector<std::string>>(), "only this kind of fault; may be given several times")
+        ("without", po::value<std::vector<std::string>>(), "without this kind of fault")
+        ("whole", po::bool_switch(), "the whole end of the story, not only what matters")
+        ("keep-going", po::bool_switch(), "go on after a violation");
+    // clang-format on
+    po::variables_map values;
+    po::positional_options_description positional;
+    positional.add("hours", 1);
+    po::store(po::command_line_parser{argc, argv}.options(known).positional(positional).run(), values);
+    if (values.count("help") != 0) {
+        std::cout << help << "\nOptions:\n" << known;
+        return 0;
+    }
+    if (values.count("list") != 0) {
+        for (const auto name : fault_names) std::cout << name << '\n';
+        return 0;
+    }
+    options chosen{.whole = values["whole"].as<bool>(),
+                   .keep_going = values["keep-going"].as<bool>(),
+                   .hours = values["hours"].as<double>(),
+                   .seconds = values["for"].as<double>(),
+                   .jobs = std::max(values["jobs"].as<unsigned>(), 1U),
+                   .each = {.length = std::chrono::seconds{values["seconds"].as<long>()}, .faults = faults_of(values)}};
+    if (values.count("seed") != 0) {
+        chosen.first_seed = values["seed"].as<std::uint64_t>();
+        return run_one(chosen) ? 0 : 1;
+    }
+    chosen.first_seed =
+        values.count("from") != 0 ? values["from"].as<std::uint64_t>() : std::uint64_t{std::random_device{}()} << 16U;
+    std::printf("seeds from %llu\n", static_cast<unsigned long long>(chosen.first_seed));
+    return run_seeds(chosen) ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    std::signal(SIGINT, [](int) { interrupted = true; });
+    std::signal(SIGTERM, [](int) { interrupted = true; });
+    try {
+        return start(argc, argv);
+    } catch (const std::exception& problem) {
+        std::fprintf(stderr, "simulate: %s\n", problem.what());
+        return 2;
+    }
+}

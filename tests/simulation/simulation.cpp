@@ -1,0 +1,181 @@
+#include "simulation/simulation.hpp"
+
+#include "simulation/memory.hpp"
+#include "simulation/operators.hpp"
+#include "simulation/robot.hpp"
+
+#include <cstdio>
+#include <memory>
+#include <set>
+#include <sstream>
+
+namespace simulation {
+namespace {
+
+/// Memory after the first part of a run is what later parts are measured by.
+class memory_watch {
+  public:
+    explicit memory_watch(world& w) : world_{w} {}
+    void look() {
+        if (world_.now() < next_) return;
+        next_ = world_.now() + std::chrono::seconds{1};
+        const auto held = live_bytes();
+        if (world_.now() < std::chrono::seconds{20}) {
+            usual_ = std::max(usual_, held);
+        } else if (held > 2 * usual_ + (4 << 20)) {
+            world_.breaks({.point = contract::memory,
+                           .expected = "not much more than the " + std::to_string(usual_) + " bytes at the begin",
+                           .found = std::to_string(held) + " bytes"});
+        }
+    }
+
+  private:
+    world& world_;
+    time next_{};
+    std::ptrdiff_t usual_{};
+};
+
+constexpr jaus::address subsystem(std::uint8_t id) { return {0, 0, 0, id}; }
+constexpr jaus::address component_of(std::uint8_t id, std::uint8_t component) { return {1, component, 1, id}; }
+
+/// Robots that are JAUS components themselves, and operators of both kinds.
+class jaus_system {
+  public:
+    jaus_system(world& w, const settings& what) : world_{w}, network_{w}, model_{w, network_} {
+        auto random = w.stream(1000);
+        // A program that is one component has no node manager; others have one.
+        const auto at = [&](const char* name, std::uint8_t id, std::uint8_t component) {
+            const bool has_manager = random.below(4) != 0;
+            places_.push_back({name, has_manager ? subsystem(id) : jaus::address{0, component, 1, id}});
+        };
+        at("robot a", 2, 33);
+        at("robot b", 3, 33);
+        at("operator a", 1, 32);
+        at("operator b", 4, 32);
+        places_.push_back({"foreign operator", {0, 32, 1, 5}});
+        add<robot>(0U);
+        add<robot>(1U);
+        const auto some_robot = [&] { return static_cast<std::uint8_t>(2 + random.below(2)); };
+        add<operator_program>(2U, component_of(some_robot(), 33));
+        add<operator_program>(3U, component_of(some_robot(), 33));
+        const auto robot_of_foreign = some_robot();
+        processes_.push_back(std::make_unique<foreign_operator>(
+            w, network_, model_, component_of(5, 32), component_of(robot_of_foreign, 33),
+            static_cast<std::uint8_t>(robot_of_foreign - 2), places_[4].name));
+        network_.start();
+        for (auto& one : processes_)
+            if ((what.absent >> one->number() & 1U) == 0) one->start();
+        w.check = [this] {
+            model_.check();
+            memory_.look();
+        };
+    }
+
+  private:
+    template <class Program, class... More> void add(std::size_t place, More... more) {
+        processes_.push_back(std::make_unique<Program>(world_, network_, model_, places_, place, more...));
+    }
+    world& world_;
+    network network_;
+    model model_;
+    std::vector<place> places_{};
+    std::vector<std::unique_ptr<process>> processes_{};
+    memory_watch memory_{world_};
+};
+
+bool is_chatter(deed what) {
+    return what == deed::sends || what == deed::gets || what == deed::loses || what == deed::doubles ||
+           what == deed::delays || what == deed::hears_acknowledged || what == deed::hears_refused ||
+           what == deed::hears_nothing || what == deed::acknowledges || what == deed::refuses;
+}
+
+} // namespace
+
+run_result run(const settings& what) {
+    world w{what.seed, what.faults};
+    run_result result{};
+    {
+        const jaus_system system{w, what};
+        w.run(what.length);
+    }
+    result.broken = w.broken();
+    result.length = w.now();
+    result.steps = w.steps();
+    result.digest = w.told.digest();
+    result.faults = w.faults.counts();
+    result.names = w.names();
+    if (result.broken) result.story = w.told.last();
+    return result;
+}
+
+settings shrink(const settings& what, const violation& broken) {
+    settings best = what;
+    best.length = broken.at;
+    const auto still = [&](const settings& trial) {
+        const auto again = run(trial);
+        return again.broken && again.broken->point == broken.point && again.broken->expected == broken.expected;
+    };
+    // What is left out changes the rest a bit: the fault may come later than it did.
+    best.length = std::max<time>(2 * broken.at, std::chrono::seconds{60});
+    for (std::uint32_t number = 1; number != 16; ++number) {
+        settings trial = best;
+        trial.absent |= std::uint32_t{1} << number;
+        if (number != broken.who && still(trial)) best = trial;
+    }
+    for (std::size_t i = 0; i != fault_count; ++i) {
+        settings trial = best;
+        trial.faults &= ~only(static_cast<fault>(i));
+        if (still(trial)) best = trial;
+    }
+    return best;
+}
+
+namespace {
+
+/// Messages on which the events turn: the one concerned, and those that changed something where it went wrong.
+std::set<std::uint32_t> messages_that_matter(const run_result& result, auto&& concerns) {
+    const auto& v = *result.broken;
+    std::set<std::uint32_t> found{v.message};
+    for (const auto& one : result.story) {
+        const bool is_recent = one.at + std::chrono::seconds{1} > v.at;
+        if (concerns(one) && (one.what == deed::enters_state || one.what == deed::controlled_by ||
+                              (one.what == deed::executes && is_recent)))
+            found.insert(one.message);
+    }
+    found.erase(0);
+    return found;
+}
+
+std::vector<happening> what_matters(const run_result& result) {
+    const auto& v = *result.broken;
+    const auto concerns = [&](const happening& one) {
+        return one.who == v.who || (v.whom != 0 && (one.who == v.whom || one.whom == v.whom));
+    };
+    const auto messages = messages_that_matter(result, concerns);
+    std::vector<happening> lines;
+    for (const auto& one : result.story) {
+        const bool is_of_message = is_chatter(one.what) && (one.message != 0 || one.value == 0);
+        if (is_of_message ? messages.count(one.message) != 0 : concerns(one)) lines.push_back(one);
+    }
+    constexpr std::ptrdiff_t most = 40;
+    if (std::ssize(lines) > most) lines.erase(lines.begin(), lines.end() - most);
+    return lines;
+}
+
+} // namespace
+
+std::string story_text(const settings& what, const run_result& result, bool whole) {
+    if (!result.broken) return "seed " + std::to_string(what.seed) + ": nothing is wrong\n";
+    const auto& v = *result.broken;
+    std::ostringstream text;
+    text << name_of(v.point) << "\n  seed      " << what.seed << ", at " << result.names[v.who] << "\n  expected  "
+         << v.expected << "\n  found     " << v.found << "\n";
+    for (const auto& one : whole ? result.story : what_matters(result)) {
+        std::array<char, 32> at{};
+        std::snprintf(at.data(), at.size(), "%12.4f s  ", std::chrono::duration<double>(one.at).count());
+        text << at.data() << text_of(one, result.names) << '\n';
+    }
+    return text.str();
+}
+
+} // namespace simulation

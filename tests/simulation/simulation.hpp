@@ -1,0 +1,42 @@
+// One run of a whole system, and the story of one that went wrong.
+#pragma once
+
+#include "simulation/contract.hpp"
+#include "simulation/faults.hpp"
+#include "simulation/story.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace simulation {
+
+/// What is simulated.
+struct settings {
+    std::uint64_t seed{};
+    time length{std::chrono::seconds{60}}; ///< simulated
+    fault_set faults{every_fault};
+    std::uint32_t absent{}; ///< actors that are left out, by the bit of their number
+    friend bool operator==(const settings&, const settings&) = default;
+};
+
+/// What became of it.
+struct run_result {
+    std::optional<violation> broken{};
+    time length{}; ///< simulated
+    std::uint64_t steps{};
+    std::uint64_t digest{};
+    fault_counts faults{};
+    std::vector<std::string> names{}; ///< of the actors; 0 is the network
+    std::vector<happening> story{};   ///< its end, if the contract was broken
+};
+
+[[nodiscard]] run_result run(const settings& what);
+
+/// The same fault of the system under test with fewer faults around it and fewer actors.
+[[nodiscard]] settings shrink(const settings& what, const violation& broken);
+
+/// The violation, and the events that matter, one on a line.
+[[nodiscard]] std::string story_text(const settings& what, const run_result& result, bool whole = false);
+
+} // namespace simulation

@@ -1,0 +1,80 @@
+// The simulation itself: a seed is the whole run, faults strike, a violation becomes a story.
+#include "simulation/simulation.hpp"
+#include "simulation/world.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+using namespace simulation;
+using namespace std::chrono_literals;
+
+TEST_CASE("a seed replays exactly, and another one is another run") {
+    const settings what{.seed = 7, .length = 20s};
+    const auto first = run(what), again = run(what);
+    REQUIRE(first.steps > 1000);
+    REQUIRE(first.digest == again.digest);
+    REQUIRE(first.steps == again.steps);
+    REQUIRE(first.faults == again.faults);
+    REQUIRE(run({.seed = 8, .length = 20s}).digest != first.digest);
+}
+
+TEST_CASE("what one run does leaves no trace in the next") {
+    const settings what{.seed = 9, .length = 5s};
+    const auto first = run(what);
+    static_cast<void>(run({.seed = 10, .length = 5s}));
+    REQUIRE(run(what).digest == first.digest);
+}
+
+TEST_CASE("without faults none strikes, and the contract holds") {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        const auto result = run({.seed = seed, .length = 30s, .faults = 0});
+        REQUIRE_FALSE(result.broken);
+        // Programs that number everything 0 or mix kinds are no fault that can be switched off while they run.
+        REQUIRE(result.faults[static_cast<std::size_t>(fault::datagram_lost)] == 0);
+        REQUIRE(result.faults[static_cast<std::size_t>(fault::process_killed)] == 0);
+    }
+}
+
+TEST_CASE("a kind of fault that is switched off leaves the others' chances as they are") {
+    fault_source all{generator{5}, every_fault}, fewer{generator{5}, every_fault & ~only(fault::datagram_lost)};
+    for (int i = 0; i != 10'000; ++i) {
+        static_cast<void>(all.strikes(fault::datagram_lost, 100'000));
+        static_cast<void>(fewer.strikes(fault::datagram_lost, 100'000));
+        REQUIRE(all.strikes(fault::datagram_doubled, 100'000) == fewer.strikes(fault::datagram_doubled, 100'000));
+    }
+    REQUIRE(fewer.counts()[static_cast<std::size_t>(fault::datagram_lost)] == 0);
+}
+
+TEST_CASE("events of one instant happen in the order in which they were put") {
+    struct listener final : actor {
+        std::vector<std::uint32_t> heard{};
+        void on_event(std::uint8_t, std::uint32_t argument) override { heard.push_back(argument); }
+    } who;
+    world w{1};
+    for (std::uint32_t i = 0; i != 100; ++i) w.at(simulation::time{i % 3}, who, 0, i);
+    w.run(simulation::time{10});
+    std::vector<std::uint32_t> expected(100);
+    std::iota(expected.begin(), expected.end(), 0U);
+    std::ranges::stable_sort(expected, {}, [](std::uint32_t i) { return i % 3; });
+    REQUIRE(who.heard == expected);
+}
+
+TEST_CASE("a violation is told with what was expected, what was found, and the lines that lead to it") {
+    run_result result{
+        .broken =
+            violation{.point = contract::s2, .at = 2s, .who = 1, .message = 3, .expected = "rest", .found = "motion"},
+        .names = {"network", "robot", "operator", "stranger"}};
+    result.story = {
+        {.at = 1s, .what = deed::dies, .who = 3},
+        {.at = 1s, .what = deed::sends, .who = 2, .whom = 1, .code = 0x0003, .number = 8, .message = 3},
+        {.at = 2s, .what = deed::acknowledges, .who = 1, .whom = 2, .code = 0x0003, .number = 8, .message = 3}};
+    const auto text = story_text({.seed = 4711}, result);
+    REQUIRE(text == R"(S2: stop orders come first, and are repeated until they are confirmed
+  seed      4711, at robot
+  expected  rest
+  found     motion
+      1.0000 s  operator sends to robot: Standby 0003h, number 8 (message 3)
+      2.0000 s  robot acknowledges to operator: Standby 0003h, number 8 (message 3)
+)");
+}

@@ -1,0 +1,88 @@
+// What happened, kept as numbers; lines of text are made only of what somebody reads.
+#pragma once
+
+#include "simulation/faults.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace simulation {
+
+/// Kinds of happenings. The comment says what `code`, `number` and `value` are where they are used.
+enum class deed : std::uint8_t {
+    starts,             ///< number: which life of the process it is
+    goes_mute,          ///< its component, while its node goes on
+    dies,               //
+    freezes,            ///< value: milliseconds
+    goes_on,            //
+    clock_leaps,        ///< value: milliseconds
+    sends,              ///< code, sequence number, message
+    gets,               ///< code, sequence number, message
+    loses,              ///< the network; code, sequence number, message
+    doubles,            ///< the network
+    delays,             ///< the network; value: milliseconds
+    parts,              ///< the network, `whom` from `value`
+    joins,              //
+    acknowledges,       ///< code, sequence number, message
+    refuses,            ///< with NAK
+    hears_acknowledged, ///< code, sequence number
+    hears_refused,      //
+    hears_nothing,      ///< gave up
+    executes,           ///< code, sequence number, message, value: the command
+    rests,              ///< efforts go to zero
+    enters_state,       ///< number: from, value: to
+    controlled_by,      ///< whom, 0: nobody
+    control,            ///< of the asking side; value: the control_state
+    delivers_large,     ///< value: its identity, number: kilobytes
+    sends_large,        //
+    person,             ///< ends the emergency at the machine
+    ring,               ///< something of EtherCAT; number: which (ring_deed), value
+};
+
+/// 32 bytes for each.
+struct happening {
+    time at{};
+    deed what{};
+    std::uint8_t who{};
+    std::uint8_t whom{};
+    std::uint16_t code{};
+    std::uint16_t number{};
+    std::uint32_t message{}; ///< the world's number for it, the same for all its copies; 0: has none
+    std::uint32_t value{};
+};
+
+/// One line without the time.
+std::string text_of(const happening& one, const std::vector<std::string>& names);
+/// The same for `deed::ring`.
+std::string ring_text(const happening& one, const std::vector<std::string>& names);
+
+/// The last happenings, and a digest of all.
+class story {
+  public:
+    void tell(const happening& one) noexcept {
+        last_[told_++ % last_.size()] = one;
+        mix(static_cast<std::uint64_t>(one.at.count()));
+        mix(std::uint64_t{static_cast<std::uint8_t>(one.what)} << 48U | std::uint64_t{one.who} << 40U |
+            std::uint64_t{one.whom} << 32U | std::uint64_t{one.code} << 16U | one.number);
+        mix(std::uint64_t{one.message} << 32U | one.value);
+    }
+    [[nodiscard]] std::uint64_t digest() const noexcept { return digest_; }
+    [[nodiscard]] std::vector<happening> last() const {
+        std::vector<happening> all;
+        const std::uint64_t first = told_ > last_.size() ? told_ - last_.size() : 0;
+        for (auto i = first; i != told_; ++i) all.push_back(last_[i % last_.size()]);
+        return all;
+    }
+
+  private:
+    void mix(std::uint64_t value) noexcept {
+        digest_ = (digest_ ^ value) * 0x9FB21C651E98DF25;
+        digest_ ^= digest_ >> 32U;
+    }
+    std::vector<happening> last_ = std::vector<happening>(std::size_t{1} << 15U);
+    std::uint64_t told_{};
+    std::uint64_t digest_{};
+};
+
+} // namespace simulation
