@@ -280,7 +280,8 @@ TEST_CASE("a stranger is answered where it was last heard, and gets no heartbeat
         r.port,
         {.code = 0x0008, .source = commander, .destination = driver, .body = {0x05, 0x44, 0xB0, 4, 0xFF, 0xFF, 0, 0}});
     REQUIRE(after.wait_for(0x4405));
-    REQUIRE(until_silence() <= 2 * most); // heartbeats, and reports as often
+    constexpr int pulses = 8;                      // it is asked whether it is still there
+    REQUIRE(until_silence() <= 2 * most + pulses); // heartbeats, and reports as often
     REQUIRE(r.node.send({.destination = make(7, 1, 32), .source = make(2, 1, 33)}, jaus::query_component_status{}));
     REQUIRE_FALSE(after.receive().empty());
 }

@@ -199,7 +199,7 @@ TEST_CASE("a large data set that the component refused is refused again when the
     jauscat::net::limited_log log{{}};
     jauscat::net::detail::node_components components{options, log};
     components.add({core, application});
-    components.start(1U << 20U, false);
+    components.start(1U << 20U, nullptr);
     nanoseconds now{};
     const auto answer_to = [&](jaus::data_flag flag, std::uint16_t number, std::byte content) {
         auto packet = head;
@@ -240,7 +240,7 @@ TEST_CASE("a patience without end does not end, and wakes nobody") {
     jauscat::net::limited_log log{[&](std::string_view) { ++lines; }};
     jauscat::net::detail::node_components components{options, log};
     components.add({core, application});
-    components.start(1U << 20U, false);
+    components.start(1U << 20U, nullptr);
     const auto ignore = [](std::span<const std::byte>) {};
     auto packet = head;
     packet.data_flag = jaus::data_flag::first;

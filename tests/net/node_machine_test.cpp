@@ -1,58 +1,9 @@
 // The node without sockets: two of them against each other, in simulated time.
-#include "net/node_program.hpp"
-#include "net/simulated_network.hpp"
+#include "net/simulated_program.hpp"
 
 using namespace test;
 
 namespace {
-
-/// A node with one component, without sockets.
-struct simulated_program {
-    simulated_program(simulated_network& network, const net::jaus_config& c, const jaus::address& id,
-                      net::jaus_node_options options = {})
-        : self{id}, at{c.me().endpoint()}, on{network}, node{c, with_hooks(std::move(options)), network.sender(at), 1} {
-        core.change(jaus::state_event::initialized);
-        node.add(core, application);
-        node.start(network.now);
-        network.attach(at, node);
-    }
-    ~simulated_program() { on.detach(at); }
-    simulated_program(const simulated_program&) = delete;
-    simulated_program& operator=(const simulated_program&) = delete;
-
-    net::jaus_node_options with_hooks(net::jaus_node_options options) {
-        options.log = [this](std::string_view line) { log.emplace_back(line); };
-        options.appeared = [this](const jaus::address& who) { appeared.push_back(who); };
-        options.disappeared = [this](const jaus::address& who) { disappeared.push_back(who); };
-        return options;
-    }
-
-    struct hooks_type {
-        std::vector<jaus::delivered> delivered{};
-        void on_delivered(const jaus::awaited_message&, jaus::delivered what) { delivered.push_back(what); }
-    };
-
-    jaus::address self;
-    simulated_network::endpoint at;
-    simulated_network& on;
-    std::vector<std::string> log{};
-    std::vector<jaus::address> appeared{}, disappeared{};
-    std::vector<bytes> large{};
-    hooks_type hooks{};
-    jaus::component_memory<> memory{};
-    jaus::held_control other{self, make(2, 1, 33), {.patience = 2s}};
-    jaus::component<jaus::held_control> core{
-        self, memory, {.on_delivered = jaus::bound<&hooks_type::on_delivered>(hooks)}, {}, other};
-    struct handler {
-        simulated_program& mine;
-        jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) const {
-            if (head.command_code != 0xD111) return jaus::message_outcome::not_mine;
-            mine.large.emplace_back(body.begin(), body.end());
-            return jaus::message_outcome::taken;
-        }
-    } application{*this};
-    net::node_machine node;
-};
 
 struct simulated_pair {
     simulated_network network{};

@@ -29,7 +29,8 @@ struct jaus_node_options {
     udp_options socket{}; ///< how the socket is opened
 
     jaus::heartbeat beat = jaus::heartbeat_to_all(); ///< of the node manager
-    /// A component that sends no heartbeat for so long is gone.
+    /// A component that sends no heartbeat for so long is gone; and a peer that a component here depends on, whose node
+    /// is not heard, when it sends nothing and does not answer for so long. See detail::peer_watch.
     std::chrono::nanoseconds patience{std::chrono::seconds{3}};
 
     /// Large data sets that each component can receive at a time. They share the configuration's `largedata` bytes, of

@@ -77,7 +77,7 @@ class node_machine {
             make_manager(core_.components.addresses());
             core_.components.replace(0, {manager_->core, *manager_});
         }
-        core_.components.start(config_.me().limits.large_data_memory, has_manager());
+        core_.components.start(config_.me().limits.large_data_memory, present());
         running_ = true;
         wake(now);
     }

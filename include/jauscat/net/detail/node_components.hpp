@@ -3,8 +3,10 @@
 
 #include <jauscat/jaus/answer.hpp>
 #include <jauscat/jaus/later.hpp>
+#include <jauscat/jaus/presence_table.hpp>
 #include <jauscat/net/detail/attached_component.hpp>
 #include <jauscat/net/detail/large_data_memory.hpp>
+#include <jauscat/net/detail/peer_watch.hpp>
 #include <jauscat/net/jaus_node_options.hpp>
 #include <jauscat/net/jausip.hpp>
 #include <jauscat/net/limited_log.hpp>
@@ -33,7 +35,8 @@ class node_components {
     using time = std::chrono::nanoseconds;
     using bytes = std::span<const std::byte>;
 
-    node_components(const jaus_node_options& options, limited_log& log) : options_{options}, log_{log} {}
+    node_components(const jaus_node_options& options, limited_log& log)
+        : options_{options}, log_{log}, peers_{options.patience} {}
 
     void add(attached_component component) { all_.push_back({.it = std::move(component)}); }
     void replace(std::size_t place, attached_component component) { all_[place] = {.it = std::move(component)}; }
@@ -43,9 +46,10 @@ class node_components {
         return list;
     }
 
-    /// Memory for large data sets anew: `of_first` bytes for the first component if it is the node manager, equal parts
-    /// of the rest for the others.
-    void start(std::size_t memory, bool first_is_manager) {
+    /// Memory for large data sets anew: up to 64 KiB for the node manager, which is the first component if there is
+    /// one, equal parts of the rest for the others. `present`: whom the node manager hears, or nullptr.
+    void start(std::size_t memory, const jaus::presence_table* present) {
+        const bool first_is_manager = present != nullptr;
         const std::size_t of_manager = first_is_manager ? std::min(memory / 4, std::size_t{64} << 10U) : 0;
         const std::size_t others = std::max<std::size_t>(all_.size() - (first_is_manager ? 1 : 0), 1);
         for (std::size_t i = 0; i != all_.size(); ++i)
@@ -53,6 +57,8 @@ class node_components {
                 options_.large_data_sets, first_is_manager && i == 0 ? of_manager : (memory - of_manager) / others,
                 options_.large_data_patience);
         stale_at_ = time::max();
+        peers_.clear();
+        present_ = present;
         going_ = true;
     }
     /// No component gets anything from now on.
@@ -72,7 +78,7 @@ class node_components {
     /// A message or a packet of a large data set, whose packets are acknowledged one by one: the last with what the
     /// component makes of the whole.
     void hand_on(std::uint16_t to, const jaus::header& head, bytes body, time now, jaus::message_sink out) {
-        if (!going_) return;
+        if (!going_ || peers_.heard(head, now)) return;
         if (head.data_flag == jaus::data_flag::only || jaus::is_acknowledgement(head)) {
             give(all_[to], head, body, now, out);
             return;
@@ -85,6 +91,7 @@ class node_components {
             one.changed = true;
             if (going_) one.it.on_time(now, out);
         }
+        if (going_) watch_peers(now, out);
         if (!going_ || now < stale_at_) return;
         stale_at_ = time::max();
         for (auto& one : all_) {
@@ -96,7 +103,7 @@ class node_components {
     }
     /// Asks those that have got, sent or done something since: each looks through all that it waits for.
     [[nodiscard]] std::optional<time> next_event() {
-        time next = stale_at_;
+        time next = std::min(stale_at_, peers_.next_event().value_or(time::max()));
         for (auto& one : all_) {
             if (std::exchange(one.changed, false)) one.next = one.it.next_event().value_or(time::max());
             next = std::min(next, one.next);
@@ -109,10 +116,8 @@ class node_components {
             if (one.it.self == who) one.changed = true;
     }
     void on_lost(const jaus::address& who) {
-        for (auto& one : all_) {
-            one.changed = true;
-            if (going_) one.it.on_lost(who);
-        }
+        peers_.forget(who);
+        tell_components_lost(who);
     }
 
   private:
@@ -123,6 +128,31 @@ class node_components {
         bool changed{true};                    ///< since `next` was asked for
         time next{};                           ///< when it wants to be driven
     };
+
+    void tell_components_lost(const jaus::address& who) {
+        for (auto& one : all_) {
+            one.changed = true;
+            if (going_) one.it.on_lost(who);
+        }
+    }
+    void watch_peers(time now, jaus::message_sink out) {
+        const auto is_known = [&](const jaus::address& peer) {
+            bool any = false;
+            if (present_ != nullptr)
+                present_->for_each([&](const jaus::address& who) {
+                    any = any || (who.subsystem == peer.subsystem && who.node == peer.node);
+                });
+            return any;
+        };
+        peers_.on_time(now, is_known, out, [&](const jaus::address& gone) {
+            if (!going_) return;
+            log_(now, [&] { return to_jausip(gone) + " does not answer any more: it counts as lost"; });
+            tell_components_lost(gone);
+        });
+    }
+    [[nodiscard]] bool is_here(const jaus::address& who) const noexcept {
+        return std::ranges::any_of(all_, [&](const entry& one) { return one.it.self == who; });
+    }
 
     void hand_on_packet(entry& receiver, const jaus::header& head, bytes body, time now, jaus::message_sink out) {
         using jaus::reassembled;
@@ -165,6 +195,8 @@ class node_components {
         auto& to = receiver.it;
         receiver.changed = true;
         const auto what = to.on_message(head, body, now, out);
+        if ((what == taken || what == deferred) && peer_watch::binds(head.command_code) && !is_here(head.source))
+            peers_.bind(head.source, to.self, now);
         constexpr std::array unremarkable{taken, deferred, acknowledgement, repeated, pending};
         if (std::ranges::find(unremarkable, what) == unremarkable.end())
             log_(now,
@@ -175,6 +207,8 @@ class node_components {
     const jaus_node_options& options_;
     limited_log& log_;
     std::vector<entry> all_{};
+    peer_watch peers_;
+    const jaus::presence_table* present_{};
     time stale_at_{time::max()}; ///< when a large data set may have to be given up
     bool going_{};
 };

@@ -1,0 +1,129 @@
+// Liveness of the components that local components depend on, where no node manager hears of them.
+#pragma once
+
+#include <jauscat/jaus/answer.hpp>
+#include <jauscat/jaus/later.hpp>
+#include <jauscat/jaus/stands_for.hpp>
+#include <jauscat/schema/jaus/communications.hpp>
+#include <jauscat/schema/jaus/core.hpp>
+#include <jauscat/schema/jaus/event.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace jauscat::net::detail {
+
+/// Heartbeats go to node managers, so a program without one does not notice who is gone; neither does one with a node
+/// manager where a peer's node sends none. A peer that asks a local component for control, for a service connection or
+/// for events, sets its emergency, or confirms its event, is therefore watched: after a silence it is asked for its
+/// pulse (2202h), and it is lost when nothing at all has come from it for the patience. Watched is who has a place;
+/// their number is bounded.
+class peer_watch {
+  public:
+    using time = std::chrono::nanoseconds;
+    static constexpr std::size_t most = 4096;
+
+    explicit peer_watch(time patience) : patience_{std::max(patience, 3 * shortest)} {}
+
+    /// Whether a component depends on the sender of a message that it has taken.
+    [[nodiscard]] static constexpr bool binds(std::uint16_t command_code) noexcept {
+        switch (command_code) {
+        case jaus::set_emergency::command_code:
+        case jaus::request_component_control::command_code:
+        case jaus::create_service_connection::command_code:
+        case jaus::create_event::command_code:
+        case jaus::confirm_event_request::command_code: return true;
+        default: return false;
+        }
+    }
+    /// `component` has taken a message of `peer` that binds it.
+    void bind(const jaus::address& peer, const jaus::address& component, time now) {
+        if (peers_.size() == most && !peers_.contains(peer)) return;
+        auto& bound = peers_.try_emplace(peer, entry{.component = component}).first->second;
+        bound.heard_at = now;
+        bound.due = jaus::later(now, silence());
+        next_ = std::min(next_, bound.due);
+    }
+    /// A message of anybody. True: it is the answer to a pulse that was asked for here, and nobody else's.
+    bool heard(const jaus::header& head, time now) {
+        if (peers_.empty()) return false;
+        const auto found = peers_.find(head.source);
+        if (found == peers_.end()) return false;
+        auto& peer = found->second;
+        peer.heard_at = now;
+        const bool answers = head.command_code == jaus::report_heartbeat_pulse::command_code &&
+                             !jaus::is_acknowledgement(head) && head.destination == peer.component;
+        return answers && std::exchange(peer.asked, false);
+    }
+    /// All that `who` stands for is lost already.
+    void forget(const jaus::address& who) {
+        std::erase_if(peers_, [&](const auto& peer) { return jaus::stands_for(who, peer.first); });
+    }
+    void clear() noexcept {
+        peers_.clear();
+        next_ = time::max();
+    }
+
+    /// `is_known(peer)`: a node manager here hears its node, and says when that is lost. `lost(peer)` is called for
+    /// each that is lost.
+    void on_time(time now, auto&& is_known, jaus::message_sink out, auto&& lost) {
+        if (now < next_) return;
+        next_ = time::max();
+        for (auto at = peers_.begin(); at != peers_.end();) {
+            auto& [who, peer] = *at;
+            if (peer.due <= now && is_known(who)) peer.heard_at = now;
+            if (now - peer.heard_at >= patience_) {
+                const auto gone = who;
+                at = peers_.erase(at);
+                lost(gone);
+                continue;
+            }
+            if (peer.due <= now) ask(who, peer, now, out);
+            next_ = std::min(next_, peer.due);
+            ++at;
+        }
+    }
+    [[nodiscard]] std::optional<time> next_event() const noexcept {
+        return next_ == time::max() ? std::nullopt : std::optional{next_};
+    }
+
+  private:
+    static constexpr time shortest = std::chrono::milliseconds{1};
+
+    struct entry {
+        jaus::address component{}; ///< here, which asks
+        time heard_at{};
+        time due{};   ///< when it is looked at
+        bool asked{}; ///< and not answered
+    };
+    struct by_number {
+        static constexpr auto of(const jaus::address& a) noexcept {
+            return std::tuple{a.subsystem, a.node, a.component, a.instance};
+        }
+        constexpr bool operator()(const jaus::address& a, const jaus::address& b) const noexcept {
+            return of(a) < of(b);
+        }
+    };
+
+    [[nodiscard]] time silence() const noexcept { return patience_ / 3; }
+    void ask(const jaus::address& who, entry& peer, time now, jaus::message_sink out) const {
+        const auto silent_at = jaus::later(peer.heard_at, silence());
+        if (silent_at > now) {
+            peer.due = silent_at;
+            return;
+        }
+        peer.asked = true;
+        peer.due = std::min(jaus::later(now, patience_ / 12), jaus::later(peer.heard_at, patience_));
+        jaus::put({.destination = who, .source = peer.component}, jaus::query_heartbeat_pulse{}, out);
+    }
+
+    time patience_;
+    std::map<jaus::address, entry, by_number> peers_{};
+    time next_{time::max()};
+};
+
+} // namespace jauscat::net::detail

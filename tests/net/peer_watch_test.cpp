@@ -1,0 +1,93 @@
+// Lost peers of programs that no node manager tells about them, in simulated time.
+#include "net/simulated_program.hpp"
+
+using namespace test;
+
+namespace {
+
+/// An operator, and a node in two programs, of which the second has no node manager.
+struct node_in_two_programs {
+    simulated_network network{};
+    std::string systems =
+        system("operator", "1.0.0.0", 1001) + system("first", "2.1.0.0", 1002) + system("second", "2.1.33.0", 1003);
+    simulated_program ocu{network, config("operator", systems), make(1, 1, 32)};
+    simulated_program first{network, config("first", systems), make(2, 1, 40)};
+    simulated_program second{network, config("second", systems), make(2, 1, 33)};
+
+    bool run_for(
+        std::chrono::nanoseconds time, const std::function<bool()>& done = [] { return false; }) {
+        return network.run(network.now + time, done);
+    }
+    void connect() {
+        REQUIRE(ocu.node.send({.destination = second.self, .source = ocu.self},
+                              jaus::create_service_connection{jaus::report_wrench_effort::command_code, 10, 0},
+                              network.now));
+        REQUIRE(run_for(1s, [&] { return second.connections.next_event().has_value(); }));
+    }
+};
+
+} // namespace
+
+TEST_CASE("a program without a node manager notices that its controller and its service consumer are gone") {
+    node_in_two_programs p;
+    p.connect();
+    p.ocu.other.ask(9, p.network.now, p.ocu.node.out(p.network.now));
+    REQUIRE(p.run_for(1s, [&] { return p.second.core.control().controls(p.ocu.self); }));
+
+    p.run_for(1min);
+    REQUIRE(p.second.core.control().controls(p.ocu.self));
+    p.network.detach(p.ocu.at);
+    const auto gone_at = p.network.now;
+    REQUIRE(p.run_for(10s, [&] { return !p.second.core.control().controller(); }));
+    REQUIRE(p.network.now - gone_at <= 3s);
+    REQUIRE_FALSE(p.second.connections.next_event());
+    REQUIRE(p.second.logged("1.1.32.1 does not answer any more"));
+}
+
+TEST_CASE("a peer that only listens stays as long as it answers, and its answers disturb nobody") {
+    node_in_two_programs p;
+    p.connect();
+    p.network.faults = {.lose = 10};
+    p.run_for(10min);
+    REQUIRE(p.second.connections.next_event());
+    REQUIRE(p.second.log.empty());
+
+    // A pulse that the component itself has asked for is its own.
+    p.network.faults = {};
+    REQUIRE(p.second.node.send({.destination = p.ocu.self, .source = p.second.self}, jaus::query_heartbeat_pulse{},
+                               p.network.now));
+    p.run_for(100us + 100us);
+    REQUIRE(p.second.logged("command code 0x4202 1.1.32.1 -> 2.1.33.1: at 2.1.33.1: unknown message"));
+}
+
+TEST_CASE("a peer whose node has no node manager is noticed when it is gone, also by a program with one") {
+    simulated_network network{};
+    const auto systems = system("operator", "1.1.32.0", 1001) + system("robot", "2.0.0.0", 1002);
+    simulated_program ocu{network, config("operator", systems), make(1, 1, 32)};
+    simulated_program robot{network, config("robot", systems), make(2, 1, 33)};
+    ocu.other.ask(9, network.now, ocu.node.out(network.now));
+    REQUIRE(network.run(network.now + 1s, [&] { return robot.core.control().controls(ocu.self); }));
+    network.run(network.now + 1min);
+    REQUIRE(robot.core.control().controls(ocu.self));
+    network.detach(ocu.at);
+    const auto gone_at = network.now;
+    REQUIRE(network.run(network.now + 10s, [&] { return !robot.core.control().controller(); }));
+    REQUIRE(network.now - gone_at <= 3s);
+}
+
+TEST_CASE("a flood of peers that bind a component takes a bounded number of places") {
+    net::detail::peer_watch watch{3s};
+    const auto self = make(2, 1, 33);
+    for (unsigned node = 1; node != 255; ++node)
+        for (unsigned component = 1; component != 255; ++component) watch.bind(make(9, node, component), self, 0s);
+    std::size_t asked = 0, lost = 0;
+    const auto none_known = [](const jaus::address&) { return false; };
+    const auto count_lost = [&](const jaus::address&) { ++lost; };
+    watch.on_time(
+        1s, none_known, [&](std::span<const std::byte>) { ++asked; }, count_lost);
+    REQUIRE(asked == net::detail::peer_watch::most);
+    watch.on_time(
+        3s, none_known, [](std::span<const std::byte>) {}, count_lost);
+    REQUIRE(lost == net::detail::peer_watch::most);
+    REQUIRE_FALSE(watch.next_event());
+}
