@@ -270,8 +270,8 @@ TEST_CASE("what a stranger can make an open node send is small, and bounded for 
     const std::vector<question> questions{
         {0x2B00, manager_id, {2}, 24 + 84}, {0x2B00, robot_id, {4}, 24 + 84},  {0x2B03, robot_id, {}, 24 + 161},
         {0x2B03, manager_id, {}, 24 + 83},  {0x2B01, manager_id, {2}, 24 + 9}, {0x2B02, manager_id, {}, 24 + 40},
-        {0x2002, robot_id, {}, 24 + 5},     {0x2202, robot_id, {}, 24},        {0x000D, robot_id, {1}, 24 + 1},
-        {0x9999, robot_id, {}, 24},         {0x2002, {2, 1, 99, 1}, {}, 0},    {0x2002, {4, 1, 33, 1}, {}, 0},
+        {0x2002, robot_id, {}, 24 + 5},     {0x2202, robot_id, {}, 24},        {0x9999, robot_id, {}, 24},
+        {0x2002, {2, 1, 99, 1}, {}, 0},     {0x2002, {4, 1, 33, 1}, {}, 0},
     };
     for (const auto& q : questions) {
         const raw_message m{.code = q.code, .source = stranger, .destination = q.to, .body = q.body};
@@ -283,6 +283,16 @@ TEST_CASE("what a stranger can make an open node send is small, and bounded for 
     // To all of the node: an answer of each component, and no more.
     b.stranger.send(b.port, {.code = 0x2002, .source = stranger, .destination = {2, 1, 255, 255}});
     REQUIRE(drain() == 2 * (24 + 5));
+    // Who takes control is asked for its pulse, at most three times before it has lost control.
+    b.stranger.send(b.port, {.code = 0x000D, .source = stranger, .destination = robot_id, .body = {1}});
+    std::size_t sent = 0;
+    for (std::optional<raw_message> m; !m || m->code != 0x0010;) {
+        const auto got = b.stranger.receive();
+        m = read_datagram(got);
+        REQUIRE(m);
+        if (m->code != 0x4202) sent += got.size();
+    }
+    REQUIRE(sent <= 24 + 1 + 3 * 24 + 24);
     // A closed one sends nothing at all.
     besieged closed;
     for (const auto& q : questions)

@@ -25,7 +25,8 @@ struct arm {
     template <class T> message_outcome hear(const T& body, jaus::address from, time now = 0s) {
         const auto bytes = message({.destination = self, .source = from, .sequence_number = 9}, body);
         const auto m = jaus::split(bytes);
-        if (!control.admits(m.header, now)) return message_outcome::refused;
+        control.heard(from, now);
+        if (!control.admits(m.header)) return message_outcome::refused;
         return control.on_message(m.header, m.body, now, sent.sink());
     }
     /// The answer to a request for control.
@@ -40,7 +41,7 @@ struct arm {
         return sent.body<jaus::confirm_component_control>(last).response_code;
     }
     bool admits(std::uint16_t code, jaus::address from) {
-        return control.admits({.command_code = code, .source = from}, 0s);
+        return control.admits({.command_code = code, .source = from});
     }
     jaus::report_component_control report() {
         sent.clear();
@@ -152,21 +153,28 @@ TEST_CASE("control ends when the controller disappears") {
     REQUIRE(a.sent.empty());
 }
 
-TEST_CASE("control ends when the controller is silent for the timeout, and whatever it sends is life") {
+TEST_CASE("a silent controller is asked for its pulse from a quarter of the timeout on, and lost after all of it") {
     arm a{{.timeout = 1s}};
     REQUIRE_FALSE(a.control.next_event());
     a.request(1, ocu, 10s);
     a.sent.clear();
+    for (const std::chrono::nanoseconds due : {10250ms, 10500ms, 10750ms}) {
+        REQUIRE(a.control.next_event() == due);
+        a.control.on_time(due - 1ns, a.sent.sink());
+        REQUIRE(a.sent.empty());
+        a.control.on_time(due, a.sent.sink());
+        REQUIRE(a.sent.size() == 1);
+        REQUIRE(a.sent[0] == from_hex("06 02 02 22 01 20 01 01 01 31 02 03 00 00 00 00"));
+        a.sent.clear();
+    }
     REQUIRE(a.control.next_event() == 11s);
+    a.control.heard(other, 10900ms);
     a.control.on_time(11s - 1ns, a.sent.sink());
     REQUIRE(a.control.controls(ocu));
-    REQUIRE(a.control.admits({.command_code = 0x4202, .source = ocu}, 10900ms));
-    REQUIRE(a.control.admits({.command_code = 0x4202, .source = other}, 11500ms));
-    a.control.on_time(11800ms, a.sent.sink());
-    REQUIRE(a.control.controls(ocu));
     REQUIRE(a.sent.empty());
-    a.control.on_time(11900ms, a.sent.sink());
+    a.control.on_time(11s, a.sent.sink());
     REQUIRE_FALSE(a.control.controller());
+    REQUIRE(a.control.last_change() == jaus::control_change::lost);
     REQUIRE(a.sent.size() == 1);
     static_cast<void>(a.sent.body<jaus::reject_component_control>(0));
     REQUIRE(a.sent.header(0).destination == ocu);
@@ -175,8 +183,63 @@ TEST_CASE("control ends when the controller is silent for the timeout, and whate
     REQUIRE(a.sent.size() == 1);
 }
 
-TEST_CASE("without a timeout control does not end by itself") {
+TEST_CASE("whatever the controller sends is life, and its pulse is for the control that asked") {
+    arm a{{.timeout = 1s}};
+    a.request(1, ocu, 10s);
+    const jaus::header pulse{.command_code = 0x4202, .destination = self, .source = ocu};
+    REQUIRE_FALSE(a.control.takes_pulse(pulse)); // not asked for
+    a.control.on_time(10900ms, a.sent.sink());   // late: asked once, not three times
+    REQUIRE(a.sent.size() == 2);
+    REQUIRE(a.control.next_event() == 11s);
+    a.control.heard(ocu, 10950ms);
+    REQUIRE(a.control.next_event() == 11200ms);
+    REQUIRE_FALSE(a.control.takes_pulse({.command_code = 0x4202, .destination = self, .source = other}));
+    REQUIRE_FALSE(a.control.takes_pulse({.command_code = 0x4002, .destination = self, .source = ocu}));
+    REQUIRE(a.control.takes_pulse(pulse));
+    REQUIRE_FALSE(a.control.takes_pulse(pulse));
+    a.control.on_time(11200ms, a.sent.sink());
+    a.request(2, other, 11300ms);
+    REQUIRE_FALSE(a.control.takes_pulse({.command_code = 0x4202, .destination = self, .source = other}));
+}
+
+TEST_CASE("the default timeout is half a second, and any that is not 0 works") {
     arm a;
+    a.request(1, ocu, 10s);
+    REQUIRE(a.control.next_event() == 10125ms);
+    a.control.on_time(10500ms, a.sent.sink());
+    REQUIRE_FALSE(a.control.controller());
+    arm hasty{{.timeout = 1ns}}, patient{{.timeout = std::chrono::nanoseconds::max()}};
+    hasty.request(1, ocu, 10s);
+    REQUIRE(hasty.control.next_event() == 10s + 1ns);
+    hasty.control.on_time(10s + 1ns, hasty.sent.sink());
+    REQUIRE_FALSE(hasty.control.controller());
+    patient.request(1, ocu, 10s);
+    for (int i = 0; i != 3; ++i) patient.control.on_time(*patient.control.next_event(), patient.sent.sink());
+    REQUIRE(patient.control.controls(ocu));
+    REQUIRE(patient.control.next_event() == std::chrono::nanoseconds::max());
+}
+
+TEST_CASE("why the controller has changed") {
+    using enum jaus::control_change;
+    arm a;
+    a.request(1, ocu);
+    REQUIRE(a.control.last_change() == granted);
+    a.request(2, other);
+    REQUIRE(a.control.last_change() == taken_over);
+    a.request(3, other);
+    REQUIRE(a.control.last_change() == granted);
+    a.hear(jaus::release_component_control{}, other);
+    REQUIRE(a.control.last_change() == released);
+    a.request(1, ocu);
+    a.control.reject(a.sent.sink());
+    REQUIRE(a.control.last_change() == rejected);
+    a.request(1, ocu);
+    a.control.on_lost([](const jaus::address&) { return true; });
+    REQUIRE(a.control.last_change() == lost);
+}
+
+TEST_CASE("without a timeout control does not end by itself") {
+    arm a{{.timeout = 0s}};
     a.request(1, ocu);
     REQUIRE_FALSE(a.control.next_event());
     a.control.on_time(100h, a.sent.sink());
@@ -219,7 +282,8 @@ TEST_CASE("after a bad network both sides agree who has control, where silent co
         std::array operators{jaus::held_control{ocu, self, keep}, jaus::held_control{other, self, keep}};
         const auto out = network.sink();
         network.listen(self, [&](const jaus::header& head, std::span<const std::byte> body) {
-            if (control.admits(head, network.now)) control.on_message(head, body, network.now, out);
+            control.heard(head.source, network.now);
+            if (control.admits(head)) control.on_message(head, body, network.now, out);
         });
         network.work([&] {
             control.on_time(network.now, out);

@@ -217,6 +217,7 @@ TEST_CASE("a controller that renews its control keeps it, one that falls silent 
     jaus::component core{ocu_address, memory, {}, {}, control};
     bool alive = true;
     channel.listen(ocu_address, [&](const jaus::header& head, std::span<const std::byte> body) {
+        if (!alive && head.command_code == jaus::query_heartbeat_pulse::command_code) return;
         core.on_message(head, body, channel.now, channel.sink(),
                         [](const jaus::header&, auto) { return message_outcome::not_mine; });
     });
@@ -245,6 +246,7 @@ TEST_CASE("a confirmation that nobody waits for any more is answered with a rele
         const auto m = jaus::split(bytes);
         return control.on_message(m.header, m.body, 0s, sent.sink());
     };
+    constexpr auto taken_by_it = message_outcome::taken;
     control.ask(1, 0s, sent.sink());
     REQUIRE(hear(jaus::confirm_component_control{}, boss_address) == message_outcome::not_mine);
     REQUIRE(control.state() == control_state::asking);
@@ -257,6 +259,23 @@ TEST_CASE("a confirmation that nobody waits for any more is answered with a rele
     REQUIRE(control.state() == control_state::none);
     control.release(sent.sink());
     REQUIRE(sent.size() == 3);
+
+    // Also one that comes after a refusal or a loss: the arm is held by a unit that does not know it.
+    for (const control_state state : {control_state::refused, control_state::lost}) {
+        control.ask(1, 0s, sent.sink());
+        if (state == control_state::lost) REQUIRE(hear(jaus::confirm_component_control{}, arm_address) == taken_by_it);
+        REQUIRE(hear(jaus::reject_component_control{}, arm_address) == taken_by_it);
+        REQUIRE(control.state() == state);
+        sent.clear();
+        REQUIRE(hear(jaus::confirm_component_control{}, arm_address) == taken_by_it);
+        REQUIRE(control.state() == state);
+        REQUIRE(sent.size() == 1);
+        REQUIRE(sent[0] == from_hex("06 02 0e 00 01 31 02 03 01 20 01 01 00 00 00 00"));
+        REQUIRE(hear(jaus::confirm_component_control{jaus::component_control_response::control_not_accepted},
+                     arm_address) == taken_by_it);
+        REQUIRE(sent.size() == 1);
+    }
+    control.release(sent.sink());
 
     // An answer of Reject is a refusal, and a component that has disappeared is lost.
     control.ask(1, 0s, sent.sink());
@@ -469,19 +488,71 @@ TEST_CASE("an acknowledgement that nobody waits for ends in the core, but is a s
     const jaus::header head{
         .ack_nak = ack_nak::ack, .command_code = 0x0405, .destination = arm_address, .source = ocu_address};
     REQUIRE(a.hear(head, {}, 900ms, a.sent.sink()) == not_waited_for);
-    REQUIRE(a.core.next_event() == 1900ms);
+    REQUIRE(a.core.next_event() == 1150ms);
     REQUIRE(a.efforts.empty());
-    REQUIRE(a.core.send({.destination = ocu_address}, jaus::standby{}, 1s, a.sent.sink()));
-    REQUIRE(a.core.next_event() == 1250ms);
+    REQUIRE(a.core.send({.destination = ocu_address}, jaus::standby{}, 850ms, a.sent.sink()));
+    REQUIRE(a.core.next_event() == 1100ms);
+}
+
+TEST_CASE("a repeat that is dropped is a sign of life") {
+    arm a{{.control = {.timeout = 1s}}};
+    a.put_under_control_of(ocu_address);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7, 100ms) == taken);
+    REQUIRE(a.core.next_event() == 350ms);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7, 300ms) == repeated);
+    REQUIRE(a.core.next_event() == 550ms);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 8, 400ms) == taken);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 8, 500ms) == repeated);
+    REQUIRE(a.core.next_event() == 750ms);
+}
+
+TEST_CASE("an operator that only holds control keeps it by its pulse, one that dies loses it within half a second") {
+    lossy_channel channel;
+    arm a;
+    ocu operator_{ocu_address};
+    join(channel, a);
+    bool dead = false; // the component: its node lives
+    channel.listen(ocu_address, [&](const jaus::header& head, std::span<const std::byte> body) {
+        if (!dead) operator_.hear(head, body, channel.now, channel.sink());
+    });
+    operator_.control.ask(5, channel.now, channel.sink());
+    channel.run(60s);
+    REQUIRE(operator_.control.state() == control_state::held);
+    REQUIRE(a.core.control().controls(ocu_address));
+    REQUIRE(a.core.count(unknown) == 0); // the pulses are nobody else's business
+    REQUIRE(operator_.core.count(unknown) == 0);
+    REQUIRE(operator_.reports.empty());
+
+    dead = true;
+    channel.run(60s + 501ms); // an answer was still on its way
+    REQUIRE_FALSE(a.core.control().controller());
+    REQUIRE(a.hooks.changes == std::vector{jaus::control_change::granted, jaus::control_change::lost});
+    REQUIRE(a.hooks.controllers.back() == std::nullopt);
+}
+
+TEST_CASE("a unit that does not want control does not keep it by its pulse") {
+    lossy_channel channel;
+    arm a;
+    ocu operator_{ocu_address};
+    join(channel, a);
+    join(channel, operator_);
+    operator_.control.ask(5, channel.now, channel.sink());
+    channel.run(1s);
+    const auto lose = [](std::span<const std::byte>) {};
+    operator_.control.release(lose); // the release is lost
+    channel.run(2s);
+    REQUIRE_FALSE(a.core.control().controller());
+    REQUIRE(a.hooks.changes.back() == jaus::control_change::lost);
+    REQUIRE(operator_.control.state() == control_state::none);
 }
 
 TEST_CASE("all that a controller sends is a sign of life, also the end of its own emergency") {
     arm a{{.control = {.timeout = 1s}}};
     a.put_under_control_of(ocu_address);
     REQUIRE(a.hear(stop, ocu_address, ack_nak::none, 0, 300ms) == taken);
-    REQUIRE(a.core.next_event() == 1300ms);
+    REQUIRE(a.core.next_event() == 550ms);
     REQUIRE(a.hear(go_on, ocu_address, ack_nak::none, 0, 600ms) == taken);
-    REQUIRE(a.core.next_event() == 1600ms);
+    REQUIRE(a.core.next_event() == 850ms);
 }
 
 TEST_CASE("parts are asked after the core, and are driven in time") {
@@ -576,7 +647,7 @@ TEST_CASE("over a bad channel every command of the controller that is acknowledg
     const unsigned seed = GENERATE(range(1u, 9u));
     CAPTURE(seed);
     lossy_channel channel{seed};
-    arm a;
+    arm a{{.control = {.timeout = 0s}}}; // the channel is too bad for any that is not longer than its silences
     ocu operator_{ocu_address, {.acknowledgement = {.timeout = 100ms, .retries = 8}}};
     ocu intruder{boss_address, {.acknowledgement = {.timeout = 100ms, .retries = 8}}};
     join(channel, a);

@@ -137,8 +137,8 @@ template <class... Parts> class component {
   private:
     constexpr component_outcome take(const header& head, std::span<const std::byte> body, time now, message_sink out,
                                      auto& application) {
+        control_.heard(head.source, now);
         if (is_acknowledgement(head)) {
-            control_.heard(head.source, now);
             return sender_.on_message(head, delivered_hook()) ? component_outcome::acknowledgement
                                                               : component_outcome::not_waited_for;
         }
@@ -161,7 +161,7 @@ template <class... Parts> class component {
                                      auto& application, component_outcome& what) {
         const bool clears_own = head.command_code == clear_emergency::command_code &&
                                 state_.holds_emergency(head.source) && !control_.controls(head.source);
-        if (!clears_own && !control_.admits(head, now)) {
+        if (!clears_own && !control_.admits(head)) {
             what = component_outcome::not_controller;
             return message_outcome::refused;
         }
@@ -176,6 +176,7 @@ template <class... Parts> class component {
         ask(control_);
         ask(clock_);
         each_part(ask);
+        if (outcome == message_outcome::not_mine && control_.takes_pulse(head)) outcome = message_outcome::taken;
         if (outcome == message_outcome::not_mine) {
             if (obeys_only_when_ready_ && state_.state() != primary_status_code::ready &&
                 control_.is_controlled(head.command_code)) {

@@ -3,6 +3,7 @@
 #pragma once
 #include <jauscat/jaus/answer.hpp>
 #include <jauscat/jaus/later.hpp>
+#include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/wire/code_index.hpp>
 
@@ -68,8 +69,9 @@ struct control_options {
     std::uint8_t authority_code{};
     /// Commands that are refused like controlled_commands, such as a user's own. Must outlive the component.
     std::span<const std::uint16_t> also_controlled{};
-    /// Control ends when nothing has been heard from the controller for so long. 0: never.
-    std::chrono::nanoseconds timeout{};
+    /// Control is lost when nothing has been heard from the controller for so long. From a quarter of it on the
+    /// controller is asked for its pulse, so one that only holds control need not send anything. 0: never.
+    std::chrono::nanoseconds timeout{std::chrono::milliseconds{500}};
 };
 
 /// The control of one component, on its side. A request of higher authority than the controller's takes control over,
@@ -97,17 +99,25 @@ class component_control {
         return codes::find(command_code) != codes::npos ||
                std::ranges::find(options_.also_controlled, command_code) != options_.also_controlled.end();
     }
-    /// Whether the message may be taken, to be asked once for each that comes: counts refusals, and what the controller
-    /// sends counts as its life.
-    constexpr bool admits(const header& head, std::chrono::nanoseconds now) noexcept {
-        heard(head.source, now);
+    /// Whether the message may be taken, to be asked once for each that comes: counts refusals.
+    constexpr bool admits(const header& head) noexcept {
         if (controls(head.source) || !controller_ || !is_controlled(head.command_code)) return true;
         ++refused_;
         return false;
     }
-    /// Something was heard from a component: if it is the controller, that is a sign of life. `admits` does this too.
+    /// Something was heard from a component, to be told of all that comes, also repeats and acknowledgements: from the
+    /// controller it is a sign of life.
     constexpr void heard(const address& who, std::chrono::nanoseconds now) noexcept {
-        if (controls(who)) heard_ = now;
+        if (!controls(who)) return;
+        heard_ = now;
+        asked_ = 0;
+    }
+    /// Whether this message is the pulse that the controller was asked for: it is nobody else's business.
+    constexpr bool takes_pulse(const header& head) noexcept {
+        const bool is_it =
+            pulses_ != 0 && head.command_code == report_heartbeat_pulse::command_code && controls(head.source);
+        pulses_ = static_cast<std::uint8_t>(pulses_ - is_it);
+        return is_it;
     }
     /// Whether it is the one in control.
     [[nodiscard]] constexpr bool controls(const address& who) const noexcept {
@@ -148,14 +158,18 @@ class component_control {
     constexpr void on_lost(auto&& gone) noexcept {
         if (controller_ && gone(std::as_const(controller_->address))) end(control_change::lost);
     }
-    /// Takes control from a controller that has been silent for the timeout.
+    /// Asks a silent controller for its pulse, and takes control from one that has been silent for the timeout.
     constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
         const auto due = next_event();
-        if (due && now >= *due) take_back(control_change::lost, out);
+        if (!due || now < *due) return;
+        if (now >= later(heard_, options_.timeout)) return take_back(control_change::lost, out);
+        asked_ = (now - heard_) / quarter();
+        if (pulses_ != 255) ++pulses_;
+        put({.destination = controller_->address, .source = self_}, query_heartbeat_pulse{}, out);
     }
     [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
         if (!controller_ || options_.timeout == options_.timeout.zero()) return std::nullopt;
-        return later(heard_, options_.timeout);
+        return later(heard_, std::min((asked_ + 1) * quarter(), options_.timeout));
     }
 
   private:
@@ -172,11 +186,15 @@ class component_control {
         const bool is_other = controller_ && !is_controller;
         if (is_other) take_back(control_change::taken_over, out);
         last_change_ = is_other ? control_change::taken_over : control_change::granted;
+        if (!is_controller) pulses_ = 0;
         controller_ = jaus::controller{head.source, authority};
-        heard_ = now;
+        heard(head.source, now);
         answer(head, self_, confirm_component_control{control_accepted}, out);
     }
 
+    [[nodiscard]] constexpr std::chrono::nanoseconds quarter() const noexcept {
+        return std::max(options_.timeout / 4, std::chrono::nanoseconds{1});
+    }
     constexpr void end(control_change why) noexcept {
         controller_.reset();
         last_change_ = why;
@@ -194,6 +212,8 @@ class component_control {
     std::optional<jaus::controller> controller_{};
     control_change last_change_{};
     std::chrono::nanoseconds heard_{};
+    std::int64_t asked_{};  // quarters of the timeout that the controller has been silent for, when it was asked last
+    std::uint8_t pulses_{}; // asked for and not yet come
     std::uint64_t refused_{};
 };
 

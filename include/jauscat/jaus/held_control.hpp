@@ -5,6 +5,7 @@
 #include <jauscat/jaus/callback.hpp>
 #include <jauscat/jaus/later.hpp>
 #include <jauscat/jaus/stands_for.hpp>
+#include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
 #include <chrono>
@@ -55,13 +56,15 @@ class held_control {
     /// Gives control back, or the wish for it. The message is not answered: ask for an acknowledgement of one's own
     /// (component::send) where it must not get lost.
     constexpr void release(message_sink out) noexcept {
-        const bool tell = state_ == control_state::held || state_ == control_state::asking;
+        const bool tell = is_wanted();
         enter(control_state::none);
         if (tell) put(head(), release_component_control{}, out);
     }
 
-    /// Takes Confirm and Reject Component Control from the target; others' are not its business. A confirmation that
-    /// comes when control is no longer wanted is answered with a release: the component must not be held by nobody.
+    /// Takes Confirm and Reject Component Control and Query Heartbeat Pulse from the target; others' are not its
+    /// business. A confirmation of control that this side does not want, or does not know it has, is answered with a
+    /// release: the component must not be held by nobody. For the same reason the target's question for the pulse is
+    /// answered only where control is held or asked for: otherwise the target loses its controller after its timeout.
     constexpr message_outcome on_message(const header& from, std::span<const std::byte> body,
                                          std::chrono::nanoseconds now, message_sink out) noexcept {
         if (from.source != target_ || is_acknowledgement(from)) return message_outcome::not_mine;
@@ -75,6 +78,10 @@ class held_control {
             return decode_for<reject_component_control>(body, [&](const reject_component_control&) {
                 if (state_ == control_state::held) enter(control_state::lost);
                 if (state_ == control_state::asking) enter(control_state::refused);
+            });
+        case query_heartbeat_pulse::command_code:
+            return decode_for<query_heartbeat_pulse>(body, [&](const query_heartbeat_pulse&) {
+                if (is_wanted()) answer(from, self_, report_heartbeat_pulse{}, out);
             });
         default: return message_outcome::not_mine;
         }
@@ -97,11 +104,13 @@ class held_control {
     }
     /// The component `who` has disappeared, or all of a level for which an octet is 255.
     constexpr void lose(const address& who) noexcept {
-        const bool wanted = state_ == control_state::held || state_ == control_state::asking;
-        if (wanted && stands_for(who, target_)) enter(control_state::lost);
+        if (is_wanted() && stands_for(who, target_)) enter(control_state::lost);
     }
 
   private:
+    [[nodiscard]] constexpr bool is_wanted() const noexcept {
+        return state_ == control_state::held || state_ == control_state::asking;
+    }
     [[nodiscard]] constexpr header head() const noexcept { return {.destination = target_, .source = self_}; }
     constexpr void request(std::chrono::nanoseconds now, message_sink out) noexcept {
         ++asked_;
@@ -109,11 +118,10 @@ class held_control {
         put(head(), request_component_control{authority_}, out);
     }
     constexpr void confirm(bool accepted, std::chrono::nanoseconds now, message_sink out) noexcept {
-        if (state_ == control_state::none || state_ == control_state::unanswered) {
+        if (!is_wanted()) {
             if (accepted) put(head(), release_component_control{}, out);
             return;
         }
-        if (state_ != control_state::asking && state_ != control_state::held) return;
         asked_ = 0;
         at_ = now;
         if (accepted) return enter(control_state::held);
