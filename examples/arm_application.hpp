@@ -16,7 +16,16 @@
 
 namespace example {
 
-/// The arm: JAUS messages in, and the report that the last query asked for.
+/// What the arm made of a message.
+enum class obedience : std::uint8_t {
+    obeyed,
+    refused, ///< it would move, in an emergency
+    unknown,
+    malformed,
+};
+
+/// The arm: JAUS messages in, and the report that the last query asked for. In an emergency it refuses what moves; what
+/// brings it to rest it always obeys.
 class arm {
   public:
     /// `say` gets a line for each thing that happens; `moved` is called when the efforts in force have changed.
@@ -28,31 +37,47 @@ class arm {
     /// The report that the last query asked for, as a message; empty before the first query.
     [[nodiscard]] std::span<const std::byte> report() const noexcept { return report_; }
 
+    /// How many messages have come: as long as they do, there is somebody who commands.
+    [[nodiscard]] std::uint64_t messages() const noexcept { return messages_; }
+    /// Efforts or a speed are in force.
+    [[nodiscard]] bool moves() const noexcept { return any(efforts_) || travel_speed_.desired_speed != 0; }
+    /// The last efforts came by process data.
+    [[nodiscard]] bool driven_by_process_data() const noexcept { return by_process_data_; }
+
     void say(const std::string& line) const { say_(line); }
 
-    jauscat::jaus::dispatched receive(std::span<const std::byte> bytes) {
+    obedience receive(std::span<const std::byte> bytes) {
         const auto message = jauscat::jaus::split(bytes);
         if (!message) {
             say_("refused a message: " + std::string{describe(message.error)});
-            return jauscat::jaus::dispatched::malformed;
+            return obedience::malformed;
         }
-        say_("received " + jauscat::text::summary(message.header));
-        return dispatch(message.header, message.body);
+        ++messages_;
+        if (message.header.command_code != jauscat::jaus::report_heartbeat_pulse::command_code)
+            say_("received " + jauscat::text::summary(message.header));
+        refused_ = false;
+        switch (dispatch(message.header, message.body)) {
+        case jauscat::jaus::dispatched::unknown: return obedience::unknown;
+        case jauscat::jaus::dispatched::malformed: return obedience::malformed;
+        default: return refused_ ? obedience::refused : obedience::obeyed;
+        }
     }
 
-    /// Obeys the body of a Set Wrench Effort that came without a message around it.
-    void drive_by(std::span<const std::byte> body) {
+    /// Obeys the body of a Set Wrench Effort out of the process data.
+    obedience drive_by(std::span<const std::byte> body) {
         jauscat::jaus::set_wrench_effort command{};
-        if (const auto size = jauscat::wire::decode(command, body); !size)
+        if (const auto size = jauscat::wire::decode(command, body); !size) {
             say_("refused efforts: " + std::string{describe(size.error())});
-        else
-            drive(command);
+            return obedience::malformed;
+        }
+        refused_ = false;
+        drive(command, true);
+        return refused_ ? obedience::refused : obedience::obeyed;
     }
-    /// Takes all efforts away.
-    void halt(const std::string& why) {
-        efforts_ = no_effort();
-        say_(why + ": all efforts to zero");
-        moved_();
+    /// Takes all efforts away, if there are any.
+    void rest(const std::string& why) {
+        if (moves()) halt(why);
+        by_process_data_ = false;
     }
 
   private:
@@ -61,16 +86,20 @@ class arm {
     jauscat::jaus::dispatched dispatch(const header& head, std::span<const std::byte> body) {
         namespace jaus = jauscat::jaus;
         jaus::dispatcher handlers{
-            jaus::on<jaus::set_wrench_effort>([&](const header&, const auto& command) { drive(command); }),
+            jaus::on<jaus::set_wrench_effort>([&](const header&, const auto& command) { drive(command, false); }),
             jaus::on<jaus::set_travel_speed>([&](const header&, const auto& command) {
+                if (refuses(command.desired_speed != 0)) return;
                 travel_speed_.desired_speed = command.desired_speed;
                 say_("travel speed " + jauscat::text::to_text(command.desired_speed) + " m/s");
             }),
             jaus::on<jaus::set_emergency>([&](const header&, const auto& command) {
-                if (command.emergency_code.test(jaus::set_emergency_code::transition_to_emergency)) enter_emergency();
+                if (!command.emergency_code.test(jaus::set_emergency_code::transition_to_emergency))
+                    say_("Set Emergency without a code: obeyed all the same");
+                enter_emergency();
             }),
             jaus::on<jaus::clear_emergency>([&](const header&, const auto& command) {
-                if (!command.emergency_code.test(jaus::clear_emergency_code::clear_emergency)) return;
+                if (!command.emergency_code.test(jaus::clear_emergency_code::clear_emergency))
+                    return say_("Clear Emergency without its code: ignored");
                 status_.primary_status_code = jaus::primary_status_code::ready;
                 say_("emergency cleared");
             }),
@@ -102,8 +131,7 @@ class arm {
             jaus::on<jaus::report_component_status>([&](const header& from, const auto& report) {
                 say_(jauscat::text::to_text(from.source) + " is " + jauscat::text::to_text(report.primary_status_code));
             }),
-            jaus::on<jaus::report_heartbeat_pulse>(
-                [&](const header& from, const auto&) { say_(jauscat::text::to_text(from.source) + " is alive"); }),
+            jaus::on<jaus::report_heartbeat_pulse>([](const header&, const auto&) {}), // see messages()
             jaus::on_unknown([&](const header& unknown, auto) {
                 say_("no handler for " + jauscat::text::message_name(unknown.command_code));
             }),
@@ -114,12 +142,22 @@ class arm {
         return handlers(head, body);
     }
 
-    void drive(const jauscat::jaus::set_wrench_effort& command) {
-        if (status_.primary_status_code == jauscat::jaus::primary_status_code::emergency) {
-            say_("in emergency: efforts ignored");
-            return;
-        }
+    // What moves is refused in an emergency.
+    bool refuses(bool moves) {
+        if (!moves || status_.primary_status_code != jauscat::jaus::primary_status_code::emergency) return false;
+        say_("in an emergency: refused");
+        return refused_ = true;
+    }
+    void drive(const jauscat::jaus::set_wrench_effort& command, bool by_process_data) {
+        if (refuses(any(command))) return;
+        by_process_data_ = by_process_data;
         jauscat::jaus::copy_present(command, efforts_); // fields that a command leaves out keep their effort
+        moved_();
+    }
+    void halt(const std::string& why) {
+        efforts_ = no_effort();
+        travel_speed_ = {};
+        say_(why + ": all efforts to zero");
         moved_();
     }
     void enter_emergency() {
@@ -127,6 +165,11 @@ class arm {
         halt("EMERGENCY");
     }
 
+    static bool any(const auto& efforts) noexcept {
+        bool found = false;
+        jauscat::wire::visit(efforts, [&](auto, const auto& effort) { found = found || effort.value_or(0) != 0; });
+        return found;
+    }
     static jauscat::jaus::report_wrench_effort no_effort() {
         jauscat::jaus::report_wrench_effort none{};
         jauscat::wire::visit(none, [](auto, auto& effort) { effort = 0.0; });
@@ -157,6 +200,9 @@ class arm {
     jauscat::jaus::report_global_pose pose_{};
     jauscat::jaus::report_component_status status_{.primary_status_code = jauscat::jaus::primary_status_code::ready};
     std::uint8_t authority_{};
+    std::uint64_t messages_{};
+    bool by_process_data_{};
+    bool refused_{}; ///< the message that is being dispatched
 };
 
 /// The arm behind an EtherCAT slave, under one translation table.
@@ -193,10 +239,10 @@ template <class Table> class arm_application {
             }
         }
         switch (arm_.receive(std::span{message_}.first(size.size()))) {
-        case jauscat::jaus::dispatched::handled:
-        case jauscat::jaus::dispatched::acknowledgement: return abort_code::none;
-        case jauscat::jaus::dispatched::unknown: return abort_code::no_subindex;
-        case jauscat::jaus::dispatched::malformed: return abort_code::value_range;
+        case obedience::obeyed: return abort_code::none;
+        case obedience::refused: return abort_code::device_state;
+        case obedience::unknown: return abort_code::no_subindex;
+        case obedience::malformed: return abort_code::value_range;
         }
         return abort_code::general;
     }

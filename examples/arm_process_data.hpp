@@ -21,13 +21,13 @@ class arm_process_data {
     explicit arm_process_data(arm& behind) : arm_{behind} {}
 
     /// To be called after each frame and after time has passed: obeys a new command in the outputs, and writes the
-    /// inputs. An arm that was driven by process data stops when these are no longer in OP.
+    /// inputs. A command that the arm refuses is not obeyed later either, and the counter in the inputs stays.
     void work(jauscat::ethercat::slave& slave) {
-        if (slave.take_outputs()) take(slave.outputs());
-        if (driven_ && slave.state() != jauscat::ethercat::al_state::op) {
-            driven_ = false;
-            arm_.halt("no process data any more");
-        }
+        const bool is_new = slave.take_outputs();
+        if (slave.state() != jauscat::ethercat::al_state::op)
+            seen_ = taken_; // the next master counts from there
+        else if (is_new)
+            take(slave.outputs());
         give(slave.inputs());
     }
 
@@ -37,15 +37,14 @@ class arm_process_data {
 
     void take(std::span<const std::byte> written) {
         image values{};
-        if (!jauscat::wire::decode(values, written) || values.command_count == 0 || values.command_count == taken_)
+        if (!jauscat::wire::decode(values, written) || values.command_count == 0 || values.command_count == seen_)
             return;
-        taken_ = values.command_count;
+        seen_ = values.command_count;
         std::array<std::byte, jauscat::wire::max_size<jauscat::jaus::set_wrench_effort>> body{};
         const auto size = command::back(written, body);
         if (!size) return arm_.say("refused process data: " + std::string{describe(size.error())});
-        driven_ = true;
-        arm_.say("efforts by process data, command " + std::to_string(taken_));
-        arm_.drive_by(std::span{body}.first(size.size()));
+        arm_.say("efforts by process data, command " + std::to_string(seen_));
+        if (arm_.drive_by(std::span{body}.first(size.size())) == obedience::obeyed) taken_ = seen_;
     }
 
     void give(std::span<std::byte> read_next) const {
@@ -59,8 +58,8 @@ class arm_process_data {
     }
 
     arm& arm_;
-    std::uint16_t taken_{}; ///< counter of the last command
-    bool driven_{};
+    std::uint16_t seen_{};  ///< counter of the last command
+    std::uint16_t taken_{}; ///< of the last one that was obeyed
 };
 
 } // namespace example

@@ -1,6 +1,7 @@
 // The robot arm: an EtherCAT slave whose objects are JAUS messages, with its efforts shown as bars.
 #include "arm_application.hpp"
 #include "arm_process_data.hpp"
+#include "arm_watch.hpp"
 #include "support/arm_slave.hpp"
 #include "support/link_options.hpp"
 #include <jauscat/ethercat/listed_objects.hpp>
@@ -72,6 +73,10 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
         dictionary,
         {.transfer_memory = memory, .subindex_0_rule = values["subindex-0-rule"].template as<bool>()}};
     example::arm_process_data process_data{arm};
+    const std::chrono::milliseconds command_timeout{values["command-timeout"].template as<unsigned>()};
+    example::arm_watch watch{arm, command_timeout};
+    if (command_timeout == command_timeout.zero())
+        std::cout << example::bad("arm: without --command-timeout, efforts stay when the master falls silent") << "\n";
 
     std::cout << "arm: slave of subsystem " << int{subsystem} << ", " << where
               << ", waiting for a master (Ctrl-C ends)\n";
@@ -83,14 +88,18 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
         std::cout << "arm: state " << jauscat::text::to_text(state) << ", station address " << slave.station_address()
                   << "\n";
     };
+    const auto work = [&](std::chrono::nanoseconds now) {
+        watch.look(slave, now); // first: the inputs say what is in force then
+        process_data.work(slave);
+        show_state();
+    };
     std::string problem;
     while (!example::stop_requested) {
         const auto size = link.receive(frame, std::chrono::milliseconds{20});
         const auto now = std::chrono::steady_clock::now().time_since_epoch();
         if (size == 0) {
             slave.on_time(now);
-            process_data.work(slave);
-            show_state();
+            work(now);
             if (link.problem() != problem) {
                 problem = link.problem();
                 if (!problem.empty()) std::cout << example::bad("arm: " + problem) << "\n";
@@ -102,8 +111,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
         slave.process(received);
         slave.on_time(now); // after the frame: it may have waited here
         if (!link.send(received)) std::cout << example::bad("arm: a frame did not go back: " + link.problem()) << "\n";
-        process_data.work(slave);
-        show_state();
+        work(now);
     }
     std::cout << "arm: stopped\n";
     return example::success;
@@ -119,6 +127,7 @@ int main(int argc, char** argv) {
         options.add_options()
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this arm belongs to, instead of the file's <thissystem>")
+            ("command-timeout", po::value<unsigned>()->default_value(500), "milliseconds without a message after which efforts that came by mailbox end; 0: never")
             ("mailbox-size", po::value<std::uint16_t>()->default_value(example::arm_slave.mailbox_in_size), "bytes of each mailbox, 24 to 1486: larger objects go in segments")
             ("strict", po::bool_switch(), "take and give objects at their exact size only, as some slaves do: needs --fixed-length")
             ("subindex-0-rule", po::bool_switch(), "abort writes to PDO mapping objects while their subindex 0 is not 0, as some slaves do: needs the controller's --clear-subindex-0 or another --index-base");

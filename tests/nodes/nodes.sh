@@ -463,6 +463,15 @@ slave_leaves_op() { # as its watchdog bids, when the controller has been stopped
     wait_for controller "slave 2 is in OP" 2
     the_command_arrives
 }
+arm_rests_without_messages() {
+    arm_options=(--command-timeout 300)
+    start_robot
+    the_command_arrives
+    dies "$controller_pid"
+    wait_for arm "no message for 300 ms: all efforts to zero"
+    arm_options=(--command-timeout 0 --ethercat-port "$(free_port)")
+    node robot_arm arm2 "${arm_options[@]}" && wait_for arm2 "without --command-timeout, efforts stay when the master falls silent"
+}
 cycles_are_measured() {
     start_arm
     expect 0 "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --watchdog 2000 --seconds 2 --upload-every 100
