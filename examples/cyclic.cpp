@@ -76,8 +76,8 @@ void print_quantiles(const measurement& measured) {
 /// Every slave to SAFE-OP under the stations `first` and up.
 std::vector<std::uint16_t> set_up(example::any_link& link, ethercat::master& master, std::uint16_t first,
                                   milliseconds watchdog) {
-    const auto run = [&](bool, const std::string& what) {
-        const auto result = jauscat::net::run(link, master);
+    const auto run = [&](bool started, const std::string& what) {
+        const auto result = jauscat::net::run(link, master, started);
         example::require(result, what);
         return result.size;
     };
@@ -185,8 +185,9 @@ int measure(example::any_link& link, const auto& values) {
         link, data, master, {.period = period, .spin = microseconds{values["spin"].template as<unsigned>()}}};
     const auto nothing = [](auto&&...) {};
     for (const auto station : stations) { // outputs have to flow while a slave goes to OP
-        master.change_state(station, ethercat::al_state::op);
-        example::require(cycles.run_job(seconds{10}, nothing, nothing), "slave " + std::to_string(station) + " to OP");
+        const bool started = master.change_state(station, ethercat::al_state::op);
+        example::require(cycles.run_job(started, seconds{10}, nothing, nothing),
+                         "slave " + std::to_string(station) + " to OP");
     }
     std::cout << "cyclic: " << stations.size() << " in OP, a cycle every " << period.count() << " us (Ctrl-C ends)"
               << std::endl;
@@ -211,10 +212,9 @@ int measure(example::any_link& link, const auto& values) {
               << ", with another working counter " << after.incomplete - before.incomplete << ", lost "
               << after.lost - before.lost << ", left out " << cycles.overruns() - overruns_before
               << "\nuploads meanwhile " << result->uploads << ", failed " << result->failed_uploads << "\n";
-    for (const auto station : stations) {
-        master.change_state(station, ethercat::al_state::pre_op);
-        static_cast<void>(jauscat::net::run(link, master));
-    }
+    static_cast<void>(jauscat::net::run(link, master)); // the upload that still runs
+    for (const auto station : stations)
+        static_cast<void>(jauscat::net::run(link, master, master.change_state(station, ethercat::al_state::pre_op)));
     return after.complete != before.complete && slaves.all_run() ? example::success : example::failure;
 }
 

@@ -78,8 +78,7 @@ class gripper_slave {
 std::size_t execute(std::span<const std::byte> request, std::span<std::byte> confirmation, ethercat::slave& device) {
     ethercat::loopback_link link{std::span{&device, 1}};
     ethercat::master master;
-    master.bring_up(0, gripper_slave::station);
-    auto result = net::run(link, master);
+    auto result = net::run(link, master, master.bring_up(0, gripper_slave::station));
     ethercat::packet_job job{request, confirmation};
     for (bool runs = result && job.start(master); runs; runs = job.next(master)) result = net::run(link, master);
     return job.finish(result);

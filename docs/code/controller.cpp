@@ -21,10 +21,7 @@ template <ethercat::link Link> class controller {
     explicit controller(Link& link) : link_{link} {}
 
     /// Brings the slave up.
-    ethercat::outcome start() {
-        master_.bring_up(0, station);
-        return net::run(link_, master_);
-    }
+    ethercat::outcome start() { return net::run(link_, master_, master_.bring_up(0, station)); }
 
     /// Delivers a message; the report that it asks for, and its acknowledgement, go to `answer`.
     template <class Answer> void carry(std::span<const std::byte> message, Answer answer) {

@@ -25,15 +25,14 @@ int main() {
     // [master]
     ethercat::loopback_link link{std::span{&device, 1}}; // or net::raw_link{"eth0"}
     ethercat::master master;
-    master.bring_up(0, 2);
-    auto result = jauscat::net::run(link, master);
+    auto result = jauscat::net::run(link, master, master.bring_up(0, 2));
     if (!result) return std::cerr << describe(result.error) << '\n', 1;
 
     // Half of the force forward, as an object: 12 bytes of header, 4 of body.
     constexpr std::array<unsigned char, 16> octets{0x06, 0x02, 1,    2,    1,    32,   1,    1,
                                                    0x04, 0x00, 0x22, 0x00, 0x01, 0x00, 0x00, 0x40};
-    master.download(2, driver_objects::index, 26, std::as_bytes(std::span{octets}));
-    result = jauscat::net::run(link, master);
+    const auto half = std::as_bytes(std::span{octets});
+    result = jauscat::net::run(link, master, master.download(2, driver_objects::index, 26, half));
     std::cout << "download: " << describe(result.error) << ", forward "
               << application.effort.propulsive_linear_effort_x.value_or(0) << " %\n";
     // [master end]

@@ -45,11 +45,10 @@ inline bytes frame_with(const ethercat::object_access& object) {
     ethercat::loopback_link loop{slaves};
     recording_link link{loop};
     ethercat::master master;
-    master.bring_up(0, object.station);
-    if (!net::run(link, master)) throw std::logic_error{"no slave"};
+    if (!net::run(link, master, master.bring_up(0, object.station))) throw std::logic_error{"no slave"};
     link.sent.clear();
-    master.download(object.station, object.index, object.subindex, object.data);
-    if (!net::run(link, master)) throw std::logic_error{"the slave does not take the object"};
+    const bool started = master.download(object.station, object.index, object.subindex, object.data);
+    if (!net::run(link, master, started)) throw std::logic_error{"the slave does not take the object"};
     for (const auto& frame : link.sent)
         if (std::search(frame.begin(), frame.end(), object.data.begin(), object.data.end()) != frame.end())
             return frame;

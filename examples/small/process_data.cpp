@@ -40,21 +40,18 @@ int main() {
         if (!result) std::cout << describe(result.error) << '\n';
         return static_cast<bool>(result);
     };
-    master.bring_up(0, station);
-    if (!done(net::run(link, master))) return 1;
-    master.configure(station); // finds out what process data the slave has
-    if (!done(net::run(link, master))) return 1;
-    master.change_state(station, ethercat::al_state::safe_op);
-    if (!done(net::run(link, master))) return 1;
+    const auto run = [&](bool started) { return done(net::run(link, master, started)); };
+    if (!run(master.bring_up(0, station))) return 1;
+    if (!run(master.configure(station))) return 1; // finds out what process data the slave has; sets its watchdog
+    if (!run(master.change_state(station, ethercat::al_state::safe_op))) return 1;
 
     // A slave goes to OP while outputs flow.
     ethercat::process_data data{master.slaves()};
     net::cycle_runner cycles{link, data, master, {.period = 1ms}};
     const auto outputs = data.outputs(*master.find(station));
     const auto inputs = data.inputs(*master.find(station));
-    master.change_state(station, ethercat::al_state::op);
     if (!done(cycles.run_job(
-            10s, [] {}, [](const net::cycle_report&) {})))
+            master.change_state(station, ethercat::al_state::op), 10s, [] {}, [](const net::cycle_report&) {})))
         return 1;
     std::cout << "in OP: " << outputs.size() << " byte of outputs, " << inputs.size() << " of inputs\n";
 

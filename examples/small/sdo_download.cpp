@@ -26,28 +26,24 @@ struct object {
 template <ethercat::link Link> int write_and_read(Link& link, const object& what) {
     ethercat::master master;
     // Each call of the master starts a job; run() sends and receives until it is done.
-    const auto done = [&](const char* job) {
-        const auto result = net::run(link, master);
+    const auto done = [&](bool started, const char* job) {
+        const auto result = net::run(link, master, started);
         std::cout << job << ": " << describe(result.error);
         const auto detail = describe_detail(result); // what the slave says: its abort code, its AL status code
         std::cout << (detail.empty() ? "" : ", ") << detail << '\n';
         return static_cast<bool>(result);
     };
 
-    master.scan();
-    if (!done("scan")) return 1;
+    if (!done(master.scan(), "scan")) return 1;
     std::cout << master.result().size << " slaves\n";
 
     constexpr std::uint16_t station = 1;
-    master.bring_up(0, station); // the first of the ring; from here on it is known by its station address
-    if (!done("to PRE-OP")) return 1;
-
-    master.download(station, what.index, what.subindex, what.value);
-    if (!done("download")) return 1;
+    // The first of the ring; from here on it is known by its station address.
+    if (!done(master.bring_up(0, station), "to PRE-OP")) return 1;
+    if (!done(master.download(station, what.index, what.subindex, what.value), "download")) return 1;
 
     std::array<std::byte, 1024> buffer{};
-    master.upload(station, what.index, what.subindex, buffer);
-    if (!done("upload")) return 1;
+    if (!done(master.upload(station, what.index, what.subindex, buffer), "upload")) return 1;
     const auto read = std::span{buffer}.first(master.result().size);
     std::cout << "the slave has " << jauscat::text::hex(read) << '\n';
     return std::ranges::equal(read, what.value) ? 0 : 1;

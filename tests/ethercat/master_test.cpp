@@ -283,6 +283,45 @@ TEST_CASE("the blocking driver runs a job over the loopback link") {
     CHECK(jauscat::net::run(link, m));
 }
 
+TEST_CASE("a job that could not start is not taken for the one that runs") {
+    test::objects objects;
+    std::array devices{slave{{}, objects}};
+    loopback_link link{devices};
+    master m;
+    std::array<std::byte, 1> type{};
+    REQUIRE(m.exchange(command::brd, 0, 0x0000, type)); // and its result is not fetched yet
+    CHECK(jauscat::net::run(link, m, m.bring_up(0, 7)).error == master_errc::busy);
+    CHECK(m.slaves().empty());
+    CHECK(jauscat::net::run(link, m) == outcome{.detail = 1, .size = 1});
+    CHECK(jauscat::net::run(link, m, m.bring_up(0, 7)));
+    CHECK(m.slaves().size() == 1);
+}
+
+TEST_CASE("a check says what state a slave is in and whether mail waits") {
+    test::objects objects;
+    std::array devices{slave{{}, objects}};
+    loopback_link link{devices};
+    master m;
+    REQUIRE(jauscat::net::run(link, m, m.bring_up(0, 7)));
+    REQUIRE(jauscat::net::run(link, m, m.check(7)));
+    CHECK(m.find(7)->al.state == al_state::pre_op);
+    CHECK_FALSE(m.find(7)->mail_waits);
+
+    auto request = from_hex("0a00 0000 00 13 0020 40 0220 00 00000000"); // an upload of another master's
+    request.resize(m.find(7)->mailbox.receive_size);
+    REQUIRE(jauscat::net::run(link, m, m.exchange(command::fpwr, 7, m.find(7)->mailbox.receive_offset, request)));
+    REQUIRE(jauscat::net::run(link, m, m.check(7)));
+    CHECK(m.find(7)->mail_waits);
+    REQUIRE(jauscat::net::run(link, m, m.collect_emergencies(7)));
+    REQUIRE(jauscat::net::run(link, m, m.check(7)));
+    CHECK_FALSE(m.find(7)->mail_waits);
+
+    devices[0].power_on();
+    CHECK(jauscat::net::run(link, m, m.check(7)).error == master_errc::working_counter);
+    CHECK(m.find(7)->al.state == al_state{}); // the old state is no news
+    CHECK(jauscat::net::run(link, m, m.check(8)).error == master_errc::wrong_station);
+}
+
 TEST_CASE("the blocking driver reports a link that takes no frames and a deadline that passes") {
     struct dead_link {
         bool takes{};

@@ -183,6 +183,17 @@ TEST_CASE("a job goes on while no process data come back") {
     CHECK(silent.cycles.run_job(5s, nothing, nothing).error == ethercat::master_errc::no_reply);
 }
 
+TEST_CASE("a job that could not start between cycles is not taken for the one that runs") {
+    robot r;
+    std::array<std::byte, 4> vendor{};
+    REQUIRE(r.master.upload(station, 0x1018, 1, vendor));
+    const auto refused = r.cycles.run_job(r.master.bring_up(0, station), 1s, nothing, nothing);
+    CHECK(refused.error == ethercat::master_errc::busy);
+    CHECK(r.data.statistics().sent == 0);
+    CHECK(r.cycles.run_job(1s, nothing, nothing));
+    CHECK(r.slave().state() == ethercat::al_state::op);
+}
+
 TEST_CASE("process data that are lost do not cost the next cycle") {
     robot r{{.period = 40ms}};
     r.link.loses = [](auto) { return true; };

@@ -124,8 +124,8 @@ class image_exchange {
         return CountIn::of(image);
     }
 
-    /// Whether the command `wanted` is not later than `now`. Counters go round: one is later than another if it is less than
-    /// half a round ahead.
+    /// Whether the command `wanted` is not later than `now`. Counters go round: one is later than another if it is less
+    /// than half a round ahead.
     [[nodiscard]] static constexpr bool has_reached(counter wanted, counter now) noexcept {
         return static_cast<counter>(now - wanted) <= std::numeric_limits<counter>::max() / 2;
     }

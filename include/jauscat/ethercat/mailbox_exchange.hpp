@@ -70,11 +70,14 @@ class mailbox_exchange {
             protocol.encode(out.subspan(wire::encode(header, out).size()));
             break;
         }
-        case step::look_room: read(handshake_of(0), wire::max_size<sync_manager_handshake>); break;
+        case step::look_room: read(sync_manager_handshake_of(0).address, wire::max_size<sync_manager_handshake>); break;
         case step::look:
-        case step::wait_repeat: read(handshake_of(1), wire::max_size<sync_manager_handshake>); break;
+        case step::wait_repeat:
+            read(sync_manager_handshake_of(1).address, wire::max_size<sync_manager_handshake>);
+            break;
         case step::ask_repeat:
-            frame.add(command::fpwr, slave.station, static_cast<std::uint16_t>(handshake_of(1) + 1),
+            frame.add(command::fpwr, slave.station,
+                      static_cast<std::uint16_t>(sync_manager_handshake_of(1).address + 1),
                       sync_manager_activate{.enable = true, .repeat_request = repeat_});
             break;
         }
@@ -117,12 +120,6 @@ class mailbox_exchange {
         ask_repeat,  // toggles it
         wait_repeat, // until the slave has toggled its acknowledgement
     };
-
-    // Status, activate and PDI control of a SyncManager.
-    static constexpr std::uint16_t handshake_of(unsigned n) noexcept {
-        return static_cast<std::uint16_t>(esc_registers::sync_manager.address + n * esc_registers::sync_manager.size +
-                                          5);
-    }
 
     progress advance(const datagram_view& datagram, slave_record& slave, mailbox_protocol auto& protocol) noexcept {
         const bool executed = datagram.working_counter != 0;

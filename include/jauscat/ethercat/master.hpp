@@ -12,6 +12,7 @@
 #include <jauscat/ethercat/ring_scan.hpp>
 #include <jauscat/ethercat/sdo_information.hpp>
 #include <jauscat/ethercat/sdo_transfer.hpp>
+#include <jauscat/ethercat/slave_check.hpp>
 #include <jauscat/ethercat/slave_list.hpp>
 #include <jauscat/ethercat/state_change.hpp>
 
@@ -80,6 +81,17 @@ class master {
             finish({.error = master_errc::not_configured});
         change_ = state_change{station, goal};
         slave_->drained = false;
+        return true;
+    }
+
+    /// Asks a slave for its AL status and whether mail waits, in one frame; both are in its record then. Errors:
+    /// wrong_station, duplicate_station, working_counter (no slave has the address any more).
+    bool check(std::uint16_t station) noexcept {
+        if (!begin(job::check)) return false;
+        if (!choose(station)) return true;
+        slave_->al = {};
+        slave_->mail_waits = false;
+        check_ = slave_check{*slave_};
         return true;
     }
 
@@ -211,6 +223,7 @@ class master {
         bring_up,
         configure,
         change_state,
+        check,
         datagram,
         // From here on by mailbox.
         collect,
@@ -283,6 +296,7 @@ class master {
         case job::bring_up: return use(bring_up_);
         case job::configure: return use(setup_);
         case job::change_state: return use(change_);
+        case job::check: return use(check_);
         default: return use(datagram_);
         }
     }
@@ -291,6 +305,7 @@ class master {
         switch (job_) {
         case job::bring_up: return bring_up_complete();
         case job::configure: return configured();
+        case job::check: return checked();
         case job::sdo:
         case job::abort_earlier:
         case job::abort: return message_complete();
@@ -333,6 +348,11 @@ class master {
         }
         finish(setup_.result());
     }
+    void checked() noexcept {
+        slave_->al = check_.al();
+        slave_->mail_waits = check_.mail_waits();
+        finish(check_.result());
+    }
     void bring_up_complete() noexcept {
         finish(bring_up_.result());
         if (!result_) return;
@@ -359,6 +379,7 @@ class master {
     slave_record before_{}; // of the slave that is brought up
     process_setup setup_{};
     state_change change_{};
+    slave_check check_{};
     datagram_exchange datagram_{};
 
     slave_record* slave_{}; // whose mailbox or state it is

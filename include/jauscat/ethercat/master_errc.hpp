@@ -12,6 +12,7 @@ namespace jauscat::ethercat {
 /// Why a bring-up or a transfer failed. The comment says what `outcome::detail` holds, if anything.
 enum class master_errc : std::uint8_t {
     ok,
+    busy,              ///< another job runs: this one was not started
     not_sent,          ///< the link did not take a frame
     no_reply,          ///< frames do not come back
     timeout,           ///< the caller's deadline passed
@@ -51,6 +52,7 @@ enum class master_errc : std::uint8_t {
 [[nodiscard]] constexpr std::string_view describe(master_errc error) noexcept {
     switch (error) {
     case master_errc::ok: return "ok";
+    case master_errc::busy: return "the master is busy with another job: run that to its end, then start again";
     case master_errc::not_sent: return "the link did not take a frame: check that the interface is up";
     case master_errc::no_reply: return "frames do not come back: check cable, interface and that a slave is running";
     case master_errc::timeout: return "the deadline passed before the work was done: allow more time";

@@ -67,6 +67,7 @@ inline constexpr status_of_meaning<master_errc> master_statuses[]{
     {master_errc::al_error, packet_status::coe_invalid_communication_state},
     {master_errc::state_timeout, packet_status::coe_invalid_communication_state},
     {master_errc::too_many_slaves, packet_status::coe_no_resource},
+    {master_errc::busy, packet_status::service_in_use},
     {master_errc::not_configured, packet_status::invalid_communication_state},
     {master_errc::mailbox_full, packet_status::coe_timeout},
     {master_errc::mailbox_timeout, packet_status::coe_timeout},

@@ -149,9 +149,6 @@ class process_data {
     };
 
     static constexpr std::size_t max_datagrams = slave_capacity * 4; // LWR, LRD, AL status, reply mailbox
-    /// Status, activate and PDI control of SyncManager 1.
-    static constexpr std::uint16_t reply_mailbox =
-        esc_registers::sync_manager.address + esc_registers::sync_manager.size + 5;
 
     [[nodiscard]] std::span<const part> parts() const noexcept { return std::span{parts_}.first(part_count_); }
     [[nodiscard]] std::span<const member> members() const noexcept { return std::span{members_}.first(member_count_); }
@@ -200,7 +197,8 @@ class process_data {
     void request(frame_builder& frame, const member& each) const noexcept {
         frame.add(command::fprd, each.station, esc_registers::al_status.address, wire::max_size<al_status>);
         if (each.has_mailbox)
-            frame.add(command::fprd, each.station, reply_mailbox, wire::max_size<sync_manager_handshake>);
+            frame.add(command::fprd, each.station, sync_manager_handshake_of(1).address,
+                      wire::max_size<sync_manager_handshake>);
     }
 
     exchanged take(const part& each, replies::iterator& next) noexcept {

@@ -1,6 +1,7 @@
 // What a master knows of a slave that it has brought up.
 #pragma once
 
+#include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/coe.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
 
@@ -83,6 +84,8 @@ struct slave_record {
     process_place process_data{}; ///< after `configure`
     /// Without outputs for so long, the slave leaves OP: set by `configure`; 0: not yet since it was brought up.
     std::chrono::nanoseconds watchdog{};
+    al_status al{};                   ///< as the last `check` has found it; state 0: it failed
+    bool mail_waits{};                ///< at the last `check` its reply mailbox was full: collect its emergencies
     std::uint8_t last_counter{};      ///< of the last mailbox request; 0: none yet
     std::uint32_t last_reply_mark{};  ///< of the last mailbox message received: tells it from the next one
     std::uint8_t abandoned_counter{}; ///< of a request that was given up: its answer may still come

@@ -80,7 +80,12 @@ template <ethercat::link Link> class cycle_runner {
     }
 
     /// Runs cycles until the master's job is done, and gives it up after `limit`; `each(report)` is called after every
-    /// cycle. Returns how the job ended.
+    /// cycle. Returns how the job ended; `busy` where it has not `started`, because another one runs.
+    template <class Prepare, class Each>
+    ethercat::outcome run_job(bool started, std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
+        return started ? run_job(limit, prepare, each) : ethercat::outcome{.error = ethercat::master_errc::busy};
+    }
+    /// The same with the job that runs.
     template <class Prepare, class Each>
     ethercat::outcome run_job(std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
         const auto deadline = now() + limit;

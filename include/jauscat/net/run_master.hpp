@@ -37,4 +37,12 @@ ethercat::outcome run(Link& link, ethercat::master& master, std::chrono::nanosec
     return master.result();
 }
 
+/// Starts a job and drives it: `net::run(link, master, master.bring_up(0, 1))`. Error `busy` where it did not start;
+/// the job that runs instead stays where it is, and its result is not taken for this one's.
+template <ethercat::link Link>
+ethercat::outcome run(Link& link, ethercat::master& master, bool started,
+                      std::chrono::nanoseconds limit = std::chrono::seconds{10}) {
+    return started ? run(link, master, limit) : ethercat::outcome{.error = ethercat::master_errc::busy};
+}
+
 } // namespace jauscat::net

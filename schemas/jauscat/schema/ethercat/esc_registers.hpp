@@ -47,6 +47,12 @@ inline constexpr esc_register dc_activation{0x0981, 1};      ///< which synchron
 inline constexpr esc_register process_ram{0x1000, 0};        ///< mailboxes and process data; size by `ram_size`
 } // namespace esc_registers
 
+/// Status, activate and PDI control of SyncManager `n`: see sync_manager_handshake.
+[[nodiscard]] constexpr esc_register sync_manager_handshake_of(std::size_t n) noexcept {
+    const auto& first = esc_registers::sync_manager;
+    return {static_cast<std::uint16_t>(first.address + n * first.size + 5), 3};
+}
+
 /// A register of 2 bytes that is a plain number, such as the station address.
 struct esc_word {
     std::uint16_t value{}; ///< the number
