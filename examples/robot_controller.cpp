@@ -1,7 +1,8 @@
 // The robot controller: JAUS messages in over UDP, SDO downloads out over EtherCAT, and reports the way back.
-#include "robot_controller/slave_front.hpp"
+#include "robot_controller/front.hpp"
 #include "support/link_options.hpp"
 
+#include <atomic>
 #include <exception>
 #include <thread>
 
@@ -16,7 +17,8 @@ with a node manager (heartbeats) and the components that the configuration gives
 Primitive Driver. State, control and acknowledgement of a component are kept here; all its other messages are
 translated into SDO downloads. After a query the report is uploaded and sent to the asker.
 
-A component obeys when it is ready. In every other state, and when its controller is lost, the slave is brought to rest.
+A component obeys when it is ready. In every other state, when its controller is lost, and when this program ends, the
+slave is brought to rest: within --stop-within milliseconds after something is lost (docs/safety.md).
 
 A configuration may put several masters behind this program: those of all systems whose <ethercat> entry names it as
 their controller, each with its own interface, slave and JAUS node (docs/configuration.md). Then the file says which
@@ -67,34 +69,55 @@ std::vector<place> open_places(const values_map& values) {
     return places;
 }
 
-example::slave_settings settings_for(const place& at, const std::string& trace_name, const values_map& values) {
-    return {.slave = {.subsystem = at.config.me().jausip.subsystem, .station = at.station},
-            .frame_timeout = std::chrono::milliseconds{values["frame-timeout"].as<unsigned>()},
-            .download = {.clear_subindex_0 = values["clear-subindex-0"].as<bool>()},
-            .period = std::chrono::microseconds{values["cycle"].as<unsigned>()},
-            .watchdog = std::chrono::milliseconds{values["watchdog"].as<unsigned>()},
+/// Milliseconds within which the slave is at rest after something is lost.
+std::chrono::milliseconds limit_of(const values_map& values, std::chrono::microseconds period) {
+    const bool is_given = !values["stop-within"].empty();
+    const bool cycles = period != period.zero();
+    const std::chrono::milliseconds limit =
+        is_given ? std::chrono::milliseconds{values["stop-within"].as<unsigned>()}
+                 : std::max(cycles ? example::bridge::at_rest_in_cycles : example::bridge::at_rest_by_mailbox,
+                            std::chrono::duration_cast<std::chrono::milliseconds>(4 * period));
+    constexpr std::chrono::milliseconds shortest{20}, longest_watchdog{6500}, longest{60'000};
+    if (limit < shortest || limit > (cycles ? longest_watchdog : longest))
+        throw example::usage_error{std::string{"--stop-within must be 20 to "} +
+                                   (cycles ? "6500 with --cycle" : "60000")};
+    if (limit < 4 * period) throw example::usage_error{"--stop-within must be at least 4 cycles"};
+    return limit;
+}
+
+example::front_options options_for(const place& at, const std::string& trace_name, const values_map& values) {
+    const std::chrono::microseconds period{values["cycle"].as<unsigned>()};
+    auto timing = example::bridge::at_rest_within(limit_of(values, period), period);
+    timing.master.frame_timeout = std::chrono::milliseconds{values["frame-timeout"].as<unsigned>()};
+    timing.download.clear_subindex_0 = values["clear-subindex-0"].as<bool>();
+    return {.slave = {.identity = {.subsystem = at.config.me().jausip.subsystem, .station = at.station},
+                      .cyclic = period != period.zero()},
+            .timing = timing,
+            .who = values.count("open") != 0 ? jauscat::net::access::open : jauscat::net::access::closed,
             .trace_name = trace_name};
 }
 
-std::unique_ptr<example::any_exchange> exchange_with(const ethercat::slave_identity& slave, const values_map& values) {
-    std::unique_ptr<example::any_exchange> made;
+std::unique_ptr<example::bridge::any_exchange> exchange_with(const ethercat::slave_identity& slave,
+                                                             const values_map& values) {
+    std::unique_ptr<example::bridge::any_exchange> made;
     example::with_table(values, [&]<class Table>() {
-        made = std::make_unique<example::exchange_under<Table>>(slave);
+        made = std::make_unique<example::bridge::exchange_under<Table>>(slave);
         return example::success;
     });
     return made;
 }
 
 /// Each front on a thread of its own, until Ctrl-C. The error of a single one is thrown.
-int run_all(std::deque<example::slave_front>& fronts, std::chrono::milliseconds patience) {
+int run_all(std::deque<example::front>& fronts, std::chrono::milliseconds patience) {
     std::vector<std::exception_ptr> errors(fronts.size());
+    std::atomic<bool> all_at_rest{true};
     const bool alone = fronts.size() == 1;
     {
         std::vector<std::jthread> threads;
         for (std::size_t i = 0; i != fronts.size(); ++i)
-            threads.emplace_back([&front = fronts[i], &error = errors[i], patience, alone] {
+            threads.emplace_back([&front = fronts[i], &error = errors[i], &all_at_rest, patience, alone] {
                 try {
-                    front.run(patience, !alone);
+                    if (!front.run(patience, !alone)) all_at_rest = false;
                 } catch (const std::exception& problem) {
                     if (!alone) front.say(example::bad(problem.what()));
                     error = std::current_exception();
@@ -103,7 +126,7 @@ int run_all(std::deque<example::slave_front>& fronts, std::chrono::milliseconds 
     }
     if (alone && errors.front()) std::rethrow_exception(errors.front());
     const bool well = std::ranges::all_of(errors, [](const auto& error) { return error == nullptr; });
-    return well ? example::success : example::failure;
+    return well && all_at_rest ? example::success : example::failure;
 }
 
 } // namespace
@@ -111,32 +134,31 @@ int run_all(std::deque<example::slave_front>& fronts, std::chrono::milliseconds 
 int main(int argc, char** argv) {
     return example::run("robot_controller", [&] {
         namespace po = boost::program_options;
-        po::options_description options;
+        po::options_description described;
         // clang-format off
-        options.add_options()
+        described.add_options()
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this controller is, instead of the file's <thissystem>")
             ("station", po::value<std::uint16_t>()->default_value(2), "station address and JAUS node of the slave, 1 to 254")
             ("clear-subindex-0", po::bool_switch(), "write 0 to subindex 0 of an object before each message, for slaves that abort with 06010003h else")
             ("cycle", po::value<unsigned>()->default_value(0), "microseconds from one cycle of process data to the next: wrench efforts then go without the mailbox; 0: no cycles")
-            ("watchdog", po::value<unsigned>()->default_value(0), "with --cycle: milliseconds without outputs after which the slave leaves OP, up to 6500; 0: the slave's own time, mostly 100")
+            ("stop-within", po::value<unsigned>(), "milliseconds within which the slave is at rest after its controller, the link, its state or this program is lost; 500, with --cycle 100 unless given")
             ("wait", po::value<unsigned>()->default_value(5000), "milliseconds to wait for the slave at the start")
             ("open", "take messages from everybody, for trials")
             ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
         // clang-format on
-        example::add_link_options(options);
-        const auto values = example::parse(argc, argv, options, help);
-        if (values["watchdog"].as<unsigned>() > 6500) throw example::usage_error{"--watchdog must be 0 to 6500"};
-        const auto who = values.count("open") != 0 ? jauscat::net::access::open : jauscat::net::access::closed;
+        example::add_link_options(described);
+        const auto values = example::parse(argc, argv, described, help);
+        static_cast<void>(limit_of(values, std::chrono::microseconds{values["cycle"].as<unsigned>()}));
         const auto places = open_places(values);
         if (std::ranges::any_of(places, [](const place& at) { return at.link.is_raw; })) example::give_up_privileges();
-        std::deque<example::slave_front> fronts;
+        std::deque<example::front> fronts;
         for (const auto& at : places) {
             const auto name = places.size() == 1 ? std::string{} : at.config.this_system;
             const example::speaker say{name.empty() ? "controller" : "controller " + name};
-            const auto settings = settings_for(at, name, values);
+            const auto options = options_for(at, name, values);
             say(at.link.where);
-            fronts.emplace_back(at.config, *at.link.link, exchange_with(settings.slave, values), settings, who, say);
+            fronts.emplace_back(at.config, *at.link.link, exchange_with(options.slave.identity, values), options, say);
         }
         for (auto& front : fronts)
             front.disappeared = [&](const auto& gone) {

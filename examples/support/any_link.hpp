@@ -14,6 +14,7 @@ class any_link {
     virtual ~any_link() = default;
     virtual bool send(std::span<const std::byte> frame) = 0;
     virtual std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) = 0;
+    virtual int native_handle() = 0;
     /// Why frames do not pass; empty while they do.
     [[nodiscard]] virtual const std::string& problem() const = 0;
 };
@@ -26,6 +27,7 @@ template <class Link> class held_link final : public any_link {
     std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) override {
         return link_.receive(buffer, timeout);
     }
+    int native_handle() override { return link_.native_handle(); }
     [[nodiscard]] const std::string& problem() const override { return link_.problem(); }
 
   private:

@@ -10,6 +10,7 @@
 #include <jauscat/wire/view.hpp>
 
 #include <chrono>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -82,6 +83,9 @@ template <class Link> class traced_link {
     /// `who` stands in front of each line.
     explicit traced_link(Link& link, std::string who = {}) : link_{link}, who_{std::move(who)} {}
 
+    /// While this says so, nothing is shown.
+    std::function<bool()> is_quiet{};
+
     bool send(std::span<const std::byte> frame) {
         show("  -> ", frame, jauscat::ethercat::command::fpwr);
         return link_.send(frame);
@@ -92,10 +96,13 @@ template <class Link> class traced_link {
         return size;
     }
 
+    [[nodiscard]] int native_handle() { return link_.native_handle(); }
+    [[nodiscard]] const std::string& problem() const { return link_.problem(); }
+
   private:
     void show(const char* arrow, std::span<const std::byte> frame, jauscat::ethercat::command mailbox_command) const {
         jauscat::ethercat::frame_view datagrams;
-        if (!datagrams.parse(frame)) return;
+        if ((is_quiet && is_quiet()) || !datagrams.parse(frame)) return;
         for (const auto& datagram : datagrams) {
             if (datagram.header.cmd != mailbox_command || datagram.header.ado < first_ram_address) continue;
             if (mailbox_command == jauscat::ethercat::command::fprd && datagram.working_counter == 0)

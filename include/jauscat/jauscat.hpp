@@ -1,5 +1,6 @@
 // Everything below the I/O line: codec, translation, schemas, behaviour. No heap, exceptions, RTTI, clock or socket.
 #pragma once
+#include <jauscat/bridge/ring.hpp>
 #include <jauscat/ethercat/delivery.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/frame_view.hpp>

@@ -19,6 +19,7 @@
 #include <jauscat/net/rate_limit.hpp>
 #include <jauscat/net/raw_link.hpp>
 #include <jauscat/net/read_jaus_config.hpp>
+#include <jauscat/net/ring_runner.hpp>
 #include <jauscat/net/run_cycle.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/net/run_until.hpp>

@@ -43,16 +43,18 @@ class rig {
     static constexpr jaus::address operator_unit{.instance = 1, .component = 32, .node = 1, .subsystem = 1};
     static constexpr jaus::address stranger{.instance = 1, .component = 32, .node = 1, .subsystem = 3};
 
-    explicit rig(std::size_t slaves = 1, bool cyclic = false) {
-        if (cyclic) options.period = 10ms;
+    explicit rig(std::size_t slaves = 1, bool cyclic = false)
+        : options{cyclic ? bridge::at_rest_within(bridge::at_rest_in_cycles, 10ms)
+                         : bridge::at_rest_within(bridge::at_rest_by_mailbox)} {
         for (std::size_t i = 0; i != slaves; ++i) {
             const auto station = static_cast<std::uint16_t>(2 + i);
             actuators.emplace_back(std::uint8_t{2}, station);
             memories_.emplace_back();
+            exchanges.emplace_back(ethercat::slave_identity{.subsystem = 2, .station = station});
             fronts.emplace_back(bridge::slave_options{.position = static_cast<std::uint16_t>(i),
                                                       .identity = {.subsystem = 2, .station = station},
                                                       .cyclic = cyclic},
-                                options, memories_.back(), watcher);
+                                exchanges.back(), options, memories_.back(), watcher);
             units.emplace_back(unit_address(i), fronts.back(), core_options);
             REQUIRE(bus.add(fronts.back()));
         }
@@ -150,13 +152,14 @@ class rig {
     }
     void shut_down() { bus.shut_down(now, out_); }
 
-    bridge::bridge_options options{};
+    bridge::bridge_options options;
     jaus::component_options core_options{};
     notes watcher{};
     std::deque<emulated_actuator> actuators{};
+    std::deque<bridge::exchange_under<actuator::table>> exchanges{};
     std::deque<bridge::slave_front> fronts{};
     std::deque<bridge::component> units{};
-    bridge::ring<actuator::table> bus{options};
+    bridge::ring bus{options};
     std::vector<std::vector<std::byte>> messages{};
     jaus::component_outcome last_outcome{};
     std::chrono::nanoseconds now{1s};

@@ -24,14 +24,14 @@ start_several_masters() {
 each_command_reaches_its_slave() {
     expect_ocu 0 --to 2.2.33.1 propulsive_linear_effort_x=50
     says arm "raw 16384"
-    says_not arm2 "received Set Wrench Effort"
+    says_not arm2 "raw 16384"
     expect_ocu 0 --to 2.3.33.1 propulsive_linear_effort_y=-100
     says arm2 "raw -32767"
     says_not arm "raw -32767"
     # All fields, as long as the object of the emulated slave.
     expect_ocu 0 --to 2.2.34.1 --send set_wrench_effort "${full_command[@]}"
     wait_for bus "0x1B16:26 = 16 02"
-    grep -c "received Set Wrench Effort" "$work/arm.log" | grep -qx 1 || fail "the arm has got the command of another"
+    grep -c "received Set Wrench Effort" "$work/arm.log" | grep -qx 2 || fail "the arm has got the command of another" # zeros at first
     says controller "controller h: received Set Wrench Effort"
     says controller "controller g: translated to an SDO download packet"
     says controller "g  -> station 3: SDO request"
@@ -52,9 +52,9 @@ several_masters() {
     expect_ocu 0 --to 2.3.33.1 propulsive_linear_effort_y=100
     says arm2 "raw 32767"
     expect_ocu 1 --to 2.2.33.1 propulsive_linear_effort_x=20
-    says controller "controller b: not delivered: slave 2 does not answer"
+    says controller "refused: the component is not ready"
     start_arm
-    wait_for controller "controller b: slave 2 is in PRE-OP" 2
+    wait_for controller "controller b: 2.2.33.1: initialize -> ready" 2
     expect_ocu 0 --to 2.2.33.1 propulsive_linear_effort_x=30
     kill -INT "$controller_pid" && wait "$controller_pid"
     [ $? -eq 0 ] || fail "the controller does not end well on Ctrl-C"
@@ -108,7 +108,7 @@ several_masters_on_wires() {
     expect_ocu 0 --to 2.3.33.1 propulsive_linear_effort_y=100
     says arm2 "raw 32767"
     ip -n "$slave_ns" link set if_s up
-    wait_for controller "controller b: slave 2 is in PRE-OP" 2
+    wait_for controller "controller b: 2.2.33.1: initialize -> ready" 2
     expect_ocu 0 --to 2.2.33.1 propulsive_linear_effort_x=30
 }
 
@@ -125,7 +125,7 @@ states_bring_the_arm_to_rest() {
     expect_ocu 0 propulsive_linear_effort_x=50
     expect_ocu 0 --send standby
     says controller "2.2.33.1: standby: efforts go to zero"
-    at_rest 1
+    at_rest 2 # the first time when the slave came up
     expect_ocu 1 propulsive_linear_effort_x=20
     says controller "refused: the component is not ready"
     expect_ocu 0 --send resume
@@ -133,7 +133,7 @@ states_bring_the_arm_to_rest() {
     # Reset: at rest, and ready again, since there is a slave.
     expect_ocu 0 --send reset
     says controller "2.2.33.1: initialize -> ready"
-    at_rest 2
+    at_rest 3
     expect_ocu 0 propulsive_linear_effort_x=40
     # Who stops the machine lets it go on, and then it waits for a Resume. The arm hears of both.
     expect_ocu 0 --send set_emergency emergency_code=transition_to_emergency
@@ -159,7 +159,7 @@ lost_controller_brings_the_arm_to_rest() {
     wait_for controller "1.1.1.1 is no longer heard"
     wait_for controller "2.2.33.1 is controlled by nobody"
     says controller "2.2.33.1: its controller is lost: efforts go to zero"
-    at_rest 1
+    at_rest 2
     # Who releases control leaves the arm as it is.
     expect_ocu 0 propulsive_linear_effort_x=50
     wait_for controller "2.2.33.1 is controlled by nobody" 2
@@ -172,20 +172,22 @@ emergency_while_the_slave_is_away() {
     expect_ocu 0 propulsive_linear_effort_x=50
     ip -n "$slave_ns" link set if_s down
     wait_for controller "slave 2 does not answer"
-    expect_ocu 0 --send set_emergency emergency_code=transition_to_emergency
+    # Nobody can say that the arm has stopped: no acknowledgement.
+    expect_ocu 1 --send set_emergency emergency_code=transition_to_emergency
+    says out "no answer to Set Emergency"
     says controller "2.2.33.1: emergency: efforts go to zero when the slave is back"
     ip -n "$slave_ns" link set if_s up
     wait_for arm "EMERGENCY: all efforts to zero"
     says controller "2.2.33.1: the slave is back: efforts go to zero"
-    at_rest 1
+    wait_for controller "2.2.33.1: the slave has confirmed" 2
 }
 the_state_reaches_a_slave_with_process_data() {
     master_options+=("${cyclic[@]}")
     start_robot
     expect_ocu 0 propulsive_linear_effort_x=50
     expect_ocu 0 --send standby
-    says controller "into the process image, command 2: 02 00 ff 0f 00 00 00 00 00 00"
-    wait_for arm "efforts by process data, command 2"
+    says controller "into the process image, command 3: 03 00 ff 0f 00 00 00 00 00 00"
+    wait_for arm "efforts by process data, command 3"
     expect_ocu 0 --send resume
     the_command_arrives
 }
@@ -193,9 +195,10 @@ components_of_the_configuration() {
     sed -i 's|<jausip>2.0.0.0</jausip>|&<node id="2"><component id="33" authority="7"/><component id="49"/></node>|' "$config"
     start_robot
     the_command_arrives
-    says controller "2.2.49.1: initialize -> ready"
-    expect_ocu 1 --to 2.2.49.1 propulsive_linear_effort_x=1 # the arm has no objects of component 49
-    says controller "no such object in the dictionary"
+    # The arm has no objects of component 49: nobody knows what that does, so it is never ready.
+    wait_for controller "2.2.49.1: the slave has not confirmed zero efforts, attempt 1: no such object in the dictionary"
+    expect_ocu 1 --to 2.2.49.1 propulsive_linear_effort_x=1
+    says controller "refused: the component is not ready"
     expect_ocu 0 --send query_component_authority
     says out "authority_code = 7"
 }

@@ -4,6 +4,7 @@
 #include <jauscat/ethercat/delivery.hpp>
 #include <jauscat/ethercat/sdo_options.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 
@@ -16,34 +17,51 @@ struct slave_options {
     bool cyclic{};                       ///< runs in OP: what fits its process data goes by them
 };
 
-/// The times of a bridge. Defaults bring an actuator to rest within 500 ms by mailbox and within 100 ms in cycles after
-/// something is lost; docs/safety.md says how they add up.
+/// The times of a bridge. `at_rest_within` derives them from the one that counts.
 struct bridge_options {
-    ethercat::master_config master{.frame_timeout = std::chrono::milliseconds{20},
-                                   .state_timeout = std::chrono::seconds{1},
-                                   .mailbox_timeout = std::chrono::milliseconds{250}};
+    ethercat::master_config master{};
     ethercat::download_options download{};
     /// From one cycle of process data to the next. 0: no cycles.
     std::chrono::nanoseconds period{};
     /// A slave in OP without new outputs for so long stops by itself. Written to every cyclic slave, and read back.
-    std::chrono::milliseconds watchdog{100};
-    /// A cyclic slave that has not taken part in the exchange, in OP, for so long is lost.
-    std::chrono::nanoseconds longest_silence{std::chrono::milliseconds{100}};
-    /// A slave by mailbox that has not answered for so long is lost.
-    std::chrono::nanoseconds longest_mailbox_silence{std::chrono::milliseconds{400}};
+    std::chrono::nanoseconds watchdog{};
+    /// A slave that has not answered for so long is lost; a cyclic one that has not taken part in the exchange, in OP.
+    std::chrono::nanoseconds longest_silence{};
     /// From one look at the state of a slave by mailbox to the next.
-    std::chrono::nanoseconds check_interval{std::chrono::milliseconds{100}};
-    /// A Report Heartbeat Pulse is written to a slave by mailbox that has got no message for so long: it may stop when
-    /// none comes. 0: never.
-    std::chrono::nanoseconds keep_alive{std::chrono::milliseconds{100}};
+    std::chrono::nanoseconds check_interval{};
+    /// A Report Heartbeat Pulse is written to a slave by mailbox that has got no message for so long: it stops by
+    /// itself when none comes. 0: never.
+    std::chrono::nanoseconds keep_alive{};
+    /// For the components: a controller that has been silent for so long is lost; see jaus::control_options.
+    std::chrono::nanoseconds control_timeout{};
     /// From one attempt to bring a slave up to the next.
     std::chrono::nanoseconds bring_up_interval{std::chrono::milliseconds{500}};
-    /// From a stop order that a slave refuses to the next attempt.
+    /// From a stop order that a slave refuses to the next attempt; see stop_debt.
     std::chrono::nanoseconds stop_interval{std::chrono::milliseconds{20}};
     /// A job of the master that stands in the way of a stop order for longer is given up.
     std::chrono::nanoseconds stop_patience{std::chrono::milliseconds{30}};
     /// A message that still waits for its slave after so long is refused.
     std::chrono::nanoseconds order_timeout{std::chrono::milliseconds{500}};
 };
+
+/// Defaults of `limit` below.
+inline constexpr std::chrono::milliseconds at_rest_by_mailbox{500};
+inline constexpr std::chrono::milliseconds at_rest_in_cycles{100};
+
+/// Options that bring an actuator to rest within `limit` after its controller, the link, the slave's state or this
+/// program is lost; docs/safety.md says how the times add up. `period`: of the process data, 0 for none; `limit` is at
+/// least 4 of them.
+[[nodiscard]] constexpr bridge_options at_rest_within(std::chrono::nanoseconds limit,
+                                                      std::chrono::nanoseconds period = {}) noexcept {
+    constexpr auto second = std::chrono::nanoseconds{std::chrono::seconds{1}};
+    return {.master = {.state_timeout = second,
+                       .mailbox_timeout = std::max<std::chrono::nanoseconds>(limit / 2, second / 4)},
+            .period = period,
+            .watchdog = limit,
+            .longest_silence = limit * 4 / 5,
+            .check_interval = limit / 5,
+            .keep_alive = std::min<std::chrono::nanoseconds>(limit / 5, second / 10),
+            .control_timeout = limit * 4 / 5};
+}
 
 } // namespace jauscat::bridge

@@ -149,7 +149,7 @@ class component {
         })) {
         case queued::full: return refuse(refusal::queue_full);
         case queued::too_large: return refuse(refusal::too_large);
-        default: return jaus::message_outcome::deferred;
+        default: front_.wake(); return jaus::message_outcome::deferred;
         }
     }
 
@@ -160,6 +160,7 @@ class component {
         if (head.command_code == jaus::clear_emergency::command_code) {
             if (core_.state() == jaus::primary_status_code::emergency) return taken; // others hold it
             debt_.owe_clear();
+            front_.wake();
         }
         if (debt_.settled()) return taken;
         const auto same = [&](const jaus::header& each) {
@@ -205,7 +206,10 @@ class component {
         drops_motion();
         front_.watcher().owed(*this, stop_order::emergency, why);
     }
-    void drops_motion() noexcept { motion_is_dropped_ = true; }
+    void drops_motion() {
+        motion_is_dropped_ = true;
+        front_.wake();
+    }
 
     // What the core's hooks have caused and needs `out`.
     void follow_up(time now, jaus::message_sink out) {

@@ -93,7 +93,6 @@ class observer {
     /// A query was answered from the inputs.
     virtual void from_image(const slave_front& /*slave*/, std::span<const std::byte> /*inputs*/) {}
     virtual void refused(const component& /*unit*/, const jaus::header& /*message*/, const refusal_reason& /*why*/) {}
-    virtual void sent(const component& /*unit*/, std::span<const std::byte> /*message*/) {}
 };
 
 } // namespace jauscat::bridge

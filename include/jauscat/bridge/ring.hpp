@@ -4,7 +4,6 @@
 #include <jauscat/bridge/component.hpp>
 #include <jauscat/bridge/image_path.hpp>
 #include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/packet_exchange.hpp>
 #include <jauscat/ethercat/packet_job.hpp>
 #include <jauscat/ethercat/process_data.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
@@ -18,20 +17,20 @@
 
 namespace jauscat::bridge {
 
-/// `Table` translates messages to SDO packets, `Image` says which go by the process data of cyclic slaves.
+/// `Image` says which messages go by the process data of cyclic slaves.
 ///
 /// Call `on_time` at `next_event()` and after the components have got messages, `on_frame` for each frame that arrives,
 /// and after either send what `next_frame` gives until it gives nothing. `out` takes the JAUS messages:
 /// acknowledgements and reports.
-template <class Table, class Image = wrench_effort_path> class ring {
+template <class Image = wrench_effort_path> class basic_ring {
   public:
     using bytes = std::span<const std::byte>;
     using time = time_point;
 
     /// The options must outlive it.
-    explicit ring(const bridge_options& options) noexcept : options_{options}, master_{options.master} {}
-    ring(const ring&) = delete;
-    ring& operator=(const ring&) = delete;
+    explicit basic_ring(const bridge_options& options) noexcept : options_{options}, master_{options.master} {}
+    basic_ring(const basic_ring&) = delete;
+    basic_ring& operator=(const basic_ring&) = delete;
 
     /// A slave of this link; before the first frame. It must outlive the ring. False where there is no room.
     bool add(slave_front& front) noexcept {
@@ -103,6 +102,10 @@ template <class Table, class Image = wrench_effort_path> class ring {
             for (component* unit : each.front->components()) unit->shut_down(now, out);
     }
 
+    /// Whether what the master does now only keeps a slave from stopping: nothing that a log needs.
+    [[nodiscard]] bool keeps_alive() const noexcept {
+        return work_ == work::message && purpose_ == purpose::keep_alive;
+    }
     [[nodiscard]] const ethercat::master& master() const noexcept { return master_; }
     [[nodiscard]] const ethercat::process_data& process_data() const noexcept { return data_; }
     /// How the last attempt to bring the slave up ended.
@@ -113,7 +116,6 @@ template <class Table, class Image = wrench_effort_path> class ring {
     }
 
   private:
-    using exchange_type = ethercat::packet_exchange<Table>;
     using image_type = ethercat::image_exchange<typename Image::command_table, typename Image::report_table>;
     static constexpr std::size_t message_size = jaus::header_size + jaus::max_body_size;
     static constexpr std::size_t waiting_capacity = 16;
@@ -256,9 +258,9 @@ template <class Table, class Image = wrench_effort_path> class ring {
         work_ = work::message;
         purpose_ = what;
         was_cancelled_ = false;
-        exchange_.emplace(at.front->options().identity);
-        take_step(exchange_->begin(std::span{message_}.first(size), packet_), now, out);
+        take_step(exchange().begin(std::span{message_}.first(size), packet_), now, out);
     }
+    [[nodiscard]] any_exchange& exchange() const noexcept { return served_->front->exchange(); }
     // A request packet is executed by the master; any other step ends the exchange.
     void take_step(const ethercat::exchange_step& step, time now, jaus::message_sink out) {
         if (step.what != ethercat::exchange_progress::request) return end_message(step, now, out);
@@ -269,7 +271,7 @@ template <class Table, class Image = wrench_effort_path> class ring {
     }
     void confirm(time now, jaus::message_sink out) {
         const auto size = job_->finish(job_->result());
-        take_step(exchange_->on_confirmation(std::span{confirmation_}.first(size), packet_), now, out);
+        take_step(exchange().on_confirmation(std::span{confirmation_}.first(size), packet_), now, out);
     }
     void tell_packet(bytes packet) const {
         if (purpose_ == purpose::keep_alive) return;
@@ -333,7 +335,7 @@ template <class Table, class Image = wrench_effort_path> class ring {
         using namespace ethercat;
         at.next_check = jaus::later(now, options_.check_interval);
         if (!result) {
-            if (now - at.last_heard >= options_.longest_mailbox_silence) lose(at, loss::no_answer, result, now, out);
+            if (now - at.last_heard >= options_.longest_silence) lose(at, loss::no_answer, result, now, out);
             return;
         }
         al_status status{};
@@ -360,10 +362,10 @@ template <class Table, class Image = wrench_effort_path> class ring {
         place& at = *served_;
         const bool was_executed = step.what == ethercat::exchange_progress::done;
         const auto result = job_ ? job_->result() : ethercat::outcome{};
-        const refusal_reason why{.why = exchange_->error() != translate::errc::ok ? refusal::not_translated
+        const refusal_reason why{.why = exchange().error() != translate::errc::ok ? refusal::not_translated
                                                                                   : refusal::by_slave,
-                                 .error = exchange_->error(),
-                                 .status = exchange_->status(),
+                                 .error = exchange().error(),
+                                 .status = exchange().status(),
                                  .outcome = result};
         const bool answers = was_executed || is_of_slave(result);
         if (answers) {
@@ -392,7 +394,7 @@ template <class Table, class Image = wrench_effort_path> class ring {
     }
     void end_order(bool was_executed, bytes report, const refusal_reason& why, time now, jaus::message_sink out) {
         if (!was_executed) return unit_->on_not_executed(order_.header, why, now, out);
-        if (!report.empty()) send(*unit_, report, out);
+        if (!report.empty()) out(report);
         unit_->on_executed(order_.header, now, out);
     }
     void end_stop(bool was_executed, const refusal_reason& why, time now, jaus::message_sink out) {
@@ -403,10 +405,6 @@ template <class Table, class Image = wrench_effort_path> class ring {
             (why.outcome.error == ethercat::master_errc::sdo_abort && (code == no_object || code == no_subindex)) ||
             why.error == translate::errc::unknown_index;
         unit_->on_refused(stop_, is_unknown, why, now, out);
-    }
-    void send(const component& unit, bytes message, jaus::message_sink out) const {
-        out(message);
-        unit.front().watcher().sent(unit, message);
     }
 
     // ---- What ends by time.
@@ -632,7 +630,7 @@ template <class Table, class Image = wrench_effort_path> class ring {
             return unit.on_not_executed(
                 query.header, {.why = refusal::not_translated, .error = translate::errc::out_of_range}, now, out);
         at.front->watcher().from_image(*at.front, inputs(at));
-        send(unit, bytes{packet_}.first(size), out);
+        out(bytes{packet_}.first(size));
         unit.on_executed(query.header, now, out);
     }
     void take_confirmations(place& at, time now, jaus::message_sink out) {
@@ -682,11 +680,13 @@ template <class Table, class Image = wrench_effort_path> class ring {
     std::optional<time> hindered_since_{};
     bool was_cancelled_{};
     std::array<std::byte, wire::max_size<ethercat::al_status>> status_{};
-    std::optional<exchange_type> exchange_{};
     std::optional<ethercat::packet_job> job_{};
     std::array<std::byte, message_size> message_{};
-    std::array<std::byte, std::max(exchange_type::buffer_size, message_size)> packet_{};
+    std::array<std::byte, std::max(any_exchange::buffer_size, message_size)> packet_{};
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation_{};
 };
+
+/// With wrench efforts by process data.
+using ring = basic_ring<>;
 
 } // namespace jauscat::bridge

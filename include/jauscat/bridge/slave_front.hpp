@@ -1,8 +1,10 @@
 // A slave as its components see it: whether it is there, and the messages that wait for it.
 #pragma once
+#include <jauscat/bridge/any_exchange.hpp>
 #include <jauscat/bridge/bridge_options.hpp>
 #include <jauscat/bridge/observer.hpp>
 #include <jauscat/bridge/order_queue.hpp>
+#include <jauscat/jaus/callback.hpp>
 
 #include <array>
 #include <cstddef>
@@ -16,11 +18,12 @@ inline constexpr std::size_t component_capacity = 8;
 /// Between the components in front of a slave and the ring that reaches it. Both refer to it.
 class slave_front {
   public:
-    /// The memory, the options of the bridge and the observer must outlive this.
+    /// The exchange, made for the same slave identity, the options of the bridge, the memory and the observer must
+    /// outlive this.
     template <std::size_t Orders, std::size_t Size>
-    slave_front(const slave_options& options, const bridge_options& timing, order_memory<Orders, Size>& memory,
-                observer& watcher) noexcept
-        : options_{options}, timing_{timing}, watcher_{watcher}, orders_{memory} {}
+    slave_front(const slave_options& options, any_exchange& exchange, const bridge_options& timing,
+                order_memory<Orders, Size>& memory, observer& watcher) noexcept
+        : options_{options}, exchange_{exchange}, timing_{timing}, watcher_{watcher}, orders_{memory} {}
     slave_front(const slave_front&) = delete;
     slave_front& operator=(const slave_front&) = delete;
 
@@ -31,10 +34,16 @@ class slave_front {
     [[nodiscard]] bool up() const noexcept { return up_; }
     void set_up(bool up) noexcept { up_ = up; }
 
+    [[nodiscard]] any_exchange& exchange() const noexcept { return exchange_; }
     [[nodiscard]] observer& watcher() const noexcept { return watcher_; }
     [[nodiscard]] order_queue& orders() noexcept { return orders_; }
     [[nodiscard]] std::span<component* const> components() const noexcept {
         return std::span{components_}.first(component_count_);
+    }
+    /// `wake` is called when there is something to do for the slave, from within a component's functions.
+    void on_work(const jaus::callback<void()>& wake) noexcept { wake_ = wake; }
+    void wake() const {
+        if (wake_) wake_();
     }
     /// False where there is no room for another.
     bool add(component& unit) noexcept {
@@ -45,12 +54,14 @@ class slave_front {
 
   private:
     slave_options options_;
+    any_exchange& exchange_;
     const bridge_options& timing_;
     observer& watcher_;
     order_queue orders_;
     std::array<component*, component_capacity> components_{};
     std::size_t component_count_{};
     bool up_{};
+    jaus::callback<void()> wake_{};
 };
 
 } // namespace jauscat::bridge

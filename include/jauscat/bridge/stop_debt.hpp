@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/jaus/later.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -23,7 +24,7 @@ class stop_debt {
   public:
     using time = std::chrono::nanoseconds;
 
-    /// `interval`: from a refusal to the next attempt.
+    /// `interval`: from the first refusal to the next attempt; after more of them up to ten times as long.
     constexpr explicit stop_debt(time interval) noexcept : interval_{interval} {}
 
     constexpr void owe_rest() noexcept {
@@ -73,7 +74,7 @@ class stop_debt {
     /// owes rest alone. False where the end of an emergency is given up.
     constexpr bool refused(stop_order what, bool unknown, time now) noexcept {
         ++refusals_;
-        next_attempt_ = jaus::later(now, interval_);
+        next_attempt_ = jaus::later(now, interval_ * std::min(refusals_, slowest));
         if (what == stop_order::emergency && unknown) {
             emergency_is_unknown_ = true;
             if (!rest_) emergency_ = false;
@@ -89,6 +90,7 @@ class stop_debt {
     }
 
   private:
+    static constexpr unsigned slowest = 10;
     static constexpr unsigned attempts_at_rest = 3;
     static constexpr unsigned attempts_at_clear = 3;
 

@@ -93,6 +93,8 @@ class raw_link {
     /// interface that has a link.
     const std::string& problem() const noexcept { return problem_; }
 
+    /// The socket, to wait for frames with others: when it is readable, `receive` does not wait.
+    [[nodiscard]] int native_handle() const noexcept { return socket_.get(); }
     /// The interface's Ethernet address.
     const std::array<std::byte, 6>& mac() const noexcept { return mac_; }
 

@@ -94,6 +94,8 @@ class udp_link {
     /// Why the last `send` or `receive` failed, in one line; empty if it did not, or if nothing came in time.
     const std::string& problem() const noexcept { return problem_; }
 
+    /// The socket, to wait for frames with others: when it is readable, `receive` does not wait.
+    [[nodiscard]] int native_handle() { return socket_.native_handle(); }
     /// The UDP port of this end.
     std::uint16_t port() const { return socket_.local_endpoint().port(); }
 

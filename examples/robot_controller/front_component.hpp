@@ -1,0 +1,73 @@
+// A component of a bridge that says what it gets and sends.
+#pragma once
+#include "support/robot_messages.hpp"
+#include "support/say.hpp"
+#include <jauscat/bridge/component.hpp>
+#include <jauscat/text/jaus.hpp>
+#include <jauscat/text/value.hpp>
+
+#include <array>
+#include <string>
+#include <utility>
+
+namespace example {
+
+/// Pulses come and go several times a second.
+inline bool is_pulse(const jauscat::jaus::header& head) {
+    return head.command_code == jauscat::jaus::query_heartbeat_pulse::command_code ||
+           head.command_code == jauscat::jaus::report_heartbeat_pulse::command_code;
+}
+
+/// Says what it passes on.
+struct said_messages {
+    const speaker& say;
+    jauscat::jaus::message_sink out;
+
+    void operator()(std::span<const std::byte> message) const {
+        const auto head = jauscat::jaus::split(message).header;
+        out(message);
+        if (!is_pulse(head)) say("sent " + jauscat::text::summary(head));
+    }
+};
+
+/// To be added to a jaus_node.
+class front_component {
+  public:
+    using bytes = std::span<const std::byte>;
+    using time = std::chrono::nanoseconds;
+
+    front_component(const jauscat::jaus::address& self, jauscat::bridge::slave_front& front,
+                    const jauscat::jaus::component_options& options, speaker say)
+        : say_{std::move(say)}, unit_{self, front, options} {}
+
+    [[nodiscard]] const jauscat::jaus::address& self() const noexcept { return unit_.self(); }
+
+    jauscat::jaus::component_outcome on_message(const jauscat::jaus::header& head, bytes body, time now,
+                                                jauscat::jaus::message_sink out, auto&& application) {
+        if (!is_pulse(head)) show_received(head, body);
+        const said_messages said{say_, out};
+        const auto what = unit_.on_message(head, body, now, said, application);
+        if (what == jauscat::jaus::component_outcome::repeated) say_(std::string{describe(what)});
+        return what;
+    }
+    void on_time(time now, jauscat::jaus::message_sink out) { unit_.on_time(now, out); }
+    [[nodiscard]] std::optional<time> next_event() const { return unit_.next_event(); }
+    void on_lost(const jauscat::jaus::address& who) { unit_.on_lost(who); }
+
+  private:
+    void show_received(const jauscat::jaus::header& head, bytes body) const {
+        std::array<std::byte, jauscat::jaus::header_size + jauscat::jaus::max_body_size> message{};
+        const auto size = jauscat::jaus::join(head, body, message);
+        if (size)
+            say_("received " + jauscat::text::summary(jauscat::jaus::split(bytes{message}.first(size.size())).header),
+                 jauscat::text::annotate_message(bytes{message}.first(size.size()), robot_messages{}));
+        else
+            say_("received " + jauscat::text::message_name(head.command_code) + ", a large data set of " +
+                 std::to_string(body.size()) + " bytes, from " + jauscat::text::to_text(head.source));
+    }
+
+    speaker say_;
+    jauscat::bridge::component unit_;
+};
+
+} // namespace example

@@ -1,0 +1,144 @@
+// What the robot controller says of its bridge.
+#pragma once
+#include "support/explain.hpp"
+#include "support/say.hpp"
+#include "support/trace.hpp"
+#include <jauscat/bridge/component.hpp>
+#include <jauscat/text/jaus.hpp>
+#include <jauscat/text/packet_status.hpp>
+
+#include <string>
+#include <utility>
+
+namespace example {
+
+namespace bridge = jauscat::bridge;
+
+class narrator final : public bridge::observer {
+  public:
+    explicit narrator(speaker say) : say_{std::move(say)} {}
+
+    void slave_up(const bridge::slave_front& slave, const jauscat::ethercat::slave_record& record,
+                  bool ready) override {
+        failure_.clear();
+        const auto& identity = record.identity;
+        if (!ready || !slave.options().cyclic)
+            say_(name(slave) + " is in PRE-OP: vendor " + jauscat::text::hex_number(identity.vendor, 8) + ", product " +
+                 jauscat::text::hex_number(identity.product, 8));
+        if (ready && slave.options().cyclic) say_(name(slave) + " is in OP");
+    }
+    void bring_up_failed(const bridge::slave_front& slave, const jauscat::ethercat::outcome& why) override {
+        const auto text = explain(why);
+        if (std::exchange(failure_, text) != text) say_.bad(name(slave) + " cannot be brought up: " + text);
+    }
+    void slave_lost(const bridge::slave_front& slave, bridge::loss what,
+                    const jauscat::ethercat::outcome& why) override {
+        if (!slave.up() && what == bridge::loss::no_process_data) {
+            const auto text = explain(why);
+            if (std::exchange(failure_, text) != text) say_.bad(name(slave) + ": no process data: " + text);
+            return;
+        }
+        say_.bad(name(slave) + ' ' + loss_text(what, slave.options().cyclic) + ": " + explain(why));
+    }
+    void slave_emergency(const bridge::slave_front& slave, const jauscat::ethercat::coe_emergency& emergency) override {
+        say_.bad("emergency of " + name(slave) + ": error code " + jauscat::text::hex_number(emergency.error_code, 4) +
+                 ", error register " + jauscat::text::hex_number(emergency.error_register, 2) + ", data " +
+                 jauscat::text::hex(emergency.data));
+    }
+    void no_keep_alive(const bridge::slave_front& slave, const bridge::refusal_reason& why) override {
+        say_.bad(name(slave) + " takes no Report Heartbeat Pulse (" + refusal_text(why) +
+                 "): it does not stop by itself if this program ends without a word");
+    }
+
+    void changed_state(const bridge::component& unit, jauscat::jaus::primary_status_code from,
+                       jauscat::jaus::primary_status_code to) override {
+        say_(name(unit) + ": " + jauscat::text::to_text(from) + " -> " + jauscat::text::to_text(to));
+    }
+    void changed_controller(const bridge::component& unit, jauscat::jaus::control_change) override {
+        const auto& now = unit.control().controller();
+        say_(name(unit) + " is controlled by " +
+             (now ? jauscat::text::to_text(now->address) + ", authority " + std::to_string(now->authority_code)
+                  : "nobody"));
+    }
+    void owed(const bridge::component& unit, bridge::stop_order, bridge::stop_cause why) override {
+        const auto when = unit.front().up() ? ": efforts go to zero" : ": efforts go to zero when the slave is back";
+        say_(name(unit) + ": " + cause_text(unit, why) + when);
+    }
+    void stop_refused(const bridge::component& unit, bridge::stop_order what, const bridge::refusal_reason& why,
+                      unsigned attempts) override {
+        if (attempts != 1 && attempts != 10 && attempts % 100 != 0) return;
+        say_.bad(name(unit) + ": the slave has not confirmed " + order_text(what) + ", attempt " +
+                 std::to_string(attempts) + ": " + refusal_text(why) + "; it is repeated");
+    }
+    void settled(const bridge::component& unit) override { say_(name(unit) + ": the slave has confirmed"); }
+
+    void translated(const bridge::slave_front&, std::span<const std::byte> packet) override {
+        say_("translated to an SDO download packet", packet_text(packet));
+    }
+    void asks_report(const bridge::slave_front&, std::span<const std::byte> packet) override {
+        say_("asks for the report by an SDO upload packet, " + upload_text(packet));
+    }
+    void into_image(const bridge::slave_front&, std::uint32_t count, std::span<const std::byte> outputs) override {
+        say_("into the process image, command " + std::to_string(count) + ": " + jauscat::text::hex(outputs));
+    }
+    void from_image(const bridge::slave_front&, std::span<const std::byte> inputs) override {
+        say_("answers from the process image: " + jauscat::text::hex(inputs));
+    }
+    void refused(const bridge::component& unit, const jauscat::jaus::header&,
+                 const bridge::refusal_reason& why) override {
+        say_.bad("not delivered: " + (why.why == bridge::refusal::slave_down ? name(unit.front()) + " does not answer"
+                                                                             : refusal_text(why)));
+    }
+
+  private:
+    static std::string name(const bridge::component& unit) { return jauscat::text::to_text(unit.self()); }
+    static std::string name(const bridge::slave_front& slave) { return "slave " + std::to_string(slave.station()); }
+
+    static std::string loss_text(bridge::loss what, bool cyclic) {
+        switch (what) {
+        case bridge::loss::no_answer: return "does not answer";
+        case bridge::loss::no_station: return "is no longer there under its station address";
+        case bridge::loss::left_state: return cyclic ? "is no longer in OP" : "is no longer in PRE-OP";
+        case bridge::loss::no_process_data: return "no longer takes process data";
+        }
+        return "is lost";
+    }
+    static std::string cause_text(const bridge::component& unit, bridge::stop_cause why) {
+        switch (why) {
+        case bridge::stop_cause::state: return jauscat::text::to_text(unit.state());
+        case bridge::stop_cause::controller_lost: return "its controller is lost";
+        case bridge::stop_cause::slave_back: return "the slave is back";
+        case bridge::stop_cause::program_ends: return "the program ends";
+        }
+        return "stop";
+    }
+    static std::string order_text(bridge::stop_order what) {
+        switch (what) {
+        case bridge::stop_order::rest: return "zero efforts";
+        case bridge::stop_order::emergency: return "the emergency";
+        case bridge::stop_order::clear_emergency: return "the end of the emergency";
+        }
+        return "a stop order";
+    }
+    static std::string refusal_text(const bridge::refusal_reason& why) {
+        switch (why.why) {
+        case bridge::refusal::slave_down: return "the slave does not answer";
+        case bridge::refusal::queue_full: return "too many messages wait for the slave";
+        case bridge::refusal::too_large: return "more bytes than an SDO carries";
+        case bridge::refusal::expired: return "it waited too long for the slave";
+        case bridge::refusal::superseded: return "a newer command of the same sender came before it was its turn";
+        case bridge::refusal::stopped: return "a stop order came before it was its turn";
+        case bridge::refusal::not_translated: return std::string{describe(why.error)};
+        case bridge::refusal::by_slave:
+            return jauscat::text::explain(why.status) + (why.outcome ? std::string{} : ": " + explain(why.outcome));
+        case bridge::refusal::not_taken: return "the slave has not taken the command out of its process data";
+        case bridge::refusal::stale: return "the slave's inputs are too old to answer from";
+        }
+        return "refused";
+    }
+
+    speaker say_;
+    std::string failure_{}; ///< of the last attempt to bring a slave up: said once
+};
+
+} // namespace example

@@ -1,0 +1,117 @@
+// Runs a bridge's ring over a link in an io_context: beside a node, on the node's thread.
+#pragma once
+
+#include <jauscat/bridge/ring.hpp>
+#include <jauscat/net/detail/wake_timer.hpp>
+
+#include <boost/asio/posix/stream_descriptor.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <unistd.h>
+
+namespace jauscat::net {
+
+/// Waits for frames and for the ring's next event; nothing blocks. The io_context, the link and the ring must outlive
+/// it. `Link` has what ethercat::link asks for, and native_handle().
+///
+///     net::ring_runner runner{context, link, ring, node.out()};
+///     front.on_work(runner.wake()); // for each slave
+///     runner.start();
+template <class Link> class ring_runner {
+  public:
+    using time = std::chrono::nanoseconds;
+
+    /// `out` takes the JAUS messages of the ring.
+    ring_runner(boost::asio::io_context& context, Link& link, bridge::ring& ring, jaus::message_sink out)
+        : link_{link}, ring_{ring}, out_{out}, frames_{context, ::dup(link.native_handle())}, timer_{context, [this] {
+                                                                                                         on_time();
+                                                                                                     }} {}
+    ring_runner(const ring_runner&) = delete;
+    ring_runner& operator=(const ring_runner&) = delete;
+    ~ring_runner() { stop(); }
+
+    /// To be given to each slave_front of the ring.
+    [[nodiscard]] const jaus::callback<void()>& wake() const noexcept { return wake_; }
+    /// Called after each turn: what is looked at after frames and messages, such as the link's problem.
+    std::function<void()> after_turn{};
+
+    void start() {
+        runs_ = true;
+        wait_for_frames();
+        timer_.arm(now());
+    }
+    void stop() {
+        runs_ = false;
+        timer_.cancel();
+        boost::system::error_code ignored;
+        frames_.cancel(ignored);
+    }
+    [[nodiscard]] static time now() noexcept { return std::chrono::steady_clock::now().time_since_epoch(); }
+
+  private:
+    void wait_for_frames() {
+        frames_.async_wait(boost::asio::posix::stream_descriptor::wait_read,
+                           [this](const boost::system::error_code& error) {
+                               if (error == boost::asio::error::operation_aborted || !runs_) return;
+                               receive();
+                               wait_for_frames();
+                           });
+    }
+    // Bounded, so that a flood of frames leaves time for messages.
+    void receive() {
+        for (unsigned i = 0; i != most_frames && runs_; ++i) {
+            const auto size = link_.receive(frame_, time{});
+            if (size == 0) break;
+            heard_ = now();
+            ring_.on_frame(std::span{frame_}.first(size), heard_, out_);
+        }
+        end_turn();
+    }
+    void on_time() {
+        // A link says why nothing comes only to one that waits for it.
+        if (now() - heard_ > silence) {
+            heard_ = now();
+            if (const auto size = link_.receive(frame_, std::chrono::microseconds{1}); size != 0)
+                ring_.on_frame(std::span{frame_}.first(size), heard_, out_);
+        }
+        ring_.on_time(now(), out_);
+        end_turn();
+    }
+    void end_turn() {
+        while (const auto size = ring_.next_frame(frame_, now())) {
+            if (link_.send(std::span{frame_}.first(size))) continue;
+            ring_.not_sent();
+            ring_.on_time(now(), out_);
+        }
+        if (after_turn) after_turn();
+        if (!runs_) return;
+        if (const auto next = ring_.next_event()) timer_.arm(std::max(*next, now()));
+    }
+
+    static constexpr unsigned most_frames = 64;
+    static constexpr time silence = std::chrono::milliseconds{50};
+
+    Link& link_;
+    bridge::ring& ring_;
+    jaus::message_sink out_;
+    boost::asio::posix::stream_descriptor frames_;
+    detail::wake_timer timer_;
+    bool runs_{};
+    time heard_{};
+    std::array<std::byte, ethercat::max_frame_size> frame_{};
+    struct waker {
+        ring_runner& mine;
+        void operator()() const {
+            if (mine.runs_) mine.timer_.arm(now());
+        }
+    } waker_{*this};
+    jaus::callback<void()> wake_{waker_};
+};
+
+} // namespace jauscat::net
