@@ -107,6 +107,7 @@ class narrator final : public bridge::observer {
         switch (why) {
         case bridge::stop_cause::state: return jauscat::text::to_text(unit.state());
         case bridge::stop_cause::controller_lost: return "its controller is lost";
+        case bridge::stop_cause::slave_away: return "the slave is away";
         case bridge::stop_cause::slave_back: return "the slave is back";
         case bridge::stop_cause::program_ends: return "the program ends";
         }

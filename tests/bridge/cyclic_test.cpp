@@ -18,6 +18,29 @@ TEST_CASE("a command by process data is acknowledged when the slave's inputs say
     CHECK(std::ranges::count(r.motor().executed, jaus::set_wrench_effort::command_code) == 0);
 }
 
+TEST_CASE("of two commands between two cycles only the one that the slave has taken is acknowledged") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.run(1ms); // a cycle has just gone
+    const auto first = r.drive(50);
+    const auto second = r.drive(20);
+    r.run_until([&] { return r.answer(first).has_value() && r.answer(second).has_value(); });
+    CHECK(r.is_refused(first));
+    CHECK(r.is_acknowledged(second));
+    CHECK(r.motor().efforts.back() == Approx(20).margin(0.01));
+}
+
+TEST_CASE("a frame that is held back for the process data is asked for when they have gone") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.run_until([&] { return r.bus.next_event().value_or(0ns) > r.now + 5ms; });
+    r.run(7ms + 600us); // within the reserve
+    r.tell(jaus::set_travel_speed{.desired_speed = 3});
+    REQUIRE(r.bus.next_event());
+    std::array<std::byte, ethercat::max_frame_size> frame{};
+    CHECK((r.bus.next_frame(frame, r.now) != 0 || *r.bus.next_event() > r.now));
+}
+
 TEST_CASE("a query is answered from fresh inputs, and refused when the cable is out") {
     rig r{1, true};
     r.run_until_ready();

@@ -162,6 +162,21 @@ TEST_CASE("an emergency stop while the slave is away is acknowledged when the sl
     r.run_until([&] { return r.is_acknowledged(number); }, 100ms);
 }
 
+TEST_CASE("an emergency that is in force already is not acknowledged while the slave is away") {
+    rig r;
+    r.run_until_ready();
+    r.run_until([&, number = r.tell(rig::stop())] { return r.is_acknowledged(number); });
+    r.cable_is_out = true;
+    r.run_until([&] { return r.watcher.lost == 1; });
+    r.actuators[0].power_cycle();
+    const auto number = r.tell(rig::stop());
+    r.run(1s);
+    CHECK(!r.answer(number));
+    r.cable_is_out = false;
+    r.run_until([&] { return r.is_acknowledged(number); });
+    CHECK(r.motor().emergency);
+}
+
 TEST_CASE("a clear emergency while the slave is away is acknowledged when the slave has obeyed") {
     rig r;
     r.run_until_ready();

@@ -39,6 +39,7 @@ class component {
                  .on_state_command = jaus::bound<&component::state_command>(*this)},
                 options} {
         front.add(*this);
+        debt_.owe_rest(); // what the actuator does is not known yet
     }
     component(const component&) = delete;
     component& operator=(const component&) = delete;
@@ -78,18 +79,12 @@ class component {
 
     // For the ring.
 
-    /// The slave answers again: what the actuator does is not known.
-    void on_slave_up() {
-        if (core_.state() == jaus::primary_status_code::emergency)
-            owe_emergency(stop_cause::slave_back);
-        else
-            owe_rest(stop_cause::slave_back);
-    }
+    /// The slave answers: it is told at once what it is owed.
+    void on_slave_up() { owe_what_the_state_owes(stop_cause::slave_back); }
     void on_slave_lost(time now, jaus::message_sink out) {
         using enum jaus::primary_status_code;
         was_at_rest_ = was_at_rest_ || core_.state() == standby || core_.state() == emergency;
-        debt_.begin();
-        drops_motion();
+        owe_what_the_state_owes(stop_cause::slave_away);
         core_.change(jaus::state_event::failed);
         core_.reject_control(out);
         follow_up(now, out);
@@ -189,12 +184,18 @@ class component {
         front_.watcher().changed_state(*this, from, to);
         if (to == jaus::primary_status_code::emergency)
             owe_emergency(stop_cause::state);
-        else if (from == jaus::primary_status_code::ready)
+        else if (from == jaus::primary_status_code::ready && front_.up())
             owe_rest(stop_cause::state);
     }
     void changed_controller(const std::optional<jaus::controller>&, jaus::control_change why) {
         front_.watcher().changed_controller(*this, why);
         if (why == jaus::control_change::lost) owe_rest(stop_cause::controller_lost);
+    }
+    void owe_what_the_state_owes(stop_cause why) {
+        if (core_.state() == jaus::primary_status_code::emergency)
+            owe_emergency(why);
+        else
+            owe_rest(why);
     }
     void owe_rest(stop_cause why) {
         debt_.owe_rest();

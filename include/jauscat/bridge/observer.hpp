@@ -52,7 +52,8 @@ struct refusal_reason {
 enum class stop_cause : std::uint8_t {
     state,           ///< the component has gone to a state other than Ready
     controller_lost, ///< nobody controls the component any more, without a release
-    slave_back,      ///< the slave was away: what it does is not known
+    slave_away,      ///< the slave does not answer: what it does is not known
+    slave_back,      ///< it answers: the first thing that it is told
     program_ends,
 };
 

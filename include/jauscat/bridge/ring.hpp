@@ -46,6 +46,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         return was_taken;
     }
     void on_time(time now, jaus::message_sink out) {
+        last_turn_ = now;
         master_.on_time(now);
         watch_cycles(now, out);
         refuse_expired(now, out);
@@ -74,9 +75,11 @@ template <class Image = wrench_effort_path> class basic_ring {
             if (other && (!next || *other < *next)) next = other;
         };
         if (!master_.idle()) {
-            auto frame = master_.next_event();
-            if (frame && cycles() && next_cycle_ - *frame <= reserve()) frame = std::max(*frame, next_cycle_);
-            consider(frame);
+            // A frame may be due since long, and held back for the process data all the same.
+            if (const auto frame = master_.next_event()) {
+                const auto at = std::max(*frame, last_turn_);
+                consider(cycles() && next_cycle_ - at <= reserve() ? std::max(at, next_cycle_) : at);
+            }
             if (const auto hindered = hindered_until()) consider(*hindered);
         }
         if (cycles()) consider(next_cycle_);
@@ -647,16 +650,19 @@ template <class Image = wrench_effort_path> class basic_ring {
                 at.waiting[left++] = each;
         }
         at.waiting_count = left;
+        // A later command in the same outputs may have come before the slave looked: only the one that it has taken
+        // last is known to be executed. A stop order is confirmed by any, for nothing else is put there before it is.
         for (const image_wait& each : std::span{over}.first(over_count)) {
-            const bool was_taken = image_type::has_reached(each.count, taken);
-            if (each.is_stop && was_taken)
+            const bool was_reached = image_type::has_reached(each.count, taken);
+            const auto why = was_reached ? refusal::superseded : refusal::not_taken;
+            if (each.is_stop && was_reached)
                 each.unit->on_confirmed(stop_order::rest, now, out);
             else if (each.is_stop)
-                each.unit->on_refused(stop_order::rest, false, {.why = refusal::not_taken}, now, out);
-            else if (was_taken)
+                each.unit->on_refused(stop_order::rest, false, {.why = why}, now, out);
+            else if (each.count == taken)
                 each.unit->on_executed(each.header, now, out);
             else
-                each.unit->on_not_executed(each.header, {.why = refusal::not_taken}, now, out);
+                each.unit->on_not_executed(each.header, {.why = why}, now, out);
         }
     }
 
@@ -667,6 +673,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     std::size_t place_count_{};
     std::size_t last_served_{};
     std::size_t exchanged_{}; // slaves in the cyclic exchange
+    time last_turn_{};
     time next_cycle_{};
     time settling_until_{};
     bool ends_{};
