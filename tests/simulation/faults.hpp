@@ -35,12 +35,15 @@ enum class fault : std::uint8_t {
     mailbox_recounted,
     other_master,
     odd_watchdog,
+    unknown_state,
+    bridge_ended,
 };
-inline constexpr std::array<std::string_view, 23> fault_names{
-    "datagram-lost",   "datagram-doubled", "datagram-delayed",  "network-parted",  "process-killed", "process-frozen",
-    "clock-leap",      "same-numbers",     "number-zero",       "message-doubled", "kinds-mixed",    "body-malformed",
-    "mute-controller", "frame-lost",       "frame-delayed",     "cable-out",       "slave-frozen",   "slave-restarted",
-    "slave-aborts",    "slave-falls-back", "mailbox-recounted", "other-master",    "odd-watchdog"};
+inline constexpr std::array<std::string_view, 25> fault_names{
+    "datagram-lost",     "datagram-doubled", "datagram-delayed", "network-parted", "process-killed",
+    "process-frozen",    "clock-leap",       "same-numbers",     "number-zero",    "message-doubled",
+    "kinds-mixed",       "body-malformed",   "mute-controller",  "frame-lost",     "frame-delayed",
+    "cable-out",         "slave-frozen",     "slave-restarted",  "slave-aborts",   "slave-falls-back",
+    "mailbox-recounted", "other-master",     "odd-watchdog",     "unknown-state",  "bridge-ended"};
 inline constexpr std::size_t fault_count = fault_names.size();
 
 [[nodiscard]] constexpr std::string_view name_of(fault kind) noexcept {

@@ -173,7 +173,8 @@ void model::delivers_large(const process& at, const jaus::header& head, bytes bo
 void model::starts(std::uint8_t which) {
     auto& a = actuators_[which];
     a.state = {};
-    a.command = 0;
+    a.not_ready_since = world_.now();
+    if (a.wire == nullptr) a.command = 0; // a slave goes on without its program
     a.controller.reset();
     a.holders.clear();
     a.current = 0;
@@ -189,8 +190,9 @@ void model::arrives(std::uint8_t which, std::uint32_t message, const jaus::heade
     a.head = head;
     a.acknowledged = a.refused = false;
     if (message != 0) a.arrived[a.arrived_count++ % a.arrived.size()] = message;
-    const auto* sent = find(message);
+    auto* sent = find(message);
     a.was_repeat = sent != nullptr && sent->done;
+    if (sent != nullptr && sent->arrived_at == time{}) sent->arrived_at = world_.now();
     world_.tell({.what = deed::gets,
                  .who = a.number,
                  .whom = sent != nullptr ? senders_[sent->sender].program->number() : std::uint8_t{},
@@ -229,14 +231,39 @@ void model::answers(std::uint8_t which, bytes message) {
     }
 }
 
-bool model::has_effect(const actuator_account& a, std::uint16_t code) const {
+bool model::state_is_right(const actuator_account& a, std::uint16_t code) {
     using enum primary_status_code;
     switch (code) {
     case jaus::set_emergency::command_code: return a.state == emergency || a.state == primary_status_code::shutdown;
-    case jaus::standby::command_code: return a.state == primary_status_code::standby;
+    case jaus::standby::command_code: return a.state != ready;
     case jaus::shutdown::command_code: return a.state == primary_status_code::shutdown;
     case jaus::resume::command_code: return a.state == ready;
     default: return true;
+    }
+}
+
+// What of an actuator need not last until it is acknowledged: another message may have come since.
+void model::look(actuator_account& a) const {
+    if (a.command == 0) a.rest_seen_at = world_.now();
+    const bool in_emergency = a.wire == nullptr || (*a.wire)[a.slave].arm->in_emergency();
+    if (in_emergency) a.emergency_seen_at = world_.now();
+}
+
+bool model::has_effect(const actuator_account& a, const sent_message& sent) const {
+    const bool has_rested = a.rest_seen_at >= sent.arrived_at;
+    switch (sent.code) {
+    case jaus::set_wrench_effort::command_code: return sent.command == 0 && has_rested;
+    case jaus::set_emergency::command_code: {
+        const bool was_restarted = a.wire != nullptr && (*a.wire)[a.slave].restarted_at >= sent.arrived_at;
+        const bool ended = a.state == primary_status_code::shutdown;
+        return sent.state_was_right && has_rested && (ended || was_restarted || a.emergency_seen_at >= sent.arrived_at);
+    }
+    case jaus::standby::command_code:
+    case jaus::shutdown::command_code: return sent.state_was_right && has_rested;
+    case jaus::clear_emergency::command_code:
+        return a.wire == nullptr || a.state == primary_status_code::emergency ||
+               !(*a.wire)[a.slave].arm->in_emergency();
+    default: return sent.state_was_right;
     }
 }
 
@@ -249,6 +276,12 @@ void model::acknowledged(actuator_account& a, std::uint32_t number) {
                  .code = sent->code,
                  .number = sent->sequence_number,
                  .message = number});
+    look(a);
+    if (has_effect(a, *sent)) sent->done = true;
+    if (a.wire != nullptr && sent->stopped_it && (*a.wire)[a.slave].unreachable_since &&
+        *(*a.wire)[a.slave].unreachable_since < sent->arrived_at)
+        breaks(contract::s2, a, number, "a stop order is acknowledged when the slave has confirmed it",
+               "the slave was not reached since it came");
     if (!sent->done)
         breaks(stops(sent->code) ? contract::s2 : contract::s1, a, number,
                "command code " + hex(sent->code) + " is executed before it is acknowledged",
@@ -260,9 +293,11 @@ void model::handled(std::uint8_t which) {
     auto& a = actuators_[which];
     auto* sent = find(std::exchange(a.current, 0));
     if (sent == nullptr) return;
-    if (!moves(sent->code) && !a.was_repeat && !a.refused && has_effect(a, sent->code)) sent->done = true;
+    look(a);
+    if (!a.refused && state_is_right(a, sent->code)) sent->state_was_right = true;
+    if (!moves(sent->code) && !a.was_repeat && !a.refused && has_effect(a, *sent)) sent->done = true;
     // A message numbered 0 is not known from the one before: what is like the last one is taken for its repeat.
-    const bool is_in_force = moves(sent->code) ? a.command == sent->command : has_effect(a, sent->code);
+    const bool is_in_force = moves(sent->code) ? a.command == sent->command : has_effect(a, *sent);
     if (a.acknowledged && !sent->done && sent->sequence_number == 0 && is_in_force) sent->done = true;
     if (a.acknowledged) acknowledged(a, sent->number);
     if (a.refused) {
@@ -272,11 +307,13 @@ void model::handled(std::uint8_t which) {
                      .code = sent->code,
                      .number = sent->sequence_number,
                      .message = sent->number});
-        if (moves(sent->code) && sent->executed != 0 && a.program->jumped_at() <= sent->executed_at)
+        if (a.wire == nullptr && moves(sent->code) && sent->executed != 0 &&
+            a.program->jumped_at() <= sent->executed_at)
             breaks(contract::s1, a, sent->number, "ACK or nothing for what was executed", "a NAK");
     }
     take_emergency_codes(a, *sent);
-    if (sent->code == jaus::set_emergency::command_code && !has_effect(a, sent->code))
+    if (sent->code == jaus::set_emergency::command_code && a.state != primary_status_code::emergency &&
+        a.state != primary_status_code::shutdown && a.state != primary_status_code::failure)
         breaks(contract::s2, a, sent->number, "Set Emergency stops, whoever sends it", "the state is " + text(a.state));
     if (sent->code == jaus::release_component_control::command_code && a.controller == sent->sender && !a.was_repeat &&
         !a.refused)
@@ -305,7 +342,7 @@ void model::executes(std::uint8_t which, command_number command) {
                  .number = sent != nullptr ? sent->sequence_number : std::uint16_t{},
                  .message = sent != nullptr ? sent->number : 0,
                  .value = command});
-    a.command = command;
+    note_efforts(a, command);
     if (sent == nullptr || (command != 0 && sent->command != command) || sent->destination != a.id)
         return breaks(contract::s7, a, 0, "efforts that somebody sent to this actuator",
                       "command " + std::to_string(command) + ", which nobody has sent");
@@ -320,10 +357,11 @@ void model::executes(std::uint8_t which, command_number command) {
     ++sent->executed;
     sent->executed_at = world_.now();
     sent->done = true;
-    if (a.state != primary_status_code::ready)
+    // A command that was on its way to a slave when that changed is followed by the stop order.
+    if (a.state != primary_status_code::ready && world_.now() - a.not_ready_since >= a.at_rest_in)
         breaks(contract::s5, a, sent->number, "motion commands are obeyed in Ready only",
                "one was obeyed in " + text(a.state));
-    if (a.controller && *a.controller != sent->sender)
+    if (a.controller && *a.controller != sent->sender && world_.now() - a.controlled_since >= a.at_rest_in)
         breaks(contract::s5, a, sent->number, "motion commands come from the controller",
                "one of " + world_.names()[senders_[sent->sender].program->number()] + " was obeyed under control of " +
                    world_.names()[senders_[*a.controller].program->number()]);
@@ -332,7 +370,43 @@ void model::executes(std::uint8_t which, command_number command) {
 void model::rests(std::uint8_t which) {
     auto& a = actuators_[which];
     if (a.command != 0) world_.tell({.what = deed::rests, .who = a.number});
-    a.command = 0;
+    note_efforts(a, 0);
+}
+
+void model::note_efforts(actuator_account& a, command_number command) {
+    if (command == a.command) return;
+    a.command = command;
+    look(a);
+    a.efforts[a.effort_count++ % a.efforts.size()] = {world_.now(), command};
+}
+
+// At any instant since then.
+bool model::were_in_force(const actuator_account& a, command_number command, time since) const {
+    if (a.command == command) return true;
+    time until = world_.now();
+    for (std::size_t i = 0; i != std::min<std::size_t>(a.effort_count, a.efforts.size()); ++i) {
+        const auto& [at, what] = a.efforts[(a.effort_count - 1 - i) % a.efforts.size()];
+        if (what == command && until >= since) return true;
+        if (at <= since) return false;
+        until = at;
+    }
+    return command == 0; // before the first
+}
+
+void model::moves_to(std::uint8_t which, command_number command) {
+    auto& a = actuators_[which];
+    if (command == 0) return rests(which);
+    if (command != a.command) executes(which, command);
+}
+
+void model::ends(std::uint8_t which, time told) {
+    const auto& a = actuators_[which];
+    const auto& slave = (*a.wire)[a.slave];
+    const bool was_disturbed = slave.disturbed_at + std::chrono::milliseconds{700} > told || slave.frozen ||
+                               a.wire->trouble_of(a.slave) || a.program->jumped_at() > told;
+    if (a.command != 0 && !was_disturbed)
+        breaks(contract::s6, a, 0, "a program that is told to end brings its actuators to rest first",
+               "efforts of command " + std::to_string(a.command) + ", " + in_ms(world_.now() - told) + " later");
 }
 
 void model::enters(std::uint8_t which, primary_status_code from, primary_status_code to) {
@@ -343,8 +417,10 @@ void model::enters(std::uint8_t which, primary_status_code from, primary_status_
                  .number = static_cast<std::uint16_t>(from),
                  .message = a.current,
                  .value = static_cast<std::uint32_t>(to)});
+    if (a.state == ready && to != ready) a.not_ready_since = world_.now();
     a.state = to;
-    const auto* cause = find(a.current);
+    auto* cause = find(a.current);
+    if (cause != nullptr && (from == ready || to == emergency)) cause->stopped_it = true;
     const auto is = [&](std::uint16_t code) { return cause != nullptr && cause->code == code; };
     const bool by_controller = cause != nullptr && (!a.controller || *a.controller == cause->sender);
     if (from == primary_status_code::standby && to == ready && (!is(jaus::resume::command_code) || !by_controller))
@@ -365,6 +441,13 @@ void model::enters(std::uint8_t which, primary_status_code from, primary_status_
     a.holders.clear();
 }
 
+void model::hears_lost(std::uint8_t which, const jaus::address& who) {
+    world_.tell({.what = deed::gives_up,
+                 .who = actuators_[which].number,
+                 .value = std::uint32_t{who.subsystem} << 24U | std::uint32_t{who.node} << 16U |
+                          std::uint32_t{who.component} << 8U | who.instance});
+}
+
 void model::person_clears(std::uint8_t which) {
     world_.tell({.what = deed::person, .who = actuators_[which].number});
     actuators_[which].holders.clear();
@@ -377,6 +460,7 @@ void model::controlled(std::uint8_t which, const std::optional<jaus::address>& n
                  .who = a.number,
                  .whom = who ? senders_[*who].program->number() : std::uint8_t{},
                  .message = a.current});
+    a.controlled_since = world_.now();
     if (!now) a.controller.reset();
 }
 
@@ -398,7 +482,8 @@ void model::reported(const actuator_account& a, const jaus::header& head, bytes 
     }
     if (head.command_code == jaus::report_wrench_effort::command_code) {
         const auto told = command_in<jaus::report_wrench_effort>(body);
-        if (told && *told != a.command)
+        const time since = world_.now() - a.at_rest_in;
+        if (told && !were_in_force(a, *told, since))
             breaks(contract::s4, a, 0, "the efforts in force: command " + std::to_string(a.command),
                    "reported: command " + std::to_string(*told));
     }
@@ -410,6 +495,7 @@ void model::check() {
     if (world_.now() - checked_ < std::chrono::milliseconds{10}) return;
     checked_ = world_.now();
     for (auto& a : actuators_) {
+        look(a);
         look_for_lost_holders(a);
         check_actuator(a);
     }
@@ -417,6 +503,7 @@ void model::check() {
 }
 
 void model::check_actuator(const actuator_account& a) {
+    if (a.wire != nullptr) return check_slave(a);
     if (!a.program->running()) return;
     if (a.command != 0 && a.state != primary_status_code::ready)
         breaks(contract::s2, a, 0, "at rest in every state but Ready",
@@ -430,6 +517,33 @@ void model::check_actuator(const actuator_account& a) {
         breaks(contract::s3, a, 0, "at rest " + in_ms(a.controller_limit) + " after the controller is lost",
                "efforts of command " + std::to_string(a.command) + ", " + in_ms(world_.now() - *since) + " after " +
                    world_.names()[senders_[*a.controller].program->number()] + " was lost");
+}
+
+void model::check_stop(const actuator_account& a, const char* why, time since, time limit) {
+    constexpr auto frames_lost = std::chrono::milliseconds{60};
+    if (world_.now() - since > limit + frames_lost)
+        breaks(contract::s3, a, 0, "at rest " + in_ms(limit) + " after " + why,
+               "efforts of command " + std::to_string(a.command) + ", " + in_ms(world_.now() - since) + " later");
+}
+
+// Whatever is lost, a slave that moves must come to rest: told by the bridge or by itself.
+void model::check_slave(const actuator_account& a) {
+    if (a.command == 0) return;
+    const auto& slave = (*a.wire)[a.slave];
+    if (slave.frozen) return; // nothing that is outside of it can stop it
+    if (const auto silent = a.program->silent_since())
+        check_stop(a, "its program does nothing any more", std::max(*silent, slave.unfrozen_at), a.at_rest_in);
+    if (const auto trouble = a.wire->trouble_of(a.slave))
+        check_stop(a, trouble->what, std::max(trouble->since, slave.unfrozen_at), a.at_rest_in);
+    // What the bridge must tell it: as long as nothing comes in between.
+    const time undisturbed = std::max({slave.disturbed_at, a.program->jumped_at(), slave.unfrozen_at});
+    if (!a.program->running()) return;
+    if (a.state != primary_status_code::ready)
+        check_stop(a, "its component has left Ready", std::max(a.not_ready_since, undisturbed), a.at_rest_in);
+    if (!a.controller) return;
+    if (const auto since = unreachable_since(*a.controller, a))
+        check_stop(a, "its controller is lost", std::max(*since + network::longest_delay, undisturbed),
+                   a.controller_limit);
 }
 
 void model::check_senders() {
@@ -457,7 +571,7 @@ std::optional<std::uint8_t> model::account_of(const jaus::address& id) const noe
 std::optional<time> model::unreachable_since(std::uint8_t sender, const actuator_account& to) const {
     const auto& from = *senders_[sender].program;
     std::optional<time> first = from.silent_since();
-    for (const auto& other : {network_.cut_since(from.port(), to.program->port()), senders_[sender].mute_since})
+    for (const auto& other : {network_.cut_since(from.port(), to.port), senders_[sender].mute_since})
         if (other && (!first || *other < *first)) first = other;
     return first;
 }
@@ -466,7 +580,7 @@ std::optional<time> model::unreachable_since(std::uint8_t sender, const actuator
 void model::look_for_lost_holders(actuator_account& a) {
     for (auto& holder : a.holders) {
         const auto who = account_of(holder.id);
-        const auto heard = who ? network_.pulse_heard(senders_[*who].program->port(), a.program->port()) : time{};
+        const auto heard = who ? network_.pulse_heard(senders_[*who].program->port(), a.port) : time{};
         if (world_.now() - std::max(heard, holder.since) > std::chrono::milliseconds{1500} ||
             a.program->jumped_at() >= holder.since)
             holder.may_be_lost = true;

@@ -5,6 +5,7 @@
 #include "simulation/large_data.hpp"
 #include "simulation/messages.hpp"
 #include "simulation/process.hpp"
+#include "simulation/ring.hpp"
 #include <jauscat/jaus/acknowledged_sender.hpp>
 
 #include <array>
@@ -25,9 +26,12 @@ struct sent_message {
     time at{};
     command_number command{};
     // What became of it:
-    bool done{};         ///< the actuator has done what it says
-    unsigned executed{}; ///< how often, in one life of the actuator
+    bool stopped_it{};      ///< it has taken its actuator out of Ready, or into an emergency
+    bool state_was_right{}; ///< of the component, when it had the message
+    bool done{};            ///< the actuator has done what it says
+    unsigned executed{};    ///< how often, in one life of the actuator
     time executed_at{};
+    time arrived_at{};
     bool closed{}; ///< its sender has the outcome
 };
 
@@ -65,7 +69,13 @@ struct emergency_holder {
 struct actuator_account {
     const process* program{};
     jaus::address id{};
-    std::uint8_t number{};   ///< of the actor
+    std::uint8_t port{};
+    std::uint8_t number{}; ///< of the actor
+    // Where it is a slave of a ring:
+    const ring* wire{};
+    std::size_t slave{};
+    time at_rest_in{}; ///< how long after it is lost, or told to stop, it must be at rest
+    // How it is made:
     time controller_limit{}; ///< how long after its controller is lost it must be at rest
     // What was seen:
     jaus::primary_status_code state{};
@@ -80,6 +90,10 @@ struct actuator_account {
     bool acknowledged{}, refused{}, was_repeat{};
     std::array<std::uint32_t, 64> arrived{};
     std::uint32_t arrived_count{};
+    // What was in force, and when:
+    time not_ready_since{}, rest_seen_at{}, emergency_seen_at{}, controlled_since{};
+    std::array<std::pair<time, command_number>, 32> efforts{};
+    std::uint32_t effort_count{};
 };
 
 class model {
@@ -91,8 +105,17 @@ class model {
         return static_cast<std::uint8_t>(senders_.size() - 1);
     }
     std::uint8_t add_actuator(const process& program, const jaus::address& id, std::uint8_t number, time limit) {
-        actuators_.push_back({.program = &program, .id = id, .number = number, .controller_limit = limit});
+        actuators_.push_back(
+            {.program = &program, .id = id, .port = program.port(), .number = number, .controller_limit = limit});
         return static_cast<std::uint8_t>(actuators_.size() - 1);
+    }
+    /// The actuator is a slave of a ring, behind a component at this port.
+    void stands_behind(std::uint8_t which, std::uint8_t port, const ring& wire, std::size_t slave, time at_rest_in) {
+        auto& a = actuators_[which];
+        a.port = port;
+        a.wire = &wire;
+        a.slave = slave;
+        a.at_rest_in = at_rest_in;
     }
     [[nodiscard]] const actuator_account& actuator(std::uint8_t which) const { return actuators_[which]; }
 
@@ -131,8 +154,14 @@ class model {
     /// What its motors do: the application got a command, or has brought them to rest.
     void executes(std::uint8_t which, command_number command);
     void rests(std::uint8_t which);
+    /// Of a slave: these efforts are in force now.
+    void moves_to(std::uint8_t which, command_number command);
+    /// Its program ends, which was told to at `told`.
+    void ends(std::uint8_t which, time told);
     void enters(std::uint8_t which, jaus::primary_status_code from, jaus::primary_status_code to);
     void controlled(std::uint8_t which, const std::optional<jaus::address>& now);
+    /// Its node no longer hears somebody.
+    void hears_lost(std::uint8_t which, const jaus::address& who);
     /// Somebody at the machine ends the emergency.
     void person_clears(std::uint8_t which);
 
@@ -147,7 +176,13 @@ class model {
     [[nodiscard]] std::optional<std::uint8_t> account_of(const jaus::address& id) const noexcept;
     [[nodiscard]] std::optional<time> unreachable_since(std::uint8_t sender, const actuator_account& to) const;
     void acknowledged(actuator_account& a, std::uint32_t number);
-    [[nodiscard]] bool has_effect(const actuator_account& a, std::uint16_t code) const;
+    [[nodiscard]] bool has_effect(const actuator_account& a, const sent_message& sent) const;
+    [[nodiscard]] static bool state_is_right(const actuator_account& a, std::uint16_t code);
+    void look(actuator_account& a) const;
+    void note_efforts(actuator_account& a, command_number command);
+    [[nodiscard]] bool were_in_force(const actuator_account& a, command_number command, time since) const;
+    void check_slave(const actuator_account& a);
+    void check_stop(const actuator_account& a, const char* why, time since, time limit);
     void confirmed(actuator_account& a, const jaus::header& head, bytes body);
     void take_emergency_codes(actuator_account& a, const sent_message& sent);
     void reported(const actuator_account& a, const jaus::header& head, bytes body);

@@ -93,6 +93,13 @@ class network final : public actor {
     }
     [[nodiscard]] static std::uint16_t code_of(std::span<const std::byte> message) noexcept { return word(message, 2); }
 
+    // To node managers, or to all.
+    [[nodiscard]] static bool is_pulse(std::span<const std::byte> message) noexcept {
+        if (code_of(message) != pulse_code) return false;
+        const auto component = std::to_integer<unsigned>(message[5]);
+        return component == 1 || component == 255;
+    }
+
     struct cut_state {
         unsigned depth{};
         time since{};
@@ -140,7 +147,7 @@ class network final : public actor {
         return place;
     }
     void deliver(datagram& one) {
-        if (code_of(one.content()) == pulse_code) pulse_[one.from * users_.size() + one.to] = world_.now();
+        if (is_pulse(one.content())) pulse_[one.from * users_.size() + one.to] = world_.now();
         if (!users_[one.to]->arrives(one)) give_back(one);
     }
 

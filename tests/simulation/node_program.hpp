@@ -2,8 +2,8 @@
 #pragma once
 
 #include "simulation/model.hpp"
+#include "simulation/places.hpp"
 #include "simulation/process.hpp"
-#include <jauscat/net/node_machine.hpp>
 
 #include <functional>
 #include <optional>
@@ -11,8 +11,6 @@
 #include <vector>
 
 namespace simulation {
-
-namespace net = jauscat::net;
 
 /// A component as its node sees it. What goes in and out is seen by `seen_in` and `seen_out`; one that is mute does
 /// nothing any more, as when its thread hangs, while the node goes on.
@@ -24,6 +22,7 @@ template <class Component, class Application> class watched_component {
     std::function<void(const jaus::header&)> seen_in{};
     std::function<void(bytes)> seen_out{};
     std::function<void()> seen_done{};
+    std::function<void(const jaus::address&)> seen_lost{};
 
     [[nodiscard]] const jaus::address& self() const noexcept { return it_.self(); }
     jaus::component_outcome on_message(const jaus::header& head, bytes body, time now, jaus::message_sink out,
@@ -45,6 +44,7 @@ template <class Component, class Application> class watched_component {
     }
     [[nodiscard]] std::optional<time> next_event() const { return mute ? std::nullopt : it_.next_event(); }
     void on_lost(const jaus::address& who) {
+        if (seen_lost) seen_lost(who);
         if (!mute) it_.on_lost(who);
     }
 
@@ -57,12 +57,6 @@ template <class Component, class Application> class watched_component {
     }
     Component& it_;
     Application& application_;
-};
-
-/// Where the systems are.
-struct place {
-    std::string name{};
-    jaus::address jausip{}; ///< with 0 for what it has all of
 };
 
 /// The process around a node. The places are in the order of the ports.
@@ -93,7 +87,7 @@ class node_program : public process {
             large_data_done(head, what);
         };
         node_.emplace(
-            configuration(), std::move(options),
+            configuration_of(places_, which_), std::move(options),
             [this](bytes message, const net::node_machine::endpoint& to, jaus::framing) { send(message, to); },
             random_.next());
         add_components(*node_);
@@ -114,27 +108,13 @@ class node_program : public process {
     model& model_;
 
   private:
-    [[nodiscard]] static net::node_machine::endpoint endpoint_of(std::uint8_t port) {
-        return {boost::asio::ip::address_v4{0x0A000001U + port}, 3794};
-    }
-    [[nodiscard]] net::jaus_config configuration() const {
-        net::jaus_config made{.this_system = places_[which_].name, .source = "simulation"};
-        for (std::size_t i = 0; i != places_.size(); ++i)
-            made.systems.push_back({.name = places_[i].name,
-                                    .jausip = places_[i].jausip,
-                                    .ip = endpoint_of(static_cast<std::uint8_t>(i)).address(),
-                                    .port = 3794,
-                                    .limits = {.large_data_memory = std::size_t{256} << 10U}});
-        return made;
-    }
     void send(bytes message, const net::node_machine::endpoint& to) {
-        const auto port_number = static_cast<std::uint8_t>(to.address().to_v4().to_uint() - 0x0A000001U);
         jaus::header head{};
         if (!wire::decode_prefix(head, message)) return;
         const auto sender = sender_of(head.source);
         const bool asks = head.ack_nak == jaus::ack_nak::request;
         const auto number = sender ? model_.hands_over(*sender, message, asks ? longest_wait() : time{}) : 0;
-        network_.send(port(), port_number, message, number);
+        network_.send(port(), port_of(to), message, number);
     }
 
     const std::vector<place>& places_;

@@ -64,6 +64,7 @@ void robot::add_components(net::node_machine& node) {
     watched_.emplace(actuator_->core, *actuator_);
     watched_->seen_in = [this](const jaus::header& head) { model_.arrives(account_, current_message(), head); };
     watched_->seen_out = [this](bytes message) { model_.answers(account_, message); };
+    watched_->seen_lost = [this](const jaus::address& who) { model_.hears_lost(account_, who); };
     watched_->seen_done = [this] { model_.handled(account_); };
     static const auto nothing = [](const jaus::header&, bytes) { return jaus::message_outcome::not_mine; };
     node.add(*watched_, nothing);

@@ -1,5 +1,6 @@
 #include "simulation/simulation.hpp"
 
+#include "simulation/bridge_program.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/operators.hpp"
 #include "simulation/robot.hpp"
@@ -83,6 +84,63 @@ class jaus_system {
     memory_watch memory_{world_};
 };
 
+/// A bridge with four slaves, and operators of both kinds.
+class bridge_system {
+  public:
+    static constexpr std::size_t slaves = 4;
+
+    bridge_system(world& w, const settings& what, system_kind kind)
+        : network_{w},
+          wire_{w,
+                [this](std::size_t i, command_number command) {
+                    if (bridge_) bridge_->moved(i, command);
+                }},
+          model_{w, network_} {
+        auto random = w.stream(1000);
+        bridge_settings made{};
+        for (std::size_t i = 0; i != slaves; ++i) {
+            const auto station = static_cast<std::uint8_t>(2 + i);
+            const bool either = random.below(2) == 0;
+            made.cyclic.push_back(kind == system_kind::cyclic || (kind == system_kind::mixed && either));
+            wire_.add("arm " + std::to_string(i), station, made.cyclic.back());
+            places_.push_back({"node of arm " + std::to_string(i), {0, 0, station, arm_unit::subsystem}});
+        }
+        places_.push_back({"operator a", subsystem(1)});
+        places_.push_back({"operator b", subsystem(4)});
+        places_.push_back({"foreign operator", {0, 32, 1, 5}});
+        bridge_ = std::make_unique<bridge_program>(w, network_, model_, places_, wire_, made);
+        const auto arm = [&] { return static_cast<std::uint8_t>(random.below(slaves)); };
+        const auto unit = [](std::uint8_t i) {
+            return jaus::address{1, 33, static_cast<std::uint8_t>(2 + i), arm_unit::subsystem};
+        };
+        for (std::size_t i = 0; i != 2; ++i)
+            operators_.push_back(
+                std::make_unique<operator_program>(w, network_, model_, places_, slaves + i, unit(arm())));
+        const auto of_foreign = arm();
+        operators_.push_back(std::make_unique<foreign_operator>(w, network_, model_, component_of(5, 32),
+                                                                unit(of_foreign), of_foreign, places_.back().name));
+        wire_.start(*bridge_);
+        network_.start();
+        bridge_->start();
+        for (auto& one : operators_)
+            if ((what.absent >> one->number() & 1U) == 0) one->start();
+        w.check = [this] {
+            model_.check();
+            memory_->look();
+        };
+        memory_.emplace(w);
+    }
+
+  private:
+    network network_;
+    ring wire_;
+    model model_;
+    std::vector<place> places_{};
+    std::unique_ptr<bridge_program> bridge_{};
+    std::vector<std::unique_ptr<process>> operators_{};
+    std::optional<memory_watch> memory_{};
+};
+
 bool is_chatter(deed what) {
     return what == deed::sends || what == deed::gets || what == deed::loses || what == deed::doubles ||
            what == deed::delays || what == deed::hears_acknowledged || what == deed::hears_refused ||
@@ -91,11 +149,23 @@ bool is_chatter(deed what) {
 
 } // namespace
 
+std::optional<system_kind> system_of(const std::string& name) {
+    constexpr std::array<std::string_view, 5> names{"any", "jaus", "mailbox", "cyclic", "mixed"};
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<system_kind>(found - names.begin());
+}
+
 run_result run(const settings& what) {
     world w{what.seed, what.faults};
     run_result result{};
-    {
+    auto kind = what.system;
+    if (kind == system_kind::any) kind = static_cast<system_kind>(1 + w.stream(2000).below(4));
+    if (kind == system_kind::jaus) {
         const jaus_system system{w, what};
+        w.run(what.length);
+    } else {
+        const bridge_system system{w, what, kind};
         w.run(what.length);
     }
     result.broken = w.broken();

@@ -11,10 +11,21 @@
 
 namespace simulation {
 
+/// Which system.
+enum class system_kind : std::uint8_t {
+    any,     ///< the seed says which
+    jaus,    ///< robots that are JAUS components themselves
+    mailbox, ///< a bridge with slaves by mailbox
+    cyclic,  ///< a bridge with slaves by process data
+    mixed,   ///< a bridge with both
+};
+[[nodiscard]] std::optional<system_kind> system_of(const std::string& name);
+
 /// What is simulated.
 struct settings {
     std::uint64_t seed{};
     time length{std::chrono::seconds{60}}; ///< simulated
+    system_kind system{};
     fault_set faults{every_fault};
     std::uint32_t absent{}; ///< actors that are left out, by the bit of their number
     friend bool operator==(const settings&, const settings&) = default;

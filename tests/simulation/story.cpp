@@ -64,6 +64,11 @@ std::string text_of(const happening& one, const std::vector<std::string>& names)
     case deed::control: return name(one.who) + " " + control_text(one.value);
     case deed::delivers_large: return name(one.who) + " gets the whole large data set " + std::to_string(one.value);
     case deed::sends_large: return name(one.who) + " sends the large data set " + std::to_string(one.value);
+    case deed::gives_up:
+        return name(one.who) + " is told that " + std::to_string(one.value >> 24U) + '.' +
+               std::to_string(one.value >> 16U & 0xFFU) + '.' + std::to_string(one.value >> 8U & 0xFFU) + '.' +
+               std::to_string(one.value & 0xFFU) + " is lost";
+    case deed::is_ended: return name(one.who) + " is told to end (SIGTERM)";
     case deed::person: return "a person ends the emergency at " + name(one.who);
     case deed::ring: return ring_text(one, names);
     }

@@ -36,6 +36,8 @@ enum class deed : std::uint8_t {
     control,            ///< of the asking side; value: the control_state
     delivers_large,     ///< value: its identity, number: kilobytes
     sends_large,        //
+    gives_up,           ///< the node no longer hears somebody; value: the address
+    is_ended,           ///< is told to end (SIGTERM)
     person,             ///< ends the emergency at the machine
     ring,               ///< something of EtherCAT; number: which (ring_deed), value
 };

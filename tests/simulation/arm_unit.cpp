@@ -1,0 +1,61 @@
+#include "simulation/arm_unit.hpp"
+
+namespace simulation {
+
+void arm_unit::power_on() {
+    arm_.emplace([](const std::string&) {}, [this] { tell_efforts(); });
+    application_.emplace(subsystem, *arm_);
+    process_data_.emplace(*arm_);
+    watch_.emplace(*arm_, command_timeout);
+    emergency_ = false;
+    aborts_ = 0;
+    slave_.power_on();
+    moved_(0);
+}
+
+void arm_unit::pass(std::span<std::byte> frame, time now, bool frozen) {
+    slave_.pass(frame);
+    if (frozen) return;
+    application_->set_station(slave_.station_address());
+    slave_.work();
+    on_time(now);
+}
+
+void arm_unit::on_time(time now) {
+    slave_.on_time(now);
+    watch_->look(slave_, now); // first: the inputs say what is in force then
+    process_data_->work(slave_);
+}
+
+ethercat::abort_code arm_unit::write(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept {
+    if (aborts_ != 0) {
+        --aborts_;
+        aborted_ = true;
+        return abort_;
+    }
+    const auto result = application_->write(index, subindex, data);
+    if (result == ethercat::abort_code::none) note_emergency(index, subindex, data);
+    return result;
+}
+
+ethercat::object_read arm_unit::read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
+    return application_->read(index, subindex, out);
+}
+
+void arm_unit::note_emergency(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept {
+    std::array<std::byte, delivery::translator::max_message_size> message{};
+    const ethercat::slave_identity self{.subsystem = subsystem, .station = slave_.station_address()};
+    const auto size = delivery::message_of({self.station, index, subindex, data}, self, message);
+    if (!size) return;
+    const auto code = jaus::split(bytes{message}.first(size.size())).header.command_code;
+    if (code == jaus::set_emergency::command_code) emergency_ = true;
+    if (code == jaus::clear_emergency::command_code) emergency_ = false;
+}
+
+void arm_unit::tell_efforts() {
+    std::array<std::byte, 64> report{};
+    const auto size = wire::encode(arm_->efforts(), report);
+    moved_(size ? command_in<jaus::report_wrench_effort>(bytes{report}.first(size.size())).value_or(0) : 0);
+}
+
+} // namespace simulation

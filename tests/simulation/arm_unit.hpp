@@ -1,0 +1,85 @@
+// A slave of the simulated ring: the emulated slave with the robot arm of the examples behind it.
+#pragma once
+
+#include "arm_application.hpp"
+#include "arm_process_data.hpp"
+#include "arm_watch.hpp"
+#include "simulation/generator.hpp"
+#include "simulation/messages.hpp"
+#include "support/arm_slave.hpp"
+#include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/schema/translation/seed_table.hpp>
+
+#include <functional>
+#include <optional>
+
+namespace simulation {
+
+namespace ethercat = jauscat::ethercat;
+
+/// What the bridge and the arms translate by.
+using bridge_table = jauscat::translation::seed_table;
+
+/// The arm and its slave. `moved` hears of the efforts in force whenever they are set; `emergency` of its own
+/// emergency.
+class arm_unit {
+  public:
+    static constexpr std::uint8_t subsystem = 2;
+
+    explicit arm_unit(std::function<void(command_number)> moved) : moved_{std::move(moved)} { power_on(); }
+    arm_unit(const arm_unit&) = delete;
+    arm_unit& operator=(const arm_unit&) = delete;
+
+    /// As after power-on: what it did and knew is gone.
+    void power_on();
+    /// A frame passes. `frozen`: the controller alone works, the application does not.
+    void pass(std::span<std::byte> frame, time now, bool frozen);
+    void on_time(time now);
+
+    [[nodiscard]] ethercat::slave& slave() noexcept { return slave_; }
+    [[nodiscard]] bool in_emergency() const noexcept { return emergency_; }
+    /// The next writes to objects are aborted so.
+    void abort_from_now(unsigned writes, ethercat::abort_code code) noexcept {
+        aborts_ = writes;
+        abort_ = code;
+    }
+    /// Whether there was one since the last call.
+    bool take_aborted() noexcept { return std::exchange(aborted_, false); }
+
+    // For listed_objects.
+    ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept;
+    ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept;
+
+  private:
+    using application = example::arm_application<bridge_table>;
+    using delivery = ethercat::delivery<bridge_table>;
+
+    void tell_efforts();
+    void note_emergency(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept;
+
+    static constexpr std::chrono::milliseconds command_timeout{500}; // that of robot_arm
+
+    std::function<void(command_number)> moved_;
+    std::optional<example::arm> arm_{};
+    std::optional<application> application_{};
+    std::optional<example::arm_process_data> process_data_{};
+    std::optional<example::arm_watch> watch_{};
+    bool emergency_{};
+    unsigned aborts_{};
+    bool aborted_{};
+    ethercat::abort_code abort_{};
+    ethercat::slave_description description_ = [] {
+        auto made = example::arm_slave;
+        made.mailbox_out_size = made.mailbox_in_size = 128;
+        made.outputs = example::arm_process_data::outputs;
+        made.inputs = example::arm_process_data::inputs;
+        return made;
+    }();
+    ethercat::listed_objects objects_{application::objects, *this, ethercat::size_rule::up_to_largest};
+    ethercat::standard_objects dictionary_{description_, objects_};
+    std::array<std::byte, 4096> memory_{};
+    ethercat::slave slave_{description_, dictionary_, {.transfer_memory = memory_}};
+};
+
+} // namespace simulation

@@ -1,0 +1,204 @@
+#include "simulation/bridge_program.hpp"
+
+namespace simulation {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr auto nothing_more = [](const jaus::header&, bytes) { return jaus::message_outcome::not_mine; };
+
+jaus::address unit_id(const place& at) {
+    return {.instance = 1, .component = 33, .node = at.jausip.node, .subsystem = at.jausip.subsystem};
+}
+
+} // namespace
+
+/// One slave, its component and its node.
+struct bridge_program::unit {
+    unit(bridge_program& program, std::size_t i, const bridge::bridge_options& options, bridge::observer& watcher)
+        : identity{.subsystem = arm_unit::subsystem, .station = program.wire_[i].station},
+          front{
+              {.position = static_cast<std::uint16_t>(i), .identity = identity, .cyclic = program.settings_.cyclic[i]},
+              exchange,
+              options,
+              orders,
+              watcher},
+          component{unit_id(program.places_[i]), front, {.control = {.timeout = options.control_timeout}}},
+          watched{component, nothing_more},
+          node{configuration_of(program.places_, i),
+               {},
+               [&program, i](bytes message, const net::node_machine::endpoint& to, jaus::framing) {
+                   program.network_.send(static_cast<std::uint8_t>(i), port_of(to), message, 0);
+               },
+               program.random_.next()} {
+        node.add(watched, nothing_more);
+    }
+
+    ethercat::slave_identity identity;
+    bridge::exchange_under<bridge_table> exchange{identity};
+    bridge::order_memory<16, 256> orders{};
+    bridge::slave_front front;
+    bridge::component component;
+    watched_component<bridge::component, const decltype(nothing_more)> watched;
+    net::node_machine node;
+    std::uint32_t current_message{};
+    time stuck_since{};
+};
+
+/// What a life of the program has.
+struct bridge_program::life_data final : bridge::observer {
+    explicit life_data(bridge_program& program) : mine{program}, options{program.settings_.options()} {}
+    void changed_state(const bridge::component& who, jaus::primary_status_code from,
+                       jaus::primary_status_code to) override {
+        mine.model_.enters(account(who), from, to);
+    }
+    void changed_controller(const bridge::component& who, jaus::control_change) override {
+        const auto& now = who.control().controller();
+        mine.model_.controlled(account(who), now ? std::optional{now->address} : std::nullopt);
+    }
+    [[nodiscard]] std::uint8_t account(const bridge::component& who) const {
+        for (std::size_t i = 0; i != mine.accounts_.size(); ++i)
+            if (unit_id(mine.places_[i]) == who.self()) return mine.accounts_[i];
+        return 0;
+    }
+
+    bridge_program& mine;
+    bridge::bridge_options options;
+    std::deque<unit> units{};
+    std::optional<bridge::ring> bus{};
+    bool ends{};
+    time ends_since{};
+};
+
+bridge_program::bridge_program(world& w, network& n, model& m, const std::vector<place>& places, ring& wire,
+                               const bridge_settings& what)
+    : process{w, n, "bridge"}, model_{m}, places_{places}, wire_{wire}, settings_{what} {
+    for (std::size_t i = 0; i != what.cyclic.size(); ++i) {
+        if (i != 0) side_ports_.push_back(std::make_unique<side_port>(*this, n));
+        accounts_.push_back(m.add_actuator(*this, unit_id(places[i]), wire[i].number, what.limit()));
+        m.stands_behind(accounts_.back(), static_cast<std::uint8_t>(i), wire, i, what.limit());
+    }
+}
+bridge_program::~bridge_program() = default;
+
+time bridge_settings::limit() const {
+    const bool all_cyclic = std::ranges::all_of(cyclic, [](bool one) { return one; });
+    return all_cyclic ? bridge::at_rest_in_cycles : bridge::at_rest_by_mailbox;
+}
+
+bridge::bridge_options bridge_settings::options() const {
+    const bool any_cyclic = std::ranges::any_of(cyclic, [](bool one) { return one; });
+    return bridge::at_rest_within(limit(), any_cyclic ? period : time{});
+}
+
+void bridge_program::boot() {
+    data_ = std::make_unique<life_data>(*this);
+    data_->bus.emplace(data_->options);
+    for (std::size_t i = 0; i != accounts_.size(); ++i) {
+        auto& one = data_->units.emplace_back(*this, i, data_->options, *data_);
+        one.watched.seen_in = [this, &one, i](const jaus::header& head) {
+            model_.arrives(accounts_[i], std::exchange(one.current_message, 0), head);
+        };
+        one.watched.seen_out = [this, i](bytes message) { model_.answers(accounts_[i], message); };
+        one.watched.seen_lost = [this, i](const jaus::address& who) { model_.hears_lost(accounts_[i], who); };
+        one.watched.seen_done = [this, i] { model_.handled(accounts_[i]); };
+        model_.starts(accounts_[i]);
+        static_cast<void>(data_->bus->add(one.front));
+        one.stuck_since = world_.now();
+        one.node.start(local());
+    }
+    world_.in(world_.faults.pause(fault::bridge_ended, std::chrono::seconds{20}), *this, to_end, life());
+}
+
+void bridge_program::kill() { data_.reset(); }
+
+void bridge_program::receive(const datagram& one) {
+    auto& to = data_->units[one.to];
+    to.current_message = one.message;
+    to.node.on_datagram(one.content(), endpoint_of(one.from), {}, false, local());
+    to.current_message = 0;
+    pump();
+}
+
+void bridge_program::run() {
+    const auto now = local();
+    for (auto& one : data_->units)
+        if (const auto due = one.node.next_event(); due && *due <= now) one.node.on_time(now);
+    pump();
+}
+
+std::optional<time> bridge_program::next() {
+    std::optional<time> first = data_->bus->next_event();
+    for (auto& one : data_->units)
+        if (const auto due = one.node.next_event(); due && (!first || *due < *first)) first = due;
+    return first;
+}
+
+void bridge_program::frame_returns(bytes frame) {
+    if (!running()) return; // its socket is full of them when it goes on; a frame that old is of no use
+    const auto out = [this](bytes message) { put(message); };
+    data_->bus->on_frame(frame, local(), out);
+    pump();
+    rearm();
+}
+
+// What the ring makes of news, and the frames that it wants to send.
+void bridge_program::pump() {
+    const auto out = [this](bytes message) { put(message); };
+    data_->bus->on_time(local(), out);
+    std::array<std::byte, ethercat::max_frame_size> frame{};
+    while (const auto size = data_->bus->next_frame(frame, local())) wire_.send(std::span{frame}.first(size));
+    if (data_->ends && data_->bus->at_rest() && world_.now() - data_->ends_since > milliseconds{50})
+        world_.at(world_.now(), *this, to_kill, life());
+}
+
+void bridge_program::put(bytes message) {
+    const auto parts = jaus::split(message);
+    if (!parts) return;
+    for (std::size_t i = 0; i != data_->units.size(); ++i) {
+        auto& one = data_->units[i];
+        if (one.component.self() != parts.header.source) continue;
+        model_.answers(accounts_[i], message);
+        one.node.put(message, local());
+    }
+}
+
+void bridge_program::moved(std::size_t slave, command_number command) { model_.moves_to(accounts_[slave], command); }
+
+void bridge_program::act() {
+    for (auto& one : data_->units) look_after(one);
+}
+
+// Somebody looks after the machine.
+void bridge_program::look_after(unit& one) {
+    const auto state = one.component.state();
+    const bool is_stuck = state == jaus::primary_status_code::shutdown || state == jaus::primary_status_code::emergency;
+    if (!is_stuck) one.stuck_since = world_.now();
+    if (!data_ || data_->ends || world_.now() - one.stuck_since < std::chrono::seconds{15}) return;
+    world_.in(milliseconds{1}, *this, to_end, life());
+}
+
+// SIGTERM: the program brings its actuators to rest and ends, within a second whatever they say.
+void bridge_program::own_event(std::uint8_t what, std::uint32_t argument) {
+    if (argument != life() || !data_) return;
+    if (what == to_kill) {
+        if (!running()) return world_.in(milliseconds{10}, *this, to_kill, argument);
+        for (std::size_t i = 0; i != accounts_.size(); ++i) model_.ends(accounts_[i], data_->ends_since);
+        return die(random_.between(milliseconds{5}, std::chrono::seconds{2}));
+    }
+    world_.in(world_.faults.pause(fault::bridge_ended, std::chrono::seconds{20}), *this, to_end, life());
+    if (!running() || data_->ends) return;
+    const bool is_stuck = std::ranges::any_of(
+        data_->units, [&](const unit& one) { return world_.now() - one.stuck_since >= std::chrono::seconds{15}; });
+    if (!is_stuck && !world_.faults.strikes(fault::bridge_ended, 100'000)) return;
+    world_.tell({.what = deed::is_ended, .who = number()});
+    data_->ends = true;
+    data_->ends_since = world_.now();
+    const auto out = [this](bytes message) { put(message); };
+    data_->bus->shut_down(local(), out);
+    pump();
+    rearm();
+    world_.in(std::chrono::seconds{1}, *this, to_kill, life());
+}
+
+} // namespace simulation

@@ -1,0 +1,271 @@
+#include "simulation/ring.hpp"
+
+#include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/frame_view.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+
+namespace simulation {
+namespace {
+
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+namespace registers = ethercat::esc_registers;
+
+constexpr time tick_time = milliseconds{5};
+constexpr std::array ring_faults{fault::cable_out,    fault::slave_frozen,     fault::slave_restarted,
+                                 fault::slave_aborts, fault::slave_falls_back, fault::mailbox_recounted,
+                                 fault::other_master, fault::unknown_state};
+
+} // namespace
+
+void ring::add(std::string name, std::uint16_t station, bool cyclic) {
+    const auto i = places_.size();
+    ring_place made{.number = world_.add(std::move(name)), .station = station, .cyclic = cyclic};
+    places_.push_back(std::move(made));
+    places_.back().arm = std::make_unique<arm_unit>([this, i](command_number command) { moved_(i, command); });
+}
+
+void ring::start(frame_user& user) {
+    user_ = &user;
+    world_.in(tick_time, *this, tick);
+    for (std::size_t i = 0; i != places_.size(); ++i) give_odd_watchdog(i);
+    for (const auto kind : ring_faults)
+        world_.in(world_.faults.pause(kind, std::chrono::seconds{2}), *this, trial, static_cast<std::uint32_t>(kind));
+}
+
+void ring::tell(std::size_t place, ring_deed what, std::uint32_t value) {
+    world_.tell(
+        {.what = deed::ring, .who = places_[place].number, .number = static_cast<std::uint16_t>(what), .value = value});
+}
+
+// ---------------------------------------------------------------------------------------------------- frames
+
+void ring::send(bytes frame) {
+    const bool is_lost = world_.faults.strikes(fault::frame_lost, 3'000);
+    const bool before = is_lost && world_.faults.random(fault::frame_lost).below(2) == 0;
+    if (is_lost) tell(0, ring_deed::frame_lost, before ? 0 : 1);
+    if (before || frame.size() > ethercat::max_frame_size) return;
+    if (free_.empty()) {
+        free_.push_back(static_cast<std::uint32_t>(flights_.size()));
+        flights_.push_back(std::make_unique<flight>());
+    }
+    const auto place = free_.back();
+    flight& one = *flights_[place];
+    one.size = frame.size();
+    std::ranges::copy(frame, one.bytes.begin());
+    pass(std::span{one.bytes}.first(one.size));
+    if (is_lost || (cable_out_before_ && *cable_out_before_ == 0)) return;
+    free_.pop_back();
+    time delay = world_.faults.random(fault::frame_delayed).between(microseconds{30}, microseconds{200});
+    if (world_.faults.strikes(fault::frame_delayed, 1'000)) {
+        delay = world_.faults.random(fault::frame_delayed).between(milliseconds{1}, milliseconds{60});
+        tell(0, ring_deed::frame_delayed, static_cast<std::uint32_t>(delay / microseconds{1}));
+    }
+    world_.in(delay, *this, returns, place);
+}
+
+void ring::pass(std::span<std::byte> frame) {
+    for (std::size_t i = 0; i != places_.size() && is_reachable(i); ++i) {
+        auto& at = places_[i];
+        at.arm->pass(frame, world_.now(), at.frozen);
+        if (at.recount != 0 || at.state_is_unknown) alter(at, frame);
+        if (at.arm->take_aborted()) at.disturbed_at = world_.now();
+        look(at);
+    }
+}
+
+// What other slaves answer in its place: mailbox counters that are its own, an AL state that nobody knows.
+void ring::alter(ring_place& at, std::span<std::byte> frame) {
+    ethercat::mutable_frame_view view;
+    if (!view.parse(frame)) return;
+    constexpr std::uint16_t mailbox_in = ethercat::slave_description{}.mailbox_in_offset;
+    for (auto one : view) {
+        const bool is_mine =
+            one.header.cmd == ethercat::command::fprd && one.header.adp == at.arm->slave().station_address();
+        if (!is_mine || one.working_counter == 0) continue;
+        if (at.recount != 0 && one.header.ado == mailbox_in && one.data.size() > 6) {
+            const auto old = std::to_integer<unsigned>(one.data[5]);
+            const unsigned counter = ((old >> 4U) + at.recount) % 7 + 1;
+            one.data[5] = static_cast<std::byte>((old & 0x0FU) | counter << 4U);
+        }
+        if (at.state_is_unknown && one.header.ado == registers::al_status.address && !one.data.empty())
+            one.data[0] &= std::byte{0xF0};
+    }
+}
+
+bool ring::is_reachable(std::size_t i) const noexcept {
+    if (cable_out_before_ && i >= *cable_out_before_) return false;
+    for (std::size_t k = 0; k <= i; ++k)
+        if (places_[k].away) return false;
+    return true;
+}
+
+// ---------------------------------------------------------------------------------------------------- what is wrong
+
+void ring::look(ring_place& at) {
+    const auto i = static_cast<std::size_t>(&at - places_.data());
+    const auto note = [&](std::optional<time>& since, bool is_wrong) {
+        if (!is_wrong)
+            since.reset();
+        else if (!since)
+            since = world_.now();
+    };
+    const auto state = at.arm->slave().state();
+    if (state != at.told_state) {
+        at.told_state = state;
+        tell(i, ring_deed::al_state, static_cast<std::uint32_t>(state));
+    }
+    const bool works = at.cyclic ? state == ethercat::al_state::op
+                                 : state != ethercat::al_state::init && state != ethercat::al_state::boot;
+    note(at.unreachable_since, !is_reachable(i));
+    note(at.left_state_since, !works);
+    note(at.taken_since, at.arm->slave().station_address() != at.station);
+    note(at.unknown_since, at.state_is_unknown);
+}
+
+std::optional<trouble> ring::trouble_of(std::size_t i) const {
+    const auto& at = places_[i];
+    std::optional<trouble> worst;
+    const auto consider = [&](const char* what, const std::optional<time>& since) {
+        if (since && (!worst || *since < worst->since)) worst = trouble{what, *since};
+    };
+    consider("the link is lost", at.unreachable_since);
+    consider("the slave has left its state", at.left_state_since);
+    consider("the slave has lost its station address", at.taken_since);
+    return worst;
+}
+
+void ring::on_event(std::uint8_t what, std::uint32_t argument) {
+    switch (what) {
+    case returns: {
+        const flight& one = *flights_[argument];
+        user_->frame_returns(bytes{one.bytes}.first(one.size));
+        free_.push_back(argument);
+        return;
+    }
+    case tick:
+        world_.in(tick_time, *this, tick);
+        for (auto& at : places_) {
+            if (!at.frozen && !at.away) at.arm->on_time(world_.now());
+            look(at);
+        }
+        return;
+    case trial: return suffer(static_cast<fault>(argument));
+    default: return mend(static_cast<fault>(argument >> 8U), argument & 0xFFU);
+    }
+}
+
+void ring::suffer(fault kind) {
+    world_.in(world_.faults.pause(kind, std::chrono::seconds{2}), *this, trial, static_cast<std::uint32_t>(kind));
+    if (!world_.faults.strikes(kind, 100'000)) return;
+    auto& random = world_.faults.random(kind);
+    const std::size_t i = random.below(places_.size());
+    auto& at = places_[i];
+    const time some =
+        random.between(milliseconds{2}, random.below(4) == 0 ? time{std::chrono::seconds{3}} : time{milliseconds{300}});
+    const auto ms = static_cast<std::uint32_t>(some / milliseconds{1});
+    const auto mend_later = [&] {
+        world_.in(some, *this, repair, static_cast<std::uint32_t>(kind) << 8U | static_cast<std::uint32_t>(i));
+    };
+    switch (kind) {
+    case fault::cable_out:
+        if (cable_out_before_) return;
+        cable_out_before_ = i;
+        tell(i, ring_deed::cable_out);
+        mend_later();
+        break;
+    case fault::slave_frozen:
+        if (at.frozen) return;
+        at.frozen = true;
+        tell(i, ring_deed::freezes, ms);
+        mend_later();
+        break;
+    case fault::slave_restarted:
+        if (at.away) return;
+        at.away = true;
+        tell(i, ring_deed::restarts, ms);
+        at.arm->power_on();
+        at.restarted_at = world_.now();
+        mend_later();
+        break;
+    case fault::slave_aborts: {
+        constexpr std::array codes{ethercat::abort_code::general,   ethercat::abort_code::device_state,
+                                   ethercat::abort_code::no_object, ethercat::abort_code::value_range,
+                                   ethercat::abort_code::timeout,   ethercat::abort_code::cannot_store};
+        const unsigned count = random.below(8) == 0 ? 50 : 1 + random.below(4);
+        at.arm->abort_from_now(count, codes[random.below(codes.size())]);
+        tell(i, ring_deed::aborts_next, count);
+        break;
+    }
+    case fault::slave_falls_back: {
+        constexpr std::array<std::uint16_t, 5> states{1, 2, 3, 4, 0x11};
+        const auto to = states[random.below(states.size())];
+        tell(i, ring_deed::falls_back, to);
+        write(at, registers::al_control.address, to);
+        break;
+    }
+    case fault::mailbox_recounted:
+        at.recount = static_cast<std::uint8_t>(random.below(7));
+        tell(i, ring_deed::recounts);
+        break;
+    case fault::other_master:
+        tell(i, ring_deed::taken);
+        write(at, registers::station_address.address, static_cast<std::uint16_t>(1000 + random.below(8)));
+        if (random.below(2) == 0) write(at, registers::al_control.address, 0x11);
+        break;
+    default:
+        if (at.state_is_unknown) return;
+        at.state_is_unknown = true;
+        tell(i, ring_deed::unknown_state, ms);
+        mend_later();
+    }
+    at.disturbed_at = world_.now();
+    for (auto& each : places_) look(each);
+}
+
+void ring::mend(fault kind, std::size_t i) {
+    auto& at = places_[i];
+    switch (kind) {
+    case fault::cable_out:
+        cable_out_before_.reset();
+        tell(i, ring_deed::cable_back);
+        break;
+    case fault::slave_frozen:
+        at.frozen = false;
+        at.unfrozen_at = world_.now();
+        tell(i, ring_deed::goes_on);
+        break;
+    case fault::slave_restarted:
+        at.away = false;
+        tell(i, ring_deed::comes_back);
+        give_odd_watchdog(i);
+        break;
+    default: at.state_is_unknown = false;
+    }
+    for (auto& each : places_) {
+        each.disturbed_at = world_.now(); // a cable is that of all behind it
+        look(each);
+    }
+}
+
+void ring::give_odd_watchdog(std::size_t i) {
+    if (!world_.faults.strikes(fault::odd_watchdog, 300'000)) return;
+    auto& random = world_.faults.random(fault::odd_watchdog);
+    constexpr std::array<std::uint16_t, 5> dividers{0, 1, 2498, 10'000, 0xFFFF};
+    constexpr std::array<std::uint16_t, 5> times{0, 1, 1000, 30'000, 0xFFFF};
+    const auto divider = dividers[random.below(dividers.size())], units = times[random.below(times.size())];
+    write(places_[i], registers::watchdog_divider.address, divider);
+    write(places_[i], registers::process_data_watchdog.address, units);
+    tell(i, ring_deed::odd_watchdog, std::uint32_t{divider} << 16U | units);
+}
+
+// As somebody else on the wire, who reaches this slave alone.
+void ring::write(ring_place& at, std::uint16_t address, std::uint16_t value) {
+    std::array<std::byte, 64> frame{};
+    ethercat::frame_builder made{frame, 0xEE};
+    made.add(ethercat::command::apwr, 0, address, ethercat::esc_word{value});
+    const auto whole = made.finish();
+    at.arm->pass(std::span{frame}.first(whole.size()), world_.now(), at.frozen);
+}
+
+} // namespace simulation

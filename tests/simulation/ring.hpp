@@ -1,0 +1,109 @@
+// The simulated EtherCAT ring: a cable, slaves behind one another, and what goes wrong with them.
+#pragma once
+
+#include "simulation/arm_unit.hpp"
+#include "simulation/world.hpp"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace simulation {
+
+/// What of the ring is told; `value` as the comment says.
+enum class ring_deed : std::uint16_t {
+    frame_lost,    ///< 0: before the slaves, 1: on its way back
+    frame_delayed, ///< microseconds
+    cable_out,     //
+    cable_back,    //
+    freezes,       ///< milliseconds
+    goes_on,       //
+    restarts,      ///< milliseconds that it is away
+    comes_back,    //
+    aborts_next,   ///< how many writes
+    falls_back,    ///< AL state that is asked for
+    recounts,      //
+    taken,         ///< by another master
+    odd_watchdog,  ///< divider << 16 | time
+    al_state,      ///< the slave is in it
+    unknown_state, ///< milliseconds that its state cannot be read
+};
+
+/// Who sends frames and gets them back.
+class frame_user {
+  public:
+    frame_user() = default;
+    frame_user(const frame_user&) = delete;
+    frame_user& operator=(const frame_user&) = delete;
+    virtual ~frame_user() = default;
+    virtual void frame_returns(bytes frame) = 0;
+};
+
+/// What is wrong with a slave, and since when; a lost slave is brought to rest by itself.
+struct trouble {
+    const char* what{};
+    time since{};
+};
+
+/// A slave and where it stands.
+struct ring_place {
+    std::uint8_t number{}; ///< of the actor
+    std::uint16_t station{};
+    bool cyclic{};
+    std::unique_ptr<arm_unit> arm{};
+    bool frozen{}, away{}, state_is_unknown{};
+    std::uint8_t recount{}; ///< added to its mailbox counter
+    time unfrozen_at{}, restarted_at{};
+    time disturbed_at{}; ///< when something last happened to it that may delay a stop order
+    ethercat::al_state told_state{};
+    std::optional<time> unreachable_since{}, left_state_since{}, taken_since{}, unknown_since{};
+};
+
+class ring final : public actor {
+  public:
+    /// `moved(place, command)`: the efforts in force of a slave are set.
+    ring(world& w, std::function<void(std::size_t, command_number)> moved) : world_{w}, moved_{std::move(moved)} {}
+
+    /// The next slave; before `start`.
+    void add(std::string name, std::uint16_t station, bool cyclic);
+    void start(frame_user& user);
+
+    void send(bytes frame);
+
+    [[nodiscard]] std::size_t size() const noexcept { return places_.size(); }
+    [[nodiscard]] const ring_place& operator[](std::size_t i) const noexcept { return places_[i]; }
+    /// Whatever is wrong with a slave for longest; nothing where it can be commanded, and stops by itself if it is not.
+    [[nodiscard]] std::optional<trouble> trouble_of(std::size_t i) const;
+
+    void on_event(std::uint8_t what, std::uint32_t argument) override;
+
+  private:
+    enum : std::uint8_t { returns, tick, trial, repair };
+    struct flight {
+        std::size_t size{};
+        std::array<std::byte, ethercat::max_frame_size> bytes{};
+    };
+
+    void tell(std::size_t place, ring_deed what, std::uint32_t value = 0);
+    void pass(std::span<std::byte> frame);
+    void alter(ring_place& at, std::span<std::byte> frame);
+    void look(ring_place& at);
+    [[nodiscard]] bool is_reachable(std::size_t i) const noexcept;
+    void suffer(fault kind);
+    void mend(fault kind, std::size_t i);
+    void write(ring_place& at, std::uint16_t address, std::uint16_t value);
+    void give_odd_watchdog(std::size_t i);
+
+    world& world_;
+    std::function<void(std::size_t, command_number)> moved_;
+    frame_user* user_{};
+    std::vector<ring_place> places_{};
+    std::optional<std::size_t> cable_out_before_{};
+    std::vector<std::unique_ptr<flight>> flights_{};
+    std::vector<std::uint32_t> free_{};
+};
+
+} // namespace simulation
