@@ -218,3 +218,60 @@ a_component_behind_its_own_master_hears_of_losses() { # from the node manager, w
     wait_for controller "controller h: 2.2.34.1: its controller is lost: efforts go to zero"
     wait_for bus "0x1B16:26 =" 2
 }
+# Ctrl-C and SIGTERM: efforts must not outlive the program that commanded them.
+the_end_of_the_controller_brings_the_arm_to_rest() {
+    arm_options=(--command-timeout 0) # the controller does it
+    for signal in INT TERM; do
+        start_robot
+        expect_ocu 0 propulsive_linear_effort_x=50
+        kill -"$signal" "$controller_pid" && wait "$controller_pid"
+        [ $? -eq 0 ] || fail "the controller does not end well on SIG$signal"
+        forget "$controller_pid"
+        says controller "2.2.33.1: the program ends: efforts go to zero"
+        at_rest 2 # when the slave came up, and now
+        kill "$arm_pid" && wait "$arm_pid"
+        forget "$arm_pid"
+    done
+}
+the_controller_ends_while_its_slave_is_silent() { # and says that nobody knows what the arm does
+    arm_options=(--command-timeout 0)
+    master_options+=("${end_options[@]}")
+    start_robot
+    expect_ocu 0 propulsive_linear_effort_x=50
+    kill -STOP "$arm_pid"
+    # Messages are answered meanwhile.
+    expect_ocu 0 --send query_component_status
+    local begun
+    begun=$(date +%s%N)
+    kill -INT "$controller_pid" && wait "$controller_pid"
+    local code=$? took=$((($(date +%s%N) - begun) / 1000000))
+    forget "$controller_pid"
+    kill -CONT "$arm_pid"
+    [ "$code" -eq 1 ] || fail "exit code $code for an arm that has not confirmed"
+    [ "$took" -lt 5000 ] || fail "it took $took ms" # a second, but for a busy machine
+    says controller "slave 2"
+    says controller "has not confirmed that it is at rest"
+}
+the_cyclic_controller_ends_while_its_slave_is_silent() {
+    end_options=("${cyclic[@]}")
+    the_controller_ends_while_its_slave_is_silent
+}
+the_controller_is_killed() { # nobody is left to say anything: the arm's own timeouts
+    start_robot
+    expect_ocu 0 propulsive_linear_effort_x=50
+    dies "$controller_pid"
+    wait_for arm "no message for 500 ms: all efforts to zero"
+    master_options+=("${cyclic[@]}")
+    start_controller
+    expect_ocu 0 propulsive_linear_effort_x=50
+    dies "$controller_pid"
+    wait_for arm "no process data any more: all efforts to zero"
+}
+wrong_times_are_refused() {
+    expect 2 "$bin/robot_controller" --config "$config" --this b --stop-within 19
+    says out "--stop-within must be 20 to 60000"
+    expect 2 "$bin/robot_controller" --config "$config" --this b --cycle 10000 --stop-within 6501
+    says out "--stop-within must be 20 to 6500 with --cycle"
+    expect 2 "$bin/robot_controller" --config "$config" --this b --cycle 10000 --stop-within 30
+    says out "--stop-within must be at least 4 cycles"
+}
