@@ -25,6 +25,31 @@ TEST_CASE("a query is answered with the slave's report") {
     CHECK(r.received<jaus::report_wrench_effort>().front().propulsive_linear_effort_x == Approx(25).margin(0.01));
 }
 
+TEST_CASE("the status says what the actuator has not confirmed") {
+    rig r;
+    const auto asks = [&] {
+        r.messages.clear();
+        r.tell(jaus::query_component_status{}, 0, ack_nak::none);
+        REQUIRE(r.received<jaus::report_component_status>().size() == 1);
+        return r.received<jaus::report_component_status>().front();
+    };
+    using namespace bridge::secondary_status;
+    CHECK(asks() == jaus::report_component_status{status::initialize, slave_away | rest_owed});
+    r.run_until_ready();
+    CHECK(asks() == jaus::report_component_status{status::ready, 0});
+    r.motor().abort_code_of = jaus::set_emergency::command_code;
+    r.motor().aborts = 1;
+    const auto number = r.tell(rig::stop());
+    CHECK(asks() == jaus::report_component_status{status::emergency, rest_owed | emergency_owed});
+    r.run_until([&] { return r.is_acknowledged(number); });
+    CHECK(asks() == jaus::report_component_status{status::emergency, 0});
+    r.cable_is_out = true;
+    r.run_until([&] { return r.watcher.lost == 1; });
+    CHECK(asks() == jaus::report_component_status{status::emergency, slave_away | rest_owed | emergency_owed});
+    r.tell(rig::clear());
+    CHECK(asks().secondary_status_code == (slave_away | rest_owed | emergency_owed | clear_owed));
+}
+
 TEST_CASE("a command that the slave aborts is refused") {
     rig r;
     r.run_until_ready();

@@ -9,11 +9,20 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
 
 namespace jauscat::bridge {
+
+/// Bits of the secondary status code in Report Component Status.
+namespace secondary_status {
+inline constexpr std::uint32_t slave_away = 1;     ///< the slave does not answer
+inline constexpr std::uint32_t rest_owed = 2;      ///< the actuator has not confirmed that it is at rest
+inline constexpr std::uint32_t emergency_owed = 4; ///< it has not confirmed the emergency
+inline constexpr std::uint32_t clear_owed = 8;     ///< it has not confirmed the end of the emergency
+} // namespace secondary_status
 
 /// To be added to a node as a jaus::component is. Its actuator is brought to rest, by a Set Wrench Effort with zeros in
 /// all fields, when the component leaves Ready, when its controller is lost (not when that releases control), when the
@@ -54,6 +63,7 @@ class component {
     /// `application` gets what the core leaves; what that leaves is the slave's.
     jaus::component_outcome on_message(const jaus::header& head, bytes body, time now, jaus::message_sink out,
                                        auto&& application) {
+        show_debt();
         const auto what = core_.on_message(head, body, now, out, [&](const jaus::header& own, bytes own_body) {
             const jaus::message_outcome answered = application(own, own_body);
             return answered == jaus::message_outcome::not_mine ? accept(own, own_body, now, out) : answered;
@@ -62,6 +72,7 @@ class component {
         return what;
     }
     void on_time(time now, jaus::message_sink out) {
+        show_debt();
         core_.on_time(now, out);
         follow_up(now, out);
     }
@@ -206,6 +217,12 @@ class component {
         debt_.owe_emergency();
         drops_motion();
         front_.watcher().owed(*this, stop_order::emergency, why);
+    }
+    void show_debt() noexcept {
+        core_.set_secondary_status((front_.up() ? 0 : secondary_status::slave_away) |
+                                   (debt_.owes_rest() ? secondary_status::rest_owed : 0) |
+                                   (debt_.owes_emergency() ? secondary_status::emergency_owed : 0) |
+                                   (debt_.owes_clear() ? secondary_status::clear_owed : 0));
     }
     void drops_motion() {
         motion_is_dropped_ = true;

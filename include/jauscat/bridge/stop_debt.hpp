@@ -44,6 +44,8 @@ class stop_debt {
 
     /// Whether the actuator has yet to confirm that it stops.
     [[nodiscard]] constexpr bool owes_stop() const noexcept { return rest_ || emergency_; }
+    [[nodiscard]] constexpr bool owes_rest() const noexcept { return rest_; }
+    [[nodiscard]] constexpr bool owes_emergency() const noexcept { return emergency_; }
     [[nodiscard]] constexpr bool owes_clear() const noexcept { return clear_; }
     [[nodiscard]] constexpr bool settled() const noexcept { return !owes_stop() && !clear_; }
 
