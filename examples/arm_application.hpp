@@ -74,9 +74,9 @@ class arm {
         drive(command, true);
         return refused_ ? obedience::refused : obedience::obeyed;
     }
-    /// Takes all efforts away, if there are any.
+    /// Takes all efforts away, if there are any, and says so, also where process data have brought them to zero.
     void rest(const std::string& why) {
-        if (moves()) halt(why);
+        if (moves() || by_process_data_) halt(why);
         by_process_data_ = false;
     }
 

@@ -25,6 +25,9 @@ Examples:
   robot_arm --this b --link raw --interface eth0
 )";
 
+/// By so much the watchdog and the command timeout are late at most.
+constexpr auto longest_wait = std::chrono::milliseconds{5};
+
 /// `-100 |         ####|              | 100` for a value within its limits.
 std::string bar(double value, double min, double max) {
     constexpr int width = 40;
@@ -95,7 +98,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
     };
     std::string problem;
     while (!example::stop_requested) {
-        const auto size = link.receive(frame, std::chrono::milliseconds{20});
+        const auto size = link.receive(frame, longest_wait);
         const auto now = std::chrono::steady_clock::now().time_since_epoch();
         if (size == 0) {
             slave.on_time(now);

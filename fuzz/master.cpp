@@ -39,7 +39,7 @@ class session {
             job(start);
             check(master_.result().size <= into.size(), "an answer fits its buffer");
         };
-        switch (in_.take() % 8) {
+        switch (in_.take() % 9) {
         case 0:
             job([&] { return master_.scan(); });
             job([&] { return master_.bring_up(0, station, {.vendor = description(0).vendor}); });
@@ -50,13 +50,14 @@ class session {
         case 4: question([&] { return master_.describe_entry(station, 0x1018, in_.take(), 7, into); }); break;
         case 5: job([&] { return master_.collect_emergencies(station); }); break;
         case 6: question([&] { return master_.upload(station, 0x1018, 0, into, {.complete_access = true}); }); break;
+        case 7: job([&] { return master_.check(station); }); break;
         default: cycles();
         }
     }
 
     // Forged process data never leave a slave's place.
     void cycles() {
-        process_data data{master_.slaves()};
+        process_data data{master_.slaves(), {.watch_slaves = in_.take() % 2 != 0}};
         bytes frame(max_frame_size);
         for (int i = 0; i != 4; ++i) {
             const auto size = data.next_frame(frame, now_);

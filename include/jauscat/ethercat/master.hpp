@@ -26,8 +26,9 @@ namespace jauscat::ethercat {
 
 /// Start a job; then, until `idle()`: send what `next_frame` gives, pass what arrives to `on_frame`, and call `on_time`
 /// at `next_event()`. `result()` says how the job ended. Not copied while one runs. Every function that starts a job
-/// returns false while another one runs; what it is given by reference or as a span stays in place until the job is
-/// done. Beside the errors named there, each job can end with those of the link: not_sent, no_reply, timeout, no_space.
+/// returns false while another one runs, whose result is not its own; what it is given by reference or as a span stays
+/// in place until the job is done. Beside the errors named there, each job can end with those of the link: not_sent,
+/// no_reply, timeout, no_space.
 class master {
   public:
     /// Idle, and without slaves.
@@ -35,7 +36,7 @@ class master {
 
     /// Counts the slaves of the ring, `result().size`, takes them to INIT, and takes station addresses, SyncManagers
     /// and FMMUs away that an earlier master has left. Forgets all slaves. Errors: working_counter, state_timeout.
-    bool scan() noexcept {
+    [[nodiscard]] bool scan() noexcept {
         if (!begin(job::scan)) return false;
         slaves_.clear();
         scan_ = {};
@@ -45,7 +46,8 @@ class master {
     /// Brings the slave at `position` (0 is the first in the ring) to PRE-OP under the address `station`: for the
     /// tables of this library, its JAUS node. Errors: no_slave, wrong_station, duplicate_station, working_counter,
     /// sii_busy, sii_error, wrong_identity, no_mailbox, al_error, state_timeout, too_many_slaves.
-    bool bring_up(std::uint16_t position, std::uint16_t station, const identity_check& expected = {}) noexcept {
+    [[nodiscard]] bool bring_up(std::uint16_t position, std::uint16_t station,
+                                const identity_check& expected = {}) noexcept {
         if (!begin(job::bring_up)) return false;
         const auto* const before = slaves_.find(station);
         before_ = before != nullptr ? *before : slave_record{};
@@ -59,7 +61,7 @@ class master {
     /// process image is then in its record. If it has outputs, it will leave OP when it gets none for the time
     /// `watchdog`. Errors: those of `upload` and of SII reads, sii_malformed, no_fmmu, too_many_managers, image_full,
     /// watchdog_range, watchdog_not_kept.
-    bool configure(std::uint16_t station, std::chrono::nanoseconds watchdog = default_watchdog) noexcept {
+    [[nodiscard]] bool configure(std::uint16_t station, std::chrono::nanoseconds watchdog = default_watchdog) noexcept {
         if (!begin(job::configure)) return false;
         if (!choose(station)) return true;
         slave_->watchdog = {};
@@ -71,7 +73,7 @@ class master {
     /// Takes a slave to another state, step by step. OP needs the cyclic exchange to be running. Errors: wrong_station,
     /// duplicate_station, working_counter, al_error, state_timeout; not_configured if OP is the goal and `configure`
     /// has not been done since the slave was brought up.
-    bool change_state(std::uint16_t station, al_state goal) noexcept {
+    [[nodiscard]] bool change_state(std::uint16_t station, al_state goal) noexcept {
         if (!begin(job::change_state)) return false;
         if (!choose(station)) return true;
         if (!is_known(goal))
@@ -86,7 +88,7 @@ class master {
 
     /// Asks a slave for its AL status and whether mail waits, in one frame; both are in its record then. Errors:
     /// wrong_station, duplicate_station, working_counter (no slave has the address any more).
-    bool check(std::uint16_t station) noexcept {
+    [[nodiscard]] bool check(std::uint16_t station) noexcept {
         if (!begin(job::check)) return false;
         if (!choose(station)) return true;
         slave_->al = {};
@@ -98,43 +100,43 @@ class master {
     /// Writes `data`, of any size, to an object: in segments if they do not fit the mailbox. Errors: wrong_station,
     /// no_coe, mailbox_full, mailbox_timeout, mailbox_error, clear_refused, sdo_abort, toggle_bit, unexpected_reply,
     /// working_counter. After an error other than sdo_abort and clear_refused the object may have been written.
-    bool download(std::uint16_t station, std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data,
-                  const download_options& options = {}) noexcept {
+    [[nodiscard]] bool download(std::uint16_t station, std::uint16_t index, std::uint8_t subindex,
+                                std::span<const std::byte> data, const download_options& options = {}) noexcept {
         return transfer(station, sdo_transfer::download(index, subindex, data, options));
     }
 
     /// Reads an object into `into`; `result().size` then says how many bytes. After an error what `into` holds is not
     /// to be used. Errors: those of `download`, size_mismatch, data_too_long.
-    bool upload(std::uint16_t station, std::uint16_t index, std::uint8_t subindex, std::span<std::byte> into,
-                const upload_options& options = {}) noexcept {
+    [[nodiscard]] bool upload(std::uint16_t station, std::uint16_t index, std::uint8_t subindex,
+                              std::span<std::byte> into, const upload_options& options = {}) noexcept {
         return transfer(station, sdo_transfer::upload(index, subindex, into, options));
     }
 
     /// The indices of the slave's objects to `into`, 2 bytes each, `result().size` bytes in all. Errors: those of
     /// `upload`, fragment_missing.
-    bool list_objects(std::uint16_t station, object_list_type list, std::span<std::byte> into) noexcept {
+    [[nodiscard]] bool list_objects(std::uint16_t station, object_list_type list, std::span<std::byte> into) noexcept {
         return ask(station, sdo_information::list(list, into));
     }
     /// What an object is: its object_answer and name to `into`. Errors: as above.
-    bool describe_object(std::uint16_t station, std::uint16_t index, std::span<std::byte> into) noexcept {
+    [[nodiscard]] bool describe_object(std::uint16_t station, std::uint16_t index, std::span<std::byte> into) noexcept {
         return ask(station, sdo_information::object(index, into));
     }
     /// What an entry is: its entry_answer, the values that `value_info` asks for, and name to `into`. Errors: as above.
-    bool describe_entry(std::uint16_t station, std::uint16_t index, std::uint8_t subindex, std::uint8_t value_info,
-                        std::span<std::byte> into) noexcept {
+    [[nodiscard]] bool describe_entry(std::uint16_t station, std::uint16_t index, std::uint8_t subindex,
+                                      std::uint8_t value_info, std::span<std::byte> into) noexcept {
         return ask(station, sdo_information::entry({index, subindex, value_info}, into));
     }
 
     /// Takes what waits in the slave's mailbox: its emergencies are in its record then. Errors: wrong_station,
     /// no_mailbox, no_coe, mailbox_full (there is always more).
-    bool collect_emergencies(std::uint16_t station) noexcept {
+    [[nodiscard]] bool collect_emergencies(std::uint16_t station) noexcept {
         if (!begin(job::collect)) return false;
         if (choose(station, true)) exchange_ = mailbox_exchange::collect();
         return true;
     }
 
     /// Sends one datagram; what comes back is in `data` then, and `result().detail` is its working counter.
-    bool exchange(command cmd, std::uint16_t adp, std::uint16_t ado, std::span<std::byte> data) noexcept {
+    [[nodiscard]] bool exchange(command cmd, std::uint16_t adp, std::uint16_t ado, std::span<std::byte> data) noexcept {
         if (!begin(job::datagram)) return false;
         datagram_ = datagram_exchange{cmd, adp, ado, data};
         return true;
