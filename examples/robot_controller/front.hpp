@@ -159,10 +159,8 @@ class front {
 
     // What an operator should know of the wire, said once when it comes up.
     void look_at_link() {
-        if (link_.problem() != problem_) {
-            problem_ = link_.problem();
-            if (!problem_.empty()) say_.bad(problem_);
-        }
+        if (slave_.up()) problem_.clear();
+        if (const auto& now = link_.problem(); !now.empty() && std::exchange(problem_, now) != now) say_.bad(now);
         const auto& seen = ring_.master().statistics();
         if (seen.foreign != 0 && !std::exchange(second_master_, true))
             say_.bad("frames of another master are on this wire; only one may use it");
@@ -185,7 +183,7 @@ class front {
     jauscat::net::jaus_node node_;
     said_messages said_{say_, node_.out()};
     jauscat::net::ring_runner<traced_link<any_link>> runner_{context_, link_, ring_, said_};
-    std::string problem_{};
+    std::string problem_{}; ///< of the link: said once, and again after the slave was up
     bool second_master_{}, broken_ring_{};
 };
 

@@ -83,8 +83,9 @@ class component {
 
     /// The program ends: the actuator is brought to rest, and nothing that moves it is taken any more.
     void shut_down(time now, jaus::message_sink out) {
-        owe_rest(stop_cause::program_ends);
+        ends_ = true;
         core_.change(jaus::state_event::shutdown);
+        if (debt_.settled()) owe_rest(stop_cause::program_ends);
         follow_up(now, out);
     }
 
@@ -196,7 +197,7 @@ class component {
         if (to == jaus::primary_status_code::emergency)
             owe_emergency(stop_cause::state);
         else if (from == jaus::primary_status_code::ready && front_.up())
-            owe_rest(stop_cause::state);
+            owe_rest(ends_ ? stop_cause::program_ends : stop_cause::state);
     }
     void changed_controller(const std::optional<jaus::controller>&, jaus::control_change why) {
         front_.watcher().changed_controller(*this, why);
@@ -252,6 +253,7 @@ class component {
     std::array<jaus::header, 16> waiting_{}; // state commands that the actuator has not confirmed
     std::size_t waiting_count_{};
     bool motion_is_dropped_{}; // commands that wait are refused at the next opportunity
+    bool ends_{};              // the program
     bool was_at_rest_{};       // the component was not ready when the slave was lost
     jaus::component_memory<16, 256, 4096> memory_{};
     jaus::component<> core_;
