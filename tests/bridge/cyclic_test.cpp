@@ -154,6 +154,36 @@ TEST_CASE("of two cyclic slaves one that is lost does not take the other's proce
     CHECK(r.motor(0).effort == Approx(50).margin(0.01));
     CHECK(r.motor(1).effort == 0);
     CHECK(r.unit(0).state() == status::ready);
+    CHECK(r.bus.master().statistics().foreign == 0); // also the frames that were under way at the change
+}
+
+TEST_CASE(
+    "a command by process data that comes while a stop order is not confirmed waits, and does not go by mailbox") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
+    r.lose(rig::operator_unit);
+    REQUIRE(r.unit().debt().owes_stop());
+    REQUIRE(r.unit().state() == status::ready);
+    const auto number = r.drive(20);
+    r.run_until([&] { return r.is_acknowledged(number); });
+    CHECK(std::ranges::count(r.motor().executed, jaus::set_wrench_effort::command_code) == 0);
+    REQUIRE(r.motor().efforts.size() >= 3);
+    CHECK(*(r.motor().efforts.end() - 2) == 0);
+    CHECK(r.motor().efforts.back() == Approx(20).margin(0.01));
+}
+
+TEST_CASE("a stop order goes into the outputs also when many commands wait for the slave to take them") {
+    rig r{1, true};
+    r.run_until_ready();
+    std::vector<std::uint16_t> numbers;
+    for (int i = 0; i != 40; ++i) numbers.push_back(r.drive(i));
+    const auto number = r.tell(jaus::standby{});
+    const auto took = r.run_until([&] { return r.is_acknowledged(number); });
+    CHECK(took <= 30ms);
+    CHECK(r.motor().effort == 0);
+    for (const auto each : numbers) CHECK(r.is_refused(each));
 }
 
 TEST_CASE("lost process data frames are no loss of the slave, and the mailbox works on") {

@@ -263,6 +263,35 @@ TEST_CASE("a controller that is lost brings the slave to rest, one that releases
     r.run_until([&] { return r.motor().effort == 0; }, 100ms);
 }
 
+TEST_CASE("a command that comes while the slave refuses zeros is not executed before they are confirmed") {
+    rig r;
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
+    r.motor().abort_code_of = jaus::set_wrench_effort::command_code;
+    r.motor().aborts = 1;
+    r.lose(rig::operator_unit);
+    r.run_until([&] { return r.motor().aborted == 1; });
+    REQUIRE(r.unit().debt().owes_stop());
+    const auto number = r.drive(20);
+    r.run_until([&] { return r.is_acknowledged(number); });
+    REQUIRE(r.motor().efforts.size() >= 3);
+    CHECK(*(r.motor().efforts.end() - 2) == 0);
+}
+
+TEST_CASE("who takes control over does not inherit the commands that wait") {
+    rig r;
+    r.round_trip = 8ms;
+    r.run_until_ready();
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
+    r.tell(jaus::set_travel_speed{.desired_speed = 1}, 0, ack_nak::none); // occupies the slave
+    const auto number = r.drive(50);
+    r.tell(jaus::request_component_control{.authority_code = 200}, 0, ack_nak::none, rig::stranger);
+    CHECK(r.is_refused(number));
+    r.run(500ms);
+    CHECK(r.motor().effort == 0);
+}
+
 TEST_CASE("standby is acknowledged when the slave is at rest, and nothing that waited moves it afterwards") {
     rig r;
     r.round_trip = 4ms;

@@ -202,6 +202,8 @@ class component {
     void changed_controller(const std::optional<jaus::controller>&, jaus::control_change why) {
         front_.watcher().changed_controller(*this, why);
         if (why == jaus::control_change::lost) owe_rest(stop_cause::controller_lost);
+        // What the old one has sent and was not executed yet is not the new one's.
+        if (why == jaus::control_change::taken_over || why == jaus::control_change::rejected) drops_motion();
     }
     void owe_what_the_state_owes(stop_cause why) {
         if (core_.state() == jaus::primary_status_code::emergency)
@@ -243,9 +245,6 @@ class component {
         if (core_.state() != jaus::primary_status_code::initialize) return;
         core_.change(jaus::state_event::initialized);
         if (std::exchange(was_at_rest_, false)) core_.change(jaus::state_event::standby);
-    }
-    [[nodiscard]] static bool is_query(const jaus::header& head) noexcept {
-        return jaus::report_code_of(head.command_code) != 0;
     }
 
     slave_front& front_;

@@ -27,6 +27,11 @@ struct order {
     std::uint64_t number{}; ///< order of arrival; 0: the place is free
 };
 
+/// Whether a message asks for a report, and so moves nothing.
+[[nodiscard]] constexpr bool is_query(const jaus::header& head) noexcept {
+    return jaus::report_code_of(head.command_code) != 0;
+}
+
 /// The memory of an order_queue: `Orders` messages of at most `Size` bytes of body.
 template <std::size_t Orders = 16, std::size_t Size = 1532> struct order_memory {
     std::array<order, Orders> orders{};

@@ -147,6 +147,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         time next_check{};
         time next_keep_alive{};
         time last_heard{};
+        time settling_until{};
         bool takes_keep_alive{true};
         bool has_mail{};
         bool is_exchanged{};     // its process data are in data_
@@ -232,9 +233,16 @@ template <class Image = wrench_effort_path> class basic_ring {
                          master_.exchange(ethercat::command::fprd, at.front->station(),
                                           ethercat::esc_registers::al_status.address, status_));
     }
+    // Nothing that moves the actuator goes before a stop order that it has not confirmed.
+    [[nodiscard]] static bool is_held_back(const order& each) noexcept {
+        return each.unit->debt().next() && !is_query(each.header);
+    }
+    [[nodiscard]] static bool may_go_by_mailbox(const place& at, const order& each) {
+        return !is_held_back(each) && !goes_by_image(at, each);
+    }
     bool begin_order(place& at, time now, jaus::message_sink out) {
         auto& orders = at.front->orders();
-        const order* const next = orders.first([](const order&) { return true; });
+        const order* const next = orders.first([&](const order& each) { return may_go_by_mailbox(at, each); });
         if (next == nullptr) return false;
         unit_ = next->unit;
         order_ = *next;
@@ -325,7 +333,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         }
         at.at = next;
         if (next == phase::safe_op) rebuild_process_data(now);
-        if (next == phase::settling) settling_until_ = jaus::later(now, options_.master.state_timeout);
+        if (next == phase::settling) at.settling_until = jaus::later(now, options_.master.state_timeout);
     }
     void ready(place& at, time now, jaus::message_sink out) {
         at.at = phase::up;
@@ -453,14 +461,16 @@ template <class Image = wrench_effort_path> class basic_ring {
         case phase::pre_op:
         case phase::configured:
         case phase::safe_op: return time::min();
-        case phase::settling: return settling_until_;
+        case phase::settling: return at.settling_until;
         case phase::up: break;
         }
-        if (at.has_mail || at.front->orders().size() != 0) return time::min();
+        const auto may_go = [&](const order& each) { return may_go_by_mailbox(at, each); };
+        if (at.has_mail || at.front->orders().first(may_go) != nullptr) return time::min();
         std::optional<time> next;
         const auto consider = [&](time other) { next = next ? std::min(*next, other) : other; };
         for (const component* unit : at.front->components())
-            if (unit->debt().next()) consider(unit->debt().next_attempt());
+            if (const auto what = unit->debt().next(); what && !(*what == stop_order::rest && by_image(at, *unit)))
+                consider(unit->debt().next_attempt());
         if (!at.front->options().cyclic) {
             consider(at.next_check);
             if (at.takes_keep_alive && options_.keep_alive != time{}) consider(at.next_keep_alive);
@@ -469,6 +479,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
 
     void lose(place& at, loss what, const ethercat::outcome& why, time now, jaus::message_sink out) {
+        if (at.at == phase::absent) return; // its last job has ended only now
         const bool was_up = at.front->up();
         at.at = phase::absent;
         at.next_try = was_up ? now : jaus::later(now, options_.bring_up_interval);
@@ -507,6 +518,7 @@ template <class Image = wrench_effort_path> class basic_ring {
             if (stays && record != nullptr) std::ranges::copy(data_.outputs(*record), next.outputs(*record).begin());
         }
         if (exchanged_ == 0) next_cycle_ = now;
+        next.follow(data_);
         data_ = next;
         exchanged_ = count;
     }
@@ -535,7 +547,7 @@ template <class Image = wrench_effort_path> class basic_ring {
             if (each.at == phase::settling) {
                 if (seen.condition == running)
                     start_image(each, now, out);
-                else if (now >= settling_until_)
+                else if (now >= each.settling_until)
                     lose(each, loss::no_process_data, {.error = ethercat::master_errc::working_counter}, now, out);
                 continue;
             }
@@ -565,12 +577,12 @@ template <class Image = wrench_effort_path> class basic_ring {
         for (place& each : places()) {
             if (each.at != phase::up || !each.image) continue;
             take_confirmations(each, now, out);
-            for (component* unit : each.front->components()) put_rest(each, *unit, now);
+            for (component* unit : each.front->components()) put_rest(each, *unit, now, out);
             put_orders(each, now, out);
         }
     }
     // In an emergency the slave is told by mailbox; its outputs are brought to rest all the same.
-    void put_rest(place& at, component& unit, time now) {
+    void put_rest(place& at, component& unit, time now, jaus::message_sink out) {
         const auto& debt = unit.debt();
         if (!by_image(at, unit) || !debt.owes_stop()) return;
         const bool is_awaited = debt.next() == stop_order::rest && debt.next_attempt() <= now;
@@ -578,20 +590,30 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (std::ranges::any_of(waits, [&](const image_wait& each) { return each.is_stop && each.unit == &unit; }) ||
             (at.has_rest_outputs && !is_awaited))
             return;
+        drop_waiting(at, unit, now, out);
         const auto size = unit.stop_message(stop_order::rest, message_);
         const auto parts = jaus::split(bytes{message_}.first(size));
-        put_command(at, unit, parts.header, parts.body, true, now);
+        if (put_command(at, unit, parts.header, parts.body, true, now)) return;
         at.has_rest_outputs = true;
         if (!is_awaited) --at.waiting_count;
     }
+    // Commands in the outputs that a stop order is about to replace: whether the slave takes them is not known any
+    // more.
+    void drop_waiting(place& at, const component& unit, time now, jaus::message_sink out) {
+        const auto dropped = at.waiting;
+        const std::size_t count = std::exchange(at.waiting_count, 0);
+        for (std::size_t i = 0; i != count; ++i)
+            if (dropped[i].unit == &unit && !dropped[i].is_stop)
+                dropped[i].unit->on_not_executed(dropped[i].header, {.why = refusal::stopped}, now, out);
+            else
+                at.waiting[at.waiting_count++] = dropped[i];
+    }
     void put_orders(place& at, time now, jaus::message_sink out) {
         auto& orders = at.front->orders();
-        while (const order* const next = orders.first([&](const order& each) {
-            return each.unit->self().component == Image::component && at.image->takes(addressed(each));
-        })) {
+        while (const order* const next =
+                   orders.first([&](const order& each) { return goes_by_image(at, each) && !is_held_back(each); })) {
             const order taken = *next;
             component& unit = *taken.unit;
-            if (unit.debt().next()) return; // after the stop order
             const auto body = orders.body(*next);
             orders.remove(*next);
             if (taken.header.command_code == image_type::command_code) {
@@ -601,6 +623,9 @@ template <class Image = wrench_effort_path> class basic_ring {
                 answer_from_inputs(at, unit, taken, body, now, out);
             }
         }
+    }
+    [[nodiscard]] static bool goes_by_image(const place& at, const order& each) {
+        return by_image(at, *each.unit) && at.image->takes(addressed(each));
     }
     [[nodiscard]] static jaus::header addressed(const order& each) noexcept {
         jaus::header head = each.header;
@@ -675,7 +700,6 @@ template <class Image = wrench_effort_path> class basic_ring {
     std::size_t exchanged_{}; // slaves in the cyclic exchange
     time last_turn_{};
     time next_cycle_{};
-    time settling_until_{};
     bool ends_{};
 
     work work_{};

@@ -37,6 +37,7 @@ class slave_front {
     [[nodiscard]] any_exchange& exchange() const noexcept { return exchange_; }
     [[nodiscard]] observer& watcher() const noexcept { return watcher_; }
     [[nodiscard]] order_queue& orders() noexcept { return orders_; }
+    [[nodiscard]] const order_queue& orders() const noexcept { return orders_; }
     [[nodiscard]] std::span<component* const> components() const noexcept {
         return std::span{components_}.first(component_count_);
     }

@@ -50,6 +50,15 @@ class process_data {
         fits_ = datagrams_size() <= max_datagrams_size;
     }
 
+    /// Takes the place of `before`, for other slaves on the same link: counts go on, and a frame of `before` that is
+    /// still under way is known, and passed over.
+    void follow(const process_data& before) noexcept {
+        outstanding_ = before.outstanding_;
+        outstanding_.forget();
+        index_ = before.index_;
+        statistics_ = before.statistics_;
+    }
+
     /// Whether one frame has room for all that it has to carry. If not, none is ever sent.
     [[nodiscard]] bool fits() const noexcept { return fits_; }
 
