@@ -91,7 +91,7 @@ bool is_in_force(operator_unit& unit, const order& command) {
 /// without.
 bool needs_control(std::uint16_t command_code) {
     return command_code != jaus::clear_emergency::command_code &&
-           std::ranges::find(jaus::controlled_commands, command_code) != jaus::controlled_commands.end();
+           jaus::rule_of(command_code) != jaus::command_rule::open;
 }
 
 /// What the command line asks for.

@@ -93,39 +93,54 @@ TEST_CASE("only the controller releases control") {
     REQUIRE(a.request(0, other) == control_accepted);
 }
 
-TEST_CASE("every code there is: the listed ones and no others are refused from those without control") {
+TEST_CASE("every code there is: queries, reports and the open commands are admitted from all, others are not") {
     arm a;
     for (unsigned code = 0; code <= 0xFFFF; ++code) REQUIRE(a.admits(static_cast<std::uint16_t>(code), other));
     a.request(1, ocu);
     std::uint64_t refused = 0;
     for (unsigned i = 0; i <= 0xFFFF; ++i) {
         const auto code = static_cast<std::uint16_t>(i);
-        const bool listed = std::ranges::find(jaus::controlled_commands, code) != jaus::controlled_commands.end();
+        const bool asks_or_reports = code >= 0x2000 && code < 0x6000;
+        const bool listed_open = std::ranges::any_of(jaus::command_rules, [&](const jaus::ruled_command& one) {
+            return one.command_code == code && one.rule == jaus::command_rule::open;
+        });
         REQUIRE(a.admits(code, ocu));
-        REQUIRE(a.admits(code, other) == !listed);
-        refused += listed;
+        REQUIRE(a.admits(code, other) == (asks_or_reports || listed_open));
+        refused += !(asks_or_reports || listed_open);
         REQUIRE(a.control.refused() == refused);
     }
-    REQUIRE(refused == 29);
+    REQUIRE(refused == 0x10000 - 0x4000 - 15);
 }
 
-TEST_CASE("the list is the one of the reference architecture without Set Emergency") {
+TEST_CASE("what the reference architecture refuses from those without control is refused, but for Set Emergency") {
     // The note on authority, as it stands there.
     std::vector<std::uint16_t> list{0x0001, 0x0002, 0x0003, 0x0004, 0x0005, 0x0006, 0x0007, 0x000E, 0x0011,
                                     0x0405, 0x0406, 0x0407, 0x0408, 0x040A, 0x040C, 0x040D, 0x040F, 0x0410};
     for (std::uint16_t code = 0x0601; code <= 0x0608; ++code) list.push_back(code);
     for (const std::uint16_t code : std::to_array<std::uint16_t>({0x0801, 0x0802, 0x0805, 0x0806}))
         list.push_back(code);
-    std::erase(list, jaus::set_emergency::command_code);
-    REQUIRE(std::ranges::equal(list, jaus::controlled_commands));
+    for (const std::uint16_t code : list)
+        REQUIRE((jaus::rule_of(code) == jaus::command_rule::open) == (code == jaus::set_emergency::command_code));
 }
 
-TEST_CASE("a user's own commands are refused as well, but never Set Emergency") {
-    static constexpr std::array<std::uint16_t, 2> own{0xD081, 0x0006};
-    arm a{{.also_controlled = own}};
+TEST_CASE("0404h, payload and missions move something, and so does what is not known") {
+    using enum jaus::command_rule;
+    for (const int code : {0x0404, 0x0405, 0x0607, 0x0A25, 0x0D01, 0x0E00, 0x0E01, 0x0E04, 0x0E05, 0x0E06})
+        REQUIRE(jaus::rule_of(static_cast<std::uint16_t>(code)) == moving);
+    for (const int code : {0x0000, 0x0012, 0x0409, 0x040B, 0x0600, 0x0E07, 0x1FFF, 0x6000, 0x8123, 0xD000, 0xFFFF})
+        REQUIRE(jaus::rule_of(static_cast<std::uint16_t>(code)) == moving);
+    for (const int code : {0x2000, 0x2E01, 0x4000, 0x4402, 0x5FFF})
+        REQUIRE(jaus::rule_of(static_cast<std::uint16_t>(code)) == open);
+    // What ends a mission must work before a Resume, too.
+    for (const int code : {0x0E02, 0x0E03}) REQUIRE(jaus::rule_of(static_cast<std::uint16_t>(code)) == controlled);
+}
+
+TEST_CASE("a user's own messages count as moving unless they are said to be harmless") {
+    static constexpr std::array<std::uint16_t, 1> own{0xD081};
+    arm a{{.harmless = own}};
     a.request(1, ocu);
-    REQUIRE_FALSE(a.admits(0xD081, other));
-    REQUIRE(a.admits(0xD082, other));
+    REQUIRE(a.admits(0xD081, other));
+    REQUIRE_FALSE(a.admits(0xD082, other));
     REQUIRE(a.admits(0x0006, other));
     REQUIRE(a.control.refused() == 1);
 }

@@ -345,6 +345,58 @@ TEST_CASE("a component that is not ready does its core's work and refuses what w
     REQUIRE(willing.hear(push, ocu_address) == taken);
 }
 
+TEST_CASE("whatever moves something is obeyed in Ready only, and from the controller if there is one") {
+    jaus::component_memory<4, 64, 64> memory{};
+    sent_messages sent;
+    for (unsigned i = 0; i <= 0xFFFF; ++i) {
+        const auto code = static_cast<std::uint16_t>(i);
+        if (jaus::rule_of(code) != jaus::command_rule::moving) continue;
+        ticking_part part{.code = static_cast<std::uint16_t>(i % 2 == 0 ? code : 0),
+                          .due = 100h}; // a part is no way around
+        jaus::component core{arm_address, memory, {}, {.control = {.timeout = 0s}}, part};
+        int obeyed = 0;
+        const auto hear = [&](const jaus::address& from) {
+            const jaus::header head{.command_code = code, .destination = arm_address, .source = from};
+            return core.on_message(head, {}, 0s, sent.sink(), [&](const jaus::header&, auto) {
+                ++obeyed;
+                return message_outcome::taken;
+            });
+        };
+        const auto count = [&] { return obeyed + part.heard; };
+        if (hear(ocu_address) != not_ready) FAIL(code << " in Initialize");
+        core.change(state_event::initialized);
+        if (hear(ocu_address) != taken || count() != 1) FAIL(code << " in Ready");
+        core.change(state_event::standby);
+        if (hear(ocu_address) != not_ready) FAIL(code << " in Standby");
+        core.change(state_event::emergency);
+        if (hear(ocu_address) != not_ready) FAIL(code << " in Emergency");
+        core.end_emergency();
+        core.change(state_event::resume);
+        const std::array authority{std::byte{255}};
+        core.on_message({.command_code = 0x000D, .destination = arm_address, .source = ocu_address}, authority, 0s,
+                        sent.sink(), [](const jaus::header&, auto) { return message_outcome::not_mine; });
+        if (hear(boss_address) != not_controller) FAIL(code << " from another than the controller");
+        if (hear(ocu_address) != taken || count() != 2) FAIL(code << " from the controller");
+        sent.clear();
+    }
+}
+
+TEST_CASE("a query, a report and a harmless private message are handed on in every state") {
+    static constexpr std::array<std::uint16_t, 1> own{0xD001};
+    arm a{{.control = {.harmless = own}}};
+    a.put_under_control_of(ocu_address);
+    REQUIRE(a.core.change(state_event::emergency));
+    const auto hear = [&](std::uint16_t code) {
+        return a.hear({.command_code = code, .destination = arm_address, .source = boss_address}, {}, 0s,
+                      a.sent.sink());
+    };
+    REQUIRE(hear(0xD001) == taken);
+    REQUIRE(a.part.heard == 1);
+    REQUIRE(hear(0x2408) == unknown);
+    REQUIRE(hear(0x4402) == unknown);
+    REQUIRE(hear(0xD002) == not_controller);
+}
+
 TEST_CASE("what was not done gets a NAK, and everything is counted") {
     arm a;
     a.put_under_control_of(ocu_address);

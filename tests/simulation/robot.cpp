@@ -14,7 +14,7 @@ actuator::actuator(const jaus::address& self, const process& program, model& m, 
            memory_,
            {.on_state = jaus::bound<&actuator::on_state>(*this),
             .on_controller = jaus::bound<&actuator::on_controller>(*this)},
-           {.control = {.timeout = controller_timeout}},
+           {.control = {.harmless = harmless, .timeout = controller_timeout}},
            connections_} {}
 
 jaus::message_outcome actuator::operator()(const jaus::header& head, bytes body) {

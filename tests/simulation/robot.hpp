@@ -33,6 +33,7 @@ class actuator {
         actuator& mine;
         std::optional<std::size_t> operator()(std::uint16_t, std::uint32_t, std::span<std::byte> body) const;
     } filler_{*this};
+    static constexpr std::array<std::uint16_t, 1> harmless{large_code};
     static constexpr std::array<jaus::connectable_report, 1> reports{{{0x2405, 1, 50}}};
     jaus::service_connections<8> connections_;
     jaus::component_memory<8, 256, 256> memory_{};

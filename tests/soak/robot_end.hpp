@@ -50,11 +50,16 @@ class robot_end : public end {
         }
     } application_{*this};
 
+    static constexpr std::array<std::uint16_t, 1> harmless{image_code};
+
     ledger& book_;
     std::vector<std::optional<jaus::address>> controllers_{};
     // 1000 a second for two seconds are at most half of what can be remembered.
     jaus::component_memory<16, 256, 5000> memory_{};
-    jaus::component<> core_{robot_id, memory_, {.on_controller = jaus::bound<&robot_end::on_controller>(*this)}, {}};
+    jaus::component<> core_{robot_id,
+                            memory_,
+                            {.on_controller = jaus::bound<&robot_end::on_controller>(*this)},
+                            {.control = {.harmless = harmless}}};
 };
 
 } // namespace soak

@@ -14,8 +14,9 @@
 namespace jauscat::jaus {
 
 /// The core of the component `self`. A message goes through it in this order: an acknowledgement ends here; a repeat is
-/// acknowledged again and ends; a command of one that has no control is refused; then state, control, clock, the parts
-/// and the application each get it until one takes it. ACK or NAK follow when that is done.
+/// acknowledged again and ends; a command of one that has no control is refused, and one that moves something unless
+/// the state is Ready (see command_rules); then state, control, clock, the parts and the application each get it until
+/// one takes it. ACK or NAK follow when that is done.
 ///
 /// A Clear Emergency passes the control check if its sender holds the emergency: else who stopped the machine under
 /// another's control could not let it go on, and the controller may not.
@@ -165,6 +166,11 @@ template <class... Parts> class component {
             what = component_outcome::not_controller;
             return message_outcome::refused;
         }
+        if (obeys_only_when_ready_ && state_.state() != primary_status_code::ready &&
+            control_.rule(head.command_code) == command_rule::moving) {
+            what = component_outcome::not_ready;
+            return message_outcome::refused;
+        }
         message_outcome outcome = state_.on_message(head, body, now, out);
         if (outcome == message_outcome::taken && is_state_command(head.command_code)) outcome = tell_command(head);
         const auto ask = [&](auto& next) {
@@ -177,14 +183,7 @@ template <class... Parts> class component {
         ask(clock_);
         each_part(ask);
         if (outcome == message_outcome::not_mine && control_.takes_pulse(head)) outcome = message_outcome::taken;
-        if (outcome == message_outcome::not_mine) {
-            if (obeys_only_when_ready_ && state_.state() != primary_status_code::ready &&
-                control_.is_controlled(head.command_code)) {
-                what = component_outcome::not_ready;
-                return message_outcome::refused;
-            }
-            outcome = outcome_of(application(head, body));
-        }
+        if (outcome == message_outcome::not_mine) outcome = outcome_of(application(head, body));
         switch (outcome) {
         case message_outcome::taken: what = component_outcome::taken; break;
         case message_outcome::refused: what = component_outcome::refused; break;

@@ -2,50 +2,16 @@
 // controlled component refuses from others. RA 3.3 part 3, core subgroup, and the notes on authority.
 #pragma once
 #include <jauscat/jaus/answer.hpp>
+#include <jauscat/jaus/command_rules.hpp>
 #include <jauscat/jaus/later.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/core.hpp>
-#include <jauscat/wire/code_index.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <optional>
 
 namespace jauscat::jaus {
-
-/// The commands that a component under control refuses from all but its controller. The RA's list has Set Emergency
-/// (0006h) as well; here it is never refused: who sees the danger must be able to stop the machine.
-inline constexpr std::array<std::uint16_t, 29> controlled_commands{
-    0x0001, // Set Component Authority
-    0x0002, // Shutdown
-    0x0003, // Standby
-    0x0004, // Resume
-    0x0005, // Reset
-    0x0007, // Clear Emergency
-    0x000E, // Release Component Control
-    0x0011, // Set Time
-    0x0405, // Set Wrench Effort
-    0x0406, // Set Discrete Devices
-    0x0407, // Set Global Vector
-    0x0408, // Set Local Vector
-    0x040A, // Set Travel Speed
-    0x040C, // Set Global Waypoint
-    0x040D, // Set Local Waypoint
-    0x040F, // Set Global Path Segment
-    0x0410, // Set Local Path Segment
-    0x0601, // Set Joint Efforts
-    0x0602, // Set Joint Positions
-    0x0603, // Set Joint Velocities
-    0x0604, // Set Tool Point
-    0x0605, // Set End-Effector Pose
-    0x0606, // Set End-Effector Velocity State
-    0x0607, // Set Joint Motion
-    0x0608, // Set End-Effector Path Motion
-    0x0801, // Set Camera Pose
-    0x0802, // Select Camera
-    0x0805, // Set Camera Capabilities
-    0x0806, // Set Camera Format Options
-};
 
 /// Who controls a component.
 struct controller {
@@ -67,8 +33,9 @@ enum class control_change : std::uint8_t {
 struct control_options {
     /// The component's own authority, until Set Component Authority.
     std::uint8_t authority_code{};
-    /// Commands that are refused like controlled_commands, such as a user's own. Must outlive the component.
-    std::span<const std::uint16_t> also_controlled{};
+    /// Codes of the user's own that move nothing: from anybody, in every state. All others of the user's own count as
+    /// moving, see command_rules. Must outlive the component.
+    std::span<const std::uint16_t> harmless{};
     /// Control is lost when nothing has been heard from the controller for so long. From a quarter of it on the
     /// controller is asked for its pulse, so one that only holds control need not send anything. 0: never.
     std::chrono::nanoseconds timeout{std::chrono::milliseconds{500}};
@@ -93,15 +60,15 @@ class component_control {
     /// Commands that others than the controller sent: how often `admits` said no.
     [[nodiscard]] constexpr std::uint64_t refused() const noexcept { return refused_; }
 
-    /// Whether a command is one of those that only the controller may send.
-    [[nodiscard]] constexpr bool is_controlled(std::uint16_t command_code) const noexcept {
-        if (command_code == set_emergency::command_code) return false;
-        return codes::find(command_code) != codes::npos ||
-               std::ranges::find(options_.also_controlled, command_code) != options_.also_controlled.end();
+    /// From whom, and in which states, a message is obeyed.
+    [[nodiscard]] constexpr command_rule rule(std::uint16_t command_code) const noexcept {
+        const auto& harmless = options_.harmless;
+        const bool is_harmless = std::ranges::find(harmless, command_code) != harmless.end();
+        return is_harmless ? command_rule::open : rule_of(command_code);
     }
     /// Whether the message may be taken, to be asked once for each that comes: counts refusals.
     constexpr bool admits(const header& head) noexcept {
-        if (controls(head.source) || !controller_ || !is_controlled(head.command_code)) return true;
+        if (controls(head.source) || !controller_ || rule(head.command_code) == command_rule::open) return true;
         ++refused_;
         return false;
     }
@@ -173,8 +140,6 @@ class component_control {
     }
 
   private:
-    using codes = wire::code_index<controlled_commands>;
-
     constexpr void request(const header& head, std::uint8_t authority, std::chrono::nanoseconds now,
                            message_sink out) noexcept {
         using enum component_control_response;

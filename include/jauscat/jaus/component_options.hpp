@@ -10,11 +10,11 @@ namespace jauscat::jaus {
 /// How a component behaves.
 struct component_options {
     after_emergency after{};                   ///< where an emergency ends
-    control_options control{};                 ///< authority, further controlled commands, timeout
+    control_options control{};                 ///< authority, harmless codes, timeout
     acknowledgement_options acknowledgement{}; ///< of messages that it sends
     /// How long messages are remembered that it acknowledged; see acknowledged_receiver.
     std::chrono::nanoseconds memory{std::chrono::seconds{2}};
-    /// The controlled commands that the core does not take itself (what moves something) are refused unless Ready.
+    /// What moves something is refused unless Ready; see command_rules.
     bool obeys_only_when_ready{true};
 };
 
