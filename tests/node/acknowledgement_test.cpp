@@ -292,6 +292,56 @@ TEST_CASE("of a sender that numbers all its messages 0 only the same one twice i
     REQUIRE(a.handed_on == 104);
 }
 
+TEST_CASE("of a sender that numbers all its messages 0 any command in between makes the next one new") {
+    arm a;
+    const auto plain = [&](std::uint16_t code, std::uint16_t number = 0) {
+        return a.hear(code, number, 0, 0s, message_outcome::taken, ocu_address, ack_nak::none);
+    };
+    REQUIRE(a.hear(0x0003, 0) == received::handed_on);
+    plain(0x0004); // Resume without acknowledgement
+    REQUIRE(a.hear(0x0003, 0) == received::handed_on);
+    REQUIRE(a.hear(0x0003, 0) == received::repeated);
+    plain(0x2002); // a query or a report changes nothing
+    plain(0x4202);
+    a.hear(0x2002, 0);
+    REQUIRE(a.hear(0x0003, 0) == received::repeated);
+    plain(0xD001);
+    REQUIRE(a.hear(0x0003, 0) == received::handed_on);
+    a.hear(0x0004, 0, 0, 0s, message_outcome::taken, ocu_address, ack_nak::request, {255, 255, 2, 3}); // to all
+    REQUIRE(a.hear(0x0003, 0) == received::handed_on);
+    a.hear(0x0004, 0, 0, 0s, message_outcome::taken, other, ack_nak::none); // another's
+    REQUIRE(a.hear(0x0003, 0) == received::repeated);
+    for (int i = 0; i != 3; ++i) { // Set and Clear Emergency, both acknowledged
+        REQUIRE(a.hear(0x0006, 0) == received::handed_on);
+        REQUIRE(a.hear(0x0007, 0) == received::handed_on);
+        REQUIRE(a.hear(0x0007, 0) == received::repeated);
+    }
+}
+
+TEST_CASE("a sender that counts may send plain messages with the number 0 in between") {
+    arm a;
+    REQUIRE(a.hear(0x0003, 0xFFFF) == received::handed_on);
+    REQUIRE(a.hear(0x0004, 0) == received::handed_on); // around
+    a.hear(0x0405, 0, 0, 0s, message_outcome::taken, ocu_address, ack_nak::none);
+    a.hear(0x0006, 0);
+    REQUIRE(a.hear(0x0004, 0) == received::repeated);
+    REQUIRE(a.hear(0x0003, 0xFFFF) == received::repeated);
+    REQUIRE(a.hear(0x0003, 0) == received::handed_on); // 0 for another message: the others may still be repeated
+    REQUIRE(a.hear(0x0003, 0xFFFF) == received::repeated);
+}
+
+TEST_CASE("a program that begins again with the same numbers is obeyed as soon as that can be told") {
+    arm a;
+    for (const std::uint16_t number : {std::uint16_t{7}, std::uint16_t{8}, std::uint16_t{9}})
+        REQUIRE(a.hear(0x0405, number, 1) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 7, 1) == received::repeated);  // may be a late copy: it must not move anything again
+    REQUIRE(a.hear(0x0405, 8, 2) == received::handed_on); // another message with a known number: it has begun anew
+    REQUIRE(a.hear(0x0405, 9, 1) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 9, 1) == received::repeated);
+    REQUIRE(a.hear(0x0405, 8, 2) == received::repeated);
+    REQUIRE(a.handed_on == 5);
+}
+
 TEST_CASE("a Set Emergency and a query that come again are obeyed again") {
     arm a;
     for (const std::uint16_t code : {std::uint16_t{0x0006}, std::uint16_t{0x2002}})

@@ -4,6 +4,7 @@
 #include <jauscat/jaus/later.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
+#include <algorithm>
 #include <chrono>
 
 namespace jauscat::jaus {
@@ -15,7 +16,7 @@ struct acknowledged_message {
     std::uint16_t sequence_number{};  ///< by which a repeat is known
     std::uint32_t digest{};           ///< of the body
     ack_nak answer{};                 ///< the one that was given; request: still pending; none: the place is free
-    bool superseded{};                ///< its sender numbers all messages 0 and has sent another since
+    bool superseded{};                ///< its sender has used the number for another message since
     std::chrono::nanoseconds until{}; ///< when it is forgotten, unless it is pending
 };
 
@@ -40,10 +41,14 @@ enum class received : std::uint8_t {
 /// A handler may defer its message: it is then pending, and its repeats are dropped without an answer, until `finish`
 /// acknowledges it. A pending message keeps its place however long that takes.
 ///
-/// There are nodes that number all messages 0. So the body counts too, and of those numbered 0 only the last one of a
-/// source is remembered: Standby after Standby and Resume is no repeat. What does no harm when it is done twice is
-/// always handed on and never remembered: Set Emergency, for one that is new must not be taken for the one before, and
-/// queries, for the answer may have been lost.
+/// There are nodes that number all messages 0, and programs that begin again with the same numbers. So the body counts
+/// too, and a number that is used for another message ends what was remembered: of the number 0 for what had it, of
+/// another for all of the source, which must have begun anew. Of a source of which only the number 0 is known, any
+/// other command in between does the same, also one that is not remembered: Standby after Standby and Resume is no
+/// repeat. What cannot be told from a repeat is taken for one: an old command must not move anything again.
+///
+/// What does no harm when it is done twice is always handed on and never remembered: Set Emergency, for one that is new
+/// must not be taken for the one before, and queries, for the answer may have been lost.
 class acknowledged_receiver {
   public:
     /// `places` must outlive this.
@@ -55,13 +60,11 @@ class acknowledged_receiver {
     /// sent after it.
     constexpr received on_message(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds now,
                                   message_sink out, auto&& handle) {
-        if (!is_acknowledged(head)) {
-            static_cast<void>(handle());
-            return received::handed_on;
-        }
-        if (may_be_repeated(head.command_code)) {
+        const bool wants_answer = is_acknowledged(head);
+        if (!wants_answer || may_be_repeated(head.command_code)) {
+            if (is_command(head.command_code) && head.sequence_number == 0) end_unnumbered(head.source, now);
             const message_outcome outcome = handle();
-            if (outcome != message_outcome::deferred) acknowledge(head, self_, answer_of(outcome), out);
+            if (wants_answer && outcome != message_outcome::deferred) acknowledge(head, self_, answer_of(outcome), out);
             return received::handed_on;
         }
         const acknowledged_message key{head.source, head.command_code, head.sequence_number, digest_of(body)};
@@ -76,6 +79,7 @@ class acknowledged_receiver {
         place = key;
         place.answer = ack_nak::request; // pending while it is handled
         place.until = later(now, memory_);
+        knows_unnumbered_ = knows_unnumbered_ || key.sequence_number == 0;
         const message_outcome outcome = handle();
         if (outcome != message_outcome::deferred) settle(place, head, answer_of(outcome), out);
         return received::handed_on;
@@ -117,6 +121,15 @@ class acknowledged_receiver {
     [[nodiscard]] static constexpr bool may_be_repeated(std::uint16_t command_code) noexcept {
         return command_code == set_emergency::command_code || report_code_of(command_code) != 0;
     }
+    [[nodiscard]] static constexpr bool is_command(std::uint16_t command_code) noexcept {
+        return command_code < 0x2000 || command_code >= 0x6000; // or private, and not known to be none
+    }
+    [[nodiscard]] static constexpr bool is_pending(const acknowledged_message& m) noexcept {
+        return m.answer == ack_nak::request;
+    }
+    [[nodiscard]] static constexpr bool is_free(const acknowledged_message& m, std::chrono::nanoseconds now) noexcept {
+        return !is_pending(m) && (m.answer == ack_nak::none || m.superseded || m.until <= now);
+    }
     struct search {
         acknowledged_message* same{};
         acknowledged_message* free{};
@@ -124,23 +137,35 @@ class acknowledged_receiver {
     };
     [[nodiscard]] constexpr search find(const acknowledged_message& key, std::chrono::nanoseconds now) const noexcept {
         search found{};
+        bool is_used_again = false;
         for (acknowledged_message& m : places_) {
-            const bool is_pending = m.answer == ack_nak::request;
-            const bool is_remembered = is_pending || (m.answer != ack_nak::none && m.until > now);
-            const bool is_of_source = is_remembered && m.source == key.source;
-            const bool has_number = is_of_source && m.sequence_number == key.sequence_number && !m.superseded;
-            if (has_number && m.command_code == key.command_code && m.digest == key.digest)
-                found.same = &m;
-            else if (has_number && key.sequence_number == 0)
-                m.superseded = true;
-            if (!is_remembered || (m.superseded && !is_pending)) {
-                m.answer = ack_nak::none;
+            if (is_free(m, now)) {
                 found.free = &m;
-            } else if (is_of_source) {
+            } else if (m.source == key.source) {
                 ++found.of_source;
+                if (m.superseded || m.sequence_number != key.sequence_number) continue;
+                if (m.command_code == key.command_code && m.digest == key.digest)
+                    found.same = &m;
+                else
+                    is_used_again = true;
             }
         }
-        return found;
+        if (!is_used_again) return found;
+        for (acknowledged_message& m : places_)
+            if (m.source == key.source && (key.sequence_number != 0 || m.sequence_number == 0)) m.superseded = true;
+        return find(key, now);
+    }
+    // A command with the number 0 that is not remembered: ends the memory of a source that numbers all of them so.
+    constexpr void end_unnumbered(const address& source, std::chrono::nanoseconds now) noexcept {
+        if (!knows_unnumbered_) return;
+        const auto is_known = [&](const acknowledged_message& m) { return !is_free(m, now) && !m.superseded; };
+        const bool counts = std::ranges::any_of(places_, [&](const acknowledged_message& m) {
+            return is_known(m) && m.source == source && m.sequence_number != 0;
+        });
+        for (acknowledged_message& m : places_)
+            if (!counts && m.source == source) m.superseded = true;
+        knows_unnumbered_ = std::ranges::any_of(
+            places_, [&](const acknowledged_message& m) { return is_known(m) && m.sequence_number == 0; });
     }
     // FNV-1a of 32 bits.
     [[nodiscard]] static constexpr std::uint32_t digest_of(std::span<const std::byte> body) noexcept {
@@ -152,6 +177,7 @@ class acknowledged_receiver {
     address self_;
     std::span<acknowledged_message> places_;
     std::chrono::nanoseconds memory_;
+    bool knows_unnumbered_{}; // a message with the number 0 may be remembered
 };
 
 } // namespace jauscat::jaus
