@@ -172,6 +172,27 @@ TEST_CASE("the emergency of one that is gone can be cleared by any") {
     REQUIRE(a.core.state() == standby_state);
 }
 
+TEST_CASE("who clears its own emergency does not clear that of another, gone or without a place") {
+    arm a;
+    a.set(ocu);
+    a.set(other);
+    a.core.on_lost([](const jaus::address& who) { return who == other; });
+    REQUIRE(a.clear(ocu) == message_outcome::taken);
+    REQUIRE(a.core.state() == emergency_state);
+    REQUIRE(a.clear(third) == message_outcome::taken);
+    REQUIRE(a.core.state() == standby_state);
+
+    arm full; // of two places
+    full.set(ocu);
+    full.set(other);
+    full.set(third);
+    full.clear(ocu);
+    full.clear(other);
+    REQUIRE(full.core.state() == emergency_state);
+    REQUIRE(full.clear(third) == message_outcome::taken);
+    REQUIRE(full.core.state() == standby_state);
+}
+
 TEST_CASE("an emergency is in force also when there is no place to remember who set it") {
     arm a;
     a.set(ocu);
@@ -207,10 +228,18 @@ TEST_CASE("a shutdown ends an emergency and all holds") {
     REQUIRE_FALSE(a.core.holds_emergency(ocu));
 }
 
-TEST_CASE("emergency messages without their bit change nothing") {
+TEST_CASE("a Set Emergency stops whatever its code says and its body is, a Clear Emergency needs its bit") {
+    const std::array<std::byte, 3> bytes{std::byte{0}, std::byte{0x80}, std::byte{0xFF}};
+    for (std::size_t size = 0; size <= bytes.size(); ++size) {
+        arm a;
+        const auto body = std::span{bytes}.first(size);
+        REQUIRE_FALSE(jaus::says_emergency(body));
+        REQUIRE(a.core.on_message({.command_code = 6, .source = ocu}, body, {}, a.sent.sink()) ==
+                message_outcome::taken);
+        REQUIRE(a.core.state() == emergency_state);
+        REQUIRE(a.core.holds_emergency(ocu));
+    }
     arm a;
-    REQUIRE(a.hear(jaus::set_emergency{}) == message_outcome::taken);
-    REQUIRE(a.core.state() == ready);
     a.set();
     REQUIRE(a.hear(jaus::clear_emergency{}) == message_outcome::taken);
     REQUIRE(a.core.state() == emergency_state);
@@ -234,7 +263,7 @@ TEST_CASE("a query is answered with the state and the secondary code, also when 
 TEST_CASE("bodies of the wrong size and other messages change nothing") {
     arm a;
     const std::array<std::byte, 3> bytes{};
-    for (const std::uint16_t code : std::to_array<std::uint16_t>({2, 3, 4, 5, 6, 7, 0x2002})) {
+    for (const std::uint16_t code : std::to_array<std::uint16_t>({2, 3, 4, 5, 7, 0x2002})) {
         CAPTURE(code);
         CHECK(a.core.on_message({.command_code = code, .source = ocu}, bytes, {}, a.sent.sink()) ==
               message_outcome::malformed);

@@ -315,6 +315,16 @@ TEST_CASE("anyone stops a controlled arm, only that one lets it go on, its contr
     REQUIRE(a.efforts.size() == 2);
 }
 
+TEST_CASE("a Set Emergency with the code 0, as there are nodes that send it, stops, and its outcome says so") {
+    arm a;
+    REQUIRE(a.hear(jaus::set_emergency{}, boss_address, ack_nak::request) == stopped_anyway);
+    REQUIRE(a.core.state() == primary_status_code::emergency);
+    REQUIRE(a.sent[0] == from_hex("36 02 06 00 01 28 01 09 01 31 02 03 00 00 00 00"));
+    REQUIRE(a.core.count(stopped_anyway) == 1);
+    REQUIRE(a.hear(go_on, boss_address) == taken);
+    REQUIRE(a.core.state() == primary_status_code::standby);
+}
+
 TEST_CASE("control, and the hold of an emergency, end with those who had them") {
     arm a;
     a.put_under_control_of(ocu_address);
@@ -781,12 +791,13 @@ TEST_CASE(
                 REQUIRE(is_or_may_be_controller);
                 REQUIRE(what == taken);
             }
-            if (code == 0x0006 && size == 2 && bytes[0] == std::byte{1} && !jaus::is_acknowledgement(head) &&
-                what != repeated) {
-                REQUIRE(what == taken);
+            if (code == 0x0006 && !jaus::is_acknowledgement(head)) {
+                REQUIRE((what == taken || what == stopped_anyway));
+                REQUIRE((what == taken) == jaus::says_emergency(body));
                 REQUIRE((a.core.state() == primary_status_code::emergency || before == primary_status_code::shutdown));
             }
-            if (what != taken) REQUIRE(a.core.state() == before);
+            const bool done = what == taken || what == stopped_anyway;
+            if (!done) REQUIRE(a.core.state() == before);
             if (what == not_controller) REQUIRE_FALSE(is_or_may_be_controller);
             if (before == primary_status_code::emergency && a.core.state() != before)
                 REQUIRE((code == 0x0002 || code == 0x0007));
@@ -795,11 +806,12 @@ TEST_CASE(
                 REQUIRE_FALSE(a.sent.empty());
                 const auto last = a.sent.header(a.sent.size() - 1);
                 REQUIRE(jaus::is_acknowledgement(last));
-                if (what != repeated) REQUIRE((last.ack_nak == ack_nak::ack) == (what == taken));
+                if (what != repeated) REQUIRE((last.ack_nak == ack_nak::ack) == done);
             }
         }
     }
     // All of it has happened.
-    for (const auto what : {taken, refused, malformed, unknown, not_controller, not_ready, repeated, not_waited_for})
+    for (const auto what :
+         {taken, stopped_anyway, refused, malformed, unknown, not_controller, not_ready, repeated, not_waited_for})
         REQUIRE(outcomes[what] > 0);
 }

@@ -191,6 +191,9 @@ template <class... Parts> class component {
         case message_outcome::deferred: what = component_outcome::deferred; break;
         case message_outcome::not_mine: what = component_outcome::unknown; break;
         }
+        const bool is_obeyed = outcome == message_outcome::taken || outcome == message_outcome::deferred;
+        if (is_obeyed && head.command_code == set_emergency::command_code && !says_emergency(body))
+            what = component_outcome::stopped_anyway;
         return outcome;
     }
 

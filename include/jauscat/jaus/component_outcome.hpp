@@ -11,6 +11,7 @@ namespace jauscat::jaus {
 enum class component_outcome : std::uint8_t {
     taken,           ///< done
     deferred,        ///< executed later, see component::finish
+    stopped_anyway,  ///< taken or deferred: a Set Emergency whose code or body does not say so
     refused,         ///< understood, but not done
     malformed,       ///< the body does not decode
     unknown,         ///< nobody here knows the message
@@ -23,13 +24,14 @@ enum class component_outcome : std::uint8_t {
     not_waited_for,  ///< an ACK or NAK that no message waits for: late, or strange
 };
 /// How many outcomes there are, for counters.
-inline constexpr std::size_t component_outcome_count = 12;
+inline constexpr std::size_t component_outcome_count = 13;
 
 /// The outcome in one line, for logs.
 [[nodiscard]] constexpr std::string_view describe(component_outcome what) noexcept {
     constexpr std::array<std::string_view, component_outcome_count> lines{
         "taken",
         "deferred: executed and acknowledged later",
+        "stopped, although the code of the Set Emergency does not say so",
         "refused",
         "malformed: the body does not decode",
         "unknown message",

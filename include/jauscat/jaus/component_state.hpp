@@ -18,7 +18,7 @@ enum class state_event : std::uint8_t {
     standby,           ///< Standby
     resume,            ///< Resume
     reset,             ///< Reset
-    emergency,         ///< Set Emergency with its bit
+    emergency,         ///< Set Emergency
     emergency_cleared, ///< Clear Emergency with its bit, when nobody is left who holds the emergency
 };
 
@@ -63,6 +63,13 @@ enum class state_event : std::uint8_t {
     return command_code >= shutdown::command_code && command_code <= clear_emergency::command_code;
 }
 
+/// Whether the body of a Set Emergency says what the message is for. A component stops without it, too: there are nodes
+/// that send the code 0.
+[[nodiscard]] constexpr bool says_emergency(std::span<const std::byte> body) noexcept {
+    set_emergency message{};
+    return wire::decode(message, body) && message.emergency_code.test(set_emergency_code::transition_to_emergency);
+}
+
 /// Where an emergency ends for a component that was ready before.
 enum class after_emergency : std::uint8_t {
     standby, ///< nothing moves before a Resume: what the RA and its nodes do
@@ -72,9 +79,10 @@ enum class after_emergency : std::uint8_t {
 /// A component's state, and what it answers to Query Component Status. It begins in Initialize.
 ///
 /// An emergency is held by each component that has set it, and by the application if that has. Each takes its own hold
-/// away; the emergency ends with the last one. Who holds nothing cannot clear it, not even a controller, as long as a
-/// holder is there; the hold of one that is gone (on_lost) can be cleared by any. `Holders`: how many components are
-/// remembered; the emergency of one more is in force all the same, and can be cleared by any.
+/// away and no other; the emergency ends with the last one. Who holds nothing cannot clear it, not even a controller,
+/// as long as a holder is there; the hold of one that is gone (on_lost) can be cleared by any that holds none itself.
+/// `Holders`: how many components are remembered; the emergency of one more is in force all the same, and can be
+/// cleared in the same way.
 ///
 /// After an emergency the component is in Standby, or in Ready with after_emergency::resume, if it was ready; what was
 /// in another state is in that again: who has not initialised or has failed cannot be made to work by an emergency.
@@ -105,8 +113,9 @@ template <std::size_t Holders = 8> class component_state {
         end_if_unheld();
     }
 
-    /// Takes the messages above; answers Query Component Status. Refused: what the table refuses, and a Clear Emergency
-    /// from one that holds nothing. A Set or Clear Emergency without its bit is taken and changes nothing.
+    /// Takes the messages above; answers Query Component Status. Set Emergency is taken whatever its body is. Refused:
+    /// what the table refuses, and a Clear Emergency from one that holds nothing. A Clear Emergency without its bit is
+    /// taken and changes nothing.
     constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds,
                                          message_sink out) noexcept {
         switch (head.command_code) {
@@ -114,10 +123,7 @@ template <std::size_t Holders = 8> class component_state {
         case standby::command_code: return command<standby>(body, state_event::standby);
         case resume::command_code: return command<resume>(body, state_event::resume);
         case reset::command_code: return command<reset>(body, state_event::reset);
-        case set_emergency::command_code:
-            return decode_for<set_emergency>(body, [&](const set_emergency& m) {
-                if (m.emergency_code.test(set_emergency_code::transition_to_emergency)) hold(head.source);
-            });
+        case set_emergency::command_code: hold(head.source); return message_outcome::taken;
         case clear_emergency::command_code:
             return decode_for<clear_emergency>(body, [&](const clear_emergency& m) {
                 return !m.emergency_code.test(clear_emergency_code::clear_emergency) || release(head.source)
@@ -183,8 +189,10 @@ template <std::size_t Holders = 8> class component_state {
     constexpr bool release(const address& who) noexcept {
         if (state_ != primary_status_code::emergency) return true;
         if (!holds_emergency(who) && !anyones_hold_) return false;
-        anyones_hold_ = false;
-        drop_holders([&](const address& holder) { return holder == who; });
+        if (holds_emergency(who))
+            drop_holders([&](const address& holder) { return holder == who; });
+        else
+            anyones_hold_ = false;
         end_if_unheld();
         return true;
     }
