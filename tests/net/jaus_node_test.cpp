@@ -319,6 +319,7 @@ TEST_CASE("a handler may stop the node, but not add components to it while they 
     node = &robot;
     robot.add(first, application);
     robot.start();
+    first.change(jaus::state_event::initialized);
     REQUIRE(robot.send({.command_code = 0xD100, .destination = make(2, 1, 33), .source = make(2, 1)}, bytes{}));
     REQUIRE(support::until(context, [&] { return heard; }));
     REQUIRE(refused);

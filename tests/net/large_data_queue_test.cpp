@@ -191,6 +191,7 @@ TEST_CASE("acknowledgements of others are not the queue's") {
 TEST_CASE("a large data set that the component refused is refused again when the NAK was lost") {
     jaus::component_memory<> memory{};
     jaus::component core{screen, memory, {}, {}};
+    core.change(jaus::state_event::initialized);
     unsigned count = 0;
     auto application = [&](const jaus::header&, std::span<const std::byte>) {
         return ++count % 2 == 1 ? jaus::message_outcome::refused : jaus::message_outcome::taken;

@@ -61,10 +61,10 @@ class held_control {
         if (tell) put(head(), release_component_control{}, out);
     }
 
-    /// Takes Confirm and Reject Component Control and Query Heartbeat Pulse from the target; others' are not its
-    /// business. A confirmation of control that this side does not want, or does not know it has, is answered with a
-    /// release: the component must not be held by nobody. For the same reason the target's question for the pulse is
-    /// answered only where control is held or asked for: otherwise the target loses its controller after its timeout.
+    /// Takes Confirm and Reject Component Control from the target, and its question for the pulse while control is
+    /// wanted; others' are not its business. A confirmation of control that this side does not want, or does not know
+    /// it has, is answered with a release: the component must not be held by nobody. For the same reason the first
+    /// questions for the pulse after control was given up are: the release may have been lost.
     constexpr message_outcome on_message(const header& from, std::span<const std::byte> body,
                                          std::chrono::nanoseconds now, message_sink out) noexcept {
         if (from.source != target_ || is_acknowledgement(from)) return message_outcome::not_mine;
@@ -78,10 +78,19 @@ class held_control {
             return decode_for<reject_component_control>(body, [&](const reject_component_control&) {
                 if (state_ == control_state::held) enter(control_state::lost);
                 if (state_ == control_state::asking) enter(control_state::refused);
+                releases_ = 0;
             });
         case query_heartbeat_pulse::command_code:
             return decode_for<query_heartbeat_pulse>(body, [&](const query_heartbeat_pulse&) {
-                if (is_wanted()) answer(from, self_, report_heartbeat_pulse{}, out);
+                if (is_wanted()) {
+                    answer(from, self_, report_heartbeat_pulse{}, out);
+                    return message_outcome::taken;
+                }
+                if (releases_ != 0) {
+                    --releases_;
+                    put(head(), release_component_control{}, out);
+                }
+                return message_outcome::not_mine;
             });
         default: return message_outcome::not_mine;
         }
@@ -108,6 +117,8 @@ class held_control {
     }
 
   private:
+    static constexpr unsigned most_releases = 8;
+
     [[nodiscard]] constexpr bool is_wanted() const noexcept {
         return state_ == control_state::held || state_ == control_state::asking;
     }
@@ -128,7 +139,10 @@ class held_control {
         enter(state_ == control_state::held ? control_state::lost : control_state::refused);
     }
     constexpr void enter(control_state state) noexcept {
-        if (std::exchange(state_, state) != state && changed_) changed_(state);
+        const bool was_wanted = is_wanted();
+        const bool is_new = std::exchange(state_, state) != state;
+        if (was_wanted && !is_wanted()) releases_ = most_releases;
+        if (is_new && changed_) changed_(state);
     }
 
     address self_;
@@ -138,6 +152,7 @@ class held_control {
     control_state state_{};
     std::uint8_t authority_{};
     unsigned asked_{};              // requests since the last answer
+    unsigned releases_{};           // sent when the target still asks for the pulse
     std::chrono::nanoseconds at_{}; // of the last request or answer
 };
 
