@@ -9,6 +9,7 @@ void arm_unit::power_on() {
     watch_.emplace(*arm_, command_timeout);
     emergency_ = false;
     aborts_ = 0;
+    denies_objects_ = false;
     slave_.power_on();
     moved_(0);
 }
@@ -31,6 +32,7 @@ ethercat::abort_code arm_unit::write(std::uint16_t index, std::uint8_t subindex,
     if (aborts_ != 0) {
         --aborts_;
         aborted_ = true;
+        if (abort_ == ethercat::abort_code::no_object) denies_objects_ = true;
         return abort_;
     }
     const auto result = application_->write(index, subindex, data);

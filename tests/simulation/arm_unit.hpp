@@ -44,6 +44,8 @@ class arm_unit {
         aborts_ = writes;
         abort_ = code;
     }
+    /// It has said that it has no such object: who believes that does not tell it of emergencies any more.
+    [[nodiscard]] bool denies_objects() const noexcept { return denies_objects_; }
     /// Whether there was one since the last call.
     bool take_aborted() noexcept { return std::exchange(aborted_, false); }
 
@@ -67,7 +69,7 @@ class arm_unit {
     std::optional<example::arm_watch> watch_{};
     bool emergency_{};
     unsigned aborts_{};
-    bool aborted_{};
+    bool aborted_{}, denies_objects_{};
     ethercat::abort_code abort_{};
     ethercat::slave_description description_ = [] {
         auto made = example::arm_slave;

@@ -138,16 +138,19 @@ void bridge_program::frame_returns(bytes frame) {
     if (!running()) return; // its socket is full of them when it goes on; a frame that old is of no use
     const auto out = [this](bytes message) { put(message); };
     data_->bus->on_frame(frame, local(), out);
-    pump();
+    send_frames();
     rearm();
 }
 
-// What the ring makes of news, and the frames that it wants to send.
+// What the ring makes of news.
 void bridge_program::pump() {
     const auto out = [this](bytes message) { put(message); };
     data_->bus->on_time(local(), out);
-    std::array<std::byte, ethercat::max_frame_size> frame{};
-    while (const auto size = data_->bus->next_frame(frame, local())) wire_.send(std::span{frame}.first(size));
+    send_frames();
+}
+
+void bridge_program::send_frames() {
+    while (const auto size = data_->bus->next_frame(frame_, local())) wire_.send(bytes{frame_}.first(size));
     if (data_->ends && data_->bus->at_rest() && world_.now() - data_->ends_since > milliseconds{50})
         world_.at(world_.now(), *this, to_kill, life());
 }

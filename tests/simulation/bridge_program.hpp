@@ -62,6 +62,7 @@ class bridge_program final : public process, public frame_user {
     struct life_data;
 
     void pump();
+    void send_frames();
     void put(bytes message);
     void look_after(unit& one);
 
@@ -72,6 +73,7 @@ class bridge_program final : public process, public frame_user {
     std::vector<std::unique_ptr<side_port>> side_ports_{};
     std::vector<std::uint8_t> accounts_{};
     std::unique_ptr<life_data> data_{};
+    std::array<std::byte, ethercat::max_frame_size> frame_{};
 };
 
 } // namespace simulation

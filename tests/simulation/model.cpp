@@ -220,15 +220,22 @@ void model::answers(std::uint8_t which, bytes message) {
         (ack ? a.acknowledged : a.refused) = true;
         return;
     }
-    // One that comes later, of a message that took its time.
+    if (ack) later_acknowledged(a, head);
+}
+
+// Of a message that took its time. Of several with the same number it is one that was executed, if there is one.
+void model::later_acknowledged(actuator_account& a, const jaus::header& head) {
+    std::uint32_t latest = 0;
+    look(a);
     for (std::size_t i = 0; i != std::min<std::size_t>(a.arrived_count, a.arrived.size()); ++i) {
         const auto* sent = find(a.arrived[(a.arrived_count - 1 - i) % a.arrived.size()]);
         if (sent == nullptr || sent->source != head.destination || sent->code != head.command_code ||
             sent->sequence_number != head.sequence_number)
             continue;
-        if (ack) acknowledged(a, sent->number);
-        return;
+        if (latest == 0) latest = sent->number;
+        if (sent->done || has_effect(a, *sent)) return acknowledged(a, sent->number);
     }
+    acknowledged(a, latest);
 }
 
 bool model::state_is_right(const actuator_account& a, std::uint16_t code) {
@@ -254,7 +261,11 @@ bool model::has_effect(const actuator_account& a, const sent_message& sent) cons
     switch (sent.code) {
     case jaus::set_wrench_effort::command_code: return sent.command == 0 && has_rested;
     case jaus::set_emergency::command_code: {
-        const bool was_restarted = a.wire != nullptr && (*a.wire)[a.slave].restarted_at >= sent.arrived_at;
+        // One that has restarted unseen does not know of its emergency any more.
+        const bool just_on = world_.now() - a.program->jumped_at() <= 2 * a.at_rest_in;
+        const time unseen = (just_on ? a.program->last_silence() : sent.arrived_at) - 2 * a.at_rest_in;
+        const bool was_restarted = a.wire != nullptr && ((*a.wire)[a.slave].restarted_at >= unseen ||
+                                                         (*a.wire)[a.slave].arm->denies_objects());
         const bool ended = a.state == primary_status_code::shutdown;
         return sent.state_was_right && has_rested && (ended || was_restarted || a.emergency_seen_at >= sent.arrived_at);
     }

@@ -176,6 +176,7 @@ class model {
     [[nodiscard]] std::optional<std::uint8_t> account_of(const jaus::address& id) const noexcept;
     [[nodiscard]] std::optional<time> unreachable_since(std::uint8_t sender, const actuator_account& to) const;
     void acknowledged(actuator_account& a, std::uint32_t number);
+    void later_acknowledged(actuator_account& a, const jaus::header& head);
     [[nodiscard]] bool has_effect(const actuator_account& a, const sent_message& sent) const;
     [[nodiscard]] static bool state_is_right(const actuator_account& a, std::uint16_t code);
     void look(actuator_account& a) const;

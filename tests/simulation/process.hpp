@@ -30,6 +30,8 @@ class process : public actor, public port_user {
     [[nodiscard]] time local() const noexcept { return world_.now() + leapt_; }
     /// Grows only while it runs.
     [[nodiscard]] time run_time() const noexcept { return (running() ? world_.now() : changed_at_) - idle_; }
+    /// When it last ceased to run.
+    [[nodiscard]] time last_silence() const noexcept { return last_silence_; }
     /// When its clock or the process itself has last made a jump.
     [[nodiscard]] time jumped_at() const noexcept { return jumped_at_; }
 
@@ -125,6 +127,7 @@ class process : public actor, public port_user {
         if (condition_ != condition::running) idle_ += world_.now() - changed_at_;
         condition_ = to;
         changed_at_ = world_.now();
+        if (to != condition::running) last_silence_ = world_.now();
     }
     void begin() {
         change(condition::running);
@@ -187,7 +190,7 @@ class process : public actor, public port_user {
     std::uint8_t port_;
     condition condition_{condition::dead};
     std::uint32_t life_{};
-    time changed_at_{}, idle_{}, leapt_{}, jumped_at_{};
+    time changed_at_{}, idle_{}, leapt_{}, jumped_at_{}, last_silence_{};
     time wake_at_{time::max()};
     unsigned spins_{}; ///< in a row
     time spun_at_{};

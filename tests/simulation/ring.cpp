@@ -11,7 +11,7 @@ using std::chrono::microseconds;
 using std::chrono::milliseconds;
 namespace registers = ethercat::esc_registers;
 
-constexpr time tick_time = milliseconds{5};
+constexpr time tick_time = milliseconds{10};
 constexpr std::array ring_faults{fault::cable_out,    fault::slave_frozen,     fault::slave_restarted,
                                  fault::slave_aborts, fault::slave_falls_back, fault::mailbox_recounted,
                                  fault::other_master, fault::unknown_state};
@@ -68,6 +68,7 @@ void ring::pass(std::span<std::byte> frame) {
     for (std::size_t i = 0; i != places_.size() && is_reachable(i); ++i) {
         auto& at = places_[i];
         at.arm->pass(frame, world_.now(), at.frozen);
+        at.passed_at = world_.now();
         if (at.recount != 0 || at.state_is_unknown) alter(at, frame);
         if (at.arm->take_aborted()) at.disturbed_at = world_.now();
         look(at);
@@ -146,6 +147,7 @@ void ring::on_event(std::uint8_t what, std::uint32_t argument) {
     case tick:
         world_.in(tick_time, *this, tick);
         for (auto& at : places_) {
+            if (world_.now() - at.passed_at < tick_time) continue; // a frame has had it work
             if (!at.frozen && !at.away) at.arm->on_time(world_.now());
             look(at);
         }

@@ -56,7 +56,7 @@ struct ring_place {
     std::unique_ptr<arm_unit> arm{};
     bool frozen{}, away{}, state_is_unknown{};
     std::uint8_t recount{}; ///< added to its mailbox counter
-    time unfrozen_at{}, restarted_at{};
+    time unfrozen_at{}, restarted_at{}, passed_at{};
     time disturbed_at{}; ///< when something last happened to it that may delay a stop order
     ethercat::al_state told_state{};
     std::optional<time> unreachable_since{}, left_state_since{}, taken_since{}, unknown_since{};
