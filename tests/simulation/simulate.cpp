@@ -38,7 +38,7 @@ std::atomic<bool> interrupted{};
 
 struct options {
     std::uint64_t first_seed{};
-    bool one_seed{}, whole{}, keep_going{}, progress{true};
+    bool whole{}, keep_going{}, shrinks{true};
     double hours{};   ///< simulated; 0: no limit
     double seconds{}; ///< real; 0: no limit
     unsigned jobs{};
@@ -78,13 +78,12 @@ struct totals {
     }
 };
 
-void show_violation(settings what, const run_result& first, bool whole) {
-    std::printf("\nseed %llu breaks the contract; looking for what it takes\n",
-                static_cast<unsigned long long>(what.seed));
+void show_violation(settings what, const run_result& first, const options& chosen) {
+    std::printf("\nseed %llu breaks the contract\n", static_cast<unsigned long long>(what.seed));
     std::fflush(stdout);
-    what = shrink(what, *first.broken);
-    const auto again = run(what);
-    std::fputs(story_text(what, again, whole).c_str(), stdout);
+    if (chosen.shrinks) what = shrink(what, *first.broken);
+    const auto again = chosen.shrinks ? run(what) : first;
+    std::fputs(story_text(what, again, chosen.whole).c_str(), stdout);
     std::printf("again: scripts/simulate --seed %llu --seconds %lld\n", static_cast<unsigned long long>(what.seed),
                 static_cast<long long>(what.length / std::chrono::seconds{1}));
 }
@@ -119,7 +118,7 @@ bool run_seeds(const options& chosen) {
             all.add(result);
             if (result.broken && (!over || chosen.keep_going)) {
                 if (!chosen.keep_going) over = true;
-                show_violation(what, result, chosen.whole);
+                show_violation(what, result, chosen);
             }
             if (chosen.hours != 0 && all.simulated >= chosen.hours * 3600) over = true;
             if (chosen.seconds != 0 && std::chrono::duration<double>(wall::now() - begin).count() >= chosen.seconds)
@@ -152,7 +151,7 @@ bool run_one(const options& chosen) {
                 static_cast<long long>(result.length / std::chrono::seconds{1}),
                 static_cast<unsigned long long>(result.steps), static_cast<unsigned long long>(result.digest));
     if (!result.broken) return true;
-    show_violation(what, result, chosen.whole);
+    show_violation(what, result, chosen);
     return false;
 }
 
@@ -172,6 +171,7 @@ int start(int argc, char** argv) {
         ("only", po::value<std::vector<std::string>>(), "only this kind of fault; may be given several times")
         ("without", po::value<std::vector<std::string>>(), "without this kind of fault")
         ("whole", po::bool_switch(), "the whole end of the story, not only what matters")
+        ("no-shrink", po::bool_switch(), "do not look for fewer faults and actors that break the contract too")
         ("keep-going", po::bool_switch(), "go on after a violation");
     // clang-format on
     po::variables_map values;
@@ -188,6 +188,7 @@ int start(int argc, char** argv) {
     }
     options chosen{.whole = values["whole"].as<bool>(),
                    .keep_going = values["keep-going"].as<bool>(),
+                   .shrinks = !values["no-shrink"].as<bool>(),
                    .hours = values["hours"].as<double>(),
                    .seconds = values["for"].as<double>(),
                    .jobs = std::max(values["jobs"].as<unsigned>(), 1U),
