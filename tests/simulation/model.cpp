@@ -592,8 +592,7 @@ void model::look_for_lost_holders(actuator_account& a) {
     for (auto& holder : a.holders) {
         const auto who = account_of(holder.id);
         const auto heard = who ? network_.pulse_heard(senders_[*who].program->port(), a.port) : time{};
-        if (world_.now() - std::max(heard, holder.since) > std::chrono::milliseconds{1500} ||
-            a.program->jumped_at() >= holder.since)
+        if (world_.now() - heard > std::chrono::milliseconds{1500} || a.program->jumped_at() >= holder.since)
             holder.may_be_lost = true;
     }
 }

@@ -126,8 +126,7 @@ void operator_program::send_large() {
                             .command_code = large_code,
                             .destination = target_,
                             .source = id_};
-    model_.sends_large(account_, head, identity);
-    if (!node().send(head, large_, local())) model_.learns_large(account_, head, jaus::delivered::timed_out);
+    if (node().send(head, large_, local())) model_.sends_large(account_, head, identity);
 }
 
 // A request that nobody answers comes to an end.
