@@ -69,8 +69,8 @@ void model::learns(std::uint8_t sender, const jaus::header& head, bool acknowled
     bool ambiguous = head.sequence_number == 0;
     for (std::size_t i = 0; i != std::min<std::size_t>(account.count, account.last.size()); ++i) {
         auto* known = find(account.last[(account.count - 1 - i) % account.last.size()]);
-        if (known == nullptr || known->code != head.command_code || known->sequence_number != head.sequence_number ||
-            known->destination != head.destination)
+        if (known == nullptr || !known->wants_acknowledgement || known->code != head.command_code ||
+            known->sequence_number != head.sequence_number || known->destination != head.destination)
             continue;
         // Another message of the same number: the acknowledgement does not say whose it is.
         if (mine != nullptr) ambiguous = true;
@@ -93,7 +93,7 @@ void model::learns_nothing(std::uint8_t sender, const jaus::header& head) {
     auto& account = senders_[sender];
     for (std::size_t i = 0; i != std::min<std::size_t>(account.count, account.last.size()); ++i) {
         auto* known = find(account.last[(account.count - 1 - i) % account.last.size()]);
-        if (known == nullptr || known->closed || known->code != head.command_code ||
+        if (known == nullptr || !known->wants_acknowledgement || known->closed || known->code != head.command_code ||
             known->sequence_number != head.sequence_number || known->destination != head.destination)
             continue;
         known->closed = true;
