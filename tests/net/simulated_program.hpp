@@ -25,6 +25,7 @@ struct simulated_program {
         options.log = [this](std::string_view line) { log.emplace_back(line); };
         options.appeared = [this](const jaus::address& who) { appeared.push_back(who); };
         options.disappeared = [this](const jaus::address& who) { disappeared.push_back(who); };
+        options.large_data_done = [this](const jaus::header&, jaus::delivered what) { large_done.push_back(what); };
         return options;
     }
 
@@ -42,7 +43,8 @@ struct simulated_program {
     simulated_network& on;
     std::vector<std::string> log{};
     std::vector<jaus::address> appeared{}, disappeared{};
-    std::vector<bytes> large{};
+    std::vector<bytes> large{}; ///< that came
+    std::vector<jaus::delivered> large_done{};
     hooks_type hooks{};
     jaus::component_memory<> memory{};
     jaus::held_control other{self, make(2, 1, 33), {.patience = 2s}};

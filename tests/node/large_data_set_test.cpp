@@ -20,7 +20,7 @@ struct receiver {
     std::array<jaus::partial_data_set, 2> places{};
     std::array<jaus::held_packet, 8> packets{};
     std::array<std::byte, 16> memory{};
-    jaus::reassembler sets{places, packets, memory, 1s, {.places_per_source = 2}};
+    jaus::reassembler sets{places, packets, memory, 1s, {.places_per_source = 2, .longest_gap = 1s}};
     std::vector<std::string> whole{};
     std::vector<std::size_t> lost{}; ///< packets that each incomplete data set had
 
@@ -243,6 +243,43 @@ TEST_CASE("a last packet that is repeated for want of its acknowledgement begins
     REQUIRE(r.whole == texts{"01 02", "03 02", "03 02"});
     REQUIRE(r.lost.empty());
     REQUIRE(hear(data_flag::last, 1, "02", 4010ms) == reassembled::waiting);
+}
+
+TEST_CASE("what may be of two data sets is not put together") {
+    receiver r;
+    // The tail of one, whose head was not received, and the head of the next.
+    r.hear(data_flag::middle, 1, "02", 0ms);
+    r.hear(data_flag::last, 2, "03", 1ms);
+    REQUIRE(r.hear(data_flag::first, 0, "0a", 3ms) == reassembled::waiting);
+    REQUIRE(r.hear(data_flag::middle, 1, "0b", 4ms) == reassembled::waiting);
+    REQUIRE(r.hear(data_flag::last, 2, "0c", 5ms) == reassembled::whole);
+    // The head of one, and after a long silence the tail of the next, whose head was not received.
+    r.hear(data_flag::first, 0, "01", 100ms);
+    REQUIRE(r.hear(data_flag::last, 1, "0b", 1101ms) == reassembled::waiting);
+    // Two that begin alike.
+    r.hear(data_flag::first, 0, "01", 2000ms);
+    r.hear(data_flag::middle, 1, "02", 2000ms);
+    r.hear(data_flag::first, 0, "01", 2003ms);
+    REQUIRE(r.hear(data_flag::last, 2, "0c", 2004ms) == reassembled::waiting);
+    // One that asks for acknowledgement, and one that does not; other bytes under a number that was repeated.
+    r.hear(data_flag::first, 0, "01", 4000ms, 1, 0x4807, jaus::ack_nak::request);
+    REQUIRE(r.hear(data_flag::last, 1, "0b", 4001ms) == reassembled::waiting);
+    r.hear(data_flag::first, 0, "01", 6000ms);
+    r.hear(data_flag::repeated, 0, "0a", 6001ms);
+    REQUIRE(r.hear(data_flag::last, 1, "02", 6001ms) == reassembled::whole);
+    REQUIRE(r.whole == texts{"0a 0b 0c", "0a 02"});
+}
+
+TEST_CASE("a last packet that asks for acknowledgement is kept when it makes the data set whole") {
+    receiver r;
+    const auto hear = [&](data_flag flag, std::uint16_t number, const std::string& body) {
+        return r.hear(flag, number, body, 0ms, 1, 0x4807, jaus::ack_nak::request);
+    };
+    REQUIRE(hear(data_flag::first, 0, "01") == reassembled::waiting);
+    REQUIRE(hear(data_flag::last, 2, "03") == reassembled::waiting);
+    REQUIRE(hear(data_flag::middle, 1, "02") == reassembled::waiting);
+    REQUIRE(hear(data_flag::last, 2, "03") == reassembled::whole);
+    REQUIRE(r.whole == texts{"01 02 03"});
 }
 
 TEST_CASE("a silent data set gives its place to another") {

@@ -104,6 +104,7 @@ class end {
                            jaus::component_outcome) {
             if (head.command_code == jaus::report_heartbeat_pulse::command_code) ++heartbeats;
         };
+        made.large_data_pause = 100ms; // three each second
         made.large_data_done = [this](const jaus::header&, jaus::delivered what) { large.done(what); };
         return made;
     }

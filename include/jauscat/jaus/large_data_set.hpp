@@ -14,7 +14,7 @@ namespace jauscat::jaus {
 /// What became of a packet.
 enum class reassembled : std::uint8_t {
     only,      ///< no part of a large data set, or an acknowledgement: it is the caller's
-    waiting,   ///< kept; others are missing
+    waiting,   ///< kept; others are missing. A last packet that asks for acknowledgement is not kept: it is repeated
     whole,     ///< the last one that was missing: the whole has been handed on
     repeated,  ///< held already, or a straggler of the data set that was just handed on, and dropped
     no_room,   ///< dropped: every place, or its source's share of them, is taken by data sets that go on
@@ -40,6 +40,8 @@ struct partial_data_set {
     std::size_t packets{};                    ///< how many are held; 0: the place is free
     std::size_t bytes{};                      ///< of body that are held
     std::optional<std::uint16_t> last{};      ///< sequence number of the last packet, once that has come
+    bool begun{};                             ///< packet 0 is held
+    std::chrono::nanoseconds begun_at{};      ///< when packet 0 last came; before it came, when the first other did
     std::chrono::nanoseconds last_heard_at{}; ///< when a packet of it last came
     std::uint64_t order{};                    ///< the higher the later, among packets of one time too
     std::size_t handed_on{};                  ///< packets of the whole that was made here last; the place is free then
@@ -57,25 +59,34 @@ struct reassembly_limits {
     /// Places that one source may take, with several command codes at a time; 0: half of them, at least one.
     std::size_t places_per_source{};
     /// So long after a data set is whole, packets equal to its own are taken for stragglers of it, not for parts of an
-    /// equal or similar next one. As long as the network may hold packets back, and shorter than senders pause.
+    /// equal or similar next one; and so long other packets may come before packet 0. As long as packets overtake each
+    /// other, and shorter than senders pause.
     std::chrono::nanoseconds linger{std::chrono::milliseconds{2}};
     /// The same for a last packet that asks for acknowledgement: its sender repeats it until it gets one, and that may
     /// be lost. As long as senders repeat.
     std::chrono::nanoseconds linger_of_repeats{std::chrono::seconds{2}};
+    /// A data set whose packets ask for no acknowledgement is given up when the next one comes after so long a silence:
+    /// it may be of another data set. Shorter than senders pause between two of them.
+    std::chrono::nanoseconds longest_gap{std::chrono::milliseconds{125}};
 };
 
 /// Puts data sets together by command code and source. Packets may come out of order and more than once.
 ///
 /// Memory is what the caller gives: a flood takes places, never more memory. A data set of which a second packet has
 /// come goes on, and keeps its place until it has been silent for the patience. One with a single packet gives its
-/// place to a newcomer where no other is free, the longest silent one first, so a flood of first packets, from
-/// whatever sources, neither displaces what goes on nor keeps others out.
+/// place to the packet 0 of a newcomer where no other is free, the longest silent one first, so a flood of first
+/// packets, from whatever sources, neither displaces what goes on nor keeps others out.
 ///
-/// Packets carry nothing that names their data set, and no receiver can make up for that. One equal to a packet of the
-/// whole before is told from a part of the next by time alone (`linger`). A data set that lacks a packet is
-/// given up when a packet comes that contradicts it; where its sender's next data set follows at once and the first
-/// packet that comes of it is just the one that lacks, that is taken for it: pause for longer than the network delays,
-/// or repeat what got lost. Whoever can send as the source of a data set can spoil it: let only known senders through.
+/// Packets carry nothing that names their data set: the next one of the same source and code uses the same numbers.
+/// What cannot be told apart is given up, never put together. A data set is given up when a packet comes
+/// - that contradicts it: another body or another end under a number that it has, or no wish for acknowledgement like
+/// the first's;
+/// - and packet 0 has not come within `linger` of the first other one;
+/// - after `longest_gap`, or with another packet 0 after `linger`, where no acknowledgement is asked for. Who asks for
+///   it sends the last packet when all others are acknowledged, and these have been compared with what is held.
+/// This is safe with senders that pause between two data sets for longer than the network holds packets back, and
+/// longest_gap more after one that was not acknowledged. Whoever can send as the source of a data set can spoil it: let
+/// only known senders through.
 ///
 ///     std::array<jaus::partial_data_set, 4> places{};
 ///     std::array<jaus::held_packet, 4 * 64> packets{};
@@ -104,11 +115,19 @@ class reassembler {
         if (head.data_flag == data_flag::only || is_acknowledgement(head)) return reassembled::only;
         partial_data_set* set = find(head);
         if (set == nullptr && is_straggler(head, body, now)) return reassembled::repeated;
-        if (set != nullptr && begins_another(*set, head, body)) forget(*set, lost);
-        if (set == nullptr) set = free_place(head.source, now, lost);
+        if (set != nullptr && (contradicts(*set, head, body) || may_be_another(*set, head, now))) {
+            forget(*set, lost);
+            set = nullptr;
+        }
+        if (comes_too_early(set, head)) return reassembled::waiting;
+        if (set == nullptr) set = free_place(head, now, lost);
         if (set == nullptr) return reassembled::no_room;
-        if (set->packets == 0) *set = {.header = head};
-        if (head.sequence_number == 0) set->header = head;
+        if (set->packets == 0) *set = {.header = head, .begun_at = now};
+        if (head.sequence_number == 0) {
+            set->header = head;
+            set->begun = true;
+            set->begun_at = now;
+        }
         set->last_heard_at = now;
         set->order = ++order_;
 
@@ -145,6 +164,8 @@ class reassembler {
             if (set.packets != 0 && stale(set, now)) forget(set, lost);
     }
 
+    /// The data set to which a packet with this header belongs, as far as it has come, or nullptr.
+    [[nodiscard]] constexpr const partial_data_set* incomplete(const header& head) const noexcept { return find(head); }
     /// The places, for those who want to see what is incomplete.
     [[nodiscard]] constexpr std::span<const partial_data_set> places() const noexcept { return places_; }
 
@@ -155,17 +176,35 @@ class reassembler {
         });
         return found == places_.end() ? nullptr : &*found;
     }
+    [[nodiscard]] static constexpr bool is_requested(const header& head) noexcept {
+        return head.ack_nak == ack_nak::request;
+    }
     // A sender that has gone on to its next data set uses the numbers of the old one again, for other bytes.
-    [[nodiscard]] constexpr bool begins_another(const partial_data_set& set, const header& head,
-                                                std::span<const std::byte> body) const noexcept {
+    [[nodiscard]] constexpr bool contradicts(const partial_data_set& set, const header& head,
+                                             std::span<const std::byte> body) const noexcept {
+        if (is_requested(set.header) && !is_requested(head)) return true;
+        const bool ends = head.data_flag == data_flag::last;
         if (set.last && head.sequence_number > *set.last) return true;
-        if (head.data_flag == data_flag::repeated) return false;
         const auto held = share(packets_, set).first(set.packets);
-        if (head.data_flag == data_flag::last && !held.empty() && held.back().sequence_number > head.sequence_number)
-            return true;
+        if (ends && !held.empty() && held.back().sequence_number > head.sequence_number) return true;
         const auto at = position(held, head.sequence_number);
-        return at != held.end() && at->sequence_number == head.sequence_number &&
-               !std::ranges::equal(body_of(set, *at), body);
+        if (at == held.end() || at->sequence_number != head.sequence_number) return false;
+        const bool ended = set.last == head.sequence_number;
+        return (ends != ended && head.data_flag != data_flag::repeated) || !std::ranges::equal(body_of(set, *at), body);
+    }
+    // A last packet that asks for acknowledgement is not kept while others are missing: a packet of a later data set
+    // that fills the gap would make a whole of both. It is repeated.
+    [[nodiscard]] static constexpr bool comes_too_early(const partial_data_set* set, const header& head) noexcept {
+        if (head.data_flag != data_flag::last || !is_requested(head)) return false;
+        return set == nullptr || !set->begun || set->packets < head.sequence_number;
+    }
+    // By the time alone: the packet may belong to a later data set than those that are held.
+    [[nodiscard]] constexpr bool may_be_another(const partial_data_set& set, const header& head,
+                                                std::chrono::nanoseconds now) const noexcept {
+        if (!set.begun) return now - set.begun_at > limits_.linger;
+        if (is_requested(set.header) && is_requested(head)) return false;
+        return now - set.last_heard_at > limits_.longest_gap ||
+               (head.data_flag == data_flag::first && now - set.begun_at > limits_.linger);
     }
     // Its body still lies in the memory of its place.
     [[nodiscard]] constexpr bool is_straggler(const header& head, std::span<const std::byte> body,
@@ -188,11 +227,10 @@ class reassembler {
         return std::ranges::lower_bound(held, number, {}, &held_packet::sequence_number);
     }
     // The place that a newcomer takes: a free one, the longest unused first, so that stragglers are known for long;
-    // else that of a data set that went silent; else that of one with a single packet.
-    [[nodiscard]] constexpr partial_data_set* free_place(const address& source, std::chrono::nanoseconds now,
-                                                         auto& lost) {
+    // else that of a data set that went silent; else, for packet 0 alone, that of one with a single packet.
+    [[nodiscard]] constexpr partial_data_set* free_place(const header& head, std::chrono::nanoseconds now, auto& lost) {
         const auto of_source = [&](const partial_data_set& set) {
-            return set.packets != 0 && set.header.source == source;
+            return set.packets != 0 && set.header.source == head.source;
         };
         const bool share_is_full =
             std::cmp_greater_equal(std::ranges::count_if(places_, of_source), limits_.places_per_source);
@@ -200,9 +238,10 @@ class reassembler {
             if (set.packets == 0) return 0;
             return stale(set, now) ? 1 : set.packets == 1 ? 2 : 3;
         };
+        const int most = head.sequence_number == 0 ? 2 : 1;
         partial_data_set* best = nullptr;
         for (partial_data_set& set : places_) {
-            if (reluctance(set) == 3 || (share_is_full && !of_source(set))) continue;
+            if (reluctance(set) > most || (share_is_full && !of_source(set))) continue;
             if (best == nullptr || std::pair{reluctance(set), set.order} < std::pair{reluctance(*best), best->order})
                 best = &set;
         }

@@ -40,6 +40,11 @@ struct jaus_node_options {
     std::chrono::nanoseconds large_data_patience{std::chrono::seconds{5}};
     /// How fast large data sets are sent, in packets of 4 KiB each millisecond.
     unsigned large_data_pace{4};
+    /// Between two large data sets of the same source and code to the same destination, unless the first one was
+    /// acknowledged without a repeat: longer than the network holds a datagram back, and than a quarter of it more,
+    /// which is how long a receiver waits for the next packet of one that asks for no acknowledgement. The same at both
+    /// ends.
+    std::chrono::nanoseconds large_data_pause{std::chrono::milliseconds{500}};
     /// How their packets are repeated where `ack_nak` of the header asks for acknowledgement.
     jaus::acknowledgement_options large_data_acknowledgement{.timeout = std::chrono::milliseconds{50}, .retries = 20};
     /// Bytes of large data sets that may wait to be sent, and of messages between components of the node.
@@ -54,8 +59,8 @@ struct jaus_node_options {
         seen{};
     /// The node manager has heard of a component for the first time, or no longer hears it.
     std::function<void(const jaus::address&who)> appeared{}, disappeared{};
-    /// What became of a large data set that asked for acknowledgement: each of its packets has its ACK, one of them a
-    /// NAK, or one of them no answer. The last packet's is what the receiving component made of the whole.
+    /// What became of a large data set that asked for acknowledgement. Acknowledged: the receiving component has all of
+    /// it and has taken it. Refused: it has not. Timed out: an answer is missing, and it may have been taken.
     std::function<void(const jaus::header& head, jaus::delivered what)> large_data_done{};
 };
 

@@ -78,6 +78,7 @@ class node_machine {
             core_.components.replace(0, {manager_->core, *manager_});
         }
         core_.components.start(config_.me().limits.large_data_memory, present());
+        core_.large.start(now);
         running_ = true;
         wake(now);
     }

@@ -4,6 +4,8 @@
 #include <jauscat/jaus/acknowledged_sender.hpp>
 #include <jauscat/jaus/large_data_sender.hpp>
 #include <jauscat/jaus/later.hpp>
+#include <jauscat/jaus/stands_for.hpp>
+#include <jauscat/net/detail/body_digest.hpp>
 
 #include <algorithm>
 #include <array>
@@ -17,81 +19,118 @@
 
 namespace jauscat::net::detail {
 
-/// Copies of bodies, sent one after the other, for packets carry nothing that names their data set: `pace` packets each
-/// millisecond, and a pause between two data sets.
+/// How large data sets are sent.
+struct large_data_pacing {
+    unsigned packets{4}; ///< each millisecond
+    /// Between two data sets of the same source and code to the same destination, where packets of the first may still
+    /// be on their way, or the receiver may have a part of it: see large_data_queue.
+    std::chrono::nanoseconds pause{std::chrono::milliseconds{500}};
+    jaus::acknowledgement_options acknowledgement{.timeout = std::chrono::milliseconds{50}, .retries = 20};
+};
+
+/// Copies of bodies, sent one after the other, for packets carry nothing that names their data set.
 ///
 /// Of a data set that asks for acknowledgement each packet is repeated until its ACK is there. The first goes alone and
-/// so does the last: then the receiver knows the data set before anything of it is repeated, and what may come twice
-/// when it is whole is the last packet alone, which reassembler tells from the next data set.
+/// so does the last: then the receiver knows the data set before anything of it is repeated, and acknowledges the last
+/// one only when it has the whole. A packet that goes unanswered several times is of a data set that the receiver has
+/// lost: then all of it is sent once more, unless the whole may have been delivered so long ago that the receiver has
+/// forgotten it.
+///
+/// A data set follows another one of its source and code to the same destination
+/// - 40 ms after the end of one that was acknowledged without a repeat;
+/// - after the pause, if that one asked for no acknowledgement, was repeated or given up, and after a start;
+/// - after `memory` and the pause, if both ask for acknowledgement and have the same body: the receiver would take the
+///   second for a repeat of the first.
 class large_data_queue {
   public:
     using time = std::chrono::nanoseconds;
     /// Hears once of each data set that asked for acknowledgement.
     using done_handler = std::function<void(const jaus::header&, jaus::delivered)>;
 
-    large_data_queue(std::size_t most, unsigned pace, const jaus::acknowledgement_options& acknowledgement)
-        : most_{most}, pace_{pace == 0 ? 1 : pace}, acknowledgement_{acknowledgement} {}
+    /// How long a receiver knows an acknowledged data set that it has got.
+    static constexpr time memory = std::chrono::seconds{2};
+
+    /// `most`: bytes that may wait.
+    large_data_queue(std::size_t most, const large_data_pacing& pacing) : most_{most}, pacing_{pacing} {
+        pacing_.packets = std::max(pacing_.packets, 1U);
+    }
 
     /// ok, no_space where `most` bytes wait, or what large_data_sender says.
     jaus::errc push(const jaus::header& head, std::span<const std::byte> body) {
         if (body.size() > most_ - waiting_) return jaus::errc::no_space;
         auto made = std::make_unique<entry>(head, body);
         if (made->sender.error() != jaus::errc::ok) return made->sender.error();
-        if (head.ack_nak == jaus::ack_nak::request && jaus::names_one_component(head.destination))
+        if (head.ack_nak == jaus::ack_nak::request && jaus::names_one_component(head.destination)) {
             made->packets.resize(made->sender.packets());
+            made->digest = digest_of(body);
+        }
         waiting_ += body.size();
+        if (!current_) next_ = std::min(next_, ready_at(*made));
         sets_.push_back(std::move(made));
         return jaus::errc::ok;
     }
     void on_time(time now, jaus::message_sink out, const done_handler& done) {
-        if (sets_.empty() || now < next_) return;
-        auto& first = *sets_.front();
+        if (!current_ && !choose(now)) return;
+        if (now < next_) return;
+        const auto set = current_; // a handler may call clear() while it is sent
         next_ = now + beat;
-        if (first.packets.empty()) {
-            for (unsigned i = 0; i != pace_ && first.sender.next(out); ++i) {}
-            if (first.sender.sent() == first.sender.packets()) end(now);
+        if (set->packets.empty()) {
+            for (unsigned i = 0; i != pacing_.packets && current_ == set && set->sender.next(out); ++i) {}
+            if (current_ == set && set->sender.sent() == set->sender.packets()) end(now);
             return;
         }
-        if (!first.outcome && !send_acknowledged(first, now, out)) first.outcome = jaus::delivered::timed_out;
-        if (!first.outcome) return;
-        const auto [head, what] = std::pair{first.head, *first.outcome};
+        if (!set->outcome && !send_acknowledged(*set, now, out)) set->outcome = jaus::delivered::timed_out;
+        if (!set->outcome || current_ != set) return;
         end(now);
-        if (done) done(head, what);
+        if (done) done(set->head, *set->outcome);
     }
     /// True: it was the ACK or NAK of a packet that was sent, or came late.
     bool on_acknowledgement(const jaus::header& head, time now) {
-        if (sets_.empty() || sets_.front()->packets.empty()) return false;
-        auto& first = *sets_.front();
-        if (head.command_code != first.head.command_code || head.source != first.head.destination ||
-            head.destination != first.head.source || head.sequence_number >= first.packets.size())
+        if (!current_ || current_->packets.empty()) return false;
+        auto& set = *current_;
+        if (head.command_code != set.head.command_code || head.source != set.head.destination ||
+            head.destination != set.head.source || head.sequence_number >= set.packets.size())
             return false;
-        auto& packet = first.packets[head.sequence_number];
+        auto& packet = set.packets[head.sequence_number];
         if (packet.sent == 0) return false;
-        if (first.outcome) return true;
+        if (set.outcome || packet.tries == 0) return true;
         if (head.ack_nak == jaus::ack_nak::nak)
-            first.outcome = jaus::delivered::refused;
-        else if (!std::exchange(packet.acknowledged, true) && ++first.acknowledged == first.packets.size())
-            first.outcome = jaus::delivered::acknowledged;
+            set.outcome = jaus::delivered::refused;
+        else if (!std::exchange(packet.acknowledged, true) && ++set.acknowledged == set.packets.size())
+            set.outcome = jaus::delivered::acknowledged;
         next_ = std::min(next_, now + beat); // more may be sent, or it is at its end
         return true;
     }
     [[nodiscard]] std::optional<time> next_event() const noexcept {
-        return sets_.empty() ? std::nullopt : std::optional{next_};
+        return size() == 0 ? std::nullopt : std::optional{next_};
     }
     /// How many data sets are not yet sent.
-    [[nodiscard]] std::size_t size() const noexcept { return sets_.size(); }
+    [[nodiscard]] std::size_t size() const noexcept { return sets_.size() + (current_ ? 1 : 0); }
+    /// Nothing waits any more, and nothing is sent before the pause is over: what was sent in an earlier life may still
+    /// be on its way.
+    void start(time now) {
+        clear();
+        rests_.clear();
+        begins_at_ = jaus::later(now, pacing_.pause);
+    }
+    /// May be called from a handler.
     void clear() noexcept {
         sets_.clear();
+        current_.reset();
         waiting_ = 0;
+        next_ = time::max();
     }
 
   private:
     static constexpr time beat = std::chrono::milliseconds{1};
-    static constexpr time pause = std::chrono::milliseconds{5}; ///< longer than reassembly_limits::linger
+    static constexpr time short_pause = std::chrono::milliseconds{40}; ///< for copies that the network makes
+    static constexpr time latest_restart = memory * 3 / 4; ///< after the last packet was sent for the first time
+    static constexpr unsigned tries_until_restart = 4;
 
     struct sent_packet {
-        time due{};      ///< when it is sent again
-        unsigned sent{}; ///< how often
+        time due{};       ///< when it is sent again
+        unsigned sent{};  ///< how often
+        unsigned tries{}; ///< how often since the data set was begun, or begun again
         bool acknowledged{};
     };
     struct entry {
@@ -102,56 +141,138 @@ class large_data_queue {
         std::array<std::byte, jaus::header_size + jaus::max_body_size> packet{};
         jaus::large_data_sender sender;
         std::vector<sent_packet> packets{}; ///< none where no acknowledgement is asked for
-        std::size_t acknowledged{};         ///< of them
+        std::uint64_t digest{};             ///< of the body, where it is
+        std::size_t acknowledged{};         ///< of the packets
         std::size_t first_open{};           ///< those before it are acknowledged
+        unsigned restarts{};
+        std::optional<time> last_sent_at{}; ///< the last packet, for the first time
         std::optional<jaus::delivered> outcome{};
     };
+    /// What went last from a source to a destination with a command code.
+    struct rest {
+        jaus::header head{};
+        time since{};
+        bool is_clean{}; ///< acknowledged without a repeat: the receiver has it, and no packet is on its way
+        std::optional<time> known_since{}; ///< the receiver may know one with this digest
+        std::uint64_t digest{};
+    };
+
+    [[nodiscard]] time ready_at(const entry& set) const noexcept {
+        time at = begins_at_;
+        for (const rest& one : rests_) {
+            const auto &to = set.head.destination, &before = one.head.destination;
+            if (one.head.command_code != set.head.command_code || one.head.source != set.head.source ||
+                !(jaus::stands_for(to, before) || jaus::stands_for(before, to)))
+                continue;
+            at = std::max(at, jaus::later(one.since, one.is_clean ? short_pause : pacing_.pause));
+            if (!set.packets.empty() && one.known_since && one.digest == set.digest)
+                at = std::max(at, jaus::later(*one.known_since, jaus::later(memory, pacing_.pause)));
+        }
+        return at;
+    }
+    // The first that need not wait becomes the current one.
+    bool choose(time now) {
+        if (now < next_) return false;
+        next_ = time::max();
+        const auto longest = jaus::later(memory, pacing_.pause);
+        std::erase_if(rests_, [&](const rest& one) { return jaus::later(one.since, longest) <= now; });
+        for (auto at = sets_.begin(); at != sets_.end(); ++at) {
+            const time ready = ready_at(**at);
+            if (ready <= now) {
+                current_ = std::move(*at);
+                sets_.erase(at);
+                next_ = now;
+                return true;
+            }
+            next_ = std::min(next_, ready);
+        }
+        return false;
+    }
 
     /// False when a packet has been sent often enough.
     bool send_acknowledged(entry& set, time now, jaus::message_sink out) {
         const auto last = set.packets.size() - 1;
         while (set.first_open != last && set.packets[set.first_open].acknowledged) ++set.first_open;
         const auto behind = set.first_open == 0 ? std::size_t{1} : set.first_open == last ? last + 1 : last;
-        unsigned left = pace_;
-        next_ = jaus::later(now, acknowledgement_.timeout);
+        unsigned left = pacing_.packets;
+        next_ = jaus::later(now, pacing_.acknowledgement.timeout);
         for (auto i = set.first_open; i != behind; ++i) {
             auto& packet = set.packets[i];
             if (packet.acknowledged) continue;
-            if (packet.sent == 0 || packet.due <= now) {
+            if (packet.tries == 0 || packet.due <= now) {
                 if (left == 0) {
                     next_ = now + beat;
                     break;
                 }
-                if (packet.sent > acknowledgement_.retries) return false;
+                if (packet.sent > pacing_.acknowledgement.retries) return false;
+                if (i != 0 && packet.tries == tries_until_restart && may_restart(set, now)) {
+                    restart(set);
+                    next_ = now;
+                    return true;
+                }
                 --left;
                 // The first is sent as the first each time: until it is acknowledged it may be all that there is.
                 if (i == 0) set.sender.restart();
-                if (packet.sent == 0 || i == 0)
-                    set.sender.next(out);
-                else
-                    set.sender.repeat(i, out);
+                if (i == last && !set.last_sent_at) set.last_sent_at = now;
+                const bool again = packet.tries != 0;
                 ++packet.sent;
-                packet.due = jaus::later(now, acknowledgement_.timeout);
+                ++packet.tries;
+                packet.due = jaus::later(now, pacing_.acknowledgement.timeout);
+                if (again && i != 0)
+                    set.sender.repeat(i, out);
+                else
+                    set.sender.next(out);
+                if (current_.get() != &set) return true; // cleared by a handler
             }
             next_ = std::min(next_, packet.due);
         }
         return true;
     }
-    /// The first data set is through. Where packets were repeated, acknowledgements of both copies may still come: not
-    /// while the next one waits for such.
+    [[nodiscard]] bool may_restart(const entry& set, time now) const noexcept {
+        return set.restarts < pacing_.acknowledgement.retries / tries_until_restart &&
+               (!set.last_sent_at || now - *set.last_sent_at < latest_restart);
+    }
+    static void restart(entry& set) noexcept {
+        ++set.restarts;
+        set.acknowledged = set.first_open = 0;
+        for (auto& packet : set.packets) packet.tries = 0, packet.acknowledged = false;
+    }
     void end(time now) {
-        const bool repeated = std::ranges::any_of(sets_.front()->packets, [](const auto& p) { return p.sent > 1; });
-        waiting_ -= sets_.front()->body.size();
-        sets_.pop_front();
-        next_ = now + (repeated ? acknowledgement_.timeout : pause);
+        const auto& set = *current_;
+        const bool was_delivered = set.outcome == jaus::delivered::acknowledged;
+        const bool repeated = std::ranges::any_of(set.packets, [](const auto& p) { return p.sent > 1; });
+        note({.head = set.head,
+              .since = now,
+              .is_clean = was_delivered && !repeated,
+              .known_since = set.last_sent_at ? std::optional{now} : std::nullopt,
+              .digest = set.digest});
+        waiting_ -= set.body.size();
+        current_.reset();
+        next_ = time::max();
+        for (const auto& waits : sets_) next_ = std::min(next_, ready_at(*waits));
+    }
+
+    void note(rest made) {
+        const auto before = std::ranges::find_if(rests_, [&](const rest& one) {
+            return one.head.command_code == made.head.command_code && one.head.source == made.head.source &&
+                   one.head.destination == made.head.destination;
+        });
+        if (before == rests_.end()) return rests_.push_back(made);
+        if (!made.known_since && before->known_since) { // its packets were a reason not to forget the one before
+            made.known_since = made.since;
+            made.digest = before->digest;
+        }
+        *before = made;
     }
 
     std::size_t most_;
-    unsigned pace_;
-    jaus::acknowledgement_options acknowledgement_;
+    large_data_pacing pacing_;
     std::size_t waiting_{};
-    time next_{};
+    time next_{time::max()};
+    time begins_at_{time::min()};
     std::deque<std::unique_ptr<entry>> sets_{};
+    std::shared_ptr<entry> current_{}; ///< the one that is being sent
+    std::vector<rest> rests_{};
 };
 
 } // namespace jauscat::net::detail

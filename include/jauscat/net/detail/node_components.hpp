@@ -6,6 +6,7 @@
 #include <jauscat/jaus/presence_table.hpp>
 #include <jauscat/net/detail/attached_component.hpp>
 #include <jauscat/net/detail/large_data_memory.hpp>
+#include <jauscat/net/detail/large_data_queue.hpp>
 #include <jauscat/net/detail/peer_watch.hpp>
 #include <jauscat/net/jaus_node_options.hpp>
 #include <jauscat/net/jausip.hpp>
@@ -55,7 +56,9 @@ class node_components {
         for (std::size_t i = 0; i != all_.size(); ++i)
             all_[i].large = std::make_unique<large_data_memory>(
                 options_.large_data_sets, first_is_manager && i == 0 ? of_manager : (memory - of_manager) / others,
-                options_.large_data_patience);
+                options_.large_data_patience,
+                jaus::reassembly_limits{.linger_of_repeats = large_data_queue::memory,
+                                        .longest_gap = options_.large_data_pause / 4});
         stale_at_ = time::max();
         peers_.clear();
         present_ = present;
@@ -75,8 +78,8 @@ class node_components {
     }
 
   public:
-    /// A message or a packet of a large data set, whose packets are acknowledged one by one: the last with what the
-    /// component makes of the whole.
+    /// A message, or a packet of a large data set. A packet is acknowledged when it is kept; the last one, and one that
+    /// makes the data set whole, with what the component makes of the whole, and not before.
     void hand_on(std::uint16_t to, const jaus::header& head, bytes body, time now, jaus::message_sink out) {
         if (!going_ || peers_.heard(head, now)) return;
         if (head.data_flag == jaus::data_flag::only || jaus::is_acknowledgement(head)) {
@@ -121,12 +124,20 @@ class node_components {
     }
 
   private:
+    /// A large data set that was handed on.
+    struct whole_set {
+        jaus::address source{};
+        std::uint16_t command_code{};
+        bool taken{};
+        std::uint64_t digest{};
+        time until{};
+    };
     struct entry {
         attached_component it;
         std::unique_ptr<large_data_memory> large{};
-        std::optional<jaus::header> refused{}; ///< the packet that made a large data set whole, which was refused
-        bool changed{true};                    ///< since `next` was asked for
-        time next{};                           ///< when it wants to be driven
+        std::vector<whole_set> whole{}; ///< the last one of each source and code, for a while
+        bool changed{true};             ///< since `next` was asked for
+        time next{};                    ///< when it wants to be driven
     };
 
     void tell_components_lost(const jaus::address& who) {
@@ -156,37 +167,61 @@ class node_components {
 
     void hand_on_packet(entry& receiver, const jaus::header& head, bytes body, time now, jaus::message_sink out) {
         using jaus::reassembled;
-        bool taken = false;
-        const auto whole = [&](jaus::header first, bytes complete) {
-            first.ack_nak = jaus::ack_nak::none;
-            first.data_flag = jaus::data_flag::only;
-            taken = give(receiver, first, complete, now, out) == jaus::component_outcome::taken;
+        std::erase_if(receiver.whole, [&](const whole_set& one) { return one.until <= now; });
+        bool has_outcome = true;
+        const auto whole = [&](const jaus::header& first, bytes complete) {
+            has_outcome = hand_on_whole(receiver, head, first, complete, now, out);
         };
         const auto what = (*receiver.large)->on_packet(head, body, now, whole, tell_lost(now, receiver.it.self));
         if (what == reassembled::no_room || what == reassembled::too_large)
             log_(now, [&] { return in_text(head) + ": refused: " + std::string{describe(what)}; });
         if (what == reassembled::waiting)
             stale_at_ = std::min(stale_at_, jaus::later(now, options_.large_data_patience));
-        if (head.ack_nak != jaus::ack_nak::request || !jaus::names_one_component(head.destination)) return;
-        const bool good = is_good(receiver, head, what, taken);
-        jaus::acknowledge(head, receiver.it.self, good ? jaus::ack_nak::ack : jaus::ack_nak::nak, out);
+        if (!is_acknowledged(head) || !has_outcome) return;
+        if (const auto before = find_whole(receiver, head); before != receiver.whole.end())
+            before->until = jaus::later(now, large_data_queue::memory);
+        if (const auto answer = answer_to(receiver, head, what))
+            jaus::acknowledge(head, receiver.it.self, *answer, out);
     }
-    /// Whether a packet gets an ACK. `taken`: what the component made of the whole.
-    static bool is_good(entry& receiver, const jaus::header& head, jaus::reassembled what, bool taken) {
-        auto& refused = receiver.refused;
-        const bool is_of_refused =
-            refused && refused->source == head.source && refused->command_code == head.command_code;
-        switch (what) {
-        case jaus::reassembled::whole:
-            if (!taken) refused = head;
-            return taken;
-        case jaus::reassembled::waiting:
-            if (is_of_refused) refused.reset(); // another data set
-            return true;
-        case jaus::reassembled::repeated: // the one that made a refused data set whole: its sender has not got the NAK
-            return !is_of_refused || refused->sequence_number != head.sequence_number;
-        default: return false;
-        }
+    [[nodiscard]] static bool is_acknowledged(const jaus::header& head) noexcept {
+        return head.ack_nak == jaus::ack_nak::request && jaus::names_one_component(head.destination);
+    }
+    /// False: not handed on, since it could not be told from a repeat later; its sender will send it again.
+    bool hand_on_whole(entry& receiver, const jaus::header& last, jaus::header first, bytes complete, time now,
+                       jaus::message_sink out) {
+        const auto before = find_whole(receiver, last);
+        const auto digest = is_acknowledged(last) ? digest_of(complete) : 0;
+        if (is_acknowledged(last) && before != receiver.whole.end() && before->digest == digest)
+            return true; // its sender has not heard of it
+        if (before != receiver.whole.end()) receiver.whole.erase(before);
+        if (is_acknowledged(last) && receiver.whole.size() == most_whole) return false;
+        first.ack_nak = jaus::ack_nak::none;
+        first.data_flag = jaus::data_flag::only;
+        const auto what = give(receiver, first, complete, now, out);
+        const bool taken = what == jaus::component_outcome::taken || what == jaus::component_outcome::deferred;
+        if (is_acknowledged(last))
+            receiver.whole.push_back(
+                {last.source, last.command_code, taken, digest, jaus::later(now, large_data_queue::memory)});
+        return true;
+    }
+    [[nodiscard]] static std::vector<whole_set>::iterator find_whole(entry& receiver, const jaus::header& head) {
+        return std::ranges::find_if(receiver.whole, [&](const whole_set& one) {
+            return one.source == head.source && one.command_code == head.command_code;
+        });
+    }
+    /// What a packet is answered with, if at all: its sender repeats one that is not.
+    static std::optional<jaus::ack_nak> answer_to(entry& receiver, const jaus::header& head, jaus::reassembled what) {
+        using enum jaus::reassembled;
+        if (what == too_large) return jaus::ack_nak::nak;
+        if (what == waiting || what == repeated)
+            if (const auto* const set = (*receiver.large)->incomplete(head)) {
+                const bool ends = head.data_flag == jaus::data_flag::last;
+                return set->begun && !ends ? std::optional{jaus::ack_nak::ack} : std::nullopt;
+            }
+        if (what != whole && what != repeated) return std::nullopt;
+        const auto one = find_whole(receiver, head);
+        if (one == receiver.whole.end()) return std::nullopt;
+        return one->taken ? jaus::ack_nak::ack : jaus::ack_nak::nak;
     }
 
     jaus::component_outcome give(entry& receiver, const jaus::header& head, bytes body, time now,
@@ -204,6 +239,8 @@ class node_components {
         if (going_ && options_.seen) options_.seen(to.self, head, body, what);
         return what;
     }
+    static constexpr std::size_t most_whole = 256;
+
     const jaus_node_options& options_;
     limited_log& log_;
     std::vector<entry> all_{};
