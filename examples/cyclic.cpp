@@ -73,12 +73,31 @@ void print_quantiles(const measurement& measured) {
     }
 }
 
+/// Takes no more frames after Ctrl-C, so that a job of the master's ends.
+class stoppable_link {
+  public:
+    explicit stoppable_link(example::any_link& link) : link_{link} {}
+    bool send(std::span<const std::byte> frame) { return !example::stop_requested && link_.send(frame); }
+    std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
+        return link_.receive(buffer, timeout);
+    }
+
+  private:
+    example::any_link& link_;
+};
+
+void require(const ethercat::outcome& result, const std::string& what) {
+    if (!result && example::stop_requested) throw std::runtime_error{"stopped before all slaves were in OP"};
+    example::require(result, what);
+}
+
 /// Every slave to SAFE-OP under the stations `first` and up.
-std::vector<std::uint16_t> set_up(example::any_link& link, ethercat::master& master, std::uint16_t first,
+std::vector<std::uint16_t> set_up(example::any_link& medium, ethercat::master& master, std::uint16_t first,
                                   milliseconds watchdog) {
+    stoppable_link link{medium};
     const auto run = [&](bool started, const std::string& what) {
         const auto result = jauscat::net::run(link, master, started);
-        example::require(result, what);
+        require(result, what);
         return result.size;
     };
     const auto count = run(master.scan(), "no slaves");
@@ -139,7 +158,8 @@ class slave_watch {
         const auto now = std::chrono::steady_clock::now().time_since_epoch();
         for (const auto& slave : master_.slaves()) {
             const auto& status = data_.status(slave);
-            const bool runs = status.ran_within(patience_, now);
+            // One that has just reached OP has yet to be seen there.
+            const bool runs = status.ran_within(patience_, now) || now - begun_ < patience_;
             if (stopped_.contains(slave.station) != runs) continue;
             const auto name = "cyclic: slave " + std::to_string(slave.station);
             if (runs) {
@@ -167,8 +187,21 @@ class slave_watch {
     const ethercat::master& master_;
     const ethercat::process_data& data_;
     std::chrono::nanoseconds patience_;
+    std::chrono::nanoseconds begun_{std::chrono::steady_clock::now().time_since_epoch()};
     std::set<std::uint16_t> stopped_{};
 };
+
+/// Every slave to PRE-OP. Those that do not answer keep nobody waiting: their watchdog takes them out of OP.
+void leave_op(example::any_link& link, ethercat::master& master, const std::vector<std::uint16_t>& stations) {
+    master.cancel(ethercat::master_errc::timeout); // an upload that still runs
+    const auto deadline = std::chrono::steady_clock::now() + milliseconds{500};
+    for (const auto station : stations) {
+        const auto left = deadline - std::chrono::steady_clock::now();
+        if (left <= left.zero()) return;
+        static_cast<void>(
+            jauscat::net::run(link, master, master.change_state(station, ethercat::al_state::pre_op), left));
+    }
+}
 
 int measure(example::any_link& link, const auto& values) {
     ethercat::master master{{.frame_timeout = milliseconds{values["frame-timeout"].template as<unsigned>()}}};
@@ -186,8 +219,11 @@ int measure(example::any_link& link, const auto& values) {
     const auto nothing = [](auto&&...) {};
     for (const auto station : stations) { // outputs have to flow while a slave goes to OP
         const bool started = master.change_state(station, ethercat::al_state::op);
-        example::require(cycles.run_job(started, seconds{10}, nothing, nothing),
-                         "slave " + std::to_string(station) + " to OP");
+        const auto give_up_on_stop = [&](const auto&) {
+            if (example::stop_requested) master.cancel(ethercat::master_errc::timeout);
+        };
+        require(cycles.run_job(started, seconds{10}, nothing, give_up_on_stop),
+                "slave " + std::to_string(station) + " to OP");
     }
     std::cout << "cyclic: " << stations.size() << " in OP, a cycle every " << period.count() << " us (Ctrl-C ends)"
               << std::endl;
@@ -212,9 +248,7 @@ int measure(example::any_link& link, const auto& values) {
               << ", with another working counter " << after.incomplete - before.incomplete << ", lost "
               << after.lost - before.lost << ", left out " << cycles.overruns() - overruns_before
               << "\nuploads meanwhile " << result->uploads << ", failed " << result->failed_uploads << "\n";
-    static_cast<void>(jauscat::net::run(link, master)); // the upload that still runs
-    for (const auto station : stations)
-        static_cast<void>(jauscat::net::run(link, master, master.change_state(station, ethercat::al_state::pre_op)));
+    leave_op(link, master, stations);
     return after.complete != before.complete && slaves.all_run() ? example::success : example::failure;
 }
 
@@ -226,7 +260,7 @@ int main(int argc, char** argv) {
         po::options_description options;
         // clang-format off
         options.add_options()
-            ("period", po::value<unsigned>()->default_value(1000), "microseconds from one cycle to the next")
+            ("period", po::value<unsigned>()->default_value(1000), "microseconds from one cycle to the next, 1 to 1000000")
             ("seconds", po::value<unsigned>()->default_value(10), "how long to run")
             ("spin", po::value<unsigned>()->default_value(0), "the last microseconds of each wait are spent awake: more exact, and costs processor time")
             ("priority", po::value<unsigned>()->default_value(0), "real-time priority, 1 to 99; 0: none")
@@ -237,7 +271,8 @@ int main(int argc, char** argv) {
         // clang-format on
         example::add_medium_options(options);
         const auto values = example::parse(argc, argv, options, help);
-        if (values["period"].as<unsigned>() == 0) throw example::usage_error{"--period must be 1 or more"};
+        if (const auto period = values["period"].as<unsigned>(); period < 1 || period > 1'000'000)
+            throw example::usage_error{"--period must be 1 to 1000000"};
         if (const auto watchdog = values["watchdog"].as<unsigned>(); watchdog < 1 || watchdog > 6553)
             throw example::usage_error{"--watchdog must be 1 to 6553"};
         const auto priority = values["priority"].as<unsigned>();

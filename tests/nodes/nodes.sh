@@ -192,7 +192,7 @@ colours_are_for_terminals() {
     }
     local escape=$'\033'
     on_terminal "cyclic --period 0"
-    says out "${escape}[31mcyclic: --period must be 1 or more${escape}[0m"
+    says out "${escape}[31mcyclic: --period must be 1 to 1000000${escape}[0m"
     on_terminal "ocu --help"
     says out "${escape}[1mOptions${escape}[0m:"
     on_terminal NO_COLOR=1 "ocu --help"
@@ -499,6 +499,24 @@ cyclic_sees_a_slave_leave_op() { # because another master takes the slaves
     kill -INT "$first"
     wait "$first"
     [ $? -eq 1 ] || fail "cyclic ends well although no slave is in OP"
+    forget "$first"
+}
+cyclic_ends_on_ctrl_c() { # also where no slave answers any more
+    start_bus "${link[@]}" --slaves 5 --outputs 2 --inputs 2
+    "${wrapper[@]}" "$bin/cyclic" --ethercat-port "$slave_port" --period "$cycle" --watchdog 2000 --frame-timeout 500 \
+        --seconds 60 >"$work/first.log" 2>&1 &
+    local first=$!
+    pids+=("$first")
+    wait_for first "5 in OP"
+    kill -STOP "$bus_pid"
+    (wait_for first "slave 5 does not run: frames do not come back")
+    local seen=$?
+    kill -INT "$first"
+    timeout 10 tail --pid="$first" -f /dev/null
+    local ended=$?
+    kill -CONT "$bus_pid" # before anything fails: a stopped program does not end
+    [ "$seen" -eq 0 ] || exit 1
+    [ "$ended" -eq 0 ] || fail "cyclic does not end within 10 s of Ctrl-C"
     forget "$first"
 }
 start_bus() { # OPTIONS...
