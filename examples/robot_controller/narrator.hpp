@@ -109,6 +109,7 @@ class narrator final : public bridge::observer {
         case bridge::stop_cause::controller_lost: return "its controller is lost";
         case bridge::stop_cause::slave_away: return "the slave is away";
         case bridge::stop_cause::slave_back: return "the slave is back";
+        case bridge::stop_cause::not_taken: return "the slave has not taken a command in time";
         case bridge::stop_cause::program_ends: return "the program ends";
         }
         return "stop";

@@ -152,10 +152,15 @@ class emulated_actuator {
 
     emulated_actuator(std::uint8_t subsystem, std::uint16_t station) : behind{subsystem, station} {}
 
-    /// A frame passes. False if the slave is dead: then it does not come back.
+    /// A frame passes.
     void pass(std::span<std::byte> frame, std::chrono::nanoseconds now) {
-        slave.process(frame);
+        slave.pass(frame);
+        work(now);
+    }
+    void work(std::chrono::nanoseconds now) {
         slave.on_time(now);
+        if (hangs) return;
+        slave.work();
         behind.work(slave);
     }
     void power_cycle() {
@@ -164,6 +169,7 @@ class emulated_actuator {
     }
 
     actuator behind;
+    bool hangs{}; ///< the application, not the controller of the slave
 
   private:
     static constexpr std::span<const ethercat::pdo_entry> outputs{

@@ -141,6 +141,31 @@ TEST_CASE("messages without process data go by mailbox between cycles") {
     CHECK(r.bus.process_data().statistics().lost == 0);
 }
 
+TEST_CASE("a command that the slave does not take in time is taken out of its outputs") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.actuators[0].hangs = true; // its controller still answers
+    const auto number = r.drive(50);
+    r.run_until([&] { return r.answer(number).has_value(); });
+    CHECK(r.is_refused(number));
+    CHECK(r.unit().debt().owes_stop());
+    r.run(20ms);
+    r.actuators[0].hangs = false;
+    r.run(500ms);
+    CHECK(std::ranges::count(r.motor().efforts, 0) != 0);
+    CHECK(std::ranges::find_if(r.motor().efforts, [](double each) { return each > 1; }) == r.motor().efforts.end());
+}
+
+TEST_CASE("a slave that does not take zeros in time is lost") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.actuators[0].hangs = true;
+    r.tell(jaus::standby{});
+    const auto took = r.run_until([&] { return r.watcher.lost == 1; });
+    CHECK(took <= 120ms);
+    CHECK(r.watcher.last_loss == bridge::loss::no_process_data);
+}
+
 TEST_CASE("of two cyclic slaves one that is lost does not take the other's process data with it") {
     rig r{2, true};
     r.run_until_ready();

@@ -360,6 +360,24 @@ TEST_CASE("a slave that is away holds up nobody else") {
     }
 }
 
+TEST_CASE("a transfer to a slave that hangs gives way to another's stop order, and its answer is taken for no other") {
+    rig r{2};
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50, 0)] { return r.is_acknowledged(number); });
+    r.actuators[1].hangs = true;
+    const auto hung = r.drive(30, 1);
+    r.run(5ms);
+    const auto number = r.tell(rig::stop(), 0);
+    const auto took = r.run_until([&] { return r.is_acknowledged(number); });
+    CHECK(took <= 80ms);
+    r.run_until([&] { return r.answer(hung).has_value(); });
+    CHECK(r.is_refused(hung));
+    CHECK(r.watcher.lost == 1);
+    r.actuators[1].hangs = false;
+    r.run_until([&] { return r.fronts[1].up() && r.units[1].debt().settled(); });
+    CHECK(r.motor(1).effort == 0);
+}
+
 TEST_CASE("a message waits for its slave for a bounded time") {
     rig r;
     r.run_until_ready();

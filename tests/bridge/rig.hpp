@@ -189,7 +189,7 @@ class rig {
             flights_.pop_front();
             bus.on_frame(back, now, out_);
         }
-        for (auto& each : actuators) each.slave.on_time(now), each.behind.work(each.slave);
+        for (auto& each : actuators) each.work(now);
         for (auto& each : units) each.on_time(now, out_);
         bus.on_time(now, out_);
     }

@@ -38,8 +38,9 @@ struct bridge_options {
     std::chrono::nanoseconds bring_up_interval{std::chrono::milliseconds{500}};
     /// From a stop order that a slave refuses to the next attempt; see stop_debt.
     std::chrono::nanoseconds stop_interval{std::chrono::milliseconds{20}};
-    /// A job of the master that stands in the way of a stop order for longer is given up.
-    std::chrono::nanoseconds stop_patience{std::chrono::milliseconds{30}};
+    /// A job of the master for another slave that stands in the way of a stop order for longer is given up. If it was a
+    /// transfer, that slave is lost.
+    std::chrono::nanoseconds stop_patience{std::chrono::milliseconds{50}};
     /// A message that still waits for its slave after so long is refused.
     std::chrono::nanoseconds order_timeout{std::chrono::milliseconds{500}};
 };
@@ -61,7 +62,7 @@ inline constexpr std::chrono::milliseconds at_rest_in_cycles{100};
             .longest_silence = limit * 4 / 5,
             .check_interval = limit / 5,
             .keep_alive = std::min<std::chrono::nanoseconds>(limit / 5, second / 10),
-            .control_timeout = limit * 4 / 5};
+            .control_timeout = limit * 7 / 10};
 }
 
 } // namespace jauscat::bridge

@@ -142,6 +142,12 @@ class component {
         core_.finish(head, false, now, out);
     }
 
+    /// A command stands in the slave's outputs, and the slave has not taken it in time: it must not take it later.
+    void on_not_taken(const jaus::header& head, time now, jaus::message_sink out) {
+        on_not_executed(head, {.why = refusal::not_taken}, now, out);
+        if (!debt_.owes_stop()) owe_rest(stop_cause::not_taken);
+    }
+
   private:
     // What the core leaves: to be delivered, and acknowledged when it is.
     jaus::message_outcome accept(jaus::header head, bytes body, time now, jaus::message_sink out) {

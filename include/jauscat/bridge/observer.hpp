@@ -54,6 +54,7 @@ enum class stop_cause : std::uint8_t {
     controller_lost, ///< nobody controls the component any more, without a release
     slave_away,      ///< the slave does not answer: what it does is not known
     slave_back,      ///< it answers: the first thing that it is told
+    not_taken,       ///< the slave has not taken a command out of its outputs in time
     program_ends,
 };
 

@@ -422,30 +422,29 @@ template <class Image = wrench_effort_path> class basic_ring {
 
     // A job that stands in the way of a stop order is given up; one that is itself a stop order is not.
     [[nodiscard]] std::optional<time> hindered_until() const {
-        if (master_.idle() || (work_ == work::message && purpose_ == purpose::stop)) return std::nullopt;
-        for (const place& each : places()) {
-            if (!each.front->up()) continue;
-            for (const component* unit : each.front->components())
-                if (unit->debt().next() && unit->debt().owes_stop() && hindered_since_)
-                    return *hindered_since_ + options_.stop_patience;
-        }
-        return std::nullopt;
+        if (!hindered_since_) return std::nullopt;
+        return jaus::later(*hindered_since_, options_.stop_patience);
     }
     void stop_what_hinders(time now) {
-        const bool stop_waits = std::ranges::any_of(places(), [&](const place& each) {
-            return each.front->up() && std::ranges::any_of(each.front->components(), [&](const component* unit) {
-                       return unit->debt().owes_stop() && unit->debt().next_attempt() <= now &&
-                              !(unit->debt().next() == stop_order::rest && by_image(each, *unit));
-                   });
-        });
-        const bool is_hindered =
-            stop_waits && !master_.idle() && !(work_ == work::message && purpose_ == purpose::stop);
-        if (!is_hindered) return hindered_since_.reset();
+        if (!is_hindered(now)) return hindered_since_.reset();
         if (!hindered_since_) hindered_since_ = now;
         if (now - *hindered_since_ < options_.stop_patience) return;
-        was_cancelled_ = true;
-        master_.cancel(ethercat::master_errc::timeout);
         hindered_since_.reset();
+        // Its answer could be taken for the next one's: a slave whose transfer is given up is lost, and brought up
+        // anew.
+        was_cancelled_ = work_ != work::message;
+        master_.cancel(ethercat::master_errc::timeout);
+    }
+    // A slave waits for a stop order, and the master is busy with something else than a transfer to that slave.
+    [[nodiscard]] bool is_hindered(time now) const {
+        if (master_.idle() || (work_ == work::message && purpose_ == purpose::stop)) return false;
+        return std::ranges::any_of(places(), [&](const place& each) {
+            if (!each.front->up() || (work_ == work::message && &each == served_)) return false;
+            return std::ranges::any_of(each.front->components(), [&](const component* unit) {
+                return unit->debt().owes_stop() && unit->debt().next_attempt() <= now &&
+                       !(unit->debt().next() == stop_order::rest && by_image(each, *unit));
+            });
+        });
     }
     void refuse_expired(time now, jaus::message_sink out) {
         for (place& each : places())
@@ -686,8 +685,12 @@ template <class Image = wrench_effort_path> class basic_ring {
                 each.unit->on_refused(stop_order::rest, false, {.why = why}, now, out);
             else if (each.count == taken)
                 each.unit->on_executed(each.header, now, out);
-            else
+            else if (was_reached)
                 each.unit->on_not_executed(each.header, {.why = why}, now, out);
+            else
+                each.unit->on_not_taken(each.header, now, out);
+            if (each.is_stop && !was_reached)
+                return lose(at, loss::no_process_data, {.error = ethercat::master_errc::timeout}, now, out);
         }
     }
 

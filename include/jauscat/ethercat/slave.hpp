@@ -94,6 +94,7 @@ class slave {
     void change_state() noexcept {
         const auto control = esc_.load<al_control>(esc_registers::al_control);
         auto changed = status();
+        const auto before = changed.state;
         if (changed.error && !control.acknowledge && control.state > changed.state) return;
         const bool from_init = changed.state == al_state::init;
         changed.error = false;
@@ -105,7 +106,7 @@ class slave {
         }
         if (from_init || changed.state == al_state::init) mailbox_.forget(esc_);
         esc_.store(esc_registers::al_status, changed);
-        enter(changed.state);
+        if (changed.state != before) enter(changed.state); // a request that changes nothing does not feed the watchdog
     }
 
     void enter(al_state state) noexcept {
