@@ -428,6 +428,7 @@ void model::enters(std::uint8_t which, primary_status_code from, primary_status_
                  .number = static_cast<std::uint16_t>(from),
                  .message = a.current,
                  .value = static_cast<std::uint32_t>(to)});
+    look_for_lost_holders(a);
     if (a.state == ready && to != ready) a.not_ready_since = world_.now();
     a.state = to;
     auto* cause = find(a.current);
