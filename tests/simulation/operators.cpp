@@ -152,7 +152,7 @@ void operator_program::act() {
     case intent::stop_moving: return command(efforts_of<jaus::set_wrench_effort>(0), sure);
     case intent::standby: return command(jaus::standby{}, sure);
     case intent::resume: return command(jaus::resume{}, sure);
-    case intent::set_emergency: return command(stop_order(true), sure);
+    case intent::set_emergency: return command(stop_order(random_.below(4) != 0), sure);
     case intent::clear_emergency: return command(end_order(), true);
     case intent::reset: return command(jaus::reset{}, sure);
     case intent::shutdown: return command(jaus::shutdown{}, sure);
@@ -308,7 +308,7 @@ void foreign_operator::act() {
     case intent::stop_moving: return command(efforts_of<jaus::set_wrench_effort>(0), sure);
     case intent::standby: return command(jaus::standby{}, sure);
     case intent::resume: return command(jaus::resume{}, sure);
-    case intent::set_emergency: return command(stop_order(true), sure);
+    case intent::set_emergency: return command(stop_order(random_.below(4) != 0), sure);
     case intent::clear_emergency: return command(end_order(), true);
     case intent::reset: return command(jaus::reset{}, sure);
     case intent::shutdown: return command(jaus::shutdown{}, sure);
