@@ -257,6 +257,7 @@ the_cyclic_controller_ends_while_its_slave_is_silent() {
     the_controller_ends_while_its_slave_is_silent
 }
 the_controller_is_killed() { # nobody is left to say anything: the arm's own timeouts
+    arm_options=(--command-timeout 500)
     start_robot
     expect_ocu 0 propulsive_linear_effort_x=50
     dies "$controller_pid"

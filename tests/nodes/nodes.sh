@@ -87,7 +87,11 @@ node() { # NAME LOG ARGUMENTS...
     last_pid=$!
 }
 arm_options=()
-start_arm() { node robot_arm arm "${link[@]}" "${arm_options[@]}" && wait_for arm "waiting for a master" && arm_pid=$last_pid; }
+start_arm() {
+    local patience=(--command-timeout 20000) # a busy machine may hold the controller up
+    case " ${arm_options[*]} " in *" --command-timeout "*) patience=() ;; esac
+    node robot_arm arm "${link[@]}" "${patience[@]}" "${arm_options[@]}" && wait_for arm "waiting for a master" && arm_pid=$last_pid
+}
 start_controller() {
     [ ${#master_link[@]} -gt 0 ] || master_link=("${link[@]}")
     node robot_controller controller "${master_link[@]}" "${master_options[@]}" && wait_for controller "controller: ready" &&

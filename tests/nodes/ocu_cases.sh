@@ -99,7 +99,7 @@ ocu_loses_control() {
 }
 ocu_loses_control_with_work_left() { # while the arm does not answer its command
     second_unit
-    master_options=(--frame-timeout 500)
+    master_options=(--frame-timeout 500 --stop-within 2000)
     start_robot
     kill -STOP "$arm_pid"
     "${wrapper[@]}" "$bin/ocu" --config "$config" --this a --timeout 10000 propulsive_linear_effort_x=50 >"$work/a.log" 2>&1 &
