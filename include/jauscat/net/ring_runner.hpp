@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <unistd.h>
@@ -34,7 +35,6 @@ template <class Link> class ring_runner {
                                                                                                      }} {}
     ring_runner(const ring_runner&) = delete;
     ring_runner& operator=(const ring_runner&) = delete;
-    ~ring_runner() { stop(); }
 
     /// To be given to each slave_front of the ring.
     [[nodiscard]] const jaus::callback<void()>& wake() const noexcept { return wake_; }
@@ -57,8 +57,8 @@ template <class Link> class ring_runner {
   private:
     void wait_for_frames() {
         frames_.async_wait(boost::asio::posix::stream_descriptor::wait_read,
-                           [this](const boost::system::error_code& error) {
-                               if (error == boost::asio::error::operation_aborted || !runs_) return;
+                           [this, alive = std::weak_ptr<char>{alive_}](const boost::system::error_code& error) {
+                               if (error || alive.expired() || !runs_) return;
                                receive();
                                wait_for_frames();
                            });
@@ -103,6 +103,7 @@ template <class Link> class ring_runner {
     boost::asio::posix::stream_descriptor frames_;
     detail::wake_timer timer_;
     bool runs_{};
+    std::shared_ptr<char> alive_{std::make_shared<char>()}; ///< a handler may be queued when this goes
     time heard_{};
     std::array<std::byte, ethercat::max_frame_size> frame_{};
     struct waker {
