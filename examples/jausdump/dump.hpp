@@ -51,7 +51,9 @@ class dump {
     std::vector<jaus::partial_data_set> places_ = std::vector<jaus::partial_data_set>(16);
     std::vector<jaus::held_packet> packets_ = std::vector<jaus::held_packet>(16 * 4096);
     std::vector<std::byte> memory_ = std::vector<std::byte>(std::size_t{16} << 20);
-    jaus::reassembler data_sets_{places_, packets_, memory_, std::chrono::seconds{10}};
+    // A capture may be made of parts, or typed in: what stands in it counts, not how fast it came.
+    jaus::reassembler data_sets_{
+        places_, packets_, memory_, std::chrono::seconds{10}, {.longest_gap = std::chrono::seconds{10}}};
 };
 
 } // namespace jausdump

@@ -119,8 +119,9 @@ ocu_loses_control_with_work_left() { # while the arm does not answer its command
     unit_pid=$unit_c
     unit_ends 1 # the arm does not answer this one either
     says c "controls 2.2.33.1"
+    wait_for controller "slave 2 does not answer"
     kill -CONT "$arm_pid"
-    wait_for controller "slave 2 is in PRE-OP" 2
+    wait_for controller "2.2.33.1: initialize -> ready" 2
     expect_c 0 propulsive_linear_effort_x=-20
 }
 expect_ocu_busy() { # two units cannot be the same system at a time
