@@ -388,3 +388,16 @@ TEST_CASE("a message waits for its slave for a bounded time") {
     CHECK(r.is_refused(number));
     CHECK(r.is_refused(later));
 }
+
+TEST_CASE("the end of the program waits for a slave that is away to come back") {
+    rig r;
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.cable_is_out = true;
+    r.run_until([&] { return r.watcher.lost == 1; });
+    r.shut_down();
+    CHECK(!r.bus.at_rest());
+    r.cable_is_out = false;
+    r.run_until([&] { return r.bus.at_rest(); }, 2s);
+    CHECK(r.motor().effort == 0);
+}

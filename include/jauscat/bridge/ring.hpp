@@ -90,17 +90,15 @@ template <class Image = wrench_effort_path> class basic_ring {
         return next;
     }
 
-    /// Every actuator that can be reached has confirmed that it stops.
+    /// Every actuator has confirmed that it stops, also those of slaves that were away.
     [[nodiscard]] bool at_rest() const noexcept {
         return std::ranges::all_of(places(), [](const place& each) {
-            return !each.front->up() || std::ranges::none_of(each.front->components(), [](const component* unit) {
-                return unit->debt().owes_stop();
-            });
+            return std::ranges::none_of(each.front->components(),
+                                        [](const component* unit) { return unit->debt().owes_stop(); });
         });
     }
     /// The program ends: see component::shut_down. Goes on until `at_rest`.
     void shut_down(time now, jaus::message_sink out) {
-        ends_ = true;
         for (place& each : places())
             for (component* unit : each.front->components()) unit->shut_down(now, out);
     }
@@ -202,7 +200,7 @@ template <class Image = wrench_effort_path> class basic_ring {
 
     bool begin_other(place& at, time now, jaus::message_sink out) {
         switch (at.at) {
-        case phase::absent: return now >= at.next_try && !ends_ && begin_bring_up(at);
+        case phase::absent: return now >= at.next_try && begin_bring_up(at);
         case phase::pre_op:
             return begin_job(at, work::configure, master_.configure(at.front->station(), options_.watchdog));
         case phase::configured:
@@ -456,7 +454,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     [[nodiscard]] std::optional<time> next_work_of(const place& at) const {
         switch (at.at) {
-        case phase::absent: return ends_ ? std::nullopt : std::optional{at.next_try};
+        case phase::absent: return at.next_try;
         case phase::pre_op:
         case phase::configured:
         case phase::safe_op: return time::min();
@@ -703,7 +701,6 @@ template <class Image = wrench_effort_path> class basic_ring {
     std::size_t exchanged_{}; // slaves in the cyclic exchange
     time last_turn_{};
     time next_cycle_{};
-    bool ends_{};
 
     work work_{};
     place* served_{};
