@@ -574,6 +574,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         for (place& each : places()) {
             if (each.at != phase::up || !each.image) continue;
             take_confirmations(each, now, out);
+            if (each.at != phase::up) continue; // lost
             for (component* unit : each.front->components()) put_rest(each, *unit, now, out);
             put_orders(each, now, out);
         }
@@ -649,13 +650,15 @@ template <class Image = wrench_effort_path> class basic_ring {
         const auto seen = status(at);
         if (!seen.has_inputs_within(options_.longest_silence, now))
             return unit.on_not_executed(query.header, {.why = refusal::stale}, now, out);
+        // Not packet_: a transfer may be under way out of it.
+        std::array<std::byte, jaus::header_size + wire::max_size<typename Image::report_table::message_type>> report{};
         const auto size =
-            at.image->template on_query<typename Image::query>(addressed(query), body, inputs(at), packet_);
+            at.image->template on_query<typename Image::query>(addressed(query), body, inputs(at), report);
         if (size == 0)
             return unit.on_not_executed(
                 query.header, {.why = refusal::not_translated, .error = translate::errc::out_of_range}, now, out);
         at.front->watcher().from_image(*at.front, inputs(at));
-        out(bytes{packet_}.first(size));
+        out(bytes{report}.first(size));
         unit.on_executed(query.header, now, out);
     }
     void take_confirmations(place& at, time now, jaus::message_sink out) {
@@ -674,6 +677,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         at.waiting_count = left;
         // A later command in the same outputs may have come before the slave looked: only the one that it has taken
         // last is known to be executed. A stop order is confirmed by any, for nothing else is put there before it is.
+        bool takes_zeros = true;
         for (const image_wait& each : std::span{over}.first(over_count)) {
             const bool was_reached = image_type::has_reached(each.count, taken);
             const auto why = was_reached ? refusal::superseded : refusal::not_taken;
@@ -687,9 +691,9 @@ template <class Image = wrench_effort_path> class basic_ring {
                 each.unit->on_not_executed(each.header, {.why = why}, now, out);
             else
                 each.unit->on_not_taken(each.header, now, out);
-            if (each.is_stop && !was_reached)
-                return lose(at, loss::no_process_data, {.error = ethercat::master_errc::timeout}, now, out);
+            if (each.is_stop && !was_reached) takes_zeros = false;
         }
+        if (!takes_zeros) lose(at, loss::no_process_data, {.error = ethercat::master_errc::timeout}, now, out);
     }
 
     const bridge_options& options_;
