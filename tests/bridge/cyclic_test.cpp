@@ -166,6 +166,24 @@ TEST_CASE("a slave that does not take zeros in time is lost") {
     CHECK(r.watcher.last_loss == bridge::loss::no_process_data);
 }
 
+TEST_CASE("a query that is answered from the inputs leaves the bytes of a running transfer alone") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.actuators[0].hangs = true; // the download stays in the mailbox until it goes on
+    r.motor().executed.clear();
+    const auto number = r.tell(jaus::set_travel_speed{.desired_speed = 3});
+    r.frames_to_lose = 1; // the write is repeated, out of the packet
+    for (int i = 0; i != 8; ++i) {
+        r.tell(jaus::query_wrench_effort{.presence_vector = 1}, 0, ack_nak::none);
+        r.run(1ms);
+    }
+    r.actuators[0].hangs = false;
+    r.run_until([&] { return r.answer(number).has_value(); });
+    CHECK(r.received<jaus::report_wrench_effort>().size() == 8);
+    CHECK(r.is_acknowledged(number));
+    CHECK(std::ranges::count(r.motor().executed, jaus::set_travel_speed::command_code) == 1);
+}
+
 TEST_CASE("of two cyclic slaves one that is lost does not take the other's process data with it") {
     rig r{2, true};
     r.run_until_ready();

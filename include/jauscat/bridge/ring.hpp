@@ -132,7 +132,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     // A command that the slave has not yet taken out of its outputs.
     struct image_wait {
         component* unit{};
-        jaus::header header{}; // data_size 0: a stop order
+        jaus::header header{};
         typename image_type::counter count{};
         time deadline{};
         bool is_stop{};
@@ -218,7 +218,6 @@ template <class Image = wrench_effort_path> class basic_ring {
 
     bool begin_job(place& at, work what, bool started) {
         served_ = &at;
-        was_cancelled_ = false;
         work_ = started ? what : work::none;
         return started;
     }
@@ -266,7 +265,6 @@ template <class Image = wrench_effort_path> class basic_ring {
         served_ = &at;
         work_ = work::message;
         purpose_ = what;
-        was_cancelled_ = false;
         take_step(exchange().begin(std::span{message_}.first(size), packet_), now, out);
     }
     [[nodiscard]] any_exchange& exchange() const noexcept { return served_->front->exchange(); }
@@ -303,7 +301,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         place& at = *served_;
         const auto result = master_.result();
         switch (std::exchange(work_, work::none)) {
-        case work::bring_up: return brought_up(at, result, now, out);
+        case work::bring_up: return brought_up(at, result, now);
         case work::configure: return set_up(at, result, phase::configured, now, out);
         case work::safe_op: return set_up(at, result, phase::safe_op, now, out);
         case work::op: return set_up(at, result, phase::settling, now, out);
@@ -313,7 +311,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         }
     }
 
-    void brought_up(place& at, const ethercat::outcome& result, time now, jaus::message_sink out) {
+    void brought_up(place& at, const ethercat::outcome& result, time now) {
         at.bring_up = result;
         at.next_try = jaus::later(now, options_.bring_up_interval);
         if (!result) return at.front->watcher().bring_up_failed(*at.front, result);
@@ -322,7 +320,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         at.takes_keep_alive = true;
         at.at = at.front->options().cyclic ? phase::pre_op : phase::up;
         at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), at.at == phase::up);
-        if (at.at == phase::up) ready(at, now, out);
+        if (at.at == phase::up) ready(at, now);
     }
     void set_up(place& at, const ethercat::outcome& result, phase next, time now, jaus::message_sink out) {
         if (!result) {
@@ -333,12 +331,11 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (next == phase::safe_op) rebuild_process_data(now);
         if (next == phase::settling) at.settling_until = jaus::later(now, options_.master.state_timeout);
     }
-    void ready(place& at, time now, jaus::message_sink out) {
+    void ready(place& at, time now) {
         at.at = phase::up;
         heard(at, now);
         at.front->set_up(true);
         for (component* unit : at.front->components()) unit->on_slave_up();
-        static_cast<void>(out);
     }
     void checked(place& at, const ethercat::outcome& result, time now, jaus::message_sink out) {
         using namespace ethercat;
@@ -393,7 +390,7 @@ template <class Image = wrench_effort_path> class basic_ring {
             break;
         }
         tell_emergencies(at);
-        if (!answers && !was_cancelled_) lose(at, loss::no_answer, result, now, out);
+        if (!answers) lose(at, loss::no_answer, result, now, out);
     }
     // The slave has said no, and so is there.
     static bool is_of_slave(const ethercat::outcome& result) noexcept {
@@ -430,7 +427,6 @@ template <class Image = wrench_effort_path> class basic_ring {
         hindered_since_.reset();
         // Its answer could be taken for the next one's: a slave whose transfer is given up is lost, and brought up
         // anew.
-        was_cancelled_ = work_ != work::message;
         master_.cancel(ethercat::master_errc::timeout);
     }
     // A slave waits for a stop order, and the master is busy with something else than a transfer to that slave.
@@ -566,7 +562,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (!at.image->start(outputs(at), inputs(at)))
             return lose(at, loss::no_process_data, {.error = ethercat::master_errc::size_mismatch}, now, out);
         at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), true);
-        ready(at, now, out);
+        ready(at, now);
     }
 
     // Messages that go by process data, and the slave's confirmations of those that went.
@@ -713,7 +709,6 @@ template <class Image = wrench_effort_path> class basic_ring {
     stop_order stop_{};
     order order_{};
     std::optional<time> hindered_since_{};
-    bool was_cancelled_{};
     std::array<std::byte, wire::max_size<ethercat::al_status>> status_{};
     std::optional<ethercat::packet_job> job_{};
     std::array<std::byte, message_size> message_{};
