@@ -751,8 +751,9 @@ done
 declare -F "$2" >/dev/null || fail "there is no case '$2'"
 "$2"
 if [ ${#wrapper[@]} -gt 0 ]; then
-    for pid in "${pids[@]}"; do
-        kill -TERM "$pid" && wait "$pid" || fail "a node did not end well under ${wrapper[0]}"
+    # The last first: a controller whose arm is gone cannot bring it to rest, and says so by its exit code.
+    for ((i = ${#pids[@]} - 1; i >= 0; i--)); do
+        kill -TERM "${pids[i]}" && wait "${pids[i]}" || fail "a node did not end well under ${wrapper[0]}"
     done
 fi
 echo "ok: $2"
