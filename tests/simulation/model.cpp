@@ -588,12 +588,14 @@ std::optional<time> model::unreachable_since(std::uint8_t sender, const actuator
     return first;
 }
 
-// The actuator's node gives up whom it has not heard for three seconds; heartbeats come once a second.
+// The actuator's node gives up whom it has not heard for three seconds of its clock, which may have leapt since;
+// heartbeats come once a second.
 void model::look_for_lost_holders(actuator_account& a) {
     for (auto& holder : a.holders) {
         const auto who = account_of(holder.id);
         const auto heard = who ? network_.pulse_heard(senders_[*who].program->port(), a.port) : time{};
-        if (world_.now() - heard > std::chrono::milliseconds{1500} || a.program->jumped_at() >= holder.since)
+        if (world_.now() - heard > std::chrono::milliseconds{1500} ||
+            a.program->jumped_at() >= std::min(heard, holder.since))
             holder.may_be_lost = true;
     }
 }
