@@ -54,3 +54,16 @@ TEST_CASE("the end of an emergency comes last, is given up after three refusals,
     debt.owe_emergency();
     CHECK(!debt.owes_clear());
 }
+
+TEST_CASE("an actuator that did not know emergencies is told of the next one all the same") {
+    stop_debt debt{20ms};
+    debt.owe_emergency();
+    debt.refused(stop_order::emergency, true, 0s);
+    CHECK(debt.next() == stop_order::rest);
+    debt.confirmed(stop_order::rest);
+    CHECK(debt.settled());
+    debt.owe_emergency();
+    debt.refused(stop_order::emergency, false, 0s);
+    debt.confirmed(stop_order::rest);
+    CHECK(debt.next() == stop_order::emergency);
+}

@@ -31,10 +31,11 @@ class stop_debt {
         rest_ = true;
         begin();
     }
-    /// An end of an emergency that is still owed is not owed any more.
+    /// An end of an emergency that is still owed is not owed any more. Whether the actuator knows emergencies is found
+    /// out anew: another device may have taken its place, or its software was not complete yet.
     constexpr void owe_emergency() noexcept {
         emergency_ = rest_ = true;
-        clear_ = false;
+        clear_ = emergency_is_unknown_ = false;
         begin();
     }
     constexpr void owe_clear() noexcept {
