@@ -368,14 +368,21 @@ void model::executes(std::uint8_t which, command_number command) {
     ++sent->executed;
     sent->executed_at = world_.now();
     sent->done = true;
-    // A command that was on its way to a slave when that changed is followed by the stop order.
-    if (a.state != primary_status_code::ready && world_.now() - a.not_ready_since >= a.at_rest_in)
+    if (a.state != primary_status_code::ready && !was_on_its_way(a, *sent, a.not_ready_since))
         breaks(contract::s5, a, sent->number, "motion commands are obeyed in Ready only",
                "one was obeyed in " + text(a.state));
-    if (a.controller && *a.controller != sent->sender && world_.now() - a.controlled_since >= a.at_rest_in)
+    if (a.controller && *a.controller != sent->sender && !was_on_its_way(a, *sent, a.controlled_since))
         breaks(contract::s5, a, sent->number, "motion commands come from the controller",
                "one of " + world_.names()[senders_[sent->sender].program->number()] + " was obeyed under control of " +
                    world_.names()[senders_[*a.controller].program->number()]);
+}
+
+// A command that stands in a slave's mailbox cannot be taken back while the slave cannot be reached or does nothing. A
+// stop order follows it.
+bool model::was_on_its_way(const actuator_account& a, const sent_message& sent, time changed) const {
+    if (a.wire == nullptr || sent.arrived_at > changed) return false;
+    const auto& slave = (*a.wire)[a.slave];
+    return world_.now() - std::max({changed, slave.disturbed_at, slave.unfrozen_at}) < a.at_rest_in;
 }
 
 void model::rests(std::uint8_t which) {
