@@ -193,7 +193,7 @@ void bridge_program::own_event(std::uint8_t what, std::uint32_t argument) {
     if (!running() || data_->ends) return;
     const bool is_stuck = std::ranges::any_of(
         data_->units, [&](const unit& one) { return world_.now() - one.stuck_since >= std::chrono::seconds{15}; });
-    if (!is_stuck && !world_.faults.strikes(fault::bridge_ended, 100'000)) return;
+    if (!is_stuck && !world_.faults.strikes(fault::bridge_ended, 900'000)) return;
     world_.tell({.what = deed::is_ended, .who = number()});
     data_->ends = true;
     data_->ends_since = world_.now();
