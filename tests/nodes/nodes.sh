@@ -35,6 +35,13 @@ wait_for() { # NAME TEXT [TIMES]: until the node has said it, so many times
     done
     fail "$1 does not say within 30 seconds: $2"
 }
+wait_for_either() { # NAME TEXT TEXT
+    for _ in $(seq 600); do
+        grep -qF -e "$2" -e "$3" "$work/$1.log" 2>/dev/null && return
+        sleep 0.05
+    done
+    fail "$1 says neither within 30 seconds: $2, $3"
+}
 expect() { # CODE COMMAND...: its output goes to out.log
     local code=$1
     shift

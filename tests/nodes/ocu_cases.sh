@@ -185,6 +185,15 @@ ocu_wrong_arguments() {
     done
 }
 the_demonstration() {
+    # Another one may run in another terminal: the ports of the example configuration are taken.
+    local examples
+    examples=$(dirname "${BASH_SOURCE[0]}")/../../examples
+    "$bin/robot_arm" --config "$examples/JausConfig.xml" --this b >"$work/other_arm.log" 2>&1 &
+    pids+=($!)
+    "$bin/robot_controller" --config "$examples/JausConfig.xml" --this b >"$work/other_controller.log" 2>&1 &
+    pids+=($!)
+    wait_for_either other_arm "waiting for a master" "Address already in use"
+    wait_for_either other_controller "controller: ready" "Address already in use"
     for table in seed self-contained; do
         expect 0 "$(dirname "${BASH_SOURCE[0]}")/../../scripts/demo" --bin "$bin" --table "$table"
         says out "demo: OK: each step ended as expected"
