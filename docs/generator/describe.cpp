@@ -16,7 +16,7 @@ std::string number(double value, int digits) {
         const std::string factor = std::abs(in_pi) < 1.5 ? "" : std::to_string(std::lround(std::abs(in_pi)));
         return (value < 0 ? "−" : "") + factor + "π";
     }
-    std::string made = text::detail::formatted("%.*g", digits, value);
+    std::string made = text::detail::real_text(value, digits);
     if (const auto exponent = made.find("e-0"); exponent != std::string::npos) made.erase(exponent + 2, 1);
     return with_minus(made);
 }

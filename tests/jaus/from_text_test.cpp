@@ -3,6 +3,7 @@
 #include "support/hex.hpp"
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/from_text.hpp>
+#include <jauscat/text/stamps.hpp>
 
 namespace {
 
@@ -32,6 +33,37 @@ std::string body_of(std::string_view line) {
 }
 
 } // namespace
+
+TEST_CASE("stamps are read as they are written, and nothing else") {
+    for (const char* const line : {"12:34:56.789, day 5", "00:00:00.000, day 31", "23:59:59.999, day 1"}) {
+        jaus::time_stamp time{};
+        REQUIRE(text::from_text(time, line));
+        CHECK(text::to_text(time) == line);
+    }
+    for (const char* const line :
+         {"12:34:56.-1, day 5", "12:34:56.7, day 5", "12:34:56.70, day 5", "12:34: 6.789, day 5", "+1:-0:+2.+3, day +5",
+          "1:34:56.789, day 5", "12:34:56.789,day 5", "12:34:56.789, day ", "12:34:56.789, day 5 ",
+          "12:34:56.7890, day 5", "24:00:00.000, day 5", "12:60:00.000, day 5", "12:00:60.000, day 5",
+          "12:00:00.000, day 0", "12:00:00.000, day 32", "12:00:00.000, day 005", ""}) {
+        CAPTURE(line);
+        jaus::time_stamp time{};
+        CHECK(!text::from_text(time, line));
+        CHECK(time == jaus::time_stamp{});
+    }
+    for (const char* const line : {"2007-06-27", "2000-02-29", "2127-12-31"}) {
+        jaus::date_stamp date{};
+        REQUIRE(text::from_text(date, line));
+        CHECK(text::to_text(date) == line);
+    }
+    for (const char* const line :
+         {"2007-02-31", "2007-02-29", "2100-02-29", "2007--1-05", "2007-6-27", "2007-06-7", "1999-12-31", "2128-01-01",
+          "2007-13-01", "2007-00-01", "2007-06-27 ", "+007-06-27"}) {
+        CAPTURE(line);
+        jaus::date_stamp date{};
+        CHECK(!text::from_text(date, line));
+        CHECK(date == jaus::date_stamp{});
+    }
+}
 
 TEST_CASE("a line of names and values becomes a message") {
     CHECK(body_of("set_wrench_effort propulsive_linear_effort_x=50") == "01000040");

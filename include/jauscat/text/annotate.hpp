@@ -74,7 +74,7 @@ class annotating_trace : public wire::detail::decode_trace {
     void line(const std::byte* end, const std::string& what) {
         const std::size_t next = offset_of(end);
         const auto here = bytes_.subspan(at_, next - at_);
-        std::string row = indent_ + formatted("%04zx  ", first_offset_ + at_) + hex(here);
+        std::string row = indent_ + hex_offset(first_offset_ + at_) + "  " + hex(here);
         const std::size_t column = indent_.size() + 6 + 4 * 3 + 1; // four bytes, then the text
         if (row.size() < column) row.append(column - row.size(), ' ');
         text_ += row + " " + what + "\n";

@@ -36,7 +36,7 @@ inline std::string fill_value(const scaled_form& is, void* at, const input& in, 
     if (value == nullptr) real = by_raw;
     if (raw != nullptr && is.to_raw(real) != is.to_raw(by_raw))
         return "has the value " + value->text + " and the raw integer " + raw->text + ", which stands for " +
-               formatted("%.8g", by_raw);
+               real_text(by_raw);
     is.set(at, real);
     return {};
 }

@@ -28,14 +28,19 @@ namespace jauscat::text {
     return "0x" + text;
 }
 
+/// Where bytes stand in a dump: at least four digits.
+[[nodiscard]] inline std::string hex_offset(std::size_t offset) {
+    std::string text;
+    for (; offset != 0 || text.size() < 4; offset >>= 4) text.insert(text.begin(), "0123456789abcdef"[offset & 0xF]);
+    return text;
+}
+
 /// Lines of 16 bytes, each with its offset, counted from `first_offset`, behind `indent`.
 [[nodiscard]] inline std::string hex_dump(std::span<const std::byte> bytes, const std::string& indent = "  ",
                                           std::size_t first_offset = 0) {
-    constexpr const char* digits = "0123456789abcdef";
     std::string text;
     for (std::size_t at = 0; at < bytes.size(); at += 16) {
-        text += indent;
-        for (int shift = 12; shift >= 0; shift -= 4) text += digits[((first_offset + at) >> shift) & 0xF];
+        text += indent + hex_offset(first_offset + at);
         text += "  " + hex(bytes.subspan(at, std::min<std::size_t>(16, bytes.size() - at))) + "\n";
     }
     return text;

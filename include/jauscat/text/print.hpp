@@ -103,11 +103,11 @@ class printer {
         return with_unit(digits(number, is.is_signed), is.unit);
     }
     static std::string one_line(std::string_view, const real_form& is, const void* at) {
-        return with_unit(formatted("%.8g", is.get(at)), is.unit);
+        return with_unit(real_text(is.get(at)), is.unit);
     }
     static std::string one_line(std::string_view, const scaled_form& is, const void* at) {
         const double real = is.get(at);
-        std::string text = with_unit(formatted("%.8g", real), is.unit);
+        std::string text = with_unit(real_text(real), is.unit);
         if (real >= is.lowest && real <= is.highest) text += " (raw " + digits(is.to_raw(real), is.is_signed) + ")";
         return text;
     }

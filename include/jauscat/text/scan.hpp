@@ -140,7 +140,7 @@ inline std::string scan(std::string_view text, const real_form& is, double& real
     const auto found = scan_real(without_unit(text, is.unit));
     if (!found) return says(text, "which is no number");
     if (std::isfinite(*found) && std::abs(*found) > is.most)
-        return says(text, limits(formatted("%.8g", -is.most), formatted("%.8g", is.most), is.unit));
+        return says(text, limits(real_text(-is.most), real_text(is.most), is.unit));
     real = *found;
     return {};
 }
@@ -159,7 +159,7 @@ inline std::string scan(std::string_view text, const scaled_form& is, double& re
     const auto found = scan_real(text);
     if (!found) return says(text, "which is no number");
     if (!(*found >= is.lowest && *found <= is.highest))
-        return says(text, limits(formatted("%.8g", is.min), formatted("%.8g", is.max), is.unit));
+        return says(text, limits(real_text(is.min), real_text(is.max), is.unit));
     real = *found;
     return {};
 }

@@ -3,6 +3,8 @@
 #include <jauscat/schema/jaus/time_stamp.hpp>
 
 #include <array>
+#include <charconv>
+#include <chrono>
 #include <cstdio>
 #include <string>
 
@@ -24,14 +26,25 @@ namespace jauscat::text {
     return buffer.data();
 }
 
-/// Reads what to_text writes; false where `text` is something else or no time of day.
+namespace detail {
+/// Takes `digits` digits and what follows them off the front of `text`; false where something else stands there.
+inline bool take_number(std::string_view& text, std::size_t digits, std::string_view follows, unsigned& number) {
+    if (text.size() < digits) return false;
+    const char* const end = text.data() + digits;
+    if (std::from_chars(text.data(), end, number).ptr != end) return false;
+    text.remove_prefix(digits);
+    if (!text.starts_with(follows)) return false;
+    text.remove_prefix(follows.size());
+    return true;
+}
+} // namespace detail
+
+/// Reads what to_text writes, digit for digit; false where `text` is something else or no time of day.
 [[nodiscard]] inline bool from_text(jaus::time_stamp& time, std::string_view text) {
     unsigned hours{}, minutes{}, seconds{}, milliseconds{}, day{};
-    int end{};
-    const std::string copy{text};
-    if (std::sscanf(copy.c_str(), "%2u:%2u:%2u.%3u, day %2u%n", &hours, &minutes, &seconds, &milliseconds, &day,
-                    &end) != 5 ||
-        static_cast<std::size_t>(end) != copy.size())
+    if (!detail::take_number(text, 2, ":", hours) || !detail::take_number(text, 2, ":", minutes) ||
+        !detail::take_number(text, 2, ".", seconds) || !detail::take_number(text, 3, ", day ", milliseconds) ||
+        text.size() > 2 || !detail::take_number(text, text.size(), "", day))
         return false;
     if (hours > 23 || minutes > 59 || seconds > 59 || day < 1 || day > 31) return false;
     time = {.milliseconds = static_cast<std::uint16_t>(milliseconds),
@@ -42,15 +55,15 @@ namespace jauscat::text {
     return true;
 }
 
-/// Reads what to_text writes; false where `text` is something else or no date from 2000 to 2127.
+/// Reads what to_text writes, digit for digit; false where `text` is something else or no date from 2000 to 2127.
 [[nodiscard]] inline bool from_text(jaus::date_stamp& date, std::string_view text) {
     unsigned year{}, month{}, day{};
-    int end{};
-    const std::string copy{text};
-    if (std::sscanf(copy.c_str(), "%4u-%2u-%2u%n", &year, &month, &day, &end) != 3 ||
-        static_cast<std::size_t>(end) != copy.size())
+    if (!detail::take_number(text, 4, "-", year) || !detail::take_number(text, 2, "-", month) ||
+        !detail::take_number(text, 2, "", day) || !text.empty())
         return false;
-    if (year < 2000 || year > 2127 || month < 1 || month > 12 || day < 1 || day > 31) return false;
+    const std::chrono::year_month_day found{std::chrono::year{static_cast<int>(year)}, std::chrono::month{month},
+                                            std::chrono::day{day}};
+    if (year < 2000 || year > 2127 || !found.ok()) return false;
     date = {.day = static_cast<std::uint8_t>(day),
             .month = static_cast<std::uint8_t>(month),
             .year = static_cast<std::uint8_t>(year - 2000)};

@@ -5,7 +5,7 @@
 #include <jauscat/wire/schema.hpp>
 
 #include <array>
-#include <cstdio>
+#include <charconv>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -50,10 +50,12 @@ inline constexpr auto enumerator_names = [] {
     return names;
 }();
 
-template <class... Args> std::string formatted(const char* format, Args... args) {
+/// A real number in `digits` digits, with a decimal point in every locale.
+inline std::string real_text(double value, int digits = 8) {
     std::array<char, 64> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), format, args...);
-    return buffer.data();
+    const auto end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
+    return {buffer.data(), end.ptr};
 }
 
 } // namespace detail
@@ -91,7 +93,7 @@ requires(!wire::message<T>) std::string to_text(const T& value) {
         const auto number = static_cast<unsigned long long>(value);
         return name.empty() ? hex_number(number, 1) : std::string{name};
     } else if constexpr (std::floating_point<T>) {
-        return detail::formatted("%.8g", static_cast<double>(value));
+        return detail::real_text(static_cast<double>(value));
     } else if constexpr (std::integral<T>) {
         return std::to_string(value);
     } else if constexpr (std::is_same_v<T, std::string_view>) {
