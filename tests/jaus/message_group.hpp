@@ -85,6 +85,12 @@ template <wire::message T> decoded decode(std::span<const std::byte> body) {
     return made;
 }
 
+template <wire::message T> judged judge(std::span<const std::byte> body) {
+    T value{};
+    wire::arena memory{scratch()};
+    return {.error = decode_into(value, body, memory), .why = wire::diagnose<T>(body)};
+}
+
 template <wire::message T> bool show(std::span<const std::byte> body, const std::function<void(const void*)>& look) {
     T value{};
     wire::arena memory{scratch()};
@@ -129,6 +135,7 @@ template <class... Messages> const group& make_group(chosen<Messages...>) {
                                                                       .has_lists = wire::needs_memory<Messages>,
                                                                       .random = &random<Messages>,
                                                                       .decode = &decode<Messages>,
+                                                                      .judge = &judge<Messages>,
                                                                       .show = &show<Messages>,
                                                                       .build = &build<Messages>}...};
     static const group made{all, &dispatch<Messages...>};

@@ -36,6 +36,12 @@ struct decoded {
     wire::errc without_memory{}; ///< of decoding into lists without memory for one element
 };
 
+/// What decode and diagnose say of some bytes.
+struct judged {
+    wire::errc error{};
+    wire::diagnosis why{};
+};
+
 /// One message of the standard.
 struct message {
     std::string_view name{}; ///< of its type
@@ -46,6 +52,7 @@ struct message {
     bool has_lists{};                            ///< decoding takes an arena
     encoded (*random)(support::generator&, const support::odds&){};
     decoded (*decode)(std::span<const std::byte> body){};
+    judged (*judge)(std::span<const std::byte> body){};
     /// Decodes the body and shows the value. False where it does not decode.
     bool (*show)(std::span<const std::byte> body, const std::function<void(const void* value)>&){};
     /// What a value that `fill` makes encodes to; empty where it does not.

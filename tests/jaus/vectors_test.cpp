@@ -236,6 +236,36 @@ TEST_CASE("payload elements have the golden values once their interfaces' types 
     CHECK(elements > 16);
 }
 
+TEST_CASE("a diagnosis of a golden message that is cut or has another byte names the error of decode") {
+    std::map<wire::errc, int> met;
+    const auto judge = [&](const messages::message& message, std::span<const std::byte> body) {
+        const auto [error, why] = message.judge(body);
+        ++met[error];
+        if (why.error == error) return;
+        INFO(message.name << ": " << to_hex(body));
+        REQUIRE(why.error == error);
+    };
+    for (const auto& vector : golden::vectors()) {
+        const auto& message = message_of(vector.code);
+        const auto body = body_of(vector.bytes);
+        for (std::size_t size = 0; size != body.size(); ++size) judge(message, body.first(size));
+        messages::octets changed{body.begin(), body.end()};
+        for (auto& byte : changed) {
+            const std::byte sent = byte;
+            for (unsigned value = 0; value != 256; ++value) {
+                byte = static_cast<std::byte>(value);
+                judge(message, changed);
+                // Where one byte is wrong, another may be missing.
+                if (value % 0x40 == 0) judge(message, std::span{changed}.first(changed.size() - 1));
+            }
+            byte = sent;
+        }
+    }
+    for (const auto error : {wire::errc::truncated, wire::errc::out_of_range, wire::errc::unknown_presence_bit,
+                             wire::errc::unknown_tag, wire::errc::trailing_bytes})
+        CHECK(met[error] > 100);
+}
+
 TEST_CASE("feature class metadata is set by hand") {
     const auto body = from_hex("02 0201 0500 726f616473");
     jaus::set_vector_knowledge_store_feature_class_metadata message{.metadata_options =

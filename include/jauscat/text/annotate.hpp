@@ -122,7 +122,7 @@ template <wire::message T>
     detail::annotating_trace rows{bytes, first_offset, indent};
     const wire::in_cursor end = wire::detail::decode_traced(message, bytes, rows);
     if (end.at == nullptr && end.error() != wire::errc::ok)
-        return hex_dump(bytes, indent, first_offset) + indent + to_text(rows.found(end.error()), first_offset) + "\n";
+        return hex_dump(bytes, indent, first_offset) + indent + to_text(wire::diagnose<T>(bytes), first_offset) + "\n";
     return std::move(rows).text();
 }
 

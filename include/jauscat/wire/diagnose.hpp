@@ -61,10 +61,14 @@ class path_trace {
     diagnosis found_{};
 };
 
-/// Watches decoding, and checks each field against the end of the bytes.
+/// Watches decoding, and checks each field against the end of the bytes. Given the error that it looks for, it passes
+/// the other ones, as far as what follows can still be found.
 class decode_trace : public path_trace {
   public:
-    constexpr explicit decode_trace(std::span<const std::byte> bytes) noexcept : bytes_{bytes} {}
+    constexpr explicit decode_trace(std::span<const std::byte> bytes, errc wanted = errc::ok) noexcept
+        : bytes_{bytes}, wanted_{wanted} {}
+
+    [[nodiscard]] constexpr bool passes(errc error) const noexcept { return wanted_ != errc::ok && error != wanted_; }
 
     template <class Item> constexpr bool reach(const auto&, const std::byte* at) noexcept {
         // What has parts is checked part by part.
@@ -102,6 +106,7 @@ class decode_trace : public path_trace {
     }
 
     std::span<const std::byte> bytes_;
+    errc wanted_;
 };
 
 /// Watches encoding, and counts the bytes.
@@ -138,18 +143,27 @@ template <message T> constexpr in_cursor decode_traced(T& value, std::span<const
     return layout_of<T>::get(value, {in.data(), 0}, object_scope{value, root});
 }
 
+/// What `decode` says to `in` when it has memory enough.
+template <message T> constexpr errc decode_error(std::span<const std::byte> in) noexcept {
+    using root = std::conditional_t<needs_memory<T>, discarding_root, plain_root>;
+    T scratch{};
+    return decode(scratch, in, root{}, true).error();
+}
+
 } // namespace detail
 
-/// Why `decode` refuses `in`; `error` is ok when the bytes are not to blame (arena_full is a matter of memory). Names
-/// the first fault in wire order; decode, which looks at lengths first, says truncated where a later fault is one.
+/// Why `decode` refuses `in`: its error, and the first field in wire order that has this fault. `error` is ok when the
+/// bytes are not to blame (arena_full is a matter of memory).
 template <message T> [[nodiscard]] constexpr diagnosis diagnose(std::span<const std::byte> in) noexcept {
+    const errc error = detail::decode_error<T>(in);
+    if (error == errc::ok) return {};
+    if (error == errc::too_long) return {.error = error, .needed = in.size(), .available = result::max_size};
     T scratch{};
-    detail::decode_trace trace{in};
+    detail::decode_trace trace{in, error};
     const in_cursor end = detail::decode_traced(scratch, in, trace);
-    if (end.at == nullptr) return trace.found(end.error());
+    if (error != errc::trailing_bytes) return trace.found(error);
     const std::size_t left = trace.remaining(end.at);
-    if (left == 0) return {};
-    return {.error = errc::trailing_bytes, .offset = in.size() - left, .available = left};
+    return {.error = error, .offset = in.size() - left, .available = left};
 }
 
 /// Why `encode` refuses to write `value` into `space` bytes; `error` is ok when it does not.

@@ -58,6 +58,13 @@ JAUSCAT_PART constexpr void element([[maybe_unused]] const auto& here, [[maybe_u
 JAUSCAT_PART constexpr void leave([[maybe_unused]] const auto& here) noexcept {
     if constexpr (traced<decltype(here)>) root_of(here).tracer.leave();
 }
+/// The error that decoding ends with; ok where a trace looks for another one and goes on.
+JAUSCAT_PART constexpr errc unless_passed(errc error, [[maybe_unused]] const auto& here) noexcept {
+    if constexpr (traced<decltype(here)>) {
+        if (root_of(here).tracer.passes(error)) return errc::ok;
+    }
+    return error;
+}
 /// Bytes that an item which takes the rest of the body finds.
 JAUSCAT_PART constexpr std::size_t rest_of(in_cursor c, [[maybe_unused]] const auto& here) noexcept {
     if constexpr (traced<decltype(here)>)
@@ -112,7 +119,7 @@ template <class Item> JAUSCAT_PART constexpr bool get_item(auto& object, in_curs
         }
     }
     if constexpr (in_one_go<Item, decltype(here)>) {
-        const errc error = Item::get(object, c.at);
+        const errc error = unless_passed(Item::get(object, c.at), here);
         c = error == errc::ok ? in_cursor{c.at + Item::max_size, c.slack} : in_cursor::failed(error);
     } else {
         c = Item::get(object, c, here);

@@ -291,12 +291,16 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
 
     // Steps over the items one by one: `step<Item>(present, cursor)`.
     JAUSCAT_PART static constexpr in_cursor each(in_cursor c, mask_type m, const auto& here, auto&& step) noexcept {
-        if (Unknown == unknown_bits::refused && (m & ~known_bits) != 0)
-            return in_cursor::failed(errc::unknown_presence_bit);
+        if constexpr (Unknown == unknown_bits::refused) {
+            if ((m & ~known_bits) != 0 && detail::unless_passed(errc::unknown_presence_bit, here) != errc::ok)
+                return in_cursor::failed(errc::unknown_presence_bit);
+        }
         c.at += Carrier::size;
         std::size_t at = 0;
         static_cast<void>((step_over<Items>(c, m, at, here, step) && ...));
-        if (c.at != nullptr && (m & ~known_bits) != 0) c = {c.at + detail::rest_of(c, here), 0};
+        if constexpr (Unknown == unknown_bits::tolerated) {
+            if (c.at != nullptr && (m & ~known_bits) != 0) c = {c.at + detail::rest_of(c, here), 0};
+        }
         return c;
     }
     template <class Item>

@@ -44,7 +44,7 @@ template <class Codec, bool Raw> struct value_form {
         if constexpr (traced<decltype(here)>) {
             if (!root_of(here).tracer.reach_element(c.at, Codec::size)) return in_cursor::failed(errc::truncated);
         }
-        const errc error = used::load(c.at, value);
+        const errc error = unless_passed(used::load(c.at, value), here);
         return error == errc::ok ? in_cursor{c.at + Codec::size, c.slack} : in_cursor::failed(error);
     }
 };
@@ -178,7 +178,8 @@ template <auto Member, class Count, class Element = record> struct repeated {
         if (!Count::get(size, c, here)) return c;
         if constexpr (traced<decltype(here)>) {
             if constexpr (!traits::elsewhere) {
-                if (size > traits::capacity) return in_cursor::failed(errc::count_above_capacity);
+                if (size > traits::capacity && detail::unless_passed(errc::count_above_capacity, here) != errc::ok)
+                    return in_cursor::failed(errc::count_above_capacity);
             }
             detail::enter<repeated>(here);
             stored scratch{};
@@ -193,7 +194,13 @@ template <auto Member, class Count, class Element = record> struct repeated {
             return c;
         } else {
             if (!spend_elements<form>(c, size)) return c;
-            if constexpr (traits::elsewhere) {
+            if constexpr (traits::elsewhere && discarding<decltype(here)>) {
+                for (std::size_t i = 0; i != size && c.at != nullptr; ++i) {
+                    stored scratch{};
+                    c = form::get(scratch, c, here);
+                }
+                return c;
+            } else if constexpr (traits::elsewhere) {
                 stored* const first = root_of(here).memory.template allocate<stored>(size);
                 if (first == nullptr && size != 0) return in_cursor::failed(errc::arena_full);
                 elements = std::span<const stored>{first, size};

@@ -13,6 +13,8 @@ struct plain_root {};
 struct memory_root {
     arena& memory;
 };
+/// The outermost scope of decoding that keeps no elements of lists: only its error counts.
+struct discarding_root {};
 /// The outermost scope of a walk that is watched; see diagnose.
 template <class Tracer> struct traced_root {
     using tracer_type = Tracer;
@@ -45,6 +47,9 @@ JAUSCAT_PART constexpr const auto& root_of(const auto& scope) noexcept {
 template <class Scope> using root_type = std::remove_cvref_t<decltype(root_of(std::declval<const Scope&>()))>;
 /// True where a tracer watches.
 template <class Scope> inline constexpr bool traced = requires { typename root_type<Scope>::tracer_type; };
+
+/// True where elements of lists are decoded one by one and dropped.
+template <class Scope> inline constexpr bool discarding = std::is_same_v<root_type<Scope>, discarding_root>;
 
 template <class T> struct schema;
 template <class T> struct checked_schema;

@@ -34,10 +34,11 @@ template <class Form> struct case_form {
             c, here, [&](std::byte* out) { return used::store(out, static_cast<typename used::value_type>(value)); });
         return c;
     }
-    template <bool Raw> JAUSCAT_PART static constexpr in_cursor get(auto& value, in_cursor c, const auto&) noexcept {
+    template <bool Raw>
+    JAUSCAT_PART static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
         using used = wire::codec_in_mode<Form, Raw>;
         typename used::value_type loaded{};
-        const errc error = used::load(c.at, loaded);
+        const errc error = unless_passed(used::load(c.at, loaded), here);
         if (error != errc::ok) return in_cursor::failed(error);
         value = static_cast<std::remove_reference_t<decltype(value)>>(loaded);
         return {c.at + Form::size, c.slack};
@@ -87,8 +88,7 @@ template <class Value, bool Raw, class... Cases> struct case_table {
     JAUSCAT_PART static constexpr bool with_form(auto tag, auto&& f) {
         return (... || (tag == Cases::tag && (f.template operator()<case_form<typename Cases::form>>(), true)));
     }
-    [[nodiscard]] static constexpr std::size_t min_size_of(auto tag) noexcept {
-        std::size_t size = 0;
+    [[nodiscard]] static constexpr std::size_t min_size_of(auto tag, std::size_t size) noexcept {
         with_form(tag, [&]<class Form>() { size = Form::min_size; });
         return size;
     }
@@ -108,7 +108,8 @@ template <class Value, bool Raw, class... Cases> struct case_table {
         return end;
     }
     [[gnu::noinline]] static constexpr in_cursor get(Value& value, auto tag, in_cursor c, const auto& root) noexcept {
-        in_cursor end = in_cursor::failed(errc::unknown_tag);
+        in_cursor end = unless_passed(errc::unknown_tag, root) == errc::ok ? in_cursor{c.at + min_size, c.slack}
+                                                                           : in_cursor::failed(errc::unknown_tag);
         with_form(tag, [&]<class Form>() {
             end = c;
             if (!spend(end, Form::min_size - min_size, root)) return;
@@ -191,7 +192,9 @@ template <auto Member, class Selector, class... Cases> struct selected {
         using table = table_in<decltype(object)>;
         const auto tag = Selector::value(here);
         if constexpr (traced<decltype(here)>) {
-            if (!root_of(here).tracer.template reach_octets<selected>(c.at, table::min_size_of(tag)))
+            const bool passed = detail::unless_passed(errc::unknown_tag, here) == errc::ok;
+            const std::size_t fewest = table::min_size_of(tag, passed ? min_size : 0);
+            if (!root_of(here).tracer.template reach_octets<selected>(c.at, fewest))
                 return in_cursor::failed(errc::truncated);
         }
         return table::get(made(object.*place_in<decltype(object), Member>), tag, c, root_of(here));

@@ -93,13 +93,20 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
             std::size_t count = 0;
             const in_cursor end = walk_bytes(c, count, byte_scope<plain_root, plain_root>{c.at, c.at, {}});
             if (end.at == nullptr) return end;
-            stored* const first = root_of(here).memory.template allocate<stored>(count);
-            if (first == nullptr) return in_cursor::failed(errc::arena_full);
-            nodes = std::span<const stored>{first, count};
-            for (std::size_t i = 0; i != count; ++i) {
+            const auto get_node = [&](std::size_t i, stored& one) {
                 if (i != 0) c.slack -= inner_layout::min_size;
-                c = inner_layout::get(first[i], c, object_scope{first[i], here});
-                if (c.at == nullptr) break;
+                c = inner_layout::get(one, c, object_scope{one, here});
+            };
+            if constexpr (discarding<decltype(here)>) {
+                for (std::size_t i = 0; i != count && c.at != nullptr; ++i) {
+                    stored scratch{};
+                    get_node(i, scratch);
+                }
+            } else {
+                stored* const first = root_of(here).memory.template allocate<stored>(count);
+                if (first == nullptr) return in_cursor::failed(errc::arena_full);
+                nodes = std::span<const stored>{first, count};
+                for (std::size_t i = 0; i != count && c.at != nullptr; ++i) get_node(i, first[i]);
             }
             return c;
         }
