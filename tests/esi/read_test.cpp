@@ -142,3 +142,25 @@ TEST_CASE("objects that do not fit their types are named") {
                           "<SubItem><Name>a</Name></SubItem><SubItem>\n                    <Name>Vendor ID<") ==
           "<SubItem>: more items than the object's type has");
 }
+
+TEST_CASE("an object has the elements of one array, right behind subindex 0") {
+    const std::string xml = sample_esi(), name = "<Name>Elements</Name>";
+    const auto at = xml.find(name);
+    REQUIRE(at != xml.npos);
+    const std::string end = "</Type>", item = xml.substr(at, xml.find(end, at) + end.size() - at);
+    const std::string next = "</SubItem><SubItem>" + name, plain = "<Type>USINT</Type>";
+    CHECK(complaint_about(name, item + next) ==
+          "<SubItem>: an item behind the elements of an array, expected none there");
+    CHECK(complaint_about(name, item + "</SubItem><SubItem><SubIdx>255</SubIdx><Name>a</Name>" + plain + next) ==
+          "<SubItem>: an item behind the elements of an array, expected none there");
+    CHECK(complaint_about(name, "<SubIdx>1</SubIdx><Name>a</Name>" + plain + next) ==
+          "<SubItem>: the elements of an array behind a record's items, expected them behind subindex 0 alone");
+}
+
+TEST_CASE("a device has at most as many SyncManagers as a slave") {
+    auto device = test::sample_device();
+    device.sync_managers.resize(16, device.sync_managers.back());
+    CHECK(parse(esi::write_esi(device)) == device);
+    device.sync_managers.push_back(device.sync_managers.back());
+    CHECK(complaint(esi::write_esi(device)) == "<Sm>: expected at most 16 <Sm>: a slave has no more");
+}

@@ -55,13 +55,19 @@ class esi_reader : xml_source {
             made.objects.push_back(read_object(each));
         check_indices(dictionary, made.objects);
         for (const auto each : node.children("Fmmu")) made.fmmus.emplace_back(each.text().get());
-        for (const auto each : node.children("Sm")) made.sync_managers.push_back(read_sync_manager(each));
+        for (const auto each : node.children("Sm")) {
+            if (made.sync_managers.size() == max_sync_managers)
+                fail(each, "expected at most " + std::to_string(max_sync_managers) + " <Sm>: a slave has no more");
+            made.sync_managers.push_back(read_sync_manager(each));
+        }
         made.coe = read_coe(child(child(node, "Mailbox"), "CoE"));
         made.eeprom = read_eeprom(child(node, "Eeprom"));
         return made;
     }
 
   private:
+    static constexpr std::size_t max_sync_managers = 16; // registers 0800h to 087Fh
+
     sync_manager read_sync_manager(pugi::xml_node node) const {
         const auto use = parse_sync_manager_use(node.text().get());
         if (!use) fail(node, '"' + std::string{node.text().get()} + "\", expected MBoxOut, MBoxIn, Outputs or Inputs");
@@ -131,6 +137,8 @@ class esi_reader : xml_source {
     void read_items(object& made, pugi::xml_node type) const {
         made.code = object_code::record;
         for (const auto item : type.children("SubItem")) {
+            if (made.code == object_code::array)
+                fail(item, "an item behind the elements of an array, expected none there");
             entry each{.name = text(child(item, "Name")), .type = text(child(item, "Type"))};
             each.properties = read_properties(item);
             set_access(each, item);
@@ -141,6 +149,8 @@ class esi_reader : xml_source {
                 append(made, each, item);
                 continue;
             }
+            if (made.entries.size() > 1)
+                fail(item, "the elements of an array behind a record's items, expected them behind subindex 0 alone");
             made.code = object_code::array;
             const auto array = named_type(item, each.type);
             const auto bounds = child(array, "ArrayInfo");
