@@ -237,6 +237,32 @@ TEST_CASE("a late answer to an abandoned request is not taken for the next one's
     CHECK(b.download().error == master_errc::sdo_abort);
 }
 
+TEST_CASE("a late answer is not taken for the next one's either where the slave numbers its messages in its own way") {
+    for (unsigned wake_up = 1; wake_up != 8; ++wake_up)
+        for (unsigned shift = 1; shift != 7; ++shift) {
+            bench b;
+            REQUIRE(b.bring_up());
+            b.works = false;
+            CHECK(b.download() == outcome{.error = master_errc::mailbox_timeout});
+            unsigned frames = 0;
+            b.link.on_way_back = [&](bytes& frame) {
+                mutable_frame_view view;
+                REQUIRE(view.parse(frame));
+                for (const auto datagram : view) {
+                    if (datagram.header.ado != mailbox_in || datagram.working_counter == 0) continue;
+                    const auto old = std::to_integer<unsigned>(datagram.data[5]);
+                    datagram.data[5] = static_cast<std::byte>((old & 0x0FU) | (((old >> 4U) + shift) % 7 + 1) << 4U);
+                }
+                if (++frames != wake_up) return;
+                b.works = true;
+                b.device.work(); // executes the first one, and the next one will be refused
+                b.objects.entries[{0x6926, 1}].write_abort = abort_code::read_only;
+            };
+            INFO("it wakes up after frame " << wake_up << ", and counts " << shift << " ahead");
+            CHECK_FALSE(b.download());
+        }
+}
+
 TEST_CASE("a full mailbox is polled and the request sent when there is room") {
     bench b;
     REQUIRE(b.bring_up());

@@ -34,7 +34,11 @@ class mailbox_exchange {
   public:
     mailbox_exchange() noexcept = default;
     /// Starts a message with the slave's next counter.
-    explicit mailbox_exchange(slave_record& slave) noexcept : step_{slave.drained ? step::write : step::drain} {
+    explicit mailbox_exchange(slave_record& slave) noexcept
+        : step_{slave.abandoned_counter != 0 ? step::look_taken
+                : slave.drained              ? step::write
+                                             : step::drain},
+          may_write_{slave.abandoned_counter == 0} {
         slave.last_counter = static_cast<std::uint8_t>(slave.last_counter % 7 + 1);
     }
 
@@ -42,6 +46,7 @@ class mailbox_exchange {
     static mailbox_exchange collect() noexcept {
         mailbox_exchange exchange;
         exchange.step_ = exchange.resume_ = step::collect;
+        exchange.asks_ = false;
         return exchange;
     }
 
@@ -70,6 +75,7 @@ class mailbox_exchange {
             protocol.encode(out.subspan(wire::encode(header, out).size()));
             break;
         }
+        case step::look_taken:
         case step::look_room: read(sync_manager_handshake_of(0).address, wire::max_size<sync_manager_handshake>); break;
         case step::look:
         case step::wait_repeat:
@@ -104,13 +110,14 @@ class mailbox_exchange {
     }
 
     /// The request is given up; its answer may still come and is not to be taken for another's.
-    static void abandon(slave_record& slave) noexcept {
+    void abandon(slave_record& slave) const noexcept {
         slave.drained = false;
-        slave.abandoned_counter = slave.last_counter;
+        if (asks_) slave.abandoned_counter = slave.last_counter;
     }
 
   private:
     enum class step : std::uint8_t {
+        look_taken,  // a request was given up: has the slave taken it? Its answer has to come before the next request
         drain,       // empties the reply mailbox before the first request
         collect,     // empties it, and that is all
         write,       // posts the request
@@ -133,6 +140,10 @@ class mailbox_exchange {
                 if (!repeated_ || slave.last_reply_mark != before) note_emergency(letter, slave);
                 return progress::send;
             }
+            if (!may_write_) {
+                step_ = step::look_taken;
+                return progress::wait;
+            }
             slave.drained = true;
             return step_ == step::collect ? progress::done : go(step::write);
         case step::write:
@@ -144,6 +155,7 @@ class mailbox_exchange {
             if (!accepted_) step_ = step::write;
             return progress::wait;
         case step::ask_repeat: return executed ? go(step::wait_repeat) : fail(master_errc::working_counter, slave);
+        case step::look_taken:
         case step::look_room:
         case step::look:
         case step::wait_repeat: break;
@@ -151,6 +163,10 @@ class mailbox_exchange {
         if (!executed) return fail(master_errc::working_counter, slave);
         static_cast<void>(wire::decode(mailbox, datagram.data));
         // A slave may hold a request back because its reply mailbox is full.
+        if (step_ == step::look_taken) {
+            may_write_ = !mailbox.full;
+            return go(step::drain);
+        }
         if (step_ == step::look_room) return go(mailbox.full ? step::read : step::write);
         if (step_ == step::wait_repeat) return mailbox.repeat_acknowledge == repeat_ ? go(resume_) : progress::wait;
         // Even if there is a message: it may be the next one already. An older one that comes again is passed over.
@@ -231,11 +247,13 @@ class mailbox_exchange {
     }
 
     step step_{};
-    step resume_{};   // the read that was lost
-    bool accepted_{}; // the slave has taken the request
-    bool unsure_{};   // the slave may have taken it: the reply to a write was lost
-    bool repeat_{};   // the repeat request bit that was sent
-    bool repeated_{}; // a repeat was asked for: the message before may come again
+    step resume_{}; // the read that was lost
+    bool asks_{true};
+    bool may_write_{true}; // no request that was given up waits in the slave's mailbox
+    bool accepted_{};      // the slave has taken the request
+    bool unsure_{};        // the slave may have taken it: the reply to a write was lost
+    bool repeat_{};        // the repeat request bit that was sent
+    bool repeated_{};      // a repeat was asked for: the message before may come again
     patience patience_{};
     outcome result_{};
 };

@@ -146,7 +146,7 @@ class master {
     /// slave has open is aborted before the next one.
     void cancel(master_errc error) noexcept {
         if (idle()) return;
-        if (uses_mailbox()) mailbox_exchange::abandon(*slave_);
+        if (uses_mailbox()) exchange_.abandon(*slave_);
         if (job_ == job::sdo && transfer_.is_open()) slave_->unfinished = transfer_.abort_message();
         finish(job_ == job::abort ? ended_ : outcome{.error = error});
     }
