@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
         options.add_options()
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this arm belongs to, instead of the file's <thissystem>")
-            ("command-timeout", po::value<unsigned>()->default_value(500), "milliseconds without a message after which efforts that came by mailbox end; 0: never")
+            ("command-timeout", po::value<unsigned>()->default_value(450), "milliseconds without a message after which efforts that came by mailbox end; 0: never")
             ("mailbox-size", po::value<std::uint16_t>()->default_value(example::arm_slave.mailbox_in_size), "bytes of each mailbox, 24 to 1486: larger objects go in segments")
             ("strict", po::bool_switch(), "take and give objects at their exact size only, as some slaves do: needs --fixed-length")
             ("subindex-0-rule", po::bool_switch(), "abort writes to PDO mapping objects while their subindex 0 is not 0, as some slaves do: needs the controller's --clear-subindex-0 or another --index-base");

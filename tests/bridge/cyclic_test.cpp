@@ -73,6 +73,16 @@ TEST_CASE("a silent slave is lost by the clock within the limit, and the bridge 
     r.run_until([&] { return r.is_acknowledged(number); });
 }
 
+TEST_CASE("a slave that is polled every 5 ms notices within the limit that no outputs come any more") {
+    rig r{1, true};
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    r.run_until([&, before = r.frames] { return r.frames != before; });
+    r.cable_is_out = true;
+    r.run(bridge::at_rest_in_cycles - 5ms);
+    CHECK(r.motor().effort == 0);
+}
+
 TEST_CASE("a slave that falls out of OP is lost within two cycles") {
     rig r{1, true};
     r.run_until_ready();

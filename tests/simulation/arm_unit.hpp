@@ -60,7 +60,7 @@ class arm_unit {
     void tell_efforts();
     void note_emergency(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept;
 
-    static constexpr std::chrono::milliseconds command_timeout{500}; // that of robot_arm
+    static constexpr std::chrono::milliseconds command_timeout{450}; // that of robot_arm
 
     std::function<void(command_number)> moved_;
     std::optional<example::arm> arm_{};

@@ -539,8 +539,7 @@ void model::check_actuator(const actuator_account& a) {
 }
 
 void model::check_stop(const actuator_account& a, const char* why, time since, time limit) {
-    constexpr auto frames_lost = std::chrono::milliseconds{60};
-    if (world_.now() - since > limit + frames_lost)
+    if (world_.now() - since > limit)
         breaks(contract::s3, a, 0, "at rest " + in_ms(limit) + " after " + why,
                "efforts of command " + std::to_string(a.command) + ", " + in_ms(world_.now() - since) + " later");
 }
@@ -550,19 +549,22 @@ void model::check_slave(const actuator_account& a) {
     if (a.command == 0) return;
     const auto& slave = (*a.wire)[a.slave];
     if (slave.frozen) return; // nothing that is outside of it can stop it
+    constexpr auto frames_lost = std::chrono::milliseconds{60}, between_checks = std::chrono::milliseconds{10};
     if (const auto silent = a.program->silent_since())
-        check_stop(a, "its program does nothing any more", std::max(*silent, slave.unfrozen_at), a.at_rest_in);
+        check_stop(a, "its program does nothing any more", std::max(*silent, slave.unfrozen_at),
+                   a.at_rest_in + between_checks);
     if (const auto trouble = a.wire->trouble_of(a.slave))
-        check_stop(a, trouble->what, std::max(trouble->since, slave.unfrozen_at), a.at_rest_in);
+        check_stop(a, trouble->what, std::max(trouble->since, slave.unfrozen_at), a.at_rest_in + between_checks);
     // What the bridge must tell it: as long as nothing comes in between.
     const time undisturbed = std::max({slave.disturbed_at, a.program->jumped_at(), slave.unfrozen_at});
     if (!a.program->running()) return;
     if (a.state != primary_status_code::ready)
-        check_stop(a, "its component has left Ready", std::max(a.not_ready_since, undisturbed), a.at_rest_in);
+        check_stop(a, "its component has left Ready", std::max(a.not_ready_since, undisturbed),
+                   a.at_rest_in + frames_lost);
     if (!a.controller) return;
     if (const auto since = unreachable_since(*a.controller, a))
         check_stop(a, "its controller is lost", std::max(*since + network::longest_delay, undisturbed),
-                   a.controller_limit);
+                   a.controller_limit + frames_lost);
 }
 
 void model::check_senders() {

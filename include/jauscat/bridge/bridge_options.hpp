@@ -58,7 +58,7 @@ inline constexpr std::chrono::milliseconds at_rest_in_cycles{100};
     return {.master = {.state_timeout = second,
                        .mailbox_timeout = std::max<std::chrono::nanoseconds>(limit / 2, second / 4)},
             .period = period,
-            .watchdog = limit,
+            .watchdog = limit * 9 / 10, // a slave takes time to notice that it has expired
             .longest_silence = limit * 4 / 5,
             .check_interval = limit / 5,
             .keep_alive = std::min<std::chrono::nanoseconds>(limit / 5, second / 10),
