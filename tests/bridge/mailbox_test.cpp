@@ -292,6 +292,20 @@ TEST_CASE("who takes control over does not inherit the commands that wait") {
     CHECK(r.motor().effort == 0);
 }
 
+TEST_CASE("who gets control that nobody had does not inherit the commands of others that wait") {
+    rig r;
+    r.round_trip = 8ms;
+    r.run_until_ready();
+    r.tell(jaus::set_travel_speed{.desired_speed = 1}, 0, ack_nak::none); // occupies the slave
+    const auto foreign = r.drive(50), own = r.tell(jaus::set_wrench_effort{.propulsive_linear_effort_x = 20}, 0,
+                                                   ack_nak::request, rig::stranger);
+    r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none, rig::stranger);
+    CHECK(r.is_refused(foreign));
+    r.run_until([&] { return r.is_acknowledged(own); });
+    CHECK(r.motor().effort > 19);
+    CHECK(std::ranges::max(r.motor().efforts) < 21);
+}
+
 TEST_CASE("standby is acknowledged when the slave is at rest, and nothing that waited moves it afterwards") {
     rig r;
     r.round_trip = 4ms;
@@ -322,6 +336,35 @@ TEST_CASE("a repeat of a message that is not executed yet is not executed twice"
     r.repeat(body, number);
     r.run(200ms);
     CHECK(std::ranges::count(r.motor().executed, jaus::set_travel_speed::command_code) == 1);
+}
+
+TEST_CASE("an emergency of a slave is told also when no message goes to it") {
+    rig r;
+    r.options.keep_alive = 0s;
+    r.run_until_ready();
+    // The answer to another master's upload becomes an emergency on its way back.
+    constexpr ethercat::slave_description areas{};
+    constexpr std::size_t mailbox_size = 256;
+    std::array<std::byte, ethercat::max_frame_size> frame{};
+    ethercat::frame_builder upload{frame, 0xEE};
+    auto mail = upload.add(ethercat::command::fpwr, 2, areas.mailbox_out_offset, mailbox_size);
+    constexpr std::array request{0x0A, 0, 0, 0, 0, 0x73, 0, 0x20, 0x40, 0, 0x10, 0, 0, 0, 0, 0};
+    std::ranges::transform(request, mail.begin(), [](int b) { return static_cast<std::byte>(b); });
+    r.actuators[0].pass(std::span{frame}.first(upload.finish().size()), r.now);
+    r.on_way_back = [](std::span<std::byte> back) {
+        ethercat::mutable_frame_view view;
+        REQUIRE(view.parse(back));
+        for (auto each : view) {
+            if (each.header.ado != areas.mailbox_in_offset || each.working_counter == 0) continue;
+            constexpr std::array emergency{0, 0x10, 0x10, 0x23, 1, 0, 0, 0, 0, 0}; // 2310h
+            std::ranges::transform(emergency, each.data.begin() + 6, [](int b) { return static_cast<std::byte>(b); });
+        }
+    };
+    r.run_until([&] { return !r.watcher.emergencies.empty(); }, r.options.check_interval + 10ms);
+    CHECK(r.watcher.emergencies == std::vector<std::uint16_t>{0x2310});
+    r.run(1s);
+    CHECK(r.watcher.emergencies.size() == 1);
+    CHECK(r.watcher.lost == 0);
 }
 
 TEST_CASE("a slave that gets no message gets heartbeats") {

@@ -5,6 +5,7 @@
 #include <jauscat/bridge/ring.hpp>
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,12 +22,16 @@ struct notes : bridge::observer {
     unsigned up{}, lost{}, settled_debts{}, stops_refused{}, failed_bring_ups{};
     std::optional<bridge::loss> last_loss{};
     std::vector<bridge::refusal> refusals{};
+    std::vector<std::uint16_t> emergencies{};
 
     void slave_up(const bridge::slave_front&, const ethercat::slave_record&, bool ready) override { up += ready; }
     void bring_up_failed(const bridge::slave_front&, const ethercat::outcome&) override { ++failed_bring_ups; }
     void slave_lost(const bridge::slave_front&, bridge::loss what, const ethercat::outcome&) override {
         ++lost;
         last_loss = what;
+    }
+    void slave_emergency(const bridge::slave_front&, const ethercat::coe_emergency& what) override {
+        emergencies.push_back(what.error_code);
     }
     void settled(const bridge::component&) override { ++settled_debts; }
     void stop_refused(const bridge::component&, bridge::stop_order, const bridge::refusal_reason&, unsigned) override {
@@ -167,6 +172,7 @@ class rig {
     bool cable_is_out{};
     std::size_t dead_from{100}; ///< slaves from here on do not get frames
     unsigned frames_to_lose{};  ///< the next frames
+    std::function<void(std::span<std::byte>)> on_way_back{};
     std::uint64_t frames{};
 
   private:
@@ -201,6 +207,7 @@ class rig {
             return;
         }
         for (std::size_t i = 0; i != actuators.size() && i < dead_from; ++i) actuators[i].pass(frame, now);
+        if (on_way_back) on_way_back(frame);
         flights_.push_back({{frame.begin(), frame.end()}, now + round_trip});
     }
     void take(bytes message) { messages.emplace_back(message.begin(), message.end()); }

@@ -77,7 +77,7 @@ class component {
         follow_up(now, out);
     }
     [[nodiscard]] std::optional<time> next_event() const {
-        return motion_is_dropped_ ? std::optional{time::min()} : core_.next_event();
+        return motion_is_dropped_ || foreign_motion_is_dropped_ ? std::optional{time::min()} : core_.next_event();
     }
     void on_lost(const jaus::address& who) { core_.on_lost(who); }
 
@@ -208,8 +208,10 @@ class component {
     void changed_controller(const std::optional<jaus::controller>&, jaus::control_change why) {
         front_.watcher().changed_controller(*this, why);
         if (why == jaus::control_change::lost) owe_rest(stop_cause::controller_lost);
-        // What the old one has sent and was not executed yet is not the new one's.
-        if (why == jaus::control_change::taken_over || why == jaus::control_change::rejected) drops_motion();
+        // What others have sent and was not executed yet is not the controller's.
+        if (why == jaus::control_change::lost || why == jaus::control_change::released) return;
+        foreign_motion_is_dropped_ = true;
+        front_.wake();
     }
     void owe_what_the_state_owes(stop_cause why) {
         if (core_.state() == jaus::primary_status_code::emergency)
@@ -240,10 +242,12 @@ class component {
 
     // What the core's hooks have caused and needs `out`.
     void follow_up(time now, jaus::message_sink out) {
+        if (std::exchange(foreign_motion_is_dropped_, false)) {
+            const auto& controller = core_.control().controller();
+            drop_motion(now, out, [&](const jaus::address& who) { return !controller || controller->address != who; });
+        }
         if (std::exchange(motion_is_dropped_, false)) {
-            front_.orders().remove_if(
-                [&](const order& each) { return each.unit == this && !is_query(each.header); },
-                [&](const order& each) { on_not_executed(each.header, {.why = refusal::stopped}, now, out); });
+            drop_motion(now, out, [](const jaus::address&) { return true; });
             if (!debt_.owes_clear()) answer_waiting(true, false, now, out); // a new emergency came before
         }
         if (!front_.up() || !debt_.settled()) return;
@@ -252,14 +256,22 @@ class component {
         core_.change(jaus::state_event::initialized);
         if (std::exchange(was_at_rest_, false)) core_.change(jaus::state_event::standby);
     }
+    void drop_motion(time now, jaus::message_sink out, auto&& is_unwanted) {
+        front_.orders().remove_if(
+            [&](const order& each) {
+                return each.unit == this && !is_query(each.header) && is_unwanted(each.header.source);
+            },
+            [&](const order& each) { on_not_executed(each.header, {.why = refusal::stopped}, now, out); });
+    }
 
     slave_front& front_;
     stop_debt debt_;
     std::array<jaus::header, 16> waiting_{}; // state commands that the actuator has not confirmed
     std::size_t waiting_count_{};
-    bool motion_is_dropped_{}; // commands that wait are refused at the next opportunity
-    bool ends_{};              // the program
-    bool was_at_rest_{};       // the component was not ready when the slave was lost
+    bool motion_is_dropped_{};         // commands that wait are refused at the next opportunity
+    bool foreign_motion_is_dropped_{}; // ... those that are not the controller's
+    bool ends_{};                      // the program
+    bool was_at_rest_{};               // the component was not ready when the slave was lost
     jaus::component_memory<16, 256, 4096> memory_{};
     jaus::component<> core_;
 };

@@ -225,11 +225,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         const auto& slave = at.front->options();
         return begin_job(at, work::bring_up, master_.bring_up(slave.position, slave.identity.station));
     }
-    bool begin_check(place& at) {
-        return begin_job(at, work::check,
-                         master_.exchange(ethercat::command::fprd, at.front->station(),
-                                          ethercat::esc_registers::al_status.address, status_));
-    }
+    bool begin_check(place& at) { return begin_job(at, work::check, master_.check(at.front->station())); }
     // Nothing that moves the actuator goes before a stop order that it has not confirmed.
     [[nodiscard]] static bool is_held_back(const order& each) noexcept {
         return each.unit->debt().next() && !is_query(each.header);
@@ -318,6 +314,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         heard(at, now);
         at.next_check = jaus::later(now, options_.check_interval);
         at.takes_keep_alive = true;
+        at.has_mail = false;
         at.at = at.front->options().cyclic ? phase::pre_op : phase::up;
         at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), at.at == phase::up);
         if (at.at == phase::up) ready(at, now);
@@ -340,20 +337,22 @@ template <class Image = wrench_effort_path> class basic_ring {
     void checked(place& at, const ethercat::outcome& result, time now, jaus::message_sink out) {
         using namespace ethercat;
         at.next_check = jaus::later(now, options_.check_interval);
+        const auto* const record = master_.find(at.front->station());
+        const bool is_absent = result.error == master_errc::working_counter || record == nullptr;
+        if (is_absent || result.error == master_errc::duplicate_station)
+            return lose(at, loss::no_station, result, now, out);
         if (!result) {
             if (now - at.last_heard >= options_.longest_silence) lose(at, loss::no_answer, result, now, out);
             return;
         }
-        al_status status{};
-        const bool is_known = wire::decode_prefix(status, status_).error() == wire::errc::ok;
-        if (result.detail != 1) return lose(at, loss::no_station, result, now, out);
+        const auto& status = record->al;
         const bool works =
             status.state == al_state::pre_op || status.state == al_state::safe_op || status.state == al_state::op;
-        if (!is_known || !works)
+        if (!works)
             return lose(at, loss::left_state,
                         {.error = master_errc::al_error, .detail = static_cast<std::uint32_t>(status.code)}, now, out);
         heard(at, now);
-        at.has_mail = false;
+        at.has_mail = record->mail_waits;
     }
     void tell_emergencies(place& at) {
         const auto* const record = master_.find(at.front->station());
@@ -709,7 +708,6 @@ template <class Image = wrench_effort_path> class basic_ring {
     stop_order stop_{};
     order order_{};
     std::optional<time> hindered_since_{};
-    std::array<std::byte, wire::max_size<ethercat::al_status>> status_{};
     std::optional<ethercat::packet_job> job_{};
     std::array<std::byte, message_size> message_{};
     std::array<std::byte, std::max(any_exchange::buffer_size, message_size)> packet_{};
