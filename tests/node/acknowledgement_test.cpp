@@ -96,8 +96,8 @@ TEST_CASE("a message asks for its acknowledgement and is not sent again once tha
 TEST_CASE("a NAK is an outcome as well") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()));
-    REQUIRE(o.answer(0x0003, 0, ack_nak::nak));
-    REQUIRE(o.heard == outcomes{{0, delivered::refused}});
+    REQUIRE(o.answer(0x0003, 1, ack_nak::nak));
+    REQUIRE(o.heard == outcomes{{1, delivered::refused}});
 }
 
 TEST_CASE("a message without an answer is sent again, the same bytes, and given up after the retries") {
@@ -117,34 +117,49 @@ TEST_CASE("a message without an answer is sent again, the same bytes, and given 
     REQUIRE(o.heard.empty());
     o.on_time(1350ms);
     REQUIRE(o.sent.size() == 3);
-    REQUIRE(o.heard == outcomes{{0, delivered::timed_out}});
+    REQUIRE(o.heard == outcomes{{1, delivered::timed_out}});
     REQUIRE_FALSE(o.commands.next_event());
-    REQUIRE_FALSE(o.answer(0x0003, 0, ack_nak::ack));
+    REQUIRE_FALSE(o.answer(0x0003, 1, ack_nak::ack));
+}
+
+// Its receiver may have forgotten it by then, and would obey it a second time.
+TEST_CASE("a message that was to be sent again while its program was suspended is given up") {
+    ocu o;
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 1s, o.sent.sink()));
+    o.on_time(1100ms);
+    REQUIRE(o.sent.size() == 2);
+    o.on_time(1300ms - 1ns); // late, and soon enough
+    REQUIRE(o.sent.size() == 3);
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, 2s, o.sent.sink()));
+    o.on_time(2300ms); // suspended
+    REQUIRE(o.sent.size() == 4);
+    REQUIRE(o.heard == outcomes{{1, delivered::timed_out}, {2, delivered::timed_out}});
+    REQUIRE_FALSE(o.answer(0x0004, 2, ack_nak::ack)); // it lay in the socket
 }
 
 TEST_CASE("only the answer to a message counts: its code, number, sender and addressee") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()));
-    REQUIRE_FALSE(o.answer(0x0004, 0, ack_nak::ack));
-    REQUIRE_FALSE(o.answer(0x0003, 1, ack_nak::ack));
-    REQUIRE_FALSE(o.answer(0x0003, 0, ack_nak::ack, other));
-    REQUIRE_FALSE(o.answer(0x0003, 0, ack_nak::ack, arm_address, other));
-    REQUIRE_FALSE(o.answer(0x0003, 0, ack_nak::none));
-    REQUIRE_FALSE(o.answer(0x0003, 0, ack_nak::request));
+    REQUIRE_FALSE(o.answer(0x0004, 1, ack_nak::ack));
+    REQUIRE_FALSE(o.answer(0x0003, 2, ack_nak::ack));
+    REQUIRE_FALSE(o.answer(0x0003, 1, ack_nak::ack, other));
+    REQUIRE_FALSE(o.answer(0x0003, 1, ack_nak::ack, arm_address, other));
+    REQUIRE_FALSE(o.answer(0x0003, 1, ack_nak::none));
+    REQUIRE_FALSE(o.answer(0x0003, 1, ack_nak::request));
     REQUIRE(o.heard.empty());
-    REQUIRE(o.answer(0x0003, 0, ack_nak::ack));
+    REQUIRE(o.answer(0x0003, 1, ack_nak::ack));
 }
 
 TEST_CASE("as many messages wait as there are places") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()));
-    REQUIRE(o.commands.send(to_arm, jaus::resume{}, 50ms, o.sent.sink()).sequence_number == 1);
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, 50ms, o.sent.sink()).sequence_number == 2);
     REQUIRE(o.commands.send(to_arm, jaus::resume{}, 50ms, o.sent.sink()).error == send_errc::no_room);
     REQUIRE(o.sent.size() == 2);
     REQUIRE(o.commands.next_event() == 100ms);
-    REQUIRE(o.answer(0x0003, 0, ack_nak::ack));
+    REQUIRE(o.answer(0x0003, 1, ack_nak::ack));
     REQUIRE(o.commands.next_event() == 150ms);
-    REQUIRE(o.commands.send(to_arm, jaus::resume{}, 50ms, o.sent.sink()).sequence_number == 2);
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, 50ms, o.sent.sink()).sequence_number == 3);
 }
 
 TEST_CASE("what cannot be acknowledged or does not fit is not sent") {
@@ -174,9 +189,9 @@ TEST_CASE("a whole message is sent with a number of its own") {
     const auto ready =
         message({.priority = 9, .destination = arm_address, .source = ocu_address, .sequence_number = 50},
                 jaus::set_component_authority{3});
-    REQUIRE(o.commands.send(ready, 0s, o.sent.sink()).sequence_number == 0);
     REQUIRE(o.commands.send(ready, 0s, o.sent.sink()).sequence_number == 1);
-    REQUIRE(o.sent.header(1).sequence_number == 1);
+    REQUIRE(o.commands.send(ready, 0s, o.sent.sink()).sequence_number == 2);
+    REQUIRE(o.sent.header(1).sequence_number == 2);
     REQUIRE(o.sent.header(1).priority == 9);
     REQUIRE(o.sent.header(1).ack_nak == ack_nak::request);
     REQUIRE(o.sent.body<jaus::set_component_authority>(1).authority_code == 3);
@@ -184,7 +199,7 @@ TEST_CASE("a whole message is sent with a number of its own") {
 
 TEST_CASE("a program that starts again begins with another number, so that its first message is no repeat") {
     arm a;
-    for (const std::uint16_t first : {std::uint16_t{0}, std::uint16_t{40000}, std::uint16_t{0xFFFF}}) {
+    for (const std::uint16_t first : {std::uint16_t{1}, std::uint16_t{40000}, std::uint16_t{0xFFFE}}) {
         std::array<jaus::awaited_message, 2> places{};
         std::array<std::byte, 2 * 20> copies{};
         jaus::acknowledged_sender commands{places, copies, {.first_number = first}};
@@ -200,13 +215,14 @@ TEST_CASE("a program that starts again begins with another number, so that its f
 
 TEST_CASE("numbers go around and leave out the ones that wait") {
     ocu o;
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).sequence_number == 0);
-    for (unsigned n = 1; n <= 0xFFFF; ++n) {
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).sequence_number == 1);
+    for (unsigned n = 2; n <= 0xFFFF; ++n) {
         REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).sequence_number == n);
         REQUIRE(o.answer(0x0003, static_cast<std::uint16_t>(n), ack_nak::ack));
         o.sent.clear();
     }
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).sequence_number == 1);
+    // 0 is the number of those that do not count.
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).sequence_number == 2);
 }
 
 TEST_CASE("the handler of an outcome may send the next message into the place that has become free") {
@@ -217,11 +233,15 @@ TEST_CASE("the handler of an outcome may send the next message into the place th
     const auto send_next = [&](const jaus::awaited_message&, delivered) {
         next += static_cast<bool>(o.commands.send(to_arm, jaus::resume{}, 1s, o.sent.sink()));
     };
-    REQUIRE(o.commands.on_message(
-        {.ack_nak = ack_nak::ack, .command_code = 3, .destination = ocu_address, .source = arm_address}, send_next));
+    REQUIRE(o.commands.on_message({.ack_nak = ack_nak::ack,
+                                   .command_code = 3,
+                                   .destination = ocu_address,
+                                   .source = arm_address,
+                                   .sequence_number = 1},
+                                  send_next));
     REQUIRE(next == 1);
     for (const nanoseconds now : {1000ms, 1100ms, 1200ms, 1300ms}) o.commands.on_time(now, o.sent.sink(), send_next);
-    REQUIRE(next == 3);
+    REQUIRE(next == 4); // the second one had waited for a second: it was given up at once
     REQUIRE(o.commands.waiting() == 2);
 }
 
@@ -286,10 +306,11 @@ TEST_CASE("of a sender that numbers all its messages 0 only the same one twice i
     REQUIRE(a.hear(0x0004, 0) == received::handed_on);
     REQUIRE(a.hear(0x0003, 0, 0, 0s, message_outcome::taken, other) == received::handed_on);
     REQUIRE(a.hear(0x0003, 0) == received::handed_on);
+    REQUIRE(a.hear(0x0003, 0, 0, 0s, message_outcome::taken, other) == received::handed_on);
     REQUIRE(a.hear(0x0003, 0, 0, 0s, message_outcome::taken, other) == received::repeated);
     for (std::uint8_t body = 0; body != 100; ++body) // one place is enough for them
         REQUIRE(a.hear(0x0405, 0, body) == received::handed_on);
-    REQUIRE(a.handed_on == 104);
+    REQUIRE(a.handed_on == 105);
 }
 
 TEST_CASE("of a sender that numbers all its messages 0 any command in between makes the next one new") {
@@ -309,13 +330,59 @@ TEST_CASE("of a sender that numbers all its messages 0 any command in between ma
     REQUIRE(a.hear(0x0003, 0) == received::handed_on);
     a.hear(0x0004, 0, 0, 0s, message_outcome::taken, ocu_address, ack_nak::request, {255, 255, 2, 3}); // to all
     REQUIRE(a.hear(0x0003, 0) == received::handed_on);
-    a.hear(0x0004, 0, 0, 0s, message_outcome::taken, other, ack_nak::none); // another's
-    REQUIRE(a.hear(0x0003, 0) == received::repeated);
     for (int i = 0; i != 3; ++i) { // Set and Clear Emergency, both acknowledged
         REQUIRE(a.hear(0x0006, 0) == received::handed_on);
         REQUIRE(a.hear(0x0007, 0) == received::handed_on);
         REQUIRE(a.hear(0x0007, 0) == received::repeated);
     }
+}
+
+TEST_CASE(
+    "of a sender that numbers all its messages 0 what another one has made the component do makes the next one new") {
+    arm a;
+    const auto another = [&](std::uint16_t code, message_outcome outcome, ack_nak wish = ack_nak::none) {
+        return a.hear(code, 7, 0, 0s, outcome, other, wish);
+    };
+    REQUIRE(a.hear(0x0405, 0) == received::handed_on); // efforts 0
+    REQUIRE(a.hear(0x0405, 0) == received::repeated);
+    another(0x0405, message_outcome::refused); // it has no control
+    another(0x2002, message_outcome::taken);   // a query
+    REQUIRE(a.hear(0x0405, 0) == received::repeated);
+    another(0x0405, message_outcome::taken);
+    REQUIRE(a.hear(0x0405, 0) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 0) == received::repeated);
+    another(0x0006, message_outcome::taken, ack_nak::request);
+    REQUIRE(a.hear(0x0405, 0) == received::handed_on);
+    a.commands.on_change(); // it has failed
+    REQUIRE(a.hear(0x0405, 0) == received::handed_on);
+    REQUIRE(a.hear(0x0405, 0) == received::repeated);
+    REQUIRE(a.handed_on == 8);
+}
+
+TEST_CASE("what may be the repeat of an executed message numbered 0 gets no NAK") {
+    arm a;
+    REQUIRE(a.hear(0x0405, 0) == received::handed_on);
+    a.commands.on_change();
+    for (int i = 0; i != 2; ++i) {
+        a.sent.clear();
+        REQUIRE(a.hear(0x0405, 0, 0, 0s, message_outcome::refused) == received::handed_on);
+        REQUIRE(a.sent.size() == 0);
+    }
+    REQUIRE(a.hear(0x0405, 0) == received::handed_on);
+    REQUIRE(a.answer(0) == ack_nak::ack);
+    REQUIRE(a.hear(0x0405, 0, 1, 0s, message_outcome::refused) == received::handed_on); // another body
+    REQUIRE(a.answer(1) == ack_nak::nak);
+    REQUIRE(a.hear(0x0405, 0, 1, 0s) == received::repeated);
+    REQUIRE(a.hear(0x0405, 0, 0, 5s, message_outcome::refused) == received::handed_on); // forgotten
+    REQUIRE(a.answer(3) == ack_nak::nak);
+}
+
+TEST_CASE("a program that is started again and then numbers all its messages 0 is known by that") {
+    arm a;
+    REQUIRE(a.hear(0x0405, 4711) == received::handed_on);
+    REQUIRE(a.hear(0x0004, 0, 0, 500ms) == received::handed_on);
+    a.hear(0x0006, 0, 0, 600ms); // not remembered
+    REQUIRE(a.hear(0x0004, 0, 0, 700ms) == received::handed_on);
 }
 
 TEST_CASE("a sender that counts may send plain messages with the number 0 in between") {

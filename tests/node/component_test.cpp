@@ -840,3 +840,21 @@ TEST_CASE(
          {taken, stopped_anyway, refused, malformed, unknown, not_controller, not_ready, repeated, not_waited_for})
         REQUIRE(outcomes[what] > 0);
 }
+
+TEST_CASE("what a component does by itself makes a message numbered 0 a new one") {
+    arm a;
+    const auto resume = [&] { return a.hear(jaus::resume{}, ocu_address, ack_nak::request, 0); };
+    REQUIRE(resume() == taken);
+    REQUIRE(resume() == repeated);
+    a.core.change(state_event::failed); // what it drives is lost
+    a.sent.clear();
+    REQUIRE(resume() == refused);
+    REQUIRE(a.sent.size() == 0); // it may be the repeat of the one that was obeyed
+    a.core.change(state_event::reset);
+    a.core.change(state_event::initialized);
+    REQUIRE(resume() == taken);
+    REQUIRE(resume() == repeated);
+    a.put_under_control_of(boss_address);
+    a.core.reject_control(a.sent.sink());
+    REQUIRE(resume() == taken);
+}

@@ -16,7 +16,7 @@ struct acknowledged_message {
     std::uint16_t sequence_number{};  ///< by which a repeat is known
     std::uint32_t digest{};           ///< of the body
     ack_nak answer{};                 ///< the one that was given; request: still pending; none: the place is free
-    bool superseded{};                ///< its sender has used the number for another message since
+    bool superseded{};                ///< the same message again is a new one
     std::chrono::nanoseconds until{}; ///< when it is forgotten, unless it is pending
 };
 
@@ -43,9 +43,14 @@ enum class received : std::uint8_t {
 ///
 /// There are nodes that number all messages 0, and programs that begin again with the same numbers. So the body counts
 /// too, and a number that is used for another message ends what was remembered: of the number 0 for what had it, of
-/// another for all of the source, which must have begun anew. Of a source of which only the number 0 is known, any
-/// other command in between does the same, also one that is not remembered: Standby after Standby and Resume is no
-/// repeat. What cannot be told from a repeat is taken for one: an old command must not move anything again.
+/// another for all of the source, which must have begun anew. What cannot be told from a repeat is taken for one: an
+/// old command must not move anything again.
+///
+/// Of a source of which only the number 0 is known, whatever happens in between makes the same message a new one:
+/// another command of the source, also one that is not remembered, a command of another source that was obeyed, and
+/// what the component does by itself (`on_change`). Standby after Standby and Resume is no repeat, nor is Resume after
+/// Resume and the loss of what is controlled. If it is not obeyed then, it is not answered: it may be a repeat after
+/// all, of what was executed.
 ///
 /// What does no harm when it is done twice is always handed on and never remembered: Set Emergency, for one that is new
 /// must not be taken for the one before, and queries, for the answer may have been lost.
@@ -60,10 +65,19 @@ class acknowledged_receiver {
     /// sent after it.
     constexpr received on_message(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds now,
                                   message_sink out, auto&& handle) {
+        at_ = now;
         const bool wants_answer = is_acknowledged(head);
-        if (!wants_answer || may_be_repeated(head.command_code)) {
-            if (is_command(head.command_code) && head.sequence_number == 0) end_unnumbered(head.source, now);
+        const auto obey = [&] {
             const message_outcome outcome = handle();
+            const bool is_obeyed = outcome == message_outcome::taken || outcome == message_outcome::deferred;
+            if (is_obeyed && is_command(head.command_code))
+                end_unnumbered(now, [&](const address& source) { return source != head.source; });
+            return outcome;
+        };
+        if (!wants_answer || may_be_repeated(head.command_code)) {
+            if (is_command(head.command_code) && head.sequence_number == 0)
+                end_unnumbered(now, [&](const address& source) { return source == head.source; });
+            const message_outcome outcome = obey();
             if (wants_answer && outcome != message_outcome::deferred) acknowledge(head, self_, answer_of(outcome), out);
             return received::handed_on;
         }
@@ -80,9 +94,19 @@ class acknowledged_receiver {
         place.answer = ack_nak::request; // pending while it is handled
         place.until = later(now, memory_);
         knows_unnumbered_ = knows_unnumbered_ || key.sequence_number == 0;
-        const message_outcome outcome = handle();
-        if (outcome != message_outcome::deferred) settle(place, head, answer_of(outcome), out);
+        const message_outcome outcome = obey();
+        if (outcome == message_outcome::deferred) return received::handed_on;
+        if (found.may_be_done && answer_of(outcome) == ack_nak::nak) { // no answer, and none to the next one
+            place.answer = ack_nak::ack;
+            place.superseded = true;
+        } else {
+            settle(place, head, answer_of(outcome), out);
+        }
         return received::handed_on;
+    }
+    /// The component has changed by itself, other than by a message: its state, or who controls it.
+    constexpr void on_change() noexcept {
+        end_unnumbered(at_, [](const address&) { return true; });
     }
     /// Acknowledges a message that its handler deferred: ACK if it was executed, NAK if not. The answer is remembered
     /// for `memory` from now on. Several with the same header are finished in the order in which they came. False: the
@@ -106,7 +130,7 @@ class acknowledged_receiver {
         return outcome == message_outcome::taken ? ack_nak::ack : ack_nak::nak;
     }
     constexpr void settle(acknowledged_message& place, const header& head, ack_nak answer, message_sink out) noexcept {
-        place.answer = place.superseded ? ack_nak::none : answer;
+        place.answer = answer;
         acknowledge(head, self_, answer, out);
     }
     [[nodiscard]] constexpr acknowledged_message* first_pending(const header& head) const noexcept {
@@ -134,17 +158,23 @@ class acknowledged_receiver {
         acknowledged_message* same{};
         acknowledged_message* free{};
         std::size_t of_source{}; // places that the source has
+        bool may_be_done{};      // or it is new; its number does not tell
     };
     [[nodiscard]] constexpr search find(const acknowledged_message& key, std::chrono::nanoseconds now) const noexcept {
         search found{};
         bool is_used_again = false;
+        const auto is_over = [&](const acknowledged_message& m) { return !is_pending(m) && m.until <= now; };
         for (acknowledged_message& m : places_) {
+            const bool is_same_message = m.source == key.source && m.sequence_number == key.sequence_number &&
+                                         m.command_code == key.command_code && m.digest == key.digest;
             if (is_free(m, now)) {
-                found.free = &m;
+                if (found.free == nullptr || !is_over(*found.free)) found.free = &m;
+                const bool was_done = m.superseded && m.answer == ack_nak::ack && !is_over(m);
+                found.may_be_done |= was_done && is_same_message && key.sequence_number == 0;
             } else if (m.source == key.source) {
                 ++found.of_source;
                 if (m.superseded || m.sequence_number != key.sequence_number) continue;
-                if (m.command_code == key.command_code && m.digest == key.digest)
+                if (is_same_message)
                     found.same = &m;
                 else
                     is_used_again = true;
@@ -155,17 +185,27 @@ class acknowledged_receiver {
             if (m.source == key.source && (key.sequence_number != 0 || m.sequence_number == 0)) m.superseded = true;
         return find(key, now);
     }
-    // A command with the number 0 that is not remembered: ends the memory of a source that numbers all of them so.
-    constexpr void end_unnumbered(const address& source, std::chrono::nanoseconds now) noexcept {
+    // Of the sources that number all of their messages 0, and to which `concerns` says yes.
+    constexpr void end_unnumbered(std::chrono::nanoseconds now, auto&& concerns) noexcept {
         if (!knows_unnumbered_) return;
         const auto is_known = [&](const acknowledged_message& m) { return !is_free(m, now) && !m.superseded; };
-        const bool counts = std::ranges::any_of(places_, [&](const acknowledged_message& m) {
-            return is_known(m) && m.source == source && m.sequence_number != 0;
-        });
-        for (acknowledged_message& m : places_)
-            if (!counts && m.source == source) m.superseded = true;
-        knows_unnumbered_ = std::ranges::any_of(
-            places_, [&](const acknowledged_message& m) { return is_known(m) && m.sequence_number == 0; });
+        knows_unnumbered_ = false;
+        for (acknowledged_message& m : places_) {
+            if (m.sequence_number != 0 || !is_known(m)) continue;
+            const bool counts = std::ranges::any_of(
+                places_, [&](const acknowledged_message& other) { return is_known(other) && shows_count(other, m); });
+            if (concerns(m.source) && !counts)
+                m.superseded = true;
+            else
+                knows_unnumbered_ = true;
+        }
+    }
+    // Whether the number 0 of `zero` is one of a sender that counts: the last numbers came before it, or others with
+    // it or after it. What came before may be of a program that counted and was started again as one that does not.
+    [[nodiscard]] static constexpr bool shows_count(const acknowledged_message& other,
+                                                    const acknowledged_message& zero) noexcept {
+        if (other.source != zero.source || other.sequence_number == 0) return false;
+        return other.sequence_number >= 0xFF00 || other.until >= zero.until;
     }
     // FNV-1a of 32 bits.
     [[nodiscard]] static constexpr std::uint32_t digest_of(std::span<const std::byte> body) noexcept {
@@ -177,7 +217,8 @@ class acknowledged_receiver {
     address self_;
     std::span<acknowledged_message> places_;
     std::chrono::nanoseconds memory_;
-    bool knows_unnumbered_{}; // a message with the number 0 may be remembered
+    std::chrono::nanoseconds at_{}; // of the last message
+    bool knows_unnumbered_{};       // a message with the number 0 may be remembered
 };
 
 } // namespace jauscat::jaus

@@ -12,10 +12,11 @@ namespace jauscat::jaus {
 
 /// A message that waits for its acknowledgement: a place in the memory of an acknowledged_sender.
 struct awaited_message {
-    jaus::header header{};          ///< as sent
-    std::size_t size{};             ///< of the message, header included; 0: the place is free
-    unsigned sent{};                ///< how often
-    std::chrono::nanoseconds due{}; ///< when it is sent again or given up
+    jaus::header header{};            ///< as sent
+    std::size_t size{};               ///< of the message, header included; 0: the place is free
+    unsigned sent{};                  ///< how often
+    std::chrono::nanoseconds due{};   ///< when it is sent again or given up
+    std::chrono::nanoseconds until{}; ///< from then on it is not sent again, however often it was
 };
 
 /// What a sender learns about a message.
@@ -68,15 +69,25 @@ struct acknowledgement_options {
     /// From sending a message to sending it again. The defaults give a message up after one second.
     std::chrono::nanoseconds timeout{std::chrono::milliseconds{250}};
     unsigned retries{3}; ///< how often a message is sent again; 0: sent once
-    /// The first sequence number. A program that is started again should not begin where it did before: who remembers
-    /// its messages would take the new ones for repeats. A random number will do.
+    /// The first sequence number; 1 instead of 0. A program that is started again should not begin where it did before:
+    /// who remembers its messages would take the new ones for repeats. A random number will do.
     std::uint16_t first_number{};
+    /// After the first time a message is sent again for so long at most. The receiver must remember it for longer.
+    [[nodiscard]] constexpr std::chrono::nanoseconds longest() const noexcept {
+        using std::chrono::nanoseconds;
+        const auto times = std::int64_t{retries} + 1;
+        return timeout > nanoseconds::max() / times ? nanoseconds::max() : timeout * times;
+    }
 };
 
 /// Sends messages that ask for an acknowledgement, keeps a copy of each, and sends it again until the ACK or NAK is
 /// there or the retries are used up. A message is known by its command code, sequence number and destination; sequence
-/// numbers are given here, one after the other and around at 65536, never one that still waits. Each message has one
+/// numbers are given here, one after the other and around at 65536, never one that still waits, and never 0: that is
+/// the number of those that do not count, whose repeats a receiver cannot tell from new messages. Each message has one
 /// outcome.
+///
+/// A program that was suspended calls on_time late. What would be sent again after `options.longest()` is given up: its
+/// receiver may have forgotten it, and would do it twice.
 ///
 ///     std::array<jaus::awaited_message, 16> places{};
 ///     std::array<std::byte, 16 * 64> copies{};
@@ -86,13 +97,13 @@ struct acknowledgement_options {
 class acknowledged_sender {
   public:
     /// Each place has an equal share of `copies`, which bounds the size of a message. Both must outlive this. Of the
-    /// places 65535 are used at most: fewer than there are sequence numbers.
+    /// places 65534 are used at most: fewer than there are sequence numbers.
     constexpr acknowledged_sender(std::span<awaited_message> places, std::span<std::byte> copies,
                                   const acknowledgement_options& options = {}) noexcept
-        : places_{places.first(std::min<std::size_t>(places.size(), 0xFFFF))},
+        : places_{places.first(std::min<std::size_t>(places.size(), 0xFFFE))},
           copies_{copies},
           options_{options},
-          next_{options.first_number} {}
+          next_{counted(options.first_number)} {}
 
     /// Sends `body` with `head`, whose command code, sequence number and wish for an acknowledgement are filled in.
     template <coded_message T>
@@ -137,7 +148,7 @@ class acknowledged_sender {
     constexpr void on_time(std::chrono::nanoseconds now, message_sink out, auto&& tell) {
         for (awaited_message& place : places_) {
             if (place.size == 0 || now < place.due) continue;
-            if (place.sent <= options_.retries) {
+            if (place.sent <= options_.retries && now < place.until) {
                 ++place.sent;
                 place.due = later(now, options_.timeout);
                 out(copy_of(place).first(place.size));
@@ -174,10 +185,16 @@ class acknowledged_sender {
             return {large ? send_errc::too_large : send_errc::invalid};
         }
         head.data_size = static_cast<std::uint16_t>(size.size() - header_size);
-        *place = {head, size.size(), 1, later(now, options_.timeout)};
-        next_ = static_cast<std::uint16_t>(head.sequence_number + 1);
+        *place = {head, size.size(), 1, later(now, options_.timeout), later(now, options_.longest())};
+        next_ = following(head.sequence_number);
         out(copy.first(size.size()));
         return {send_errc::ok, head.sequence_number};
+    }
+    [[nodiscard]] static constexpr std::uint16_t counted(std::uint16_t number) noexcept {
+        return std::max<std::uint16_t>(number, 1);
+    }
+    [[nodiscard]] static constexpr std::uint16_t following(std::uint16_t number) noexcept {
+        return counted(static_cast<std::uint16_t>(number + 1));
     }
     // There are fewer places than numbers, so one is free.
     [[nodiscard]] constexpr std::uint16_t free_number(const header& head) const noexcept {
@@ -186,7 +203,7 @@ class acknowledged_sender {
             return m.size != 0 && m.header.sequence_number == number && m.header.command_code == head.command_code &&
                    m.header.destination == head.destination;
         }))
-            ++number;
+            number = following(number);
         return number;
     }
     [[nodiscard]] constexpr std::span<std::byte> copy_of(const awaited_message& place) const noexcept {

@@ -60,7 +60,7 @@ template <class... Parts> class component {
     constexpr void on_time(time now, message_sink out) {
         sender_.on_time(now, out, delivered_hook());
         control_.on_time(now, out);
-        tell_changes();
+        tell_own_changes();
         each_part([&](auto& part) { part.on_time(now, out); });
     }
     [[nodiscard]] constexpr std::optional<time> next_event() const noexcept {
@@ -95,25 +95,25 @@ template <class... Parts> class component {
     /// An event of the application's; see component_state::change.
     constexpr bool change(state_event event) {
         const bool changed = state_.change(event);
-        tell_changes();
+        tell_own_changes();
         return changed;
     }
     /// Ends an emergency whoever holds it.
     constexpr void end_emergency() {
         state_.end_emergency();
-        tell_changes();
+        tell_own_changes();
     }
     /// Takes control back from the controller, which is told.
     constexpr void reject_control(message_sink out) {
         control_.reject(out);
-        tell_changes();
+        tell_own_changes();
     }
     /// A component has disappeared, or all of a level for which an octet is 255.
     constexpr void on_lost(const address& who) {
         const auto gone = [&](const address& one) { return stands_for(who, one); };
         state_.on_lost(gone);
         control_.on_lost(gone);
-        tell_changes();
+        tell_own_changes();
         each_part([&](auto& part) {
             if constexpr (requires { part.lose(who); }) part.lose(who);
         });
@@ -202,6 +202,11 @@ template <class... Parts> class component {
             if (hooks_.on_state) hooks_.on_state(from, told_state_);
         if (const auto before = std::exchange(told_controller_, control_.controller()); before != told_controller_)
             if (hooks_.on_controller) hooks_.on_controller(control_.controller(), control_.last_change());
+    }
+    // Of changes that no message has made.
+    constexpr void tell_own_changes() {
+        if (told_state_ != state_.state() || told_controller_ != control_.controller()) receiver_.on_change();
+        tell_changes();
     }
     constexpr message_outcome tell_command(const header& head) {
         tell_changes();
