@@ -2,6 +2,7 @@
 #include "net/simulated_program.hpp"
 
 using namespace test;
+using std::chrono::nanoseconds;
 
 namespace {
 
@@ -82,4 +83,31 @@ TEST_CASE("a node without sockets says what its gate refuses") {
             net::verdict::malformed);
     REQUIRE(p.robot.log.size() == 2);
     REQUIRE(p.robot.core.state() == jaus::primary_status_code::ready);
+}
+
+// A program that was suspended finds the packets of several data sets in its socket, and takes them in one instant.
+TEST_CASE("a packet of a large data set that has waited for long is none of the next one's") {
+    simulated_pair p;
+    const jaus::header head{.command_code = 0xD111, .destination = p.robot.self, .source = p.ocu.self};
+    const auto arrives = [&](jaus::data_flag flag, std::uint16_t number, std::byte content, nanoseconds waited) {
+        auto of = head;
+        of.data_flag = flag;
+        of.sequence_number = number;
+        std::array<std::byte, 64> packet{};
+        const auto size = jaus::join(of, std::array{content, content}, packet);
+        REQUIRE(p.robot.node.on_datagram(std::span{packet}.first(size.size()), p.ocu.at, {}, false, p.network.now,
+                                         waited) == net::verdict::taken);
+    };
+    using enum jaus::data_flag;
+    // Of the first one the end was lost, of the second one the begin.
+    arrives(first, 0, std::byte{1}, 700ms);
+    arrives(last, 1, std::byte{2}, 0ms);
+    REQUIRE(p.robot.large.empty());
+    REQUIRE(p.robot.logged("it has waited here for 700 ms"));
+    // What lay there for a moment is taken, as far from the one before as it came.
+    p.network.now += 5s;
+    arrives(first, 0, std::byte{3}, 0ms);
+    p.network.now += 200ms;
+    arrives(last, 1, std::byte{3}, 100ms);
+    REQUIRE(p.robot.large == std::vector<bytes>{bytes(4, std::byte{3})});
 }

@@ -65,6 +65,23 @@ std::string text(const udp::endpoint& endpoint) { return "127.0.0.1:" + std::to_
 
 } // namespace
 
+TEST_CASE("a message tells how long it has waited in the socket") {
+    boost::asio::io_context context;
+    station sender{context};
+    udp_transport receiver{context, any_port};
+    std::vector<std::chrono::nanoseconds> waited;
+    const auto message = bytes_of("old message");
+    REQUIRE(sender.transport.send(message, receiver.local()));
+    const auto begin = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - begin < 50ms) {} // nobody receives
+    receiver.start(
+        [&](std::span<const std::byte>, const udp::endpoint&, jaus::framing) { waited.push_back(receiver.waited()); },
+        {});
+    REQUIRE(support::until(context, [&] { return waited.size() == 1; }));
+    CHECK(waited.front() >= 40ms); // by the clock of the kernel, which may be slewed
+    CHECK(waited.front() <= std::chrono::steady_clock::now() - begin + 10ms);
+}
+
 TEST_CASE("a message arrives as it was sent, in either framing") {
     boost::asio::io_context context;
     station sender{context};

@@ -245,6 +245,51 @@ TEST_CASE("a last packet that is repeated for want of its acknowledgement begins
     REQUIRE(hear(data_flag::last, 1, "02", 4010ms) == reassembled::waiting);
 }
 
+// Its acknowledgement would be taken for that of the same number of the next data set, which may have been lost.
+TEST_CASE("what may be a late copy of an acknowledged data set is not to be acknowledged as part of the next one") {
+    receiver r;
+    r.sets = jaus::reassembler{
+        r.places, r.packets, r.memory, 5s, {.places_per_source = 2, .linger_of_copies = 375ms, .longest_gap = 1s}};
+    const auto hear = [&](data_flag flag, std::uint16_t number, const std::string& body, std::chrono::nanoseconds now) {
+        return r.hear(flag, number, body, now, 1, 0x4807, jaus::ack_nak::request);
+    };
+    REQUIRE(hear(data_flag::first, 0, "01", 0ms) == reassembled::waiting);
+    REQUIRE(hear(data_flag::middle, 1, "02", 0ms) == reassembled::waiting);
+    REQUIRE(hear(data_flag::last, 2, "03", 0ms) == reassembled::whole);
+    SECTION("copies") {
+        REQUIRE(hear(data_flag::first, 0, "01", 40ms) == reassembled::doubtful);
+        REQUIRE(hear(data_flag::first, 0, "0a", 41ms) == reassembled::waiting);
+        REQUIRE(r.lost.size() == 1);
+        REQUIRE(hear(data_flag::first, 0, "01", 100ms) == reassembled::doubtful); // nothing is given up for it
+        REQUIRE(hear(data_flag::middle, 1, "0b", 100ms) == reassembled::waiting);
+        REQUIRE(hear(data_flag::middle, 1, "02", 101ms) == reassembled::doubtful);
+        REQUIRE(hear(data_flag::last, 2, "03", 151ms) == reassembled::doubtful);
+        REQUIRE(hear(data_flag::last, 2, "0c", 152ms) == reassembled::whole);
+        REQUIRE(r.whole == texts{"01 02 03", "0a 0b 0c"});
+    }
+    SECTION("a packet that was lost, and a copy in its place") {
+        REQUIRE(hear(data_flag::first, 0, "0a", 40ms) == reassembled::waiting);
+        REQUIRE(hear(data_flag::middle, 1, "02", 41ms) == reassembled::doubtful);
+        REQUIRE(hear(data_flag::repeated, 1, "0b", 91ms) == reassembled::waiting); // all of it begins anew
+        REQUIRE(hear(data_flag::last, 2, "0c", 92ms) == reassembled::waiting);
+        REQUIRE(r.whole == texts{"01 02 03"});
+    }
+    SECTION("equal parts, which are sent twice") {
+        REQUIRE(hear(data_flag::first, 0, "01", 40ms) == reassembled::doubtful);
+        REQUIRE(hear(data_flag::first, 0, "01", 41ms) == reassembled::repeated);
+        REQUIRE(hear(data_flag::middle, 1, "02", 42ms) == reassembled::doubtful);
+        REQUIRE(hear(data_flag::middle, 1, "02", 43ms) == reassembled::repeated);
+        REQUIRE(hear(data_flag::last, 2, "03", 44ms) == reassembled::doubtful);
+        REQUIRE(hear(data_flag::last, 2, "03", 45ms) == reassembled::whole);
+        REQUIRE(r.whole == texts{"01 02 03", "01 02 03"});
+    }
+    SECTION("equal parts after that time") {
+        REQUIRE(hear(data_flag::first, 0, "01", 375ms) == reassembled::waiting);
+        REQUIRE(hear(data_flag::middle, 1, "02", 375ms) == reassembled::waiting);
+        REQUIRE(hear(data_flag::last, 2, "04", 375ms) == reassembled::whole);
+    }
+}
+
 TEST_CASE("what may be of two data sets is not put together") {
     receiver r;
     // The tail of one, whose head was not received, and the head of the next.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 
 namespace jauscat::jaus {
 
@@ -17,6 +18,8 @@ enum class reassembled : std::uint8_t {
     waiting,   ///< kept; others are missing. A last packet that asks for acknowledgement is not kept: it is repeated
     whole,     ///< the last one that was missing: the whole has been handed on
     repeated,  ///< held already, or a straggler of the data set that was just handed on, and dropped
+    doubtful,  ///< not to be acknowledged: equal to a part of the data set that was handed on before; it may be a late
+               ///< copy
     no_room,   ///< dropped: every place, or its source's share of them, is taken by data sets that go on
     too_large, ///< dropped together with its data set, which has more bytes or packets than a place holds
 };
@@ -28,6 +31,7 @@ enum class reassembled : std::uint8_t {
     case reassembled::waiting: return "part of a large data set of which packets are missing";
     case reassembled::whole: return "the last missing part of a large data set";
     case reassembled::repeated: return "part of a large data set that was received already";
+    case reassembled::doubtful: return "equal to part of the large data set before, and may be a late copy of that";
     case reassembled::no_room: return "too many large data sets at a time: send it again later";
     case reassembled::too_large: return "the large data set has more bytes or packets than there is room for";
     }
@@ -40,6 +44,7 @@ struct partial_data_set {
     std::size_t packets{};                    ///< how many are held; 0: the place is free
     std::size_t bytes{};                      ///< of body that are held
     std::optional<std::uint16_t> last{};      ///< sequence number of the last packet, once that has come
+    bool last_is_doubtful{};                  ///< the last packet came once, and may have been a late copy
     bool begun{};                             ///< packet 0 is held
     std::chrono::nanoseconds begun_at{};      ///< when packet 0 last came; before it came, when the first other did
     std::chrono::nanoseconds last_heard_at{}; ///< when a packet of it last came
@@ -62,6 +67,11 @@ struct reassembly_limits {
     /// equal or similar next one; and so long other packets may come before packet 0. As long as packets overtake each
     /// other, and shorter than senders pause.
     std::chrono::nanoseconds linger{std::chrono::milliseconds{2}};
+    /// So long after a data set is whole, the first packet that asks for acknowledgement and is equal to that of its
+    /// number is doubtful: the network may have made a copy, and to acknowledge that would tell the sender that a
+    /// packet of its next data set is here. It is kept, but for a last one; the second such packet is acknowledged.
+    /// Longer than the network holds packets back.
+    std::chrono::nanoseconds linger_of_copies{};
     /// The same for a last packet that asks for acknowledgement: its sender repeats it until it gets one, and that may
     /// be lost. As long as senders repeat.
     std::chrono::nanoseconds linger_of_repeats{std::chrono::seconds{2}};
@@ -114,12 +124,17 @@ class reassembler {
         // There are nodes that repeat the data flag when they acknowledge.
         if (head.data_flag == data_flag::only || is_acknowledgement(head)) return reassembled::only;
         partial_data_set* set = find(head);
-        if (set == nullptr && is_straggler(head, body, now)) return reassembled::repeated;
+        if (set == nullptr && is_straggler(head, body, now, linger_of(head))) return reassembled::repeated;
+        const bool is_doubtful =
+            is_requested(head) && !holds(set, head, body) && is_straggler(head, body, now, limits_.linger_of_copies);
+        if (is_doubtful && set != nullptr && packet_of(*set, head) != nullptr) return reassembled::doubtful;
         if (set != nullptr && (contradicts(*set, head, body) || may_be_another(*set, head, now))) {
             forget(*set, lost);
             set = nullptr;
         }
         if (comes_too_early(set, head)) return reassembled::waiting;
+        const bool ends = head.data_flag == data_flag::last;
+        if (is_doubtful && ends && !std::exchange(set->last_is_doubtful, true)) return reassembled::doubtful;
         if (set == nullptr) set = free_place(head, now, lost);
         if (set == nullptr) return reassembled::no_room;
         if (set->packets == 0) *set = {.header = head, .begun_at = now};
@@ -151,8 +166,9 @@ class reassembler {
         ++set->packets;
         set->bytes += body.size();
 
-        if (head.data_flag == data_flag::last) set->last = head.sequence_number;
-        if (!set->last || set->packets != *set->last + std::size_t{1}) return reassembled::waiting;
+        if (ends) set->last = head.sequence_number;
+        if (!set->last || set->packets != *set->last + std::size_t{1})
+            return is_doubtful ? reassembled::doubtful : reassembled::waiting;
         take(std::as_const(set->header), std::span<const std::byte>{bytes.first(set->bytes)});
         *set = {.header = set->header, .last_heard_at = now, .order = order_, .handed_on = set->packets};
         return reassembled::whole;
@@ -206,11 +222,25 @@ class reassembler {
         return now - set.last_heard_at > limits_.longest_gap ||
                (head.data_flag == data_flag::first && now - set.begun_at > limits_.linger);
     }
+    [[nodiscard]] constexpr const held_packet* packet_of(const partial_data_set& set,
+                                                         const header& head) const noexcept {
+        const auto held = share(packets_, set).first(set.packets);
+        const auto at = position(held, head.sequence_number);
+        return at != held.end() && at->sequence_number == head.sequence_number ? &*at : nullptr;
+    }
+    [[nodiscard]] constexpr bool holds(const partial_data_set* set, const header& head,
+                                       std::span<const std::byte> body) const noexcept {
+        const auto* const packet = set == nullptr ? nullptr : packet_of(*set, head);
+        return packet != nullptr && std::ranges::equal(body_of(*set, *packet), body);
+    }
+    [[nodiscard]] constexpr std::chrono::nanoseconds linger_of(const header& head) const noexcept {
+        const bool repeats = head.data_flag == data_flag::last && is_requested(head);
+        return std::max(limits_.linger, repeats ? limits_.linger_of_repeats : limits_.linger);
+    }
     // Its body still lies in the memory of its place.
     [[nodiscard]] constexpr bool is_straggler(const header& head, std::span<const std::byte> body,
-                                              std::chrono::nanoseconds now) const noexcept {
-        const bool repeats = head.data_flag == data_flag::last && head.ack_nak == ack_nak::request;
-        const auto linger = std::max(limits_.linger, repeats ? limits_.linger_of_repeats : limits_.linger);
+                                              std::chrono::nanoseconds now,
+                                              std::chrono::nanoseconds linger) const noexcept {
         return std::ranges::any_of(places_, [&](const partial_data_set& set) {
             return set.handed_on > head.sequence_number && now - set.last_heard_at < linger &&
                    set.header.command_code == head.command_code && set.header.source == head.source &&

@@ -130,9 +130,9 @@ class jaus_node {
         received_at_ = now();
         return machine_.check(message, from, received_at_);
     }
-    void received(bytes message, const endpoint& from, jaus::framing how, bool by_group) {
+    void received(bytes message, const endpoint& from, jaus::framing how, bool by_group, time waited) {
         if (socket_->is_own(from)) return;
-        machine_.received(message, from, how, by_group, received_at_);
+        machine_.received(message, from, how, by_group, received_at_, waited);
         arm();
     }
     // Within a turn what ends the turn arms the timer.

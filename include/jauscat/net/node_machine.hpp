@@ -111,8 +111,9 @@ class node_machine {
             });
         return what;
     }
-    /// A message that has passed `check`. `by_group`: it was sent to the multicast group.
-    void received(bytes message, const endpoint& from, jaus::framing how, bool by_group, time now) {
+    /// A message that has passed `check`. `by_group`: it was sent to the multicast group. `waited`: how long it has
+    /// lain here before this call, where that is known: a packet of an old large data set is not one of the next.
+    void received(bytes message, const endpoint& from, jaus::framing how, bool by_group, time now, time waited = {}) {
         if (!running()) return;
         at_ = now;
         const auto m = jaus::split(message);
@@ -121,7 +122,7 @@ class node_machine {
                 return "a datagram from " + detail::text(from) + " is dropped: " + std::string{describe(m.error)};
             });
         const auto origin = core_.routes().origin(m.header.source, from, how, by_group, gate_->list(), now);
-        const auto what = core_.received(message, m, origin, now, own_out_);
+        const auto what = core_.received(message, m, origin, {now, waited}, own_out_);
         // Members of a group hear what is for others.
         const auto& to = m.header.destination;
         const bool is_for_others = by_group && to.subsystem != 255 && to.subsystem != self_.subsystem;
@@ -129,10 +130,11 @@ class node_machine {
         end_turn();
     }
     /// Both of them: a datagram, framing removed. Not one that this node has sent to the group itself.
-    verdict on_datagram(bytes message, const endpoint& from, jaus::framing how, bool by_group, time now) {
+    verdict on_datagram(bytes message, const endpoint& from, jaus::framing how, bool by_group, time now,
+                        time waited = {}) {
         if (!running()) return verdict::taken;
         const auto what = check(message, from, now);
-        if (what == verdict::taken) received(message, from, how, by_group, now);
+        if (what == verdict::taken) received(message, from, how, by_group, now, waited);
         return what;
     }
 

@@ -19,6 +19,7 @@
 #include <boost/asio/ip/udp.hpp>
 
 #include <cerrno>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -56,6 +57,7 @@ class udp_transport {
         detail::bind_udp(socket_, local, options);
         detail::want_icmp_errors(socket_, local.protocol());
         detail::want_drop_count(socket_);
+        detail::want_arrival_time(socket_);
     }
     udp_transport(const udp_transport&) = delete;
     udp_transport& operator=(const udp_transport&) = delete;
@@ -108,6 +110,9 @@ class udp_transport {
         if (out_.full()) flush();
         out_.push(prefix, message, detail::for_socket(to, v6_));
     }
+
+    /// In a message handler: how long the message had waited in the socket.
+    [[nodiscard]] std::chrono::nanoseconds waited() const noexcept { return waited_; }
 
     /// Closes the socket and leaves its groups. What was sent or posted goes out; no handler is called afterwards.
     void stop() {
@@ -187,6 +192,7 @@ class udp_transport {
         const auto from = detail::unmapped(batch_.from());
         const bool truncated = batch_.truncated();
         count_drops(batch_.dropped_before());
+        waited_ = batch_.waited();
         batch_.pop(); // before a handler may throw; the bytes stay until the next batch
         if (truncated) {
             ++counters_.oversize;
@@ -245,6 +251,7 @@ class udp_transport {
     error_handler on_error_{};
     filter filter_{};
     udp_counters counters_{};
+    std::chrono::nanoseconds waited_{};
     std::uint32_t dropped_{}; ///< the kernel's count, modulo 2^32, at the last datagram
     std::shared_ptr<detail::handler_memory> memory_{std::make_shared<detail::handler_memory>()};
     std::shared_ptr<char> alive_{std::make_shared<char>()};

@@ -33,12 +33,15 @@ struct large_data_pacing {
 /// Of a data set that asks for acknowledgement each packet is repeated until its ACK is there. The first goes alone and
 /// so does the last: then the receiver knows the data set before anything of it is repeated, and acknowledges the last
 /// one only when it has the whole. A packet that goes unanswered several times is of a data set that the receiver has
-/// lost: then all of it is sent once more, unless the whole may have been delivered so long ago that the receiver has
-/// forgotten it.
+/// lost: then all of it is sent once more, as long as the receiver has not forgotten what it may have got of the whole.
+///
+/// A packet that is equal to that of the data set before is sent twice, where that one was acknowledged a moment ago:
+/// the receiver does not acknowledge the first copy, which may be a late one of that data set.
 ///
 /// A data set follows another one of its source and code to the same destination
 /// - 40 ms after the end of one that was acknowledged without a repeat;
-/// - after the pause, if that one asked for no acknowledgement, was repeated or given up, and after a start;
+/// - after the pause, if that one asked for no acknowledgement, was repeated or refused, and after a start;
+/// - after twice the pause, if that one was given up: acknowledgements of its packets would be taken for its own;
 /// - after `memory` and the pause, if both ask for acknowledgement and have the same body: the receiver would take the
 ///   second for a repeat of the first.
 class large_data_queue {
@@ -63,6 +66,7 @@ class large_data_queue {
         if (head.ack_nak == jaus::ack_nak::request && jaus::names_one_component(head.destination)) {
             made->packets.resize(made->sender.packets());
             made->digest = digest_of(body);
+            made->digests = digests_of(body);
         }
         waiting_ += body.size();
         if (!current_) next_ = std::min(next_, ready_at(*made));
@@ -124,7 +128,7 @@ class large_data_queue {
   private:
     static constexpr time beat = std::chrono::milliseconds{1};
     static constexpr time short_pause = std::chrono::milliseconds{40}; ///< for copies that the network makes
-    static constexpr time latest_restart = memory * 3 / 4; ///< after the last packet was sent for the first time
+    static constexpr time latest_resent = memory * 3 / 4; ///< after the last packet was sent for the first time
     static constexpr unsigned tries_until_restart = 4;
 
     struct sent_packet {
@@ -132,6 +136,7 @@ class large_data_queue {
         unsigned sent{};  ///< how often
         unsigned tries{}; ///< how often since the data set was begun, or begun again
         bool acknowledged{};
+        bool is_alike{}; ///< to that of the data set before: the receiver takes the first copy for one of that
     };
     struct entry {
         entry(const jaus::header& h, std::span<const std::byte> bytes)
@@ -140,11 +145,13 @@ class large_data_queue {
         std::vector<std::byte> body;
         std::array<std::byte, jaus::header_size + jaus::max_body_size> packet{};
         jaus::large_data_sender sender;
-        std::vector<sent_packet> packets{}; ///< none where no acknowledgement is asked for
-        std::uint64_t digest{};             ///< of the body, where it is
-        std::size_t acknowledged{};         ///< of the packets
-        std::size_t first_open{};           ///< those before it are acknowledged
+        std::vector<sent_packet> packets{};   ///< none where no acknowledgement is asked for
+        std::uint64_t digest{};               ///< of the body, where it is
+        std::vector<std::uint64_t> digests{}; ///< of the packets
+        std::size_t acknowledged{};           ///< of the packets
+        std::size_t first_open{};             ///< those before it are acknowledged
         unsigned restarts{};
+        bool is_sent_again{};               ///< all of it, after the last packet
         std::optional<time> last_sent_at{}; ///< the last packet, for the first time
         std::optional<jaus::delivered> outcome{};
     };
@@ -152,9 +159,10 @@ class large_data_queue {
     struct rest {
         jaus::header head{};
         time since{};
-        bool is_clean{}; ///< acknowledged without a repeat: the receiver has it, and no packet is on its way
+        time pause{};                      ///< before the next one
         std::optional<time> known_since{}; ///< the receiver may know one with this digest
         std::uint64_t digest{};
+        std::vector<std::uint64_t> digests{}; ///< of its packets
     };
 
     [[nodiscard]] time ready_at(const entry& set) const noexcept {
@@ -164,23 +172,39 @@ class large_data_queue {
             if (one.head.command_code != set.head.command_code || one.head.source != set.head.source ||
                 !(jaus::stands_for(to, before) || jaus::stands_for(before, to)))
                 continue;
-            at = std::max(at, jaus::later(one.since, one.is_clean ? short_pause : pacing_.pause));
+            at = std::max(at, jaus::later(one.since, one.pause));
             if (!set.packets.empty() && one.known_since && one.digest == set.digest)
                 at = std::max(at, jaus::later(*one.known_since, jaus::later(memory, pacing_.pause)));
         }
         return at;
     }
+    [[nodiscard]] static std::vector<std::uint64_t> digests_of(std::span<const std::byte> body) {
+        std::vector<std::uint64_t> made;
+        for (; !body.empty(); body = body.subspan(std::min(body.size(), jaus::max_body_size)))
+            made.push_back(digest_of(body.first(std::min(body.size(), jaus::max_body_size))));
+        return made;
+    }
+    void note_alike(entry& set, time now) const noexcept {
+        for (const rest& one : rests_) {
+            if (one.head.command_code != set.head.command_code || one.head.source != set.head.source ||
+                one.head.destination != set.head.destination || jaus::later(one.since, pacing_.pause) <= now)
+                continue;
+            for (std::size_t i = 0; i != std::min(set.digests.size(), one.digests.size()); ++i)
+                set.packets[i].is_alike = set.digests[i] == one.digests[i];
+        }
+    }
     // The first that need not wait becomes the current one.
     bool choose(time now) {
         if (now < next_) return false;
         next_ = time::max();
-        const auto longest = jaus::later(memory, pacing_.pause);
+        const auto longest = jaus::later(jaus::later(memory, pacing_.pause), pacing_.pause);
         std::erase_if(rests_, [&](const rest& one) { return jaus::later(one.since, longest) <= now; });
         for (auto at = sets_.begin(); at != sets_.end(); ++at) {
             const time ready = ready_at(**at);
             if (ready <= now) {
                 current_ = std::move(*at);
                 sets_.erase(at);
+                note_alike(*current_, now);
                 next_ = now;
                 return true;
             }
@@ -191,6 +215,7 @@ class large_data_queue {
 
     /// False when a packet has been sent often enough.
     bool send_acknowledged(entry& set, time now, jaus::message_sink out) {
+        if (set.is_sent_again && !is_known_still(set, now)) return false;
         const auto last = set.packets.size() - 1;
         while (set.first_open != last && set.packets[set.first_open].acknowledged) ++set.first_open;
         const auto behind = set.first_open == 0 ? std::size_t{1} : set.first_open == last ? last + 1 : last;
@@ -217,7 +242,8 @@ class large_data_queue {
                 const bool again = packet.tries != 0;
                 ++packet.sent;
                 ++packet.tries;
-                packet.due = jaus::later(now, pacing_.acknowledgement.timeout);
+                const bool is_doubted = packet.is_alike && !again;
+                packet.due = jaus::later(now, is_doubted ? beat : pacing_.acknowledgement.timeout);
                 if (again && i != 0)
                     set.sender.repeat(i, out);
                 else
@@ -229,27 +255,39 @@ class large_data_queue {
         return true;
     }
     [[nodiscard]] bool may_restart(const entry& set, time now) const noexcept {
-        return set.restarts < pacing_.acknowledgement.retries / tries_until_restart &&
-               (!set.last_sent_at || now - *set.last_sent_at < latest_restart);
+        return set.restarts < pacing_.acknowledgement.retries / tries_until_restart && is_known_still(set, now);
+    }
+    [[nodiscard]] static bool is_known_still(const entry& set, time now) noexcept {
+        return !set.last_sent_at || now - *set.last_sent_at < latest_resent;
     }
     static void restart(entry& set) noexcept {
         ++set.restarts;
+        set.is_sent_again = set.last_sent_at.has_value();
         set.acknowledged = set.first_open = 0;
         for (auto& packet : set.packets) packet.tries = 0, packet.acknowledged = false;
     }
     void end(time now) {
-        const auto& set = *current_;
-        const bool was_delivered = set.outcome == jaus::delivered::acknowledged;
-        const bool repeated = std::ranges::any_of(set.packets, [](const auto& p) { return p.sent > 1; });
+        auto& set = *current_;
         note({.head = set.head,
               .since = now,
-              .is_clean = was_delivered && !repeated,
+              .pause = pause_after(set),
               .known_since = set.last_sent_at ? std::optional{now} : std::nullopt,
-              .digest = set.digest});
+              .digest = set.digest,
+              .digests = std::move(set.digests)});
         waiting_ -= set.body.size();
         current_.reset();
         next_ = time::max();
         for (const auto& waits : sets_) next_ = std::min(next_, ready_at(*waits));
+    }
+
+    [[nodiscard]] time pause_after(const entry& set) const noexcept {
+        if (set.packets.empty()) return pacing_.pause;
+        // Packets may be on their way, and then their acknowledgements.
+        if (set.outcome == jaus::delivered::timed_out) return jaus::later(pacing_.pause, pacing_.pause);
+        const bool repeated =
+            std::ranges::any_of(set.packets, [](const auto& p) { return p.sent > (p.is_alike ? 2U : 1U); });
+        const bool is_clean = set.outcome == jaus::delivered::acknowledged && !repeated;
+        return is_clean ? short_pause : pacing_.pause;
     }
 
     void note(rest made) {
@@ -257,12 +295,12 @@ class large_data_queue {
             return one.head.command_code == made.head.command_code && one.head.source == made.head.source &&
                    one.head.destination == made.head.destination;
         });
-        if (before == rests_.end()) return rests_.push_back(made);
+        if (before == rests_.end()) return rests_.push_back(std::move(made));
         if (!made.known_since && before->known_since) { // its packets were a reason not to forget the one before
             made.known_since = made.since;
             made.digest = before->digest;
         }
-        *before = made;
+        *before = std::move(made);
     }
 
     std::size_t most_;

@@ -30,6 +30,12 @@ inline std::string in_text(const jaus::header& head) {
            to_jausip(head.destination);
 }
 
+/// When a message is looked at, and how long it has waited for that.
+struct arrival {
+    std::chrono::nanoseconds now{};
+    std::chrono::nanoseconds waited{};
+};
+
 /// A component's number is its place in the order in which they were added.
 class node_components {
   public:
@@ -57,8 +63,9 @@ class node_components {
             all_[i].large = std::make_unique<large_data_memory>(
                 options_.large_data_sets, first_is_manager && i == 0 ? of_manager : (memory - of_manager) / others,
                 options_.large_data_patience,
-                jaus::reassembly_limits{.linger_of_repeats = large_data_queue::memory,
-                                        .longest_gap = options_.large_data_pause / 4});
+                jaus::reassembly_limits{.linger_of_copies = options_.large_data_pause * 3 / 4,
+                                        .linger_of_repeats = large_data_queue::memory,
+                                        .longest_gap = longest_gap()});
         stale_at_ = time::max();
         peers_.clear();
         present_ = present;
@@ -80,13 +87,17 @@ class node_components {
   public:
     /// A message, or a packet of a large data set. A packet is acknowledged when it is kept; the last one, and one that
     /// makes the data set whole, with what the component makes of the whole, and not before.
-    void hand_on(std::uint16_t to, const jaus::header& head, bytes body, time now, jaus::message_sink out) {
-        if (!going_ || peers_.heard(head, now)) return;
+    void hand_on(std::uint16_t to, const jaus::header& head, bytes body, const arrival& at, jaus::message_sink out) {
+        if (!going_ || peers_.heard(head, at.now)) return;
         if (head.data_flag == jaus::data_flag::only || jaus::is_acknowledgement(head)) {
-            give(all_[to], head, body, now, out);
+            give(all_[to], head, body, at.now, out);
             return;
         }
-        hand_on_packet(all_[to], head, body, now, out);
+        if (at.waited > longest_gap()) { // its sender may have begun the next data set since
+            log_(at.now, [&] { return in_text(head) + ": dropped: it has waited here for " + in_ms(at.waited); });
+            return;
+        }
+        hand_on_packet(all_[to], head, body, at, out);
     }
 
     void on_time(time now, jaus::message_sink out) {
@@ -124,6 +135,9 @@ class node_components {
     }
 
   private:
+    [[nodiscard]] time longest_gap() const noexcept { return options_.large_data_pause / 4; }
+    [[nodiscard]] static std::string in_ms(time t) { return std::to_string(t / std::chrono::milliseconds{1}) + " ms"; }
+
     /// A large data set that was handed on.
     struct whole_set {
         jaus::address source{};
@@ -165,17 +179,20 @@ class node_components {
         return std::ranges::any_of(all_, [&](const entry& one) { return one.it.self == who; });
     }
 
-    void hand_on_packet(entry& receiver, const jaus::header& head, bytes body, time now, jaus::message_sink out) {
+    void hand_on_packet(entry& receiver, const jaus::header& head, bytes body, const arrival& at,
+                        jaus::message_sink out) {
         using jaus::reassembled;
+        const time now = at.now;
         std::erase_if(receiver.whole, [&](const whole_set& one) { return one.until <= now; });
         bool has_outcome = true;
         const auto whole = [&](const jaus::header& first, bytes complete) {
             has_outcome = hand_on_whole(receiver, head, first, complete, now, out);
         };
-        const auto what = (*receiver.large)->on_packet(head, body, now, whole, tell_lost(now, receiver.it.self));
+        const auto what =
+            (*receiver.large)->on_packet(head, body, now - at.waited, whole, tell_lost(now, receiver.it.self));
         if (what == reassembled::no_room || what == reassembled::too_large)
             log_(now, [&] { return in_text(head) + ": refused: " + std::string{describe(what)}; });
-        if (what == reassembled::waiting)
+        if (what == reassembled::waiting || what == reassembled::doubtful)
             stale_at_ = std::min(stale_at_, jaus::later(now, options_.large_data_patience));
         if (!is_acknowledged(head) || !has_outcome) return;
         if (const auto before = find_whole(receiver, head); before != receiver.whole.end())

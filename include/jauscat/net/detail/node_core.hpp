@@ -60,12 +60,12 @@ class node_core {
         });
     }
     /// A message from the network.
-    jaus::routing received(bytes message, const jaus::split_message& m, jaus::hop from, time now,
+    jaus::routing received(bytes message, const jaus::split_message& m, jaus::hop from, const arrival& at,
                            jaus::message_sink out) {
         to_here_.clear();
-        const auto what = route(message, m.header, from, now, [&](std::uint16_t to) { to_here_.push_back(to); });
-        turn(now, out, [&] {
-            for (const auto to : to_here_) hand_on(to, m.header, m.body, now, out);
+        const auto what = route(message, m.header, from, at.now, [&](std::uint16_t to) { to_here_.push_back(to); });
+        turn(at.now, out, [&] {
+            for (const auto to : to_here_) hand_on(to, m.header, m.body, at, out);
         });
         return what;
     }
@@ -80,7 +80,7 @@ class node_core {
         for (int round = 0; !local_.empty() && round != most_rounds; ++round)
             local_.hand_on([&](std::uint16_t to, bytes message) {
                 const auto m = jaus::split(message);
-                hand_on(to, m.header, m.body, now, out);
+                hand_on(to, m.header, m.body, {now, {}}, out);
             });
     }
     void tell(const jaus::header& head, const jaus::routing& what, time now) {
@@ -92,9 +92,9 @@ class node_core {
     node_components components;
 
   private:
-    void hand_on(std::uint16_t to, const jaus::header& head, bytes body, time now, jaus::message_sink out) {
-        if (jaus::is_acknowledgement(head) && large.on_acknowledgement(head, now)) return;
-        components.hand_on(to, head, body, now, out);
+    void hand_on(std::uint16_t to, const jaus::header& head, bytes body, const arrival& at, jaus::message_sink out) {
+        if (jaus::is_acknowledgement(head) && large.on_acknowledgement(head, at.now)) return;
+        components.hand_on(to, head, body, at, out);
     }
     jaus::routing route(bytes message, const jaus::header& head, jaus::hop from, time now, auto&& to_component) {
         return router_->route(

@@ -33,13 +33,13 @@ class node_socket {
 
     void start(const udp_transport::filter& accept, auto on_message, const udp_transport::error_handler& on_error) {
         own_.set_filter(accept);
-        own_.start([on_message](bytes message, const endpoint& from,
-                                jaus::framing how) { on_message(message, from, how, false); },
+        own_.start([this, on_message](bytes message, const endpoint& from,
+                                      jaus::framing how) { on_message(message, from, how, false, own_.waited()); },
                    on_error);
         if (!group_) return;
         group_->set_filter(accept);
-        group_->start([on_message](bytes message, const endpoint& from,
-                                   jaus::framing how) { on_message(message, from, how, true); },
+        group_->start([this, on_message](bytes message, const endpoint& from,
+                                         jaus::framing how) { on_message(message, from, how, true, group_->waited()); },
                       on_error);
     }
     void post(bytes message, const endpoint& to, jaus::framing framing) { own_.post(message, to, framing); }

@@ -3,15 +3,19 @@
 
 #include <boost/asio/ip/udp.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <span>
 #include <sys/socket.h>
 #include <sys/uio.h>
+#include <time.h>
 
 namespace jauscat::net::detail {
 
@@ -47,6 +51,7 @@ template <std::size_t MaxSize> class receive_batch {
         const int count = ::recvmmsg(socket, messages_.data(), capacity, MSG_DONTWAIT, nullptr);
         if (count < 0) return errno;
         count_ = static_cast<std::size_t>(count);
+        taken_at_ = time_of_day();
         return 0;
     }
 
@@ -69,17 +74,37 @@ template <std::size_t MaxSize> class receive_batch {
     /// How many datagrams the kernel had dropped at this socket, modulo 2^32, when it received this one; 0 if none. See
     /// `want_drop_count`.
     [[nodiscard]] std::uint32_t dropped_before() noexcept {
-        auto& head = messages_[next_].msg_hdr;
-        for (auto* part = CMSG_FIRSTHDR(&head); part != nullptr; part = CMSG_NXTHDR(&head, part)) {
-            if (part->cmsg_level != SOL_SOCKET || part->cmsg_type != SO_RXQ_OVFL) continue;
-            std::uint32_t count{};
-            std::memcpy(&count, CMSG_DATA(part), sizeof count);
-            return count;
-        }
-        return 0;
+        return told_by_kernel<std::uint32_t>(SO_RXQ_OVFL).value_or(0);
+    }
+    /// How long it had waited in the socket when the batch was taken; 0 if the kernel does not tell. See
+    /// `want_arrival_time`.
+    [[nodiscard]] std::chrono::nanoseconds waited() noexcept {
+        const auto arrived = told_by_kernel<timespec>(SCM_TIMESTAMPNS);
+        if (!arrived) return {};
+        return std::max(taken_at_ - in_nanoseconds(*arrived), std::chrono::nanoseconds{}); // the clock may be set back
     }
 
   private:
+    /// What it says about the first datagram of those that are left.
+    template <class T> [[nodiscard]] std::optional<T> told_by_kernel(int type) noexcept {
+        auto& head = messages_[next_].msg_hdr;
+        for (auto* part = CMSG_FIRSTHDR(&head); part != nullptr; part = CMSG_NXTHDR(&head, part)) {
+            if (part->cmsg_level != SOL_SOCKET || part->cmsg_type != type) continue;
+            T value{};
+            std::memcpy(&value, CMSG_DATA(part), sizeof value);
+            return value;
+        }
+        return std::nullopt;
+    }
+    [[nodiscard]] static std::chrono::nanoseconds in_nanoseconds(const timespec& t) noexcept {
+        return std::chrono::seconds{t.tv_sec} + std::chrono::nanoseconds{t.tv_nsec};
+    }
+    /// The clock of the kernel's arrival times.
+    [[nodiscard]] static std::chrono::nanoseconds time_of_day() noexcept {
+        timespec now{};
+        ::clock_gettime(CLOCK_REALTIME, &now);
+        return in_nanoseconds(now);
+    }
     /// The kernel has written how much it used of the first `count`.
     void renew(std::size_t count) noexcept {
         for (std::size_t i = 0; i != count; ++i) {
@@ -92,7 +117,7 @@ template <std::size_t MaxSize> class receive_batch {
     static constexpr std::size_t stride = (MaxSize / 64 + 2) * 64;
 
     struct control {
-        alignas(cmsghdr) std::array<std::byte, CMSG_SPACE(sizeof(std::uint32_t))> bytes;
+        alignas(cmsghdr) std::array<std::byte, CMSG_SPACE(sizeof(std::uint32_t)) + CMSG_SPACE(sizeof(timespec))> bytes;
     };
 
     std::unique_ptr<std::byte[]> memory_ = std::make_unique_for_overwrite<std::byte[]>(capacity * stride);
@@ -101,12 +126,19 @@ template <std::size_t MaxSize> class receive_batch {
     std::array<iovec, capacity> parts_{};
     std::array<mmsghdr, capacity> messages_{};
     std::size_t next_{}, count_{};
+    std::chrono::nanoseconds taken_at_{};
 };
 
 /// Makes the kernel tell, with each datagram, how many it had to drop because the socket's buffer was full.
 inline void want_drop_count(boost::asio::ip::udp::socket& socket) noexcept {
     const int on = 1;
     ::setsockopt(socket.native_handle(), SOL_SOCKET, SO_RXQ_OVFL, &on, sizeof on);
+}
+
+/// Makes the kernel tell, with each datagram, when it arrived.
+inline void want_arrival_time(boost::asio::ip::udp::socket& socket) noexcept {
+    const int on = 1;
+    ::setsockopt(socket.native_handle(), SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on);
 }
 
 } // namespace jauscat::net::detail
