@@ -115,7 +115,7 @@ void bridge_program::kill() { data_.reset(); }
 void bridge_program::receive(const datagram& one) {
     auto& to = data_->units[one.to];
     to.current_message = one.message;
-    to.node.on_datagram(one.content(), endpoint_of(one.from), {}, false, local());
+    to.node.on_datagram(one.content(), endpoint_of(one.from), {}, false, local(), waited(one));
     to.current_message = 0;
     pump();
 }

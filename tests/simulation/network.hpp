@@ -18,6 +18,7 @@ struct datagram {
     std::uint32_t message{};
     std::uint32_t size{};
     std::uint32_t place{}; ///< in the network's memory
+    time arrived{};        ///< when the user's socket got it
     std::array<std::byte, 4128> bytes{};
     [[nodiscard]] std::span<const std::byte> content() const noexcept { return std::span{bytes}.first(size); }
 };
@@ -148,6 +149,7 @@ class network final : public actor {
     }
     void deliver(datagram& one) {
         if (is_pulse(one.content())) pulse_[one.from * users_.size() + one.to] = world_.now();
+        one.arrived = world_.now();
         if (!users_[one.to]->arrives(one)) give_back(one);
     }
 

@@ -99,7 +99,7 @@ class node_program : public process {
     }
     void receive(const datagram& one) override {
         current_message_ = one.message;
-        node_->on_datagram(one.content(), endpoint_of(one.from), {}, false, local());
+        node_->on_datagram(one.content(), endpoint_of(one.from), {}, false, local(), waited(one));
         current_message_ = 0;
     }
     void run() override { node_->on_time(local()); }

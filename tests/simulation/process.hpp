@@ -26,6 +26,8 @@ class process : public actor, public port_user {
     [[nodiscard]] std::optional<time> silent_since() const noexcept {
         return running() ? std::nullopt : std::optional{changed_at_};
     }
+    /// How long a datagram has waited in its socket.
+    [[nodiscard]] time waited(const datagram& one) const noexcept { return world_.now() - one.arrived; }
     /// Its clock.
     [[nodiscard]] time local() const noexcept { return world_.now() + leapt_; }
     /// Grows only while it runs.
