@@ -55,7 +55,9 @@ std::uint32_t model::hands_over(std::uint8_t sender, bytes message, time must_en
             .digest = digest,
             .at = world_.now()};
     if (moves(head.command_code)) {
-        made.command = command_in<jaus::set_wrench_effort>(body).value_or(0);
+        const auto command = command_in<jaus::set_wrench_effort>(body);
+        made.is_malformed = !command || body.size() != head.data_size;
+        made.command = command.value_or(0);
         if (made.command != 0) of_command_[made.command % of_command_.size()] = number;
     }
     account.last[account.count++ % account.last.size()] = number;
@@ -288,6 +290,9 @@ void model::acknowledged(actuator_account& a, std::uint32_t number) {
                  .number = sent->sequence_number,
                  .message = number});
     look(a);
+    if (sent->is_malformed)
+        return breaks(contract::s1, a, number, "a NAK, or nothing, for a body that is none of this message",
+                      "an acknowledgement");
     if (has_effect(a, *sent)) sent->done = true;
     if (a.wire != nullptr && sent->stopped_it && (*a.wire)[a.slave].unreachable_since &&
         *(*a.wire)[a.slave].unreachable_since < sent->arrived_at)
@@ -318,8 +323,7 @@ void model::handled(std::uint8_t which) {
                      .code = sent->code,
                      .number = sent->sequence_number,
                      .message = sent->number});
-        if (a.wire == nullptr && moves(sent->code) && sent->executed != 0 &&
-            a.program->jumped_at() <= sent->executed_at)
+        if (a.wire == nullptr && moves(sent->code) && must_be_remembered(a, *sent))
             breaks(contract::s1, a, sent->number, "ACK or nothing for what was executed", "a NAK");
     }
     take_emergency_codes(a, *sent);
@@ -360,9 +364,7 @@ void model::executes(std::uint8_t which, command_number command) {
     a.commander = sent->sender;
     if (a.current != 0 && sent->number != a.current)
         breaks(contract::s7, a, sent->number, "the body of the message that came", "that of another");
-    const bool known_again = sent->executed != 0 && sent->wants_acknowledgement && sent->sequence_number != 0 &&
-                             a.program->jumped_at() <= sent->executed_at;
-    if (known_again)
+    if (sent->wants_acknowledgement && sent->sequence_number != 0 && must_be_remembered(a, *sent))
         breaks(contract::s1, a, sent->number, "a command that asks for an acknowledgement is executed once",
                "it was executed " + in_ms(world_.now() - sent->executed_at) + " ago too");
     ++sent->executed;
@@ -383,6 +385,14 @@ bool model::was_on_its_way(const actuator_account& a, const sent_message& sent, 
     if (a.wire == nullptr || sent.arrived_at > changed) return false;
     const auto& slave = (*a.wire)[a.slave];
     return world_.now() - std::max({changed, slave.disturbed_at, slave.unfrozen_at}) < a.at_rest_in;
+}
+
+// Executed, and not so long ago that the actuator's component has forgotten it. Programs that are not of the library
+// may repeat a message later than that.
+bool model::must_be_remembered(const actuator_account& a, const sent_message& sent) const {
+    if (sent.executed == 0 || a.program->jumped_at() > sent.executed_at) return false;
+    const bool is_over = world_.now() - sent.executed_at >= jaus::component_options{}.memory;
+    return !(is_over && senders_[sent.sender].repeats_late);
 }
 
 void model::rests(std::uint8_t which) {

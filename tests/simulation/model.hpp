@@ -7,6 +7,7 @@
 #include "simulation/process.hpp"
 #include "simulation/ring.hpp"
 #include <jauscat/jaus/acknowledged_sender.hpp>
+#include <jauscat/jaus/component_options.hpp>
 
 #include <array>
 #include <map>
@@ -22,6 +23,7 @@ struct sent_message {
     jaus::address source{}, destination{};
     std::uint16_t code{}, sequence_number{};
     bool wants_acknowledgement{};
+    bool is_malformed{}; ///< a motion command whose body is none
     std::uint64_t digest{};
     time at{};
     command_number command{};
@@ -51,6 +53,7 @@ struct sent_large {
 struct sender_account {
     const process* program{};
     jaus::address id{};
+    bool repeats_late{};                   ///< also what receivers need not remember any more
     std::array<std::uint32_t, 128> last{}; ///< numbers of messages
     std::uint32_t count{};
     std::vector<std::pair<std::uint32_t, time>> open{}; ///< message, and run time when there must be an outcome
@@ -100,8 +103,8 @@ class model {
   public:
     model(world& w, network& n) : world_{w}, network_{n} {}
 
-    std::uint8_t add_sender(const process& program, const jaus::address& id) {
-        senders_.push_back({.program = &program, .id = id});
+    std::uint8_t add_sender(const process& program, const jaus::address& id, bool repeats_late = false) {
+        senders_.push_back({.program = &program, .id = id, .repeats_late = repeats_late});
         return static_cast<std::uint8_t>(senders_.size() - 1);
     }
     std::uint8_t add_actuator(const process& program, const jaus::address& id, std::uint8_t number, time limit) {
@@ -192,6 +195,7 @@ class model {
                 std::string found);
     void breaks(contract point, const sender_account& s, std::uint32_t message, std::string expected,
                 std::string found);
+    [[nodiscard]] bool must_be_remembered(const actuator_account& a, const sent_message& sent) const;
     void check_senders();
     void check_actuator(const actuator_account& a);
     void look_for_lost_holders(actuator_account& a);

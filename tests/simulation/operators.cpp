@@ -194,7 +194,7 @@ foreign_operator::foreign_operator(world& w, network& n, model& m, const jaus::a
       id_{self},
       target_{target},
       target_port_{target_port},
-      account_{m.add_sender(*this, id_)} {}
+      account_{m.add_sender(*this, id_, true)} {}
 
 void foreign_operator::boot() {
     all_zero_ = world_.faults.strikes(fault::number_zero, 200'000);
@@ -274,9 +274,28 @@ void foreign_operator::send(bytes message) {
     network_.send(port(), target_port_, message, number);
 }
 
+// Some programs send bodies that are too short or too long, with the size of their header right or wrong.
+std::size_t foreign_operator::spoil(std::span<std::byte> message, std::size_t size) {
+    if (size == jaus::header_size || !world_.faults.strikes(fault::body_malformed, 20'000)) return size;
+    auto& random = world_.faults.random(fault::body_malformed);
+    const bool is_short = random.below(2) == 0;
+    const auto most = is_short ? size - jaus::header_size : message.size() - size;
+    const auto by = 1 + random.below(static_cast<unsigned>(most));
+    const auto made = is_short ? size - by : size + by;
+    jaus::header head{};
+    if (random.below(2) == 0 || !wire::decode_prefix(head, bytes{message})) return made;
+    head.data_size = static_cast<std::uint16_t>(made - jaus::header_size);
+    static_cast<void>(wire::encode(head, message));
+    return made;
+}
+
 template <class Message> void foreign_operator::put(const jaus::address& to, const Message& message) {
     jaus::put({.destination = to, .source = id_, .sequence_number = all_zero_ ? std::uint16_t{} : number_++}, message,
-              [this](bytes whole) { send(whole); });
+              [this](bytes whole) {
+                  std::array<std::byte, 128> made{};
+                  std::ranges::copy(whole, made.begin());
+                  send(bytes{made}.first(spoil(made, whole.size())));
+              });
 }
 
 template <class Message> void foreign_operator::command(const Message& message, bool acknowledged) {
@@ -292,7 +311,7 @@ template <class Message> void foreign_operator::command(const Message& message, 
                                           .sequence_number = all_zero_ ? std::uint16_t{} : number_++},
                                          message, waiting_.bytes);
     if (!size) return;
-    waiting_.size = size.size();
+    waiting_.size = spoil(waiting_.bytes, size.size());
     waiting_.sent = 1;
     waiting_.due = local() + milliseconds{200};
     send(bytes{waiting_.bytes}.first(waiting_.size));

@@ -97,6 +97,7 @@ class foreign_operator final : public process {
     };
     template <class Message> void command(const Message& message, bool acknowledged);
     void send(bytes message);
+    [[nodiscard]] std::size_t spoil(std::span<std::byte> message, std::size_t size);
     template <class Message> void put(const jaus::address& to, const Message& message);
 
     model& model_;

@@ -1,7 +1,7 @@
 #include "simulation/simulation.hpp"
 
 #include "simulation/bridge_program.hpp"
-#include "simulation/memory.hpp"
+#include "simulation/memory_watch.hpp"
 #include "simulation/operators.hpp"
 #include "simulation/robot.hpp"
 
@@ -12,29 +12,6 @@
 
 namespace simulation {
 namespace {
-
-/// Memory after the first part of a run is what later parts are measured by.
-class memory_watch {
-  public:
-    explicit memory_watch(world& w) : world_{w} {}
-    void look() {
-        if (world_.now() < next_) return;
-        next_ = world_.now() + std::chrono::seconds{1};
-        const auto held = live_bytes();
-        if (world_.now() < std::chrono::seconds{20}) {
-            usual_ = std::max(usual_, held);
-        } else if (held > 2 * usual_ + (4 << 20)) {
-            world_.breaks({.point = contract::memory,
-                           .expected = "not much more than the " + std::to_string(usual_) + " bytes at the begin",
-                           .found = std::to_string(held) + " bytes"});
-        }
-    }
-
-  private:
-    world& world_;
-    time next_{};
-    std::ptrdiff_t usual_{};
-};
 
 constexpr jaus::address subsystem(std::uint8_t id) { return {0, 0, 0, id}; }
 constexpr jaus::address component_of(std::uint8_t id, std::uint8_t component) { return {1, component, 1, id}; }

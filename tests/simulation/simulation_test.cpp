@@ -1,4 +1,5 @@
 // The simulation itself: a seed is the whole run, faults strike, a violation becomes a story.
+#include "simulation/memory_watch.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/world.hpp"
 #include "support/catch.hpp"
@@ -58,6 +59,28 @@ TEST_CASE("events of one instant happen in the order in which they were put") {
     std::iota(expected.begin(), expected.end(), 0U);
     std::ranges::stable_sort(expected, {}, [](std::uint32_t i) { return i % 3; });
     REQUIRE(who.heard == expected);
+}
+
+TEST_CASE("memory that grows breaks the contract, memory that is used again does not") {
+    struct user final : actor {
+        bool keeps{};
+        std::vector<std::vector<std::byte>> held{};
+        void on_event(std::uint8_t, std::uint32_t) override {
+            held.emplace_back(std::size_t{1} << 20U);
+            if (!keeps && held.size() > 4) held.clear();
+        }
+    };
+    for (const bool keeps : {false, true}) {
+        world w{1};
+        user who;
+        who.keeps = keeps;
+        memory_watch watch{w};
+        w.check = [&] { watch.look(); };
+        for (int i = 0; i != 120; ++i) w.at(std::chrono::seconds{i}, who, 0);
+        w.run(2min);
+        REQUIRE(w.broken().has_value() == keeps);
+        if (keeps) REQUIRE(w.broken()->point == contract::memory);
+    }
 }
 
 TEST_CASE("a violation is told with what was expected, what was found, and the lines that lead to it") {
