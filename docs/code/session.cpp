@@ -4,6 +4,7 @@
 #include <jauscat/net.hpp>
 
 #include <iostream>
+#include <random>
 
 namespace jaus = jauscat::jaus;
 namespace net = jauscat::net;
@@ -90,7 +91,9 @@ int main() try {
     const auto keep = [&](const jaus::awaited_message&, jaus::delivered what) { outcome = what; };
     jaus::component_memory<> memory{};
     jaus::held_control control{self, target};
-    jaus::component unit{self, memory, {.on_delivered = keep}, {}, control};
+    const auto first_number = static_cast<std::uint16_t>(std::random_device{}()); // another one after each start
+    jaus::component unit{
+        self, memory, {.on_delivered = keep}, {.acknowledgement = {.first_number = first_number}}, control};
     double forward{};
     jaus::dispatcher own{jaus::on<jaus::confirm_service_connection>([](const auto&, const auto&) {}),
                          jaus::on<jaus::report_wrench_effort>([&](const jaus::header&, const auto& report) {
