@@ -117,7 +117,8 @@ void model::sends_large(std::uint8_t sender, const jaus::header& head, std::uint
                              .destination = head.destination,
                              .code = head.command_code,
                              .life = account.program->life(),
-                             .wants_acknowledgement = head.ack_nak == jaus::ack_nak::request});
+                             .wants_acknowledgement = head.ack_nak == jaus::ack_nak::request,
+                             .at = world_.now()});
     world_.tell({.what = deed::sends_large,
                  .who = account.program->number(),
                  .code = head.command_code,
@@ -144,6 +145,19 @@ void model::learns_large(std::uint8_t sender, const jaus::header& head, jaus::de
     }
 }
 
+// Packets that ask for no acknowledgement are told from those of the data set before by the pause between the two,
+// which a sender whose clock leaps does not keep.
+bool model::has_not_paused(const jaus::address& source) const {
+    const auto from = account_of(source);
+    if (!from) return false;
+    const auto& sender = senders_[*from];
+    const time lately = world_.now() - std::chrono::seconds{2};
+    return sender.program->leapt_at() > std::max(lately, time{}) &&
+           std::ranges::any_of(sender.large, [&](const sent_large& one) {
+               return !one.wants_acknowledgement && one.at > lately - std::chrono::seconds{3};
+           });
+}
+
 void model::delivers_large(const process& at, const jaus::header& head, bytes body) {
     const auto identity = identity_of_large(body);
     world_.tell({.what = deed::delivers_large,
@@ -153,6 +167,7 @@ void model::delivers_large(const process& at, const jaus::header& head, bytes bo
     const auto fail = [&](contract point, const std::string& expected, const std::string& found) {
         world_.breaks({.point = point, .who = at.number(), .expected = expected, .found = found});
     };
+    if (!identity && has_not_paused(head.source)) return;
     if (!identity)
         return fail(contract::s7, "the bytes of one large data set that was sent",
                     "a body of " + std::to_string(body.size()) + " bytes that nobody has sent as it is");

@@ -44,6 +44,7 @@ struct sent_large {
     std::uint16_t code{};
     std::uint32_t life{};
     bool wants_acknowledgement{};
+    time at{};
     bool closed{};
     unsigned delivered{};
     time delivered_at{};
@@ -195,6 +196,7 @@ class model {
                 std::string found);
     void breaks(contract point, const sender_account& s, std::uint32_t message, std::string expected,
                 std::string found);
+    [[nodiscard]] bool has_not_paused(const jaus::address& source) const;
     [[nodiscard]] bool must_be_remembered(const actuator_account& a, const sent_message& sent) const;
     void check_senders();
     void check_actuator(const actuator_account& a);

@@ -37,6 +37,9 @@ class process : public actor, public port_user {
     /// When its clock or the process itself has last made a jump.
     [[nodiscard]] time jumped_at() const noexcept { return jumped_at_; }
 
+    /// When its clock has last leapt.
+    [[nodiscard]] time leapt_at() const noexcept { return leapt_at_; }
+
     void on_event(std::uint8_t what, std::uint32_t argument) final {
         switch (what) {
         case wake_up:
@@ -165,7 +168,7 @@ class process : public actor, public port_user {
             return;
         default:
             leapt_ += some;
-            jumped_at_ = world_.now();
+            jumped_at_ = leapt_at_ = world_.now();
             wake_at_ = time::max();
             world_.tell({.what = deed::clock_leaps, .who = number_, .value = ms});
             rearm();
@@ -192,7 +195,7 @@ class process : public actor, public port_user {
     std::uint8_t port_;
     condition condition_{condition::dead};
     std::uint32_t life_{};
-    time changed_at_{}, idle_{}, leapt_{}, jumped_at_{}, last_silence_{};
+    time changed_at_{}, idle_{}, leapt_{}, jumped_at_{}, leapt_at_{}, last_silence_{};
     time wake_at_{time::max()};
     unsigned spins_{}; ///< in a row
     time spun_at_{};
