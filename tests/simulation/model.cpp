@@ -629,7 +629,7 @@ void model::look_for_lost_holders(actuator_account& a) {
         const auto who = account_of(holder.id);
         const auto heard = who ? network_.pulse_heard(senders_[*who].program->port(), a.port) : time{};
         if (world_.now() - heard > std::chrono::milliseconds{1500} ||
-            a.program->jumped_at() >= std::min(heard, holder.since))
+            a.program->jumped_at() > std::min(heard, holder.since))
             holder.may_be_lost = true;
     }
 }
