@@ -1,6 +1,7 @@
 // jausdump: shows JAUS messages out of a capture, from a UDP port, or from lines of hex digits.
 #include "capture.hpp"
 #include "dump.hpp"
+#include "input_lines.hpp"
 #include "listener.hpp"
 #include "support/program.hpp"
 
@@ -130,8 +131,10 @@ class progress {
 };
 
 void read_lines(jausdump::dump& dump) {
-    std::string line;
-    for (std::size_t number = 1; !stopped() && std::getline(std::cin, line); ++number) dump.on_line(line, number);
+    if (isatty(STDIN_FILENO) == 1)
+        std::cerr << "jausdump: type messages as hex digits, one a line; Ctrl-D or Ctrl-C ends it, --help says more\n";
+    std::size_t number = 0;
+    jausdump::read_input_lines([&](const std::string& line) { dump.on_line(line, ++number); }, stopped);
 }
 
 void read_file(jausdump::dump& dump, const std::string& path) {

@@ -1,6 +1,7 @@
 // What people read: columns, fields, colours; and how the program is called.
 #include "program.hpp"
 #include "support/catch.hpp"
+#include "support/terminal_program.hpp"
 
 using dump_test::run;
 
@@ -103,6 +104,24 @@ TEST_CASE("the progress of a long capture is shown on a terminal that has no mes
     };
     REQUIRE(seen(">" + (files / "out")).find("reading: 50 %") != std::string::npos);
     REQUIRE(seen("").find("reading:") == std::string::npos);
+}
+
+TEST_CASE("without arguments on a terminal it says what it waits for, and Ctrl-C ends it with the summary") {
+    support::terminal_program program{{JAUSDUMP}};
+    program.wait_for("jausdump: type messages as hex digits, one a line");
+    program.type(wrench);
+    program.wait_for("propulsive_linear_effort_x");
+    program.type("\x03");
+    program.wait_for("1 message: 1 decoded");
+    REQUIRE(program.exit_code() == 0);
+}
+
+TEST_CASE("lines without an end and many lines at once are all read") {
+    std::string many;
+    for (int i = 0; i != 5000; ++i) many += wrench;
+    const auto result = run("--summary", many + wrench.substr(0, wrench.size() - 1));
+    REQUIRE(result.code == 0);
+    REQUIRE(result.says("5001 messages: 5001 decoded\n"));
 }
 
 TEST_CASE("help has examples and the exit codes") {
