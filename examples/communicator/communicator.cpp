@@ -24,7 +24,7 @@ constexpr const char* help = R"(communicator: a JAUS node to talk with others fr
 Examples:
   communicator --this a
   communicator --this b --open
-  printf 'send b set_component_authority authority_code=5\nq\n' | communicator --this a
+  printf 'send b set_component_authority authority_code=5\nexit\n' | communicator --this a
   printf 'wait 10\n' | communicator --this b
 
 It is the component 32 of its system's node, or the first that the configuration names there.
@@ -39,7 +39,7 @@ constexpr const char* commands =
   log on|off                            also show what the node manager gets, and lines that repeat
   wait SECONDS                          take the next line later
   help                                  this text
-  q                                     quit
+  exit                                  end the program; also q and quit
 )";
 
 using words = std::vector<std::string>;
@@ -172,7 +172,7 @@ class communicator {
         const auto& verb = all.front();
         if (verb == "send" && all.size() >= 3) return send(all);
         if (verb == "send") return wrong("send WHOM MESSAGE [FIELD=VALUE ...], such as: send b query_component_status");
-        if (verb == "q" || verb == "quit") return quit();
+        if (verb == "exit" || verb == "quit" || verb == "q") return quit();
         if (verb == "help") return show(commands);
         if (verb == "peers") return peers();
         if (verb == "log" && all.size() == 2 && (all[1] == "on" || all[1] == "off")) {

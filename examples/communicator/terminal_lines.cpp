@@ -11,6 +11,13 @@ namespace {
 std::deque<std::string> lines;
 bool at_end{};
 
+std::string prompt_text;
+
+void take_line(char* line);
+
+/// Before each line: libedit leaves the terminal to the system after one, without editing and history.
+void begin_line() { rl_callback_handler_install(prompt_text.c_str(), &take_line); }
+
 void take_line(char* line) {
     if (line == nullptr) { // Ctrl-D
         at_end = true;
@@ -19,13 +26,15 @@ void take_line(char* line) {
     if (*line != '\0') add_history(line);
     lines.emplace_back(line);
     std::free(line);
+    begin_line();
 }
 
 class terminal final : public line_source {
   public:
     explicit terminal(const std::string& prompt) {
         rl_catch_signals = 0;
-        rl_callback_handler_install(prompt.c_str(), &take_line);
+        prompt_text = prompt;
+        begin_line();
     }
     ~terminal() override { rl_callback_handler_remove(); }
 
