@@ -29,8 +29,9 @@ template <ethercat::link Link> int write_and_read(Link& link, const object& what
     const auto done = [&](bool started, const char* job) {
         const auto result = net::run(link, master, started);
         std::cout << job << ": " << describe(result.error);
-        const auto detail = describe_detail(result); // what the slave says: its abort code, its AL status code
-        std::cout << (detail.empty() ? "" : ", ") << detail << '\n';
+        if (const auto detail = describe_detail(result); !detail.empty()) // of the slave's abort or AL status code
+            std::cout << ", " << detail << " (" << jauscat::text::hex_number(result.detail, 8) << ')';
+        std::cout << '\n';
         return static_cast<bool>(result);
     };
 

@@ -44,6 +44,18 @@ inline void refuse_negative(const std::vector<boost::program_options::option>& g
     }
 }
 
+/// What is wrong with a value: for a port and other numbers of 16 bits, their range.
+inline std::string complaint(const boost::program_options::validation_error& error,
+                             const boost::program_options::options_description& options) {
+    namespace po = boost::program_options;
+    const auto name = error.get_option_name(); // with its dashes
+    const auto* const option = options.find_nothrow(name.substr(name.find_first_not_of('-')), false);
+    if (option == nullptr) return error.what();
+    const auto* const typed = dynamic_cast<const po::typed_value_base*>(option->semantic().get());
+    if (typed == nullptr || typed->value_type() != typeid(std::uint16_t)) return error.what();
+    return name + " must be 0 to 65535, in decimal";
+}
+
 /// Parses the command line, which also has --help and --version: prints what they ask for and ends the program. `help`
 /// begins with the program's name: "ocu: commands the efforts ...".
 inline boost::program_options::variables_map
@@ -52,7 +64,7 @@ parse(int argc, char** argv, const boost::program_options::options_description& 
     namespace po = boost::program_options;
     constexpr unsigned width = 119; // that of the help texts
     po::options_description all{bold("Options"), width};
-    all.add_options()("help", "show this text")("version", "show the version of JausCat");
+    all.add_options()("help,h", "show this text")("version", "show the version of JausCat");
     for (const auto& each : options.options()) all.add(each);
     po::variables_map values;
     try {
@@ -60,6 +72,8 @@ parse(int argc, char** argv, const boost::program_options::options_description& 
         po::store(given, values);
         refuse_negative(given.options, values);
         po::notify(values);
+    } catch (const po::validation_error& error) {
+        throw usage_error{complaint(error, all)};
     } catch (const po::error& error) {
         throw usage_error{error.what()};
     }

@@ -34,10 +34,13 @@ objects_are_written() { # INTERFACE
     expect 0 "the slave has 01 02 03 04" "$bin/sdo_download" "$1" 2000 0 01 02 03 04
     grep -qFx "3 slaves" "$work/out.log" || fail "not all slaves are found"
     grep -qFx "2000h = 01 02 03 04" "$work/server.log" || fail "the slave does not say what it has got"
+    expect 0 "01 02 03 04" "$bin/sdo_read" "$1" 2000 0
+    expect 0 "00 00 43 4a" "$bin/sdo_read" "$1" 1018 1
+    expect 1 "no such object in the dictionary (0x06020000)" "$bin/sdo_read" "$1" 2001 0
     expect 1 "length does not match" "$bin/sdo_download" "$1" 2000 0 01
     expect 1 "no such object" "$bin/sdo_download" "$1" 2001 0 01
     expect 1 "no such subindex" "$bin/sdo_download" "$1" 2000 1 01
-    expect 1 "can only be read" "$bin/sdo_download" "$1" 1018 1 01
+    expect 1 "can only be read (0x06010002)" "$bin/sdo_download" "$1" 1018 1 01
 }
 objects_in_udp() {
     start "three slaves" "$bin/emulated_slaves"
@@ -46,6 +49,9 @@ objects_in_udp() {
     expect 2 "INTERFACE INDEX" "$bin/sdo_download" udp 2000 0 zz
     expect 2 "INTERFACE INDEX" "$bin/sdo_download" udp 12000 0 01
     expect 2 "INTERFACE INDEX" "$bin/sdo_download" udp 2000 0 1x
+    expect 2 "INTERFACE INDEX" "$bin/sdo_read" udp 2000
+    expect 2 "INTERFACE INDEX" "$bin/sdo_read" udp 2000 100
+    expect 1 "there is no interface" "$bin/sdo_read" no_such_link 2000 0
     expect 1 "there is no interface" "$bin/sdo_download" no_such_link 2000 0 01
     expect 1 "there is no interface" "$bin/emulated_slaves" no_such_link
     expect 2 "INTERFACE" "$bin/emulated_slaves" --help
