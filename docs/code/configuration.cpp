@@ -1,10 +1,12 @@
 // configuration.md: what a program gets of a JausConfig.xml.
+// [includes]
 #include <jauscat/net/read_jaus_config.hpp>
 #include <jauscat/text/jaus.hpp>
 
 #include <iostream>
 
 namespace net = jauscat::net;
+// [includes end]
 
 int main() try {
     // [use]

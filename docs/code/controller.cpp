@@ -1,4 +1,5 @@
 // write-a-controller.md: JAUS messages carried to an EtherCAT slave, and its reports back.
+// [includes]
 #include "driver.hpp"
 #include <jauscat/ethercat/listed_objects.hpp>
 #include <jauscat/ethercat/loopback_link.hpp>
@@ -13,6 +14,7 @@
 #include <iostream>
 
 namespace net = jauscat::net;
+// [includes end]
 
 // [controller]
 /// Carries messages to the slave with the station address 2, over any link.

@@ -1,4 +1,5 @@
 // declare-a-message.md: what a receiver says of bytes that are wrong.
+// [includes]
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/text/annotate.hpp>
 #include <jauscat/wire/wire.hpp>
@@ -7,6 +8,7 @@
 #include <iostream>
 
 namespace jaus = jauscat::jaus;
+// [includes end]
 
 int main() {
     // [use]

@@ -1,5 +1,6 @@
 // The application of write-a-slave.md: what an EtherCAT slave does with objects that are JAUS messages.
 #pragma once
+// [includes]
 #include <jauscat/ethercat/delivery.hpp>
 #include <jauscat/ethercat/object_dictionary.hpp>
 #include <jauscat/jaus/copy_present.hpp>
@@ -14,6 +15,7 @@
 
 namespace jaus = jauscat::jaus;
 namespace ethercat = jauscat::ethercat;
+// [includes end]
 
 // [application]
 using driver_table = jauscat::translation::self_contained_table_at_2000h;

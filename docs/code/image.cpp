@@ -1,5 +1,6 @@
 // mapping-table.md: a message into a slave's process data.
 //     docs_image
+// [includes]
 #include <jauscat/ethercat/image_entries.hpp>
 #include <jauscat/text/annotate.hpp>
 #include <jauscat/translate/image_translator.hpp>
@@ -8,6 +9,7 @@
 #include <iostream>
 
 namespace translate = jauscat::translate;
+// [includes end]
 
 // [message]
 struct millimetres {

@@ -1,11 +1,13 @@
 // Step 7 of declare-a-message.md: a layout becomes a JAUS message.
 //     docs_own_message
+// [includes]
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/text/jaus.hpp>
 
 #include <array>
 #include <iostream>
+// [includes end]
 
 // [declare]
 namespace gripper {

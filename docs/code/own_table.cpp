@@ -1,5 +1,6 @@
 // mapping-table.md: a table of one's own, for a packet that is not an EtherCAT card's.
 //     docs_own_table
+// [includes]
 #include <jauscat/schema/jaus/header.hpp>
 #include <jauscat/text/annotate.hpp>
 #include <jauscat/translate/translator.hpp>
@@ -9,6 +10,7 @@
 
 namespace jaus = jauscat::jaus;
 namespace translate = jauscat::translate;
+// [includes end]
 
 // [packet]
 /// In front of the data of a radio link: 8 bytes, big endian.

@@ -1,5 +1,6 @@
 // mapping-table.md: a message of one's own in the tables of this library.
 //     docs_private_code
+// [includes]
 #include <jauscat/ethercat/delivery.hpp>
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
@@ -10,6 +11,7 @@
 
 namespace jaus = jauscat::jaus;
 namespace translation = jauscat::translation;
+// [includes end]
 
 /// Set Gripper, a message of one's own.
 struct set_gripper {

@@ -1,8 +1,10 @@
 // A raw link, and nothing else that takes privileges: "privileges eth0". Without an interface it only gives them up.
+// [includes]
 #include <jauscat/net/drop_privileges.hpp>
 #include <jauscat/net/raw_link.hpp>
 
 #include <iostream>
+// [includes end]
 
 namespace {
 

@@ -1,9 +1,11 @@
 // Step 1 of declare-a-message.md: whole numbers.
+// [includes]
 #include <jauscat/text/annotate.hpp>
 #include <jauscat/wire/wire.hpp>
 
 #include <array>
 #include <iostream>
+// [includes end]
 
 // [declare]
 /// What a gripper says of itself.

@@ -1,5 +1,6 @@
 // write-a-component.md: an operator takes control of a driver, connects to its reports, and commands it. Both nodes run
 // in this program, and talk by UDP.
+// [includes]
 #include <jauscat/jauscat.hpp>
 #include <jauscat/net.hpp>
 
@@ -9,6 +10,7 @@
 namespace jaus = jauscat::jaus;
 namespace net = jauscat::net;
 using namespace std::chrono_literals;
+// [includes end]
 
 // [robot]
 /// Component 33 of the robot: obeys Set Wrench Effort, and reports its efforts to who has connected to them.

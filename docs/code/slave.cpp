@@ -1,4 +1,5 @@
 // write-a-slave.md: an EtherCAT slave whose objects are JAUS messages, and a master that writes one of them.
+// [includes]
 #include "driver.hpp"
 #include <jauscat/ethercat/listed_objects.hpp>
 #include <jauscat/ethercat/loopback_link.hpp>
@@ -8,6 +9,7 @@
 #include <jauscat/net/run_master.hpp>
 
 #include <iostream>
+// [includes end]
 
 int main() {
     // [slave]

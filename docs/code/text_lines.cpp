@@ -1,5 +1,6 @@
 // text.md: messages from lines of text, and messages as JSON. Takes every line of lines.txt.
 //     docs_text_lines (in this folder)
+// [includes]
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/json.hpp>
@@ -12,6 +13,7 @@
 namespace jaus = jauscat::jaus;
 namespace text = jauscat::text;
 namespace wire = jauscat::wire;
+// [includes end]
 
 namespace {
 

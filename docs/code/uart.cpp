@@ -1,6 +1,7 @@
 // firmware.md: JAUS messages from a serial line, in the integers of the wire. Nothing here is allocated, thrown, or
 // computed in floating point.
 //     docs_uart
+// [includes]
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/jaus/stream.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
@@ -12,6 +13,7 @@
 using namespace std::chrono_literals;
 namespace jaus = jauscat::jaus;
 namespace wire = jauscat::wire;
+// [includes end]
 
 // The board's part of it. Here it prints.
 void send(std::span<const std::byte> bytes) { std::printf("sends %zu bytes\n", bytes.size()); }

@@ -1,10 +1,12 @@
 // Step 6 of declare-a-message.md: a value whose form another member selects.
+// [includes]
 #include <jauscat/text/annotate.hpp>
 #include <jauscat/wire/wire.hpp>
 
 #include <array>
 #include <iostream>
 #include <variant>
+// [includes end]
 
 // [declare]
 enum class goal_type : std::uint8_t { width = 0, object = 1, release = 255 };
