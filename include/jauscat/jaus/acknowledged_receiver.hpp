@@ -200,12 +200,14 @@ class acknowledged_receiver {
                 knows_unnumbered_ = true;
         }
     }
-    // Whether the number 0 of `zero` is one of a sender that counts: the last numbers came before it, or others with
-    // it or after it. What came before may be of a program that counted and was started again as one that does not.
+    // Whether the number 0 of `zero` is one of a sender that counts: others came after it, or the last numbers before
+    // it. What else came before may be of a program that counted and was started again as one that does not; what came
+    // in the same instant, too, for it may have waited in the socket.
     [[nodiscard]] static constexpr bool shows_count(const acknowledged_message& other,
                                                     const acknowledged_message& zero) noexcept {
         if (other.source != zero.source || other.sequence_number == 0) return false;
-        return other.sequence_number >= 0xFF00 || other.until >= zero.until;
+        const bool is_next = other.until == zero.until && other.sequence_number <= 0xFF;
+        return is_next || other.sequence_number >= 0xFF00 || other.until > zero.until;
     }
     // FNV-1a of 32 bits.
     [[nodiscard]] static constexpr std::uint32_t digest_of(std::span<const std::byte> body) noexcept {
