@@ -533,6 +533,26 @@ TEST_CASE("silence of a watched slave is measured by the clock, from when the la
     CHECK(status.condition_within(100ms, 340ms) == slave_condition::absent);
 }
 
+TEST_CASE("a slave that could not be brought up again keeps its place in the image: it may still run with it") {
+    bench b{motors, motors, motors};
+    for (std::uint16_t i = 0; i != 2; ++i) {
+        REQUIRE(b.up(i, static_cast<std::uint16_t>(i + 1)));
+        REQUIRE(b.run(b.master.configure(static_cast<std::uint16_t>(i + 1))));
+    }
+    const auto place = b.master.find(2)->process_data;
+    for (const std::uint16_t position : std::initializer_list<std::uint16_t>{0, 1, 1}) {
+        b.link.faults.lose = 100;
+        CHECK_FALSE(b.up(position, static_cast<std::uint16_t>(position + 1)));
+    }
+    b.link.faults.lose = 0;
+    REQUIRE(b.up(2, 3));
+    REQUIRE(b.run(b.master.configure(3)));
+    CHECK(b.master.find(3)->process_data.output_address >= place.output_address + place.size());
+    REQUIRE(b.up(1, 2));
+    REQUIRE(b.run(b.master.configure(2)));
+    CHECK(b.master.find(2)->process_data.output_address == place.output_address);
+}
+
 TEST_CASE("slaves without process data are watched too, and a full reply mailbox is seen") {
     bench b{plain};
     b.devices[0]->objects.add(0x2002, 0, 4);

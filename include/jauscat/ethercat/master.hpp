@@ -16,6 +16,7 @@
 #include <jauscat/ethercat/slave_list.hpp>
 #include <jauscat/ethercat/state_change.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -39,6 +40,7 @@ class master {
     [[nodiscard]] bool scan() noexcept {
         if (!begin(job::scan)) return false;
         slaves_.clear();
+        away_.clear();
         scan_ = {};
         return true;
     }
@@ -49,9 +51,12 @@ class master {
     [[nodiscard]] bool bring_up(std::uint16_t position, std::uint16_t station,
                                 const identity_check& expected = {}) noexcept {
         if (!begin(job::bring_up)) return false;
-        const auto* const before = slaves_.find(station);
+        const auto* before = slaves_.find(station);
+        if (before == nullptr) before = away_.find(station);
         before_ = before != nullptr ? *before : slave_record{};
         slaves_.remove(position, station);
+        away_.remove(position, station);
+        if (before_.station == station && !away_.full()) away_.add(before_);
         bring_up_ = ethercat::bring_up{position, station, expected};
         if (slaves_.full()) finish({.error = master_errc::too_many_slaves});
         return true;
@@ -65,7 +70,9 @@ class master {
         if (!begin(job::configure)) return false;
         if (!choose(station)) return true;
         slave_->watchdog = {};
-        setup_ = process_setup{*slave_, slaves_.image_without(*slave_), watchdog};
+        auto image = slaves_.image_without(*slave_);
+        image.size = std::max(image.size, away_.image_without(*slave_).size);
+        setup_ = process_setup{*slave_, image, watchdog};
         if (watchdog_units(watchdog) == 0) finish({.error = master_errc::watchdog_range});
         return true;
     }
@@ -362,6 +369,7 @@ class master {
         slave.process_data = before_.process_data; // it keeps its place in the image
         slave.unfinished = before_.unfinished;     // a change of state does not end it in every slave
         slave.last_counter = before_.last_counter; // some slaves keep it, and drop a message with the same one
+        away_.remove(slave.position, slave.station);
         slaves_.add(slave);
     }
 
@@ -373,6 +381,7 @@ class master {
 
     frame_traffic frames_;
     slave_list slaves_{};
+    slave_list away_{}; // could not be brought up again: what it does with its place in the image is not known
 
     job job_{};
     outcome result_{};
