@@ -17,12 +17,13 @@ void arm_unit::power_on() {
 void arm_unit::pass(std::span<std::byte> frame, time now, bool frozen) {
     slave_.pass(frame);
     if (frozen) return;
-    application_->set_station(slave_.station_address());
-    slave_.work();
     on_time(now);
 }
 
+// An application works whether frames pass or not.
 void arm_unit::on_time(time now) {
+    application_->set_station(slave_.station_address());
+    slave_.work();
     slave_.on_time(now);
     watch_->look(slave_, now); // first: the inputs say what is in force then
     process_data_->work(slave_);

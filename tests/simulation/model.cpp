@@ -193,6 +193,7 @@ void model::starts(std::uint8_t which) {
     a.not_ready_since = world_.now();
     if (a.wire == nullptr) a.command = 0; // a slave goes on without its program
     a.controller.reset();
+    a.orphaned_since.reset();
     a.holders.clear();
     a.current = 0;
     a.arrived_count = 0;
@@ -419,6 +420,7 @@ void model::rests(std::uint8_t which) {
 void model::note_efforts(actuator_account& a, command_number command) {
     if (command == a.command) return;
     a.command = command;
+    a.orphaned_since.reset();
     look(a);
     a.efforts[a.effort_count++ % a.efforts.size()] = {world_.now(), command};
 }
@@ -505,7 +507,11 @@ void model::controlled(std::uint8_t which, const std::optional<jaus::address>& n
                  .whom = who ? senders_[*who].program->number() : std::uint8_t{},
                  .message = a.current});
     a.controlled_since = world_.now();
-    if (!now) a.controller.reset();
+    if (now) return;
+    const auto* cause = find(a.current);
+    const bool is_released = cause != nullptr && cause->code == jaus::release_component_control::command_code;
+    if (a.controller && a.command != 0 && !is_released) a.orphaned_since = unreachable_since(*a.controller, a);
+    a.controller.reset();
 }
 
 // ---------------------------------------------------------------------------------------------------- control, reports
@@ -586,8 +592,7 @@ void model::check_slave(const actuator_account& a) {
     if (a.state != primary_status_code::ready)
         check_stop(a, "its component has left Ready", std::max(a.not_ready_since, undisturbed),
                    a.at_rest_in + frames_lost);
-    if (!a.controller) return;
-    if (const auto since = unreachable_since(*a.controller, a))
+    if (const auto since = a.controller ? unreachable_since(*a.controller, a) : a.orphaned_since)
         check_stop(a, "its controller is lost", std::max(*since + network::longest_delay, undisturbed),
                    a.controller_limit + frames_lost);
 }

@@ -86,6 +86,7 @@ struct actuator_account {
     command_number command{};                 ///< in force; 0: at rest
     std::uint8_t commander{};                 ///< account of who sent it
     std::optional<std::uint8_t> controller{}; ///< account
+    std::optional<time> orphaned_since{}; ///< the efforts in force: their controller is lost, and has control no more
     std::uint8_t authority{};
     std::vector<emergency_holder> holders{};
     // The message that is being handled:
