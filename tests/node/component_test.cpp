@@ -568,6 +568,15 @@ TEST_CASE("a repeat that is dropped is a sign of life") {
     REQUIRE(a.core.next_event() == 750ms);
 }
 
+TEST_CASE("a large data set, which may have waited in its sender's node, does not keep control") {
+    arm a{{.control = {.timeout = 1s}}};
+    a.put_under_control_of(ocu_address);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7, 100ms) == taken);
+    const std::vector<std::byte> large(jaus::max_body_size + 1);
+    a.hear({.command_code = 0xD117, .destination = arm_address, .source = ocu_address}, large, 300ms, a.sent.sink());
+    REQUIRE(a.core.next_event() == 350ms);
+}
+
 TEST_CASE("an operator that only holds control keeps it by its pulse, one that dies loses it within half a second") {
     lossy_channel channel;
     arm a;

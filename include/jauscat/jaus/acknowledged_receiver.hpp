@@ -75,8 +75,10 @@ class acknowledged_receiver {
             return outcome;
         };
         if (!wants_answer || may_be_repeated(head.command_code)) {
-            if (is_command(head.command_code) && head.sequence_number == 0)
-                end_unnumbered(now, [&](const address& source) { return source == head.source; });
+            if (is_command(head.command_code) && head.sequence_number == 0) {
+                const auto is_its = [&](const address& source) { return source == head.source; };
+                wants_answer ? end_zero(is_its) : end_unnumbered(now, is_its);
+            }
             const message_outcome outcome = obey();
             if (wants_answer && outcome != message_outcome::deferred) acknowledge(head, self_, answer_of(outcome), out);
             return received::handed_on;
@@ -184,6 +186,11 @@ class acknowledged_receiver {
         for (acknowledged_message& m : places_)
             if (m.source == key.source && (key.sequence_number != 0 || m.sequence_number == 0)) m.superseded = true;
         return find(key, now);
+    }
+    // Who counts has the number 0 for one command in 65536: another one with it shows that what was before is over.
+    constexpr void end_zero(auto&& concerns) noexcept {
+        for (acknowledged_message& m : places_)
+            if (m.sequence_number == 0 && concerns(m.source)) m.superseded = true;
     }
     // Of the sources that number all of their messages 0, and to which `concerns` says yes.
     constexpr void end_unnumbered(std::chrono::nanoseconds now, auto&& concerns) noexcept {

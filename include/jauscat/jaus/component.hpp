@@ -138,7 +138,8 @@ template <class... Parts> class component {
   private:
     constexpr component_outcome take(const header& head, std::span<const std::byte> body, time now, message_sink out,
                                      auto& application) {
-        control_.heard(head.source, now);
+        // A large data set may have waited in the node of its sender: it is no sign of the component's life.
+        if (body.size() <= max_body_size) control_.heard(head.source, now);
         if (is_acknowledgement(head)) {
             return sender_.on_message(head, delivered_hook()) ? component_outcome::acknowledgement
                                                               : component_outcome::not_waited_for;
