@@ -207,8 +207,8 @@ void model::arrives(std::uint8_t which, std::uint32_t message, const jaus::heade
     a.current = message;
     a.head = head;
     a.acknowledged = a.refused = false;
-    if (message != 0) a.arrived[a.arrived_count++ % a.arrived.size()] = message;
     auto* sent = find(message);
+    if (sent != nullptr && sent->wants_acknowledgement) a.arrived[a.arrived_count++ % a.arrived.size()] = message;
     a.was_repeat = sent != nullptr && sent->done;
     if (sent != nullptr && sent->arrived_at == time{}) sent->arrived_at = world_.now();
     world_.tell({.what = deed::gets,
@@ -241,14 +241,15 @@ void model::answers(std::uint8_t which, bytes message) {
     if (ack) later_acknowledged(a, head);
 }
 
-// Of a message that took its time. Of several with the same number it is one that was executed, if there is one.
+// Of a message that took its time. Of several with the same number it is one that was executed, if there is one. A
+// malformed one is refused when it comes.
 void model::later_acknowledged(actuator_account& a, const jaus::header& head) {
     std::uint32_t latest = 0;
     look(a);
     for (std::size_t i = 0; i != std::min<std::size_t>(a.arrived_count, a.arrived.size()); ++i) {
         const auto* sent = find(a.arrived[(a.arrived_count - 1 - i) % a.arrived.size()]);
         if (sent == nullptr || sent->source != head.destination || sent->code != head.command_code ||
-            sent->sequence_number != head.sequence_number)
+            sent->sequence_number != head.sequence_number || sent->is_malformed)
             continue;
         if (latest == 0) latest = sent->number;
         if (sent->done || has_effect(a, *sent)) return acknowledged(a, sent->number);
