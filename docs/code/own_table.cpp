@@ -11,7 +11,6 @@
 namespace jaus = jauscat::jaus;
 namespace translate = jauscat::translate;
 // [includes end]
-
 // [packet]
 /// In front of the data of a radio link: 8 bytes, big endian.
 struct radio_packet {
