@@ -11,6 +11,7 @@
 namespace jaus = jauscat::jaus;
 namespace translate = jauscat::translate;
 // [includes end]
+
 // [packet]
 /// In front of the data of a radio link: 8 bytes, big endian.
 struct radio_packet {
@@ -35,7 +36,6 @@ template <> struct jauscat::wire::schema<radio_packet> {
 };
 // clang-format on
 // [packet end]
-
 // [row]
 /// The packet's value is `Factor` times the JAUS value.
 template <class From, class To, std::uint32_t Factor> struct times {
@@ -52,7 +52,6 @@ template <class From, class To, std::uint32_t Factor> struct times {
     }
 };
 // [row end]
-
 // [table]
 using J = jaus::header;
 using A = jaus::address;
