@@ -131,6 +131,7 @@ std::optional<time> bridge_program::next() {
     std::optional<time> first = data_->bus->next_event();
     for (auto& one : data_->units)
         if (const auto due = one.node.next_event(); due && (!first || *due < *first)) first = due;
+    if (first) first = std::max(*first, local()); // what is due at once has no time that can be counted with
     return first;
 }
 

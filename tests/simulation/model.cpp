@@ -241,15 +241,15 @@ void model::answers(std::uint8_t which, bytes message) {
     if (ack) later_acknowledged(a, head);
 }
 
-// Of a message that took its time. Of several with the same number it is one that was executed, if there is one. A
-// malformed one is refused when it comes.
+// Of a message that took its time. Of several with the same number it is one that was executed, if there is one. One
+// that was refused when it came is none that is acknowledged later, unless its number says so.
 void model::later_acknowledged(actuator_account& a, const jaus::header& head) {
     std::uint32_t latest = 0;
     look(a);
     for (std::size_t i = 0; i != std::min<std::size_t>(a.arrived_count, a.arrived.size()); ++i) {
         const auto* sent = find(a.arrived[(a.arrived_count - 1 - i) % a.arrived.size()]);
         if (sent == nullptr || sent->source != head.destination || sent->code != head.command_code ||
-            sent->sequence_number != head.sequence_number || sent->is_malformed)
+            sent->sequence_number != head.sequence_number || (sent->was_refused && sent->sequence_number == 0))
             continue;
         if (latest == 0) latest = sent->number;
         if (sent->done || has_effect(a, *sent)) return acknowledged(a, sent->number);
@@ -334,6 +334,7 @@ void model::handled(std::uint8_t which) {
     if (a.acknowledged && !sent->done && sent->sequence_number == 0 && is_in_force) sent->done = true;
     if (a.acknowledged) acknowledged(a, sent->number);
     if (a.refused) {
+        sent->was_refused = true;
         world_.tell({.what = deed::refuses,
                      .who = a.number,
                      .whom = senders_[sent->sender].program->number(),

@@ -23,6 +23,7 @@ struct sent_message {
     jaus::address source{}, destination{};
     std::uint16_t code{}, sequence_number{};
     bool wants_acknowledgement{};
+    bool was_refused{};  ///< at once, as it came
     bool is_malformed{}; ///< a motion command whose body is none
     std::uint64_t digest{};
     time at{};
