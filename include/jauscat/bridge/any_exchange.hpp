@@ -21,6 +21,7 @@ class any_exchange {
     [[nodiscard]] virtual translate::errc error() const = 0;
 };
 
+/// The exchange under one table.
 template <class Table> class exchange_under final : public any_exchange {
   public:
     explicit exchange_under(const ethercat::slave_identity& slave) : exchange_{slave} {}

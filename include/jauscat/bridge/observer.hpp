@@ -41,6 +41,7 @@ enum class refusal : std::uint8_t {
     stale,          ///< the slave's inputs are too old to answer from
 };
 
+/// Why a message was not executed.
 struct refusal_reason {
     refusal why{};
     translate::errc error{};

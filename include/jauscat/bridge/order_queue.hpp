@@ -46,6 +46,7 @@ enum class queued : std::uint8_t {
     too_large, ///< not queued: the body does not fit a place
 };
 
+/// Messages that wait for a slave: of commands that set something only the newest of a sender.
 class order_queue {
   public:
     using bytes = std::span<const std::byte>;
