@@ -93,13 +93,45 @@ TEST_CASE("an upload whose segments are not the size announced is refused") {
           outcome{.error = master_errc::size_mismatch, .detail = 27});
 }
 
-TEST_CASE("an upload in segments that the buffer cannot hold is aborted") {
+TEST_CASE("an upload in segments that the buffer cannot hold is read to its end, and one without end aborted") {
     segmented_bench b{24};
     b.set(counting(28));
     bytes small(27);
-    CHECK(b.upload(small) == outcome{.error = master_errc::data_too_long, .detail = 27});
+    const outcome too_long{.error = master_errc::data_too_long, .detail = 27};
+    CHECK(b.upload(small) == too_long);
+    CHECK(b.mail.size() == 6);
+    CHECK(b.mail.back().substr(18, 8) == "00 30 15"); // the last segment: the slave's transfer is complete
+    bytes none{};
+    CHECK(b.upload(none) == outcome{.error = master_errc::data_too_long});
+    CHECK(b.mail.size() == 6);
+
+    b.before_read = instead_of(std::byte{0x00}, "80 2669 01 22000008"); // the slave gives up on the way
+    CHECK(b.upload(small) == too_long);
+    CHECK(b.mail.size() == 4);
+
+    b.before_read = instead_of(std::byte{0x41}, "41 2669 01 01000100");
+    CHECK(b.upload(small) == too_long);
     CHECK(b.mail.size() == 3);
-    CHECK(b.mail.back() == "0a 00 00 00 00 23 00 20 80 26 69 01 05 00 04 05");
+    CHECK(b.mail.back().substr(18) == "00 20 80 26 69 01 05 00 04 05");
+    bytes into(28);
+    CHECK(b.upload(into) == outcome{.size = 28});
+}
+
+TEST_CASE("an upload of another size than the caller knows is refused") {
+    for (const std::size_t size : {std::size_t{1}, std::size_t{8}, std::size_t{28}}) {
+        segmented_bench b{24};
+        b.set(counting(size));
+        bytes into(40);
+        const auto upload = [&](std::size_t expected) {
+            REQUIRE(b.master.upload(0x1001, b.index, b.subindex, into, {.size = expected}));
+            return b.link.run(b.master);
+        };
+        CHECK(upload(size) == outcome{.size = size});
+        const outcome mismatch{.error = master_errc::size_mismatch, .detail = static_cast<std::uint32_t>(size)};
+        CHECK(upload(size + 1) == mismatch);
+        CHECK(upload(size - 1) == mismatch);
+        CHECK(upload(size) == outcome{.size = size});
+    }
 }
 
 TEST_CASE("answers to segments may end after the command") {

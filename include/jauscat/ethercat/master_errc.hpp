@@ -39,10 +39,10 @@ enum class master_errc : std::uint8_t {
     mailbox_timeout,   ///< the slave took the request and did not answer
     mailbox_error,     ///< the slave refused the message; detail: mailbox_error_code
     unexpected_reply,  ///< the answer was to something else; detail: its SDO command byte's specifier
-    sdo_abort,         ///< the slave aborted the transfer; detail: abort_code
+    sdo_abort,         ///< the slave aborted the transfer; detail: abort_code, 0 where it gave none
     clear_refused,     ///< the slave refused a 0 in subindex 0, which was to come first; detail: abort_code
     toggle_bit,        ///< the answer to a segment is not the one that is due
-    size_mismatch,     ///< the slave sent more or less data than it announced; detail: the size it announced
+    size_mismatch,     ///< more or less data than the slave announced, or not `upload_options::size`; detail: announced
     data_too_long,     ///< the data do not fit the buffer; detail: bytes that fit
     fragment_missing,  ///< a part of an answer in fragments did not come; detail: how many should have been left
     no_space,          ///< the frame buffer is smaller than 1514 bytes
@@ -68,10 +68,10 @@ enum class master_errc : std::uint8_t {
     case master_errc::no_coe: return "the slave's mailbox does not carry CoE: this slave cannot take SDOs";
     case master_errc::al_error: return "the slave refused the state: see its AL status code";
     case master_errc::state_timeout: return "the slave did not reach the state in time: allow more time or reset it";
-    case master_errc::too_many_slaves: return "the master has no room for another slave: use a second master";
+    case master_errc::too_many_slaves: return "the master has room for 16 slaves: leave this one out, or raise slave_capacity";
     case master_errc::no_fmmu: return "the slave has too few FMMUs for its process data: it cannot be mapped";
     case master_errc::too_many_managers: return "the slave spreads its process data over more than four SyncManagers";
-    case master_errc::image_full: return "the process image is full at 1486 bytes: use a second master";
+    case master_errc::image_full: return "the process data do not fit one frame: map fewer PDOs";
     case master_errc::watchdog_range: return "the watchdog time is out of range: give 0.1 ms to 6553.5 ms";
     case master_errc::watchdog_not_kept: return "the slave does not keep its watchdog's settings: it must not go to OP";
     case master_errc::not_configured: return "the slave's watchdog is not set: configure the slave before OP";
@@ -106,7 +106,8 @@ struct [[nodiscard]] outcome {
     case master_errc::al_error: return describe(static_cast<al_status_code>(result.detail));
     case master_errc::mailbox_error: return describe(static_cast<mailbox_error_code>(result.detail));
     case master_errc::clear_refused:
-    case master_errc::sdo_abort: return describe(static_cast<abort_code>(result.detail));
+    case master_errc::sdo_abort:
+        return result.detail == 0 ? "the slave gave no abort code" : describe(static_cast<abort_code>(result.detail));
     default: return {};
     }
 }

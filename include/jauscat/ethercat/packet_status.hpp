@@ -97,7 +97,8 @@ template <class Meaning, std::size_t N>
 /// The status that stands for the end of a master's job.
 [[nodiscard]] constexpr packet_status status_of(const ethercat::outcome& result) noexcept {
     if (result.error == ethercat::master_errc::sdo_abort || result.error == ethercat::master_errc::clear_refused)
-        return status_of(static_cast<ethercat::abort_code>(result.detail));
+        return result.detail == 0 ? packet_status::sdo_abort_unknown
+                                  : status_of(static_cast<ethercat::abort_code>(result.detail));
     return detail::status_for(detail::master_statuses, result.error, packet_status::fail);
 }
 

@@ -217,8 +217,8 @@ class process_setup {
             sync_manager settings{};
             static_cast<void>(wire::decode(settings, bytes));
             settings.start = each.description.start;
-            settings.length = each.bytes();
-            settings.watchdog = settings.watchdog || each.is_output(); // whatever the SII says
+            settings.length = static_cast<std::uint16_t>(each.bytes()); // fits: see lay_out
+            settings.watchdog = settings.watchdog || each.is_output();  // whatever the SII says
             const auto at = register_of(esc_registers::sync_manager, each.number);
             frame.add(command::fpwr, station_, at, settings);
             settings.enable = each.bits != 0;
@@ -227,13 +227,13 @@ class process_setup {
             auto& address = each.is_output() ? output : input;
             frame.add(command::fpwr, station_, register_of(esc_registers::fmmu, fmmus++),
                       fmmu{.logical_start = address,
-                           .length = each.bytes(),
+                           .length = settings.length,
                            .last_bit = 7,
                            .physical_start = each.description.start,
                            .read = !each.is_output(),
                            .write = each.is_output(),
                            .enable = true});
-            address += each.bytes();
+            address += settings.length;
         }
     }
 

@@ -1,6 +1,9 @@
 // What a user can choose about an SDO transfer, because slaves differ.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 namespace jauscat::ethercat {
 
 /// How a download is made.
@@ -22,6 +25,9 @@ struct download_options {
 struct upload_options {
     /// All entries of the object, as in a download.
     bool complete_access{};
+    /// Bytes of the entry where something else says how many, such as SDO information (`master::describe_entry`) or an
+    /// ESI file: an answer of another size ends with master_errc::size_mismatch.
+    std::optional<std::size_t> size{};
 };
 
 } // namespace jauscat::ethercat

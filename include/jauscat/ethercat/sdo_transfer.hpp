@@ -38,6 +38,7 @@ class sdo_transfer {
         sdo_transfer transfer{sdo_specifier::upload_request, index, subindex};
         transfer.into_ = into;
         transfer.complete_access_ = options.complete_access;
+        transfer.expected_size_ = options.size;
         return transfer;
     }
     /// The message that tells a slave that a transfer will not be completed. Nothing answers it.
@@ -109,19 +110,18 @@ class sdo_transfer {
         const bool is_response = coe.service == coe_service::sdo_response && segment.specifier == expected_response();
         if (phase_ == phase::segments && is_response) return take_segment(segment, sdo);
 
-        sdo_abort abort{};
-        if (!wire::decode_prefix(abort, sdo)) return mail::other;
-        const auto& header = abort.header;
-        // In an answer to a segment, where requests name no object, some slaves' aborts do not name it either.
+        sdo_header header{};
+        const bool names_object = static_cast<bool>(wire::decode_prefix(header, sdo));
         const bool is_ours = header.index == index_ && (header.subindex == subindex() || complete_access_);
-        if (!is_ours && (phase_ != phase::segments || header.specifier != sdo_specifier::abort)) return mail::other;
+        sdo_abort abort{};
+        const bool is_whole = static_cast<bool>(wire::decode_prefix(abort, sdo));
         // Slaves abort with the service of a request or of a response, and leave other bits of the command as they are.
-        if (header.specifier == sdo_specifier::abort) {
-            open_ = false;
-            const bool clearing = phase_ == phase::clear;
-            return finish({.error = clearing ? master_errc::clear_refused : master_errc::sdo_abort,
-                           .detail = static_cast<std::uint32_t>(abort.code)});
+        if (segment.specifier == sdo_specifier::abort) {
+            // In an answer to a segment, where requests name no object, some slaves' aborts do not name it either.
+            if (names_object && !is_ours && phase_ != phase::segments) return mail::other;
+            return aborted(is_whole ? abort.code : abort_code::none);
         }
+        if (!is_whole || !is_ours) return mail::other;
         if (is_response) return is_download() ? go_on(phase_ == phase::clear) : take_upload(header, sdo);
         unexpected_ = header.specifier;
         return mail::other;
@@ -132,6 +132,7 @@ class sdo_transfer {
 
     static constexpr std::size_t initiate_overhead = wire::max_size<coe_header> + wire::max_size<sdo_normal>;
     static constexpr std::array<std::byte, 1> zero{};
+    static constexpr std::size_t longest_unused = 65'536; // bytes of an object that are read only to reach its end
 
     sdo_transfer(sdo_specifier request, std::uint16_t index, std::uint8_t subindex) noexcept
         : request_{request}, index_{index}, subindex_{subindex} {}
@@ -171,6 +172,12 @@ class sdo_transfer {
         result_ = result;
         finished_ = true;
         return mail::final;
+    }
+    mail aborted(abort_code code) noexcept {
+        open_ = false;
+        if (!spoilt_) return finish(spoilt_);
+        const auto error = phase_ == phase::clear ? master_errc::clear_refused : master_errc::sdo_abort;
+        return finish({.error = error, .detail = static_cast<std::uint32_t>(code)});
     }
     mail next_request(phase next) noexcept {
         phase_ = next;
@@ -214,14 +221,19 @@ class sdo_transfer {
 
     mail mismatch() noexcept { return finish({.error = master_errc::size_mismatch, .detail = announced_}); }
 
-    // Data of an upload, all of it or with more to follow.
+    // Data of an upload, all of it or with more to follow. What is of no use is read to its end all the same: some
+    // slaves serve nothing else before that, whatever they are told.
     mail keep(std::span<const std::byte> data, bool more) noexcept {
         open_ = more;
-        if (std::max<std::size_t>(more ? announced_ : 0, done_ + data.size()) > into_.size())
-            return finish({.error = master_errc::data_too_long, .detail = static_cast<std::uint32_t>(into_.size())});
-        std::ranges::copy(data, into_.subspan(done_).begin());
+        const std::size_t size = std::max<std::size_t>(more ? announced_ : 0, done_ + data.size());
+        if (size > into_.size())
+            spoilt_ = {.error = master_errc::data_too_long, .detail = static_cast<std::uint32_t>(into_.size())};
+        else if (expected_size_ && size != *expected_size_)
+            spoilt_ = {.error = master_errc::size_mismatch, .detail = static_cast<std::uint32_t>(size)};
+        if (spoilt_) std::ranges::copy(data, into_.subspan(done_).begin());
         done_ += data.size();
-        return more ? next_request(phase::segments) : finish({.size = done_});
+        if (more && (spoilt_ || size <= longest_unused)) return next_request(phase::segments);
+        return finish(spoilt_ ? outcome{.size = done_} : spoilt_);
     }
 
     sdo_specifier request_{};
@@ -236,9 +248,11 @@ class sdo_transfer {
 
     phase phase_{};
     bool open_{}, finished_{};
-    bool toggle_{};             // of the next segment
-    std::size_t done_{};        // bytes of data that have been confirmed or received
-    std::uint32_t announced_{}; // by the slave: bytes of an upload in segments
+    bool toggle_{};                              // of the next segment
+    std::size_t done_{};                         // bytes of data that have been confirmed or received
+    std::uint32_t announced_{};                  // by the slave: bytes of an upload in segments
+    std::optional<std::size_t> expected_size_{}; // of an upload
+    outcome spoilt_{};                           // ok, or why an upload is of no use
     std::optional<sdo_specifier> unexpected_{};
     outcome result_{};
 };

@@ -20,7 +20,7 @@ struct process_manager {
 
     /// Whether the master writes them.
     [[nodiscard]] bool is_output() const noexcept { return description.use == sii_sync_manager_use::outputs; }
-    [[nodiscard]] std::uint16_t bytes() const noexcept { return static_cast<std::uint16_t>((bits + 7) / 8); }
+    [[nodiscard]] std::uint32_t bytes() const noexcept { return bits / 8 + (bits % 8 != 0 ? 1 : 0); }
 };
 
 /// State machine: `request` adds the datagram of the present step, `reply` takes its return. Stays in place while it
@@ -60,6 +60,7 @@ class sii_survey {
     enum class step : std::uint8_t { category, sync_manager, pdo, pdo_entry };
 
     static constexpr std::size_t capacity = 4;
+    static constexpr std::uint8_t max_managers = 32; // for which there are registers, and assignment objects
     static constexpr std::uint32_t sii_end = 0x8000; // words of the largest memory
     static constexpr unsigned max_categories = 100;  // an erased memory would have thousands
     static constexpr std::uint32_t manager_words = wire::max_size<sii_sync_manager> / 2;
@@ -100,6 +101,7 @@ class sii_survey {
         return read(step::sync_manager, word, wire::max_size<sii_sync_manager>);
     }
     progress sync_manager_read() noexcept {
+        if (number_ == max_managers) return fail(master_errc::sii_malformed, word_);
         process_manager found{.number = number_++};
         static_cast<void>(wire::decode_prefix(found.description, buffer_));
         if (found.is_output() || found.description.use == sii_sync_manager_use::inputs) {
