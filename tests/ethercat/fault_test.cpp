@@ -4,6 +4,7 @@
 #include "support/hex.hpp"
 #include "support/simulated_link.hpp"
 #include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/packet_status.hpp>
 #include <jauscat/ethercat/slave.hpp>
 
 #include <array>
@@ -325,6 +326,23 @@ TEST_CASE("an abort is known by its specifier alone, whatever else the slave lea
     }
 }
 
+TEST_CASE("an abort without a code, or cut off, is an abort") {
+    for (const char* abort : {"0a00 0000 00 53 0020 80 2669 01 00000000", "0800 0000 00 53 0020 80 2669 01 0000",
+                              "0600 0000 00 53 0020 80 2669 01", "0300 0000 00 53 0020 80"}) {
+        bench b;
+        REQUIRE(b.bring_up());
+        b.on_way_back(mailbox_in, [&](const auto& d) {
+            if (d.working_counter != 0) put(d, abort);
+            return true;
+        });
+        INFO(abort);
+        const auto result = b.download();
+        CHECK(result == outcome{.error = master_errc::sdo_abort});
+        CHECK(describe_detail(result) == "the slave gave no abort code");
+        CHECK(jauscat::hilscher::status_of(result) == jauscat::hilscher::packet_status::sdo_abort_unknown);
+    }
+}
+
 TEST_CASE("answers that are no answers are passed over") {
     // Each comes before the real answer: another object's, another subindex's, an old upload's, too short, too long for
     // the mailbox, another protocol, SDO information.
@@ -486,6 +504,33 @@ TEST_CASE("a slave that counts its own messages is understood") {
     CHECK(b.objects.writes == 20);
 }
 
+TEST_CASE("one answer that does not come costs a slave that counts its own messages at most one more") {
+    for (unsigned ahead = 0; ahead != 7; ++ahead) {
+        bench b;
+        REQUIRE(b.bring_up());
+        unsigned own = ahead;
+        bool answers = true;
+        b.on_way_back(mailbox_in, [&](const auto& d) {
+            if (d.working_counter == 0) return true;
+            if (!answers) set_counter(d, 0);
+            if (!answers) return true;
+            own = own % 7 + 1;
+            d.data[5] = static_cast<std::byte>(own << 4 | 3);
+            return true;
+        });
+        INFO("it counts " << ahead << " ahead");
+        for (unsigned round = 0; round != 7; ++round) {
+            REQUIRE(b.download());
+            answers = false;
+            CHECK(b.download() == outcome{.error = master_errc::mailbox_timeout});
+            answers = true;
+            static_cast<void>(b.download());
+            for (int i = 0; i != 8; ++i) REQUIRE(b.download());
+        }
+        CHECK(b.objects.writes == 7 * 11);
+    }
+}
+
 TEST_CASE("a cancelled job leaves the master ready for the next") {
     bench b;
     REQUIRE(b.bring_up());
@@ -557,6 +602,30 @@ TEST_CASE("a network that copies what a master sends needs each frame's lifetime
     CHECK(more > 0); // a late copy of a message that is no longer the last one
 }
 
+TEST_CASE("an empty copy of a mailbox read that comes back first does not cost the answer") {
+    bench b{{}, {.frames_may_be_copied = true}};
+    REQUIRE(b.bring_up());
+    bytes out(max_frame_size);
+    for (int i = 0; i != 3; ++i) {
+        REQUIRE(b.master.download(0x1001, 0x6926, 1, b.data));
+        while (!b.master.idle()) {
+            const auto size = b.master.next_frame(out, b.link.now);
+            bytes first(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size));
+            bytes second = first;
+            if (size != 0) {
+                b.device.process(first);
+                b.device.process(second);
+                static_cast<void>(b.master.on_frame(second, b.link.now));
+                static_cast<void>(b.master.on_frame(first, b.link.now));
+            }
+            if (const auto next = b.master.next_event()) b.link.now = std::max(b.link.now, *next);
+            b.master.on_time(b.link.now);
+        }
+        CHECK(b.master.result());
+    }
+    CHECK(b.objects.writes == 3);
+}
+
 TEST_CASE("a repeat goes at once, and what follows it waits until the lost frame cannot arrive") {
     bench b{{}, {.frame_timeout = 1ms, .frame_lifetime = 5ms}};
     REQUIRE(b.bring_up());
@@ -602,6 +671,25 @@ TEST_CASE("a second master on the wire is noticed, and a late reply is not taken
     CHECK(b.download());
     CHECK(b.master.statistics().foreign == b.master.statistics().ignored);
     CHECK(b.master.statistics().foreign > 0);
+}
+
+TEST_CASE("a frame that comes back after hundreds of others is not taken for another master's") {
+    for (const bool soon : {true, false}) {
+        bench b;
+        REQUIRE(b.bring_up());
+        bytes late(max_frame_size), value(2);
+        REQUIRE(b.master.exchange(command::fprd, 0x1001, 0x0010, value));
+        late.resize(b.master.next_frame(late, b.link.now));
+        b.master.cancel(master_errc::timeout);
+        if (!soon) b.link.now += 11s;
+        for (int i = 0; i != 200; ++i) REQUIRE(b.download());
+        b.device.process(late);
+        CHECK_FALSE(b.master.on_frame(late, b.link.now));
+        CHECK(b.master.statistics().ignored == 1);
+        CHECK(b.master.statistics().foreign == (soon ? 0 : 1));
+        CHECK_FALSE(b.master.on_frame(late, b.link.now)); // one frame is missing, not two
+        CHECK(b.master.statistics().foreign == (soon ? 1 : 2));
+    }
 }
 
 TEST_CASE("a hundred thousand corrupted frames never break the master") {

@@ -197,6 +197,23 @@ TEST_CASE("a state that is not known leads to INIT, never upwards") {
     }
 }
 
+TEST_CASE("an error in a state that is not known is acknowledged with INIT") {
+    bench b{motors};
+    REQUIRE(b.up(0, 1));
+    std::string asked;
+    bool fails = true;
+    b.link.on_way_back = [&](bytes& frame) {
+        mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto d : view) {
+            if (d.header.ado == 0x0120) asked += to_hex(d.data.first(1)) + " ";
+            if (d.header.ado == 0x0130 && fails) fails = false, d.data[0] = std::byte{0x10};
+        }
+    };
+    REQUIRE(b.run(b.master.change_state(1, al_state::pre_op)));
+    CHECK(asked == "11 02 ");
+}
+
 TEST_CASE("configure sets the watchdog, whatever an earlier tool has left in its registers") {
     bench b{motors};
     REQUIRE(b.up(0, 1));
@@ -592,9 +609,53 @@ TEST_CASE("as many slaves as a master has are watched in one frame; what does no
     process_data plain_cycle{large.master.slaves()};
     CHECK(plain_cycle.fits());
     CHECK(plain_cycle.next_frame(frame, 0ms) == 16 + 12 + 1424);
+    bench full{{.outputs = many}, {.inputs = many}, {.outputs = std::span{many}.first(115)}};
+    full.safe_op();
+    process_data full_cycle{full.master.slaves()};
+    for (int cycle = 0; cycle != 300; ++cycle) {
+        CHECK(full_cycle.next_frame(frame, cycle * 1ms) == 16 + 12 + 1484);
+        const auto size = plain_cycle.next_frame(frame, cycle * 1ms);
+        CHECK(size == (cycle < 254 ? 16 + 12 + 1424 : 16 + 12 + 1424 + 13)); // one more datagram: see process_data
+    }
     process_data too_much{large.master.slaves(), {.watch_slaves = true}};
     CHECK_FALSE(too_much.fits());
     CHECK(too_much.next_frame(frame, 0ms) == 0);
+}
+
+TEST_CASE("a reply of 256 cycles ago is not taken for that of the present cycle") {
+    for (const bool watches : {false, true}) {
+        bench b{motors};
+        b.op();
+        process_data data{b.master.slaves(), {.watch_slaves = watches}};
+        bytes first, frame;
+        for (int cycle = 0; cycle != 257; ++cycle) {
+            frame.resize(max_frame_size);
+            frame.resize(data.next_frame(frame, cycle * 1ms));
+            if (cycle == 0) first = frame;
+        }
+        b.at(0).inputs()[0] = std::byte{0x77};
+        b.at(0).process(first);
+        CHECK(data.on_frame(first)); // nobody else's
+        CHECK(data.waits());
+        CHECK(data.inputs(*b.master.find(1))[0] == std::byte{});
+        b.at(0).process(frame);
+        CHECK(data.on_frame(frame));
+        CHECK(data.is_complete());
+        CHECK(data.inputs(*b.master.find(1))[0] == std::byte{0x77});
+    }
+}
+
+TEST_CASE("a late frame of a cycle before is nobody else's, however late, and whatever is exchanged since") {
+    bench b{motors, sensor};
+    b.op();
+    process_data before{b.master.slaves()};
+    bytes late(max_frame_size);
+    late.resize(before.next_frame(late, 0ms));
+    process_data data{b.master.slaves().first(1)};
+    data.follow(before);
+    for (int cycle = 0; cycle != 300; ++cycle) REQUIRE(b.cycle(data));
+    CHECK(data.on_frame(late));
+    CHECK_FALSE(data.on_frame(late)); // one frame is missing, not two
 }
 
 TEST_CASE("mail goes on between the cycles") {
@@ -651,6 +712,50 @@ TEST_CASE("process data that do not fit the image are refused") {
     REQUIRE(b.up(1, 2));
     CHECK(b.run(b.master.configure(2)) == outcome{.error = master_errc::image_full, .detail = 1024});
     CHECK(b.master.find(2)->process_data.size() == 0);
+}
+
+TEST_CASE("PDOs of more than 65,535 bytes are refused") {
+    bench b{motors};
+    std::string asked;
+    b.link.on_way_back = [&](bytes& frame) {
+        mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto d : view) {
+            if (d.working_counter == 0) continue;
+            if (d.header.ado == 0x1000) asked = to_hex(d.data.subspan(9, 3));
+            if (d.header.ado != 0x1600) continue;
+            const auto answer = [&](const std::string& sdo) {
+                std::ranges::copy(from_hex("0030" + sdo), d.data.subspan(6).begin());
+            };
+            // 8 PDOs of 255 entries of 255 bits, one of 255 entries of 17 bits: 65,567 bytes, or 31 modulo 65,536.
+            const bool is_count = asked.ends_with("00");
+            if (asked.starts_with("12 1c"))
+                answer(is_count ? "4f" + asked + "09" : "4b" + asked + (asked.ends_with("09") ? "0116" : "0016"));
+            else if (asked.starts_with("00 16") || asked.starts_with("01 16"))
+                answer(is_count ? "4f" + asked + "ff"
+                                : "43" + asked + (asked.starts_with("00") ? "ff" : "11") + "010070");
+        }
+    };
+    REQUIRE(b.up(0, 1));
+    CHECK(b.run(b.master.configure(1)) == outcome{.error = master_errc::image_full, .detail = 65'567 + 1});
+}
+
+TEST_CASE("an SII that lists more SyncManagers than there are registers for is refused") {
+    bench b{motors};
+    const auto listed = [](unsigned word) -> std::string {
+        if (word == 0x40) return "2900 a000"; // SyncM: 40 of them
+        if (word == 0x42 + 160) return "ffff 0000";
+        return word % 4 == 2 ? "0011 0400" : word > 0x42 + 32 * 4 ? "24000103" : "00000000"; // number 32 has outputs
+    };
+    b.link.on_way_back = [&](bytes& frame) {
+        mutable_frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto d : view)
+            if (d.header.ado == 0x0502 && d.header.cmd == command::fprd && d.data[2] >= std::byte{0x40})
+                std::ranges::copy(from_hex(listed(std::to_integer<unsigned>(d.data[2]))), d.data.subspan(6).begin());
+    };
+    REQUIRE(b.up(0, 1));
+    CHECK(b.run(b.master.configure(1)) == outcome{.error = master_errc::sii_malformed, .detail = 0x42 + 32 * 4});
 }
 
 TEST_CASE("without mapping objects, and without a mailbox, the SII says what process data there are") {

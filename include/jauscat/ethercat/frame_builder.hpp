@@ -33,9 +33,12 @@ class frame_builder {
     /// `out` holds the frame; 1514 bytes suffice for any. `index` tags every datagram added by command.
     constexpr explicit frame_builder(std::span<std::byte> out, std::uint8_t index = 0,
                                      const ethernet_header& ethernet = broadcast_ethernet_header) noexcept
-        : out_{out.first(std::min(out.size(), max_frame_size))}, index_{index} {
+        : out_{out.first(std::min(out.size(), max_frame_size))}, index_{index}, next_index_{index} {
         if (out_.size() < frame_header_size || !wire::encode(ethernet, out_)) error_ = frame_errc::no_space;
     }
+
+    /// Tags every datagram after the first with `index`, if added by command.
+    constexpr void tag_rest(std::uint8_t index) noexcept { next_index_ = index; }
 
     /// Adds a datagram and returns its data, zeroed, to be filled in; empty after an error or if `header.length` is 0.
     /// `header.more` is set as needed; the working counter starts at 0.
@@ -63,7 +66,8 @@ class frame_builder {
     constexpr std::span<std::byte> add(command cmd, std::uint16_t adp, std::uint16_t ado, std::size_t length) noexcept {
         // What does not fit the field is refused with the datagram that is too large for a frame.
         const auto checked = static_cast<std::uint16_t>(std::min(length, max_datagram_data + 1));
-        return add(datagram_header{.cmd = cmd, .index = index_, .adp = adp, .ado = ado, .length = checked});
+        const auto index = last_ == 0 ? index_ : next_index_;
+        return add(datagram_header{.cmd = cmd, .index = index, .adp = adp, .ado = ado, .length = checked});
     }
 
     /// Adds a datagram that carries `data`.
@@ -102,7 +106,7 @@ class frame_builder {
     }
 
     std::span<std::byte> out_;
-    std::uint8_t index_;
+    std::uint8_t index_, next_index_;
     frame_errc error_{};
     std::size_t end_ = frame_header_size;
     std::size_t last_ = 0; // where the last datagram starts; 0: none yet

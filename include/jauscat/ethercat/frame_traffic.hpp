@@ -52,20 +52,21 @@ class frame_traffic {
     void wait_until(time_point time) noexcept { not_before_ = time; }
 
     /// The datagrams of `frame` if it is the reply that is waited for, else none. They are views of `frame` and are
-    /// kept here until the next call.
-    replies take(std::span<const std::byte> frame) noexcept {
+    /// kept here until the next call. The last frame `was_empty`: a copy of it counts, too, that a slave has executed.
+    replies take(std::span<const std::byte> frame, bool was_empty = false) noexcept {
         frame_view view;
         const bool parsed = static_cast<bool>(view.parse(frame));
-        const auto datagrams = outstanding_.waits() && parsed ? outstanding_.match(view) : replies{};
+        const bool is_first = outstanding_.waits();
+        auto datagrams = (is_first || was_empty) && parsed ? outstanding_.match(view) : replies{};
+        if (!is_first && !datagrams.empty() && datagrams.front().working_counter == 0) datagrams = {};
         if (datagrams.empty()) {
             ++statistics_.ignored;
-            if (parsed && !outstanding_.may_be_own(view)) ++statistics_.foreign;
+            if (parsed && !outstanding_.claim(view)) ++statistics_.foreign;
             return {};
         }
         ++statistics_.received;
         if (datagrams.front().header.circulating) ++statistics_.circulated;
         if (config_.frames_may_be_copied) unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
-        outstanding_.forget();
         losses_ = 0;
         repeats_ = false;
         return datagrams;

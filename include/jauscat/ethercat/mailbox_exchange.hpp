@@ -33,13 +33,15 @@ concept mailbox_protocol = requires(T& protocol, std::span<std::byte> out, std::
 class mailbox_exchange {
   public:
     mailbox_exchange() noexcept = default;
-    /// Starts a message with the slave's next counter.
+    /// Starts a message with the slave's next counter. After a request that was given up it is the one after the next:
+    /// a slave that counts its own messages may be one behind, and each of its answers would be taken for the late one.
     explicit mailbox_exchange(slave_record& slave) noexcept
         : step_{slave.abandoned_counter != 0 ? step::look_taken
                 : slave.drained              ? step::write
                                              : step::drain},
           may_write_{slave.abandoned_counter == 0} {
-        slave.last_counter = static_cast<std::uint8_t>(slave.last_counter % 7 + 1);
+        slave.last_counter = after(slave.last_counter);
+        if (slave.abandoned_counter != 0) slave.last_counter = after(slave.last_counter);
     }
 
     /// Sends nothing: takes what waits in the slave's mailbox, and keeps its emergencies.
@@ -55,6 +57,10 @@ class mailbox_exchange {
     [[nodiscard]] bool is_repeatable() const noexcept {
         return step_ != step::drain && step_ != step::collect && step_ != step::read;
     }
+
+    /// The last read found the reply mailbox empty. Where a network copies frames, another copy of that read may have
+    /// got the answer before, and come back later.
+    [[nodiscard]] bool was_empty() const noexcept { return was_empty_ && step_ == step::read; }
 
     void request(frame_builder& frame, const slave_record& slave,
                  const mailbox_protocol auto& protocol) const noexcept {
@@ -130,6 +136,7 @@ class mailbox_exchange {
 
     progress advance(const datagram_view& datagram, slave_record& slave, mailbox_protocol auto& protocol) noexcept {
         const bool executed = datagram.working_counter != 0;
+        was_empty_ = step_ == step::read && !executed;
         sync_manager_handshake mailbox{};
         switch (step_) {
         case step::drain:
@@ -175,6 +182,9 @@ class mailbox_exchange {
         return go(step::ask_repeat);
     }
 
+    static constexpr std::uint8_t after(std::uint8_t counter) noexcept {
+        return static_cast<std::uint8_t>(counter % 7 + 1);
+    }
     progress go(step next) noexcept {
         step_ = next;
         return progress::send;
@@ -253,6 +263,7 @@ class mailbox_exchange {
     bool accepted_{};      // the slave has taken the request
     bool unsure_{};        // the slave may have taken it: the reply to a write was lost
     bool repeat_{};        // the repeat request bit that was sent
+    bool was_empty_{};     // the last reply was that of a read without a message
     bool repeated_{};      // a repeat was asked for: the message before may come again
     patience patience_{};
     outcome result_{};

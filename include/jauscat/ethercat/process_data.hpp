@@ -55,7 +55,7 @@ class process_data {
     void follow(const process_data& before) noexcept {
         outstanding_ = before.outstanding_;
         outstanding_.forget();
-        index_ = before.index_;
+        cycle_ = before.cycle_;
         statistics_ = before.statistics_;
     }
 
@@ -92,10 +92,14 @@ class process_data {
         }
         outstanding_.forget();
         if (!fits_ || datagrams_size() == 0) return 0;
-        frame_builder frame{out, ++index_};
+        ++cycle_;
+        const auto low = static_cast<std::uint8_t>(cycle_), high = static_cast<std::uint8_t>(cycle_ >> 8);
+        frame_builder frame{out, low};
+        frame.tag_rest(static_cast<std::uint8_t>(low + high));
         for (const auto& each : parts()) request(frame, each);
         for (const auto& each : members())
             if (watches_) request(frame, each);
+        if (high != 0 && has_filler()) frame.add(command::nop, 0, 0, filler_size);
         const auto size = frame.finish();
         if (!size) return 0;
         outstanding_.sent(out.first(size.size()), now);
@@ -108,8 +112,9 @@ class process_data {
         frame_view view;
         if (!view.parse(frame)) return false;
         const auto datagrams = outstanding_.waits() ? outstanding_.match(view) : replies{};
-        if (datagrams.empty()) return outstanding_.may_be_own(view);
-        outstanding_.forget();
+        // Only here logical addresses are used: no other frame of this program's begins with them.
+        if (datagrams.empty())
+            return outstanding_.may_be_own(view) || (begins_logical(view) && outstanding_.claim(view));
         auto next = datagrams.begin();
         std::array<exchanged, slave_capacity> back{};
         working_counter_ = 0;
@@ -157,6 +162,7 @@ class process_data {
         slave_status status{};
     };
 
+    static constexpr std::size_t filler_size = 1;
     static constexpr std::size_t max_datagrams = slave_capacity * 4; // LWR, LRD, AL status, reply mailbox
 
     [[nodiscard]] std::span<const part> parts() const noexcept { return std::span{parts_}.first(part_count_); }
@@ -183,6 +189,12 @@ class process_data {
                                      .part = place.size() != 0 ? part_count_ - 1 : no_part};
     }
 
+    // A datagram alone has one index, which is the same every 256 cycles: a reply that late would be taken for the
+    // present one. From then on another datagram carries the rest of the cycle's number.
+    [[nodiscard]] bool has_filler() const noexcept {
+        const bool is_alone = part_count_ == 1 && !image_.no_lrw && !watches_;
+        return is_alone && datagrams_size() + datagram_overhead + filler_size <= max_datagrams_size;
+    }
     // What all datagrams of a cycle take.
     [[nodiscard]] std::size_t datagrams_size() const noexcept {
         std::size_t size = 0;
@@ -195,6 +207,10 @@ class process_data {
         return size;
     }
 
+    [[nodiscard]] static bool begins_logical(const frame_view& frame) noexcept {
+        const auto cmd = (*frame.begin()).header.cmd;
+        return cmd == command::lrw || cmd == command::lwr || cmd == command::lrd;
+    }
     void request(frame_builder& frame, const part& each) const noexcept {
         const auto data = std::span{bytes_}.subspan(each.address, each.size);
         const auto low = static_cast<std::uint16_t>(each.address),
@@ -260,7 +276,7 @@ class process_data {
     std::array<member, slave_capacity> members_{};
     std::size_t member_count_{};
     outstanding_frame<max_datagrams> outstanding_{};
-    std::uint8_t index_{};
+    std::uint16_t cycle_{}; // its low byte tags the first datagram, its high byte those that follow
     std::uint16_t working_counter_{};
     bool is_complete_{};
     process_statistics statistics_{};

@@ -38,7 +38,8 @@ class state_change {
 
     void request(frame_builder& frame) const noexcept {
         switch (step_) {
-        case step::acknowledge: return write(frame, {.state = from_, .acknowledge = true});
+        case step::acknowledge:
+            return write(frame, {.state = is_known(from_) ? from_ : al_state::init, .acknowledge = true});
         case step::request: return write(frame, {.state = next_});
         case step::look:
         case step::wait_acknowledged:
