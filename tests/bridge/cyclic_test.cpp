@@ -261,3 +261,27 @@ TEST_CASE("the end of the program brings a cyclic slave to rest") {
     CHECK(took <= 50ms);
     CHECK(r.motor().effort == 0);
 }
+
+TEST_CASE("a bridge that is started anew gives the place of a slave that still runs to no other") {
+    rig before{2, true};
+    before.actuators[0].hangs = true; // so that the other one comes first in the process image
+    before.run_until([&] { return before.unit(1).state() == status::ready; });
+    before.actuators[0].hangs = false;
+    before.run_until_ready();
+    before.run_until([&, number = before.drive(50, 1)] { return before.is_acknowledged(number); });
+
+    rig r{2, true}; // after kill -9
+    r.actuators.swap(before.actuators);
+    r.now = before.now + 5ms;
+    r.dead_from = 1; // a cable that is out for less than its watchdog waits
+    const auto back = r.now + 70ms;
+    while (r.now < back && r.unit().state() != status::ready) r.run(1ms);
+    r.dead_from = 2;
+    r.run_until([&] { return r.unit().state() == status::ready; });
+    r.drive(30, 0);
+    r.run(50ms);
+    CHECK(r.motor(0).effort == Approx(30).margin(0.01));
+    CHECK(r.motor(1).effort == 0);
+    r.run_until_ready();
+    CHECK(r.motor(1).effort == 0);
+}

@@ -444,3 +444,35 @@ TEST_CASE("the end of the program waits for a slave that is away to come back") 
     r.run_until([&] { return r.bus.at_rest(); }, 2s);
     CHECK(r.motor().effort == 0);
 }
+
+TEST_CASE("slaves that have station addresses of an earlier master are brought up") {
+    rig r{2};
+    for (auto& each : r.actuators) { // both have the one that the second is to get
+        std::array<std::byte, ethercat::max_frame_size> frame{};
+        ethercat::frame_builder write{frame, 0xEE};
+        write.add(ethercat::command::apwr, 0, ethercat::esc_registers::station_address.address, ethercat::esc_word{3});
+        each.pass(std::span{frame}.first(write.finish().size()), r.now);
+    }
+    r.run_until_ready();
+    CHECK(r.watcher.failed_bring_ups == 0);
+}
+
+TEST_CASE("a slave whose state nobody knows is lost, also while the master waits for another slave") {
+    rig r{2};
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50, 1)] { return r.is_acknowledged(number); });
+    r.actuators[0].hangs = true;
+    r.drive(30, 0);
+    r.run(5ms);
+    r.on_way_back = [](std::span<std::byte> back) {
+        ethercat::mutable_frame_view view;
+        REQUIRE(view.parse(back));
+        for (auto each : view)
+            if (each.header.adp == 3 && each.header.ado == ethercat::esc_registers::al_status.address)
+                each.data[0] &= std::byte{0xF0};
+    };
+    const auto took = r.run_until([&] { return !r.fronts[1].up(); });
+    CHECK(took <= r.options.check_interval + 10ms);
+    CHECK(r.watcher.last_loss == bridge::loss::left_state);
+    CHECK(r.unit(1).state() == status::failure);
+}

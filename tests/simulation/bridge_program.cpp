@@ -107,7 +107,7 @@ void bridge_program::boot() {
         one.stuck_since = world_.now();
         one.node.start(local());
     }
-    world_.in(world_.faults.pause(fault::bridge_ended, std::chrono::seconds{20}), *this, to_end, life());
+    world_.in(world_.faults.pause(fault::bridge_ended, std::chrono::seconds{10}), *this, to_end, life());
 }
 
 void bridge_program::kill() { data_.reset(); }
@@ -190,7 +190,7 @@ void bridge_program::own_event(std::uint8_t what, std::uint32_t argument) {
         for (std::size_t i = 0; i != accounts_.size(); ++i) model_.ends(accounts_[i], data_->ends_since);
         return die(random_.between(milliseconds{5}, std::chrono::seconds{2}));
     }
-    world_.in(world_.faults.pause(fault::bridge_ended, std::chrono::seconds{20}), *this, to_end, life());
+    world_.in(world_.faults.pause(fault::bridge_ended, std::chrono::seconds{10}), *this, to_end, life());
     if (!running() || data_->ends) return;
     const bool is_stuck = std::ranges::any_of(
         data_->units, [&](const unit& one) { return world_.now() - one.stuck_since >= std::chrono::seconds{15}; });

@@ -249,10 +249,11 @@ void model::later_acknowledged(actuator_account& a, const jaus::header& head) {
     for (std::size_t i = 0; i != std::min<std::size_t>(a.arrived_count, a.arrived.size()); ++i) {
         const auto* sent = find(a.arrived[(a.arrived_count - 1 - i) % a.arrived.size()]);
         if (sent == nullptr || sent->source != head.destination || sent->code != head.command_code ||
-            sent->sequence_number != head.sequence_number || (sent->was_refused && sent->sequence_number == 0))
+            sent->sequence_number != head.sequence_number ||
+            (sent->was_refused && !sent->done && sent->sequence_number == 0))
             continue;
         if (latest == 0) latest = sent->number;
-        if (sent->done || has_effect(a, *sent)) return acknowledged(a, sent->number);
+        if (sent->done || (!sent->is_malformed && has_effect(a, *sent))) return acknowledged(a, sent->number);
     }
     acknowledged(a, latest);
 }
@@ -315,11 +316,22 @@ void model::acknowledged(actuator_account& a, std::uint32_t number) {
         *(*a.wire)[a.slave].unreachable_since < sent->arrived_at)
         breaks(contract::s2, a, number, "a stop order is acknowledged when the slave has confirmed it",
                "the slave was not reached since it came");
-    if (!sent->done)
+    if (!sent->done && !is_like_one_before(*sent))
         breaks(stops(sent->code) ? contract::s2 : contract::s1, a, number,
                "command code " + hex(sent->code) + " is executed before it is acknowledged",
                "it was acknowledged, the state is " + text(a.state) +
                    (a.command == 0 ? ", at rest" : ", efforts of command " + std::to_string(a.command)));
+}
+
+// A sender that begins again with the same numbers, and with the very same message, repeats for its receiver what that
+// still remembers.
+bool model::is_like_one_before(const sent_message& sent) const {
+    constexpr auto remembered = jaus::component_options{}.memory + std::chrono::seconds{2};
+    return sent.sequence_number != 0 && std::ranges::any_of(sent_, [&](const sent_message& one) {
+               return one.done && one.life != sent.life && one.source == sent.source && one.code == sent.code &&
+                      one.sequence_number == sent.sequence_number && one.destination == sent.destination &&
+                      one.digest == sent.digest && sent.arrived_at - one.arrived_at <= remembered;
+           });
 }
 
 void model::handled(std::uint8_t which) {
@@ -577,8 +589,22 @@ void model::check_stop(const actuator_account& a, const char* why, time since, t
                "efforts of command " + std::to_string(a.command) + ", " + in_ms(world_.now() - since) + " later");
 }
 
+// A slave that cannot be commanded, or whose state nobody knows, does not run: its component is not Ready.
+void model::check_known(const actuator_account& a) {
+    const auto& slave = (*a.wire)[a.slave];
+    auto trouble = a.wire->trouble_of(a.slave);
+    if (slave.unknown_since && (!trouble || *slave.unknown_since < trouble->since))
+        trouble = {"nobody knows the slave's state", *slave.unknown_since};
+    if (!trouble || !a.program->running() || a.state != primary_status_code::ready) return;
+    const time since = std::max({trouble->since, a.program->jumped_at(), slave.unfrozen_at});
+    if (world_.now() - since > a.at_rest_in + slack)
+        breaks(contract::s8, a, 0, "a component is not Ready while its slave is not known to run",
+               std::string{"Ready, "} + in_ms(world_.now() - since) + " after this: " + trouble->what);
+}
+
 // Whatever is lost, a slave that moves must come to rest: told by the bridge or by itself.
 void model::check_slave(const actuator_account& a) {
+    check_known(a);
     if (a.command == 0) return;
     const auto& slave = (*a.wire)[a.slave];
     if (slave.frozen) return; // nothing that is outside of it can stop it

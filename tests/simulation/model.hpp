@@ -188,7 +188,9 @@ class model {
     void look(actuator_account& a) const;
     void note_efforts(actuator_account& a, command_number command);
     [[nodiscard]] bool were_in_force(const actuator_account& a, command_number command, time since) const;
+    [[nodiscard]] bool is_like_one_before(const sent_message& sent) const;
     [[nodiscard]] bool was_on_its_way(const actuator_account& a, const sent_message& sent, time changed) const;
+    void check_known(const actuator_account& a);
     void check_slave(const actuator_account& a);
     void check_stop(const actuator_account& a, const char* why, time since, time limit);
     void confirmed(actuator_account& a, const jaus::header& head, bytes body);

@@ -199,7 +199,7 @@ foreign_operator::foreign_operator(world& w, network& n, model& m, const jaus::a
 void foreign_operator::boot() {
     all_zero_ = world_.faults.strikes(fault::number_zero, 200'000);
     const bool begins_as_before = !all_zero_ && life() != 1 && world_.faults.strikes(fault::same_numbers, 300'000);
-    number_ = begins_as_before ? 0 : static_cast<std::uint16_t>(random_.next());
+    number_ = static_cast<std::uint16_t>(begins_as_before ? number_ - random_.below(20) : random_.next());
     waiting_ = {};
     controls_ = holds_emergency_ = false;
     renew_at_ = time::max();

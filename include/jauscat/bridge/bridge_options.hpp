@@ -25,9 +25,10 @@ struct bridge_options {
     std::chrono::nanoseconds period{};
     /// A slave in OP without new outputs for so long stops by itself. Written to every cyclic slave, and read back.
     std::chrono::nanoseconds watchdog{};
-    /// A slave that has not answered for so long is lost; a cyclic one that has not taken part in the exchange, in OP.
+    /// A slave whose state has not been seen for so long is lost; a cyclic one that has not taken part in the exchange,
+    /// in OP.
     std::chrono::nanoseconds longest_silence{};
-    /// From one look at the state of a slave by mailbox to the next.
+    /// From one look at the states of the slaves to the next, as long as none has process data.
     std::chrono::nanoseconds check_interval{};
     /// A Report Heartbeat Pulse is written to a slave by mailbox that has got no message for so long: it stops by
     /// itself when none comes. 0: never.

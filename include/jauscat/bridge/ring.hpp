@@ -47,6 +47,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     void on_time(time now, jaus::message_sink out) {
         last_turn_ = now;
+        if (!begun_) begun_ = now;
         master_.on_time(now);
         watch_cycles(now, out);
         refuse_expired(now, out);
@@ -59,7 +60,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     std::size_t next_frame(std::span<std::byte> frame, time now) {
         if (cycles() && now >= next_cycle_) {
             // What was missed is left out: the freshest outputs count.
-            next_cycle_ = std::max(next_cycle_ + options_.period, now + options_.period / 2);
+            next_cycle_ = std::max(next_cycle_ + interval(), now + interval() / 2);
             if (const auto size = data_.next_frame(frame, now)) return size;
         }
         if (cycles() && next_cycle_ - now <= reserve()) return 0; // the process data must not wait behind it
@@ -85,6 +86,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (cycles()) consider(next_cycle_);
         for (const place& each : places()) {
             consider(each.front->orders().next_expiry());
+            if (each.at == phase::up) consider(jaus::later(each.last_seen, options_.longest_silence));
             if (master_.idle()) consider(next_work_of(each));
         }
         return next;
@@ -142,26 +144,28 @@ template <class Image = wrench_effort_path> class basic_ring {
         phase at{};
         ethercat::outcome bring_up{};
         time next_try = time::min();
-        time next_check{};
         time next_keep_alive{};
-        time last_heard{};
+        time last_seen{}; // in a state in which it can be commanded
         time settling_until{};
         bool takes_keep_alive{true};
         bool has_mail{};
-        bool is_exchanged{};     // its process data are in data_
+        bool is_exchanged{};     // it is in data_
         bool has_rest_outputs{}; // no command but zeros stands in its outputs
         std::optional<image_type> image{};
         std::array<image_wait, waiting_capacity> waiting{};
         std::size_t waiting_count{};
     };
     // What the master's present job is for.
-    enum class work : std::uint8_t { none, bring_up, configure, safe_op, op, check, collect, message };
+    enum class work : std::uint8_t { none, scan, bring_up, configure, safe_op, op, collect, message };
     enum class purpose : std::uint8_t { order, stop, keep_alive };
 
     [[nodiscard]] std::span<place> places() noexcept { return std::span{places_}.first(place_count_); }
     [[nodiscard]] std::span<const place> places() const noexcept { return std::span{places_}.first(place_count_); }
     [[nodiscard]] bool cycles() const noexcept { return exchanged_ != 0; }
-    [[nodiscard]] time reserve() const noexcept { return options_.period / 4; }
+    [[nodiscard]] time interval() const noexcept {
+        return has_process_data_ ? options_.period : options_.check_interval;
+    }
+    [[nodiscard]] time reserve() const noexcept { return has_process_data_ ? options_.period / 4 : time{}; }
 
     // ---- The master's next job, in the order of urgency.
 
@@ -204,14 +208,14 @@ template <class Image = wrench_effort_path> class basic_ring {
         case phase::pre_op:
             return begin_job(at, work::configure, master_.configure(at.front->station(), options_.watchdog));
         case phase::configured:
-            return begin_job(at, work::safe_op, master_.change_state(at.front->station(), ethercat::al_state::safe_op));
+            return now >= earlier_outputs_end() &&
+                   begin_job(at, work::safe_op, master_.change_state(at.front->station(), ethercat::al_state::safe_op));
         case phase::safe_op:
             return begin_job(at, work::op, master_.change_state(at.front->station(), ethercat::al_state::op));
         case phase::settling: return false;
         case phase::up: break;
         }
         if (at.has_mail) return begin_job(at, work::collect, master_.collect_emergencies(at.front->station()));
-        if (!at.front->options().cyclic && now >= at.next_check) return begin_check(at);
         if (begin_order(at, now, out)) return true;
         return begin_keep_alive(at, now, out);
     }
@@ -221,11 +225,15 @@ template <class Image = wrench_effort_path> class basic_ring {
         work_ = started ? what : work::none;
         return started;
     }
+    // Slaves may still be as an earlier master, or an earlier life of this program, has left them.
     bool begin_bring_up(place& at) {
+        if (!is_cleared_) return begin_job(at, work::scan, master_.scan());
         const auto& slave = at.front->options();
         return begin_job(at, work::bring_up, master_.bring_up(slave.position, slave.identity.station));
     }
-    bool begin_check(place& at) { return begin_job(at, work::check, master_.check(at.front->station())); }
+    // A slave that was not reached when all were cleared may run with a place in the process image that is another's
+    // now, until its watchdog ends that: as long as this program's, and the time that a slave takes to notice.
+    [[nodiscard]] time earlier_outputs_end() const noexcept { return jaus::later(*begun_, 2 * options_.watchdog); }
     // Nothing that moves the actuator goes before a stop order that it has not confirmed.
     [[nodiscard]] static bool is_held_back(const order& each) noexcept {
         return each.unit->debt().next() && !is_query(each.header);
@@ -297,22 +305,27 @@ template <class Image = wrench_effort_path> class basic_ring {
         place& at = *served_;
         const auto result = master_.result();
         switch (std::exchange(work_, work::none)) {
+        case work::scan: return cleared(at, result);
         case work::bring_up: return brought_up(at, result, now);
         case work::configure: return set_up(at, result, phase::configured, now, out);
         case work::safe_op: return set_up(at, result, phase::safe_op, now, out);
         case work::op: return set_up(at, result, phase::settling, now, out);
-        case work::check: return checked(at, result, now, out);
         case work::collect: at.has_mail = false; return tell_emergencies(at);
         default: return;
         }
     }
 
+    // Where it has failed it is tried again, as long as no slave is brought up that it would throw back.
+    void cleared(place& at, const ethercat::outcome& result) {
+        is_cleared_ = true;
+        static_cast<void>(begin_bring_up(at));
+        is_cleared_ = result && result.size != 0;
+    }
     void brought_up(place& at, const ethercat::outcome& result, time now) {
         at.bring_up = result;
         at.next_try = jaus::later(now, options_.bring_up_interval);
         if (!result) return at.front->watcher().bring_up_failed(*at.front, result);
-        heard(at, now);
-        at.next_check = jaus::later(now, options_.check_interval);
+        is_cleared_ = true;
         at.takes_keep_alive = true;
         at.has_mail = false;
         at.at = at.front->options().cyclic ? phase::pre_op : phase::up;
@@ -330,29 +343,10 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     void ready(place& at, time now) {
         at.at = phase::up;
-        heard(at, now);
+        at.last_seen = now;
+        if (!at.front->options().cyclic) rebuild_process_data(now);
         at.front->set_up(true);
         for (component* unit : at.front->components()) unit->on_slave_up();
-    }
-    void checked(place& at, const ethercat::outcome& result, time now, jaus::message_sink out) {
-        using namespace ethercat;
-        at.next_check = jaus::later(now, options_.check_interval);
-        const auto* const record = master_.find(at.front->station());
-        const bool is_absent = result.error == master_errc::working_counter || record == nullptr;
-        if (is_absent || result.error == master_errc::duplicate_station)
-            return lose(at, loss::no_station, result, now, out);
-        if (!result) {
-            if (now - at.last_heard >= options_.longest_silence) lose(at, loss::no_answer, result, now, out);
-            return;
-        }
-        const auto& status = record->al;
-        const bool works =
-            status.state == al_state::pre_op || status.state == al_state::safe_op || status.state == al_state::op;
-        if (!works)
-            return lose(at, loss::left_state,
-                        {.error = master_errc::al_error, .detail = static_cast<std::uint32_t>(status.code)}, now, out);
-        heard(at, now);
-        at.has_mail = record->mail_waits;
     }
     void tell_emergencies(place& at) {
         const auto* const record = master_.find(at.front->station());
@@ -360,7 +354,6 @@ template <class Image = wrench_effort_path> class basic_ring {
         for (const auto& each : record->emergencies.kept()) at.front->watcher().slave_emergency(*at.front, each);
         master_.clear_emergencies(at.front->station());
     }
-    static void heard(place& at, time now) noexcept { at.last_heard = now; }
 
     void end_message(const ethercat::exchange_step& step, time now, jaus::message_sink out) {
         work_ = work::none;
@@ -373,10 +366,7 @@ template <class Image = wrench_effort_path> class basic_ring {
                                  .status = exchange().status(),
                                  .outcome = result};
         const bool answers = was_executed || is_of_slave(result);
-        if (answers) {
-            heard(at, now);
-            at.next_keep_alive = jaus::later(now, options_.keep_alive);
-        }
+        if (answers) at.next_keep_alive = jaus::later(now, options_.keep_alive);
         const auto report = std::span{packet_}.first(was_executed ? step.size : 0);
         job_.reset();
         switch (purpose_) {
@@ -450,8 +440,8 @@ template <class Image = wrench_effort_path> class basic_ring {
     [[nodiscard]] std::optional<time> next_work_of(const place& at) const {
         switch (at.at) {
         case phase::absent: return at.next_try;
+        case phase::configured: return earlier_outputs_end();
         case phase::pre_op:
-        case phase::configured:
         case phase::safe_op: return time::min();
         case phase::settling: return at.settling_until;
         case phase::up: break;
@@ -463,10 +453,8 @@ template <class Image = wrench_effort_path> class basic_ring {
         for (const component* unit : at.front->components())
             if (const auto what = unit->debt().next(); what && !(*what == stop_order::rest && by_image(at, *unit)))
                 consider(unit->debt().next_attempt());
-        if (!at.front->options().cyclic) {
-            consider(at.next_check);
-            if (at.takes_keep_alive && options_.keep_alive != time{}) consider(at.next_keep_alive);
-        }
+        if (!at.front->options().cyclic && at.takes_keep_alive && options_.keep_alive != time{})
+            consider(at.next_keep_alive);
         return next;
     }
 
@@ -487,15 +475,15 @@ template <class Image = wrench_effort_path> class basic_ring {
                                      });
         if (was_up)
             for (component* unit : at.front->components()) unit->on_slave_lost(now, out);
-        if (at.front->options().cyclic) rebuild_process_data(now);
+        rebuild_process_data(now);
     }
 
-    // ---- Process data.
+    // ---- Cycles: process data, and the state of every slave.
 
     [[nodiscard]] static bool is_exchanged(const place& at) noexcept {
-        return at.front->options().cyclic && at.at >= phase::safe_op;
+        return at.at >= (at.front->options().cyclic ? phase::safe_op : phase::up);
     }
-    // Of the slaves in SAFE-OP and OP, with the outputs that they have.
+    // Of the slaves that are there, with the outputs that they have.
     void rebuild_process_data(time now) {
         std::array<ethercat::slave_record, ethercat::slave_capacity> records{};
         std::size_t count = 0;
@@ -509,7 +497,8 @@ template <class Image = wrench_effort_path> class basic_ring {
             const auto* const record = master_.find(each.front->station());
             if (stays && record != nullptr) std::ranges::copy(data_.outputs(*record), next.outputs(*record).begin());
         }
-        if (exchanged_ == 0) next_cycle_ = now;
+        has_process_data_ = next.image().size != 0;
+        if (exchanged_ == 0 || next_cycle_ > jaus::later(now, interval())) next_cycle_ = now;
         next.follow(data_);
         data_ = next;
         exchanged_ = count;
@@ -544,17 +533,29 @@ template <class Image = wrench_effort_path> class basic_ring {
                 continue;
             }
             if (each.at != phase::up) continue;
-            if (seen.last_running) each.last_heard = std::max(each.last_heard, *seen.last_running);
+            if (const auto last = last_working(each, seen)) each.last_seen = std::max(each.last_seen, *last);
             each.has_mail = seen.mail_waits;
             const ethercat::outcome state{.error = ethercat::master_errc::al_error,
                                           .detail = static_cast<std::uint32_t>(seen.al.code)};
             if (seen.condition == absent)
                 lose(each, loss::no_station, {.error = ethercat::master_errc::working_counter}, now, out);
-            else if (seen.condition == not_in_op)
+            else if (seen.condition == duplicate)
+                lose(each, loss::no_station, {.error = ethercat::master_errc::duplicate_station}, now, out);
+            else if (seen.condition != silent && !works_in(each, seen.al.state))
                 lose(each, loss::left_state, state, now, out);
-            else if (now - each.last_heard >= options_.longest_silence)
+            else if (now - each.last_seen >= options_.longest_silence)
                 lose(each, loss::no_answer, {.error = ethercat::master_errc::no_reply}, now, out);
         }
+    }
+    // A slave by mailbox need not be in OP.
+    [[nodiscard]] static bool works_in(const place& at, ethercat::al_state state) noexcept {
+        using enum ethercat::al_state;
+        return state == op || (!at.front->options().cyclic && (state == pre_op || state == safe_op));
+    }
+    [[nodiscard]] static std::optional<time> last_working(const place& at,
+                                                          const ethercat::slave_status& seen) noexcept {
+        if (at.front->options().cyclic) return seen.last_running;
+        return works_in(at, seen.al.state) ? seen.last_frame : std::nullopt;
     }
     void start_image(place& at, time now, jaus::message_sink out) {
         at.image.emplace(at.front->options().identity, Image::component);
@@ -698,6 +699,9 @@ template <class Image = wrench_effort_path> class basic_ring {
     std::size_t place_count_{};
     std::size_t last_served_{};
     std::size_t exchanged_{}; // slaves in the cyclic exchange
+    bool has_process_data_{}; // some of them; else it only looks at their states
+    bool is_cleared_{};       // the slaves, of what an earlier master has left in them
+    std::optional<time> begun_{};
     time last_turn_{};
     time next_cycle_{};
 

@@ -68,7 +68,8 @@ enum class master_errc : std::uint8_t {
     case master_errc::no_coe: return "the slave's mailbox does not carry CoE: this slave cannot take SDOs";
     case master_errc::al_error: return "the slave refused the state: see its AL status code";
     case master_errc::state_timeout: return "the slave did not reach the state in time: allow more time or reset it";
-    case master_errc::too_many_slaves: return "the master has room for 16 slaves: leave one out or raise slave_capacity";
+    case master_errc::too_many_slaves:
+        return "the master has room for 16 slaves: leave one out or raise slave_capacity";
     case master_errc::no_fmmu: return "the slave has too few FMMUs for its process data: it cannot be mapped";
     case master_errc::too_many_managers: return "the slave spreads its process data over more than four SyncManagers";
     case master_errc::image_full: return "the process data do not fit one frame: map fewer PDOs";
