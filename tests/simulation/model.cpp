@@ -210,6 +210,7 @@ void model::arrives(std::uint8_t which, std::uint32_t message, const jaus::heade
     auto* sent = find(message);
     if (sent != nullptr && sent->wants_acknowledgement) a.arrived[a.arrived_count++ % a.arrived.size()] = message;
     a.was_repeat = sent != nullptr && sent->done;
+    if (sent != nullptr) sent->was_refused = false;
     if (sent != nullptr && sent->arrived_at == time{}) sent->arrived_at = world_.now();
     world_.tell({.what = deed::gets,
                  .who = a.number,
