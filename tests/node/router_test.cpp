@@ -160,6 +160,47 @@ TEST_CASE("a multicast group takes the place of single ways, but for those who d
     n.hear(make(255, 255, 1, 1), stranger, 3).expect(routed::ok, "c0 h7 ");
 }
 
+TEST_CASE("a broadcast dies out among several nodes that take themselves for the primary") {
+    // Nodes 1 to 3 are told to be the primary, 4 knows 1 as such. Each has a way to each other node by its number.
+    struct member {
+        std::array<jaus::address_place<jaus::way>, 16> ways{};
+        std::array<jaus::hop_state, 6> hops{};
+        std::array<jaus::node_component, 1> components{};
+        jaus::routing_table table;
+        jaus::router router;
+        explicit member(std::uint8_t id)
+            : table{1, id, ways, hops, components}, router{table, static_cast<std::uint8_t>(id == 4 ? 1 : id)} {
+            REQUIRE(table.add_component(33, 1, 0) == added::ok);
+            for (std::uint8_t other = 1; other != 5; ++other)
+                if (other != id) REQUIRE(table.add_way(make(1, other, 0, 0), other) == added::ok);
+            REQUIRE(table.add_way(make(2, 0, 0, 0), 5) == added::ok);
+        }
+    };
+    std::array<member, 4> all{member{1}, member{2}, member{3}, member{4}};
+    std::array<int, 6> got{};
+    struct datagram {
+        hop to, from;
+    };
+    std::vector<datagram> under_way{};
+    const jaus::header head{.destination = make(255, 255, 33, 1), .source = make(1, 4, 33, 1)};
+    const auto route = [&](hop at, hop from) {
+        all[at - 1U].router.route(
+            head, from, [&](auto, auto&&) { ++got[at]; },
+            [&](hop by) {
+                under_way.push_back({by, at});
+            });
+    };
+    route(4, jaus::here);
+    std::size_t sent = 0;
+    for (; !under_way.empty() && sent < 100; ++sent) {
+        const auto one = under_way.front();
+        under_way.erase(under_way.begin());
+        one.to == 5 ? void(++got[5]) : route(one.to, one.from);
+    }
+    REQUIRE(sent == 4);
+    REQUIRE(got == std::array{0, 1, 1, 1, 0, 1});
+}
+
 TEST_CASE("the way to all other subsystems is taken where no other is known") {
     node n;
     REQUIRE(n.table.add_way(make(0, 0, 0, 0), 8) == added::ok);

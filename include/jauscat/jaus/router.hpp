@@ -19,6 +19,9 @@ namespace jauscat::jaus {
 ///
 /// Nothing goes back to where it came from; what comes with another source than the table has is refused. The primary
 /// is the one node that relays within its subsystem; there may be none, where every node has a way to every other.
+/// A primary relays a broadcast only where it comes from the node of its source, or from a group: several nodes that
+/// are all told to be the primary would pass it on among each other without end.
+///
 /// `up` is the node manager's program, or else the primary where that is another node: it does the broadcasting for
 /// this one. So a message goes from its node to at most the primary, a gateway, another's gateway, its primary and the
 /// destination, and each step is one that those behind it cannot make again.
@@ -126,13 +129,13 @@ class router {
         if (from_own_node(from)) return to_nodes || to_others ? send_out(to, to_nodes, to_others, send) : routed::ok;
 
         const bool within = of_own_subsystem(head.source), enters = table_.kind_of(from) == hop_kind::subsystem;
-        if (primary_ == table_.node()) {
-            // Nodes that share a group have heard their neighbour already.
-            const bool heard = within && table_.group(table_.subsystem(), to) != nullptr;
-            if (to_nodes && (within || enters) && !heard) table_.to_nodes(to, send);
-            if (to_others && within) table_.to_subsystems(to, send);
-        }
-        if (to_own || (within && primary_ == table_.node())) return routed::ok;
+        // Nodes that share a group have heard their neighbour already.
+        const bool heard = within && table_.group(table_.subsystem(), to) != nullptr;
+        const bool is_relayed = within && !heard && table_.next_hop(head.source) != from;
+        const bool relays = primary_ == table_.node() && !is_relayed;
+        if (relays && to_nodes && (within || enters) && !heard) table_.to_nodes(to, send);
+        if (relays && to_others && within) table_.to_subsystems(to, send);
+        if (to_own || (within && relays)) return routed::ok;
         return within ? routed::not_the_relay : routed::between_subsystems;
     }
     constexpr void spread_in_node(const header& head, hop from, auto& give, auto& send) const {
