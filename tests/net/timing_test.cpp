@@ -2,6 +2,9 @@
 #include "support/catch.hpp"
 #include <jauscat/net/cycle_timer.hpp>
 #include <jauscat/net/latency_histogram.hpp>
+#include <jauscat/net/run_until.hpp>
+
+#include <boost/asio/steady_timer.hpp>
 
 #include <sstream>
 #include <thread>
@@ -110,4 +113,13 @@ TEST_CASE("instants that a long cycle covers are left out and counted") {
     CHECK(timer.wait() >= 0ns);
     CHECK(timer.overruns() >= 3);
     CHECK(timer.due() - start == (1 + static_cast<std::int64_t>(timer.overruns())) * 2ms);
+}
+
+TEST_CASE("run_until waits for ever where its timeout is the longest there is, and not at all with a negative one") {
+    boost::asio::io_context context;
+    boost::asio::steady_timer timer{context, 1ms};
+    bool fired = false;
+    timer.async_wait([&](const auto&) { fired = true; });
+    REQUIRE_FALSE(jauscat::net::run_until(context, -1s, [&] { return fired; }));
+    REQUIRE(jauscat::net::run_until(context, std::chrono::nanoseconds::max(), [&] { return fired; }));
 }

@@ -1,18 +1,24 @@
 // Waiting for an answer in a program that has no main loop of its own.
 #pragma once
 
+#include <jauscat/jaus/later.hpp>
+
 #include <boost/asio/io_context.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <concepts>
 
 namespace jauscat::net {
 
-/// Runs the handlers of `context` until `done()` is true, at most for `timeout`. Returns `done()`.
+/// Runs the handlers of `context` until `done()` is true, at most for `timeout`;
+/// nanoseconds::max() is for ever. Returns `done()`.
 /// `done` is asked after each handler.
 template <std::predicate Done>
 bool run_until(boost::asio::io_context& context, std::chrono::nanoseconds timeout, Done done) {
-    const auto deadline = std::chrono::steady_clock::now() + timeout;
+    using clock = std::chrono::steady_clock;
+    const clock::time_point deadline{
+        jaus::later(clock::now().time_since_epoch(), std::max(timeout, std::chrono::nanoseconds{}))};
     context.restart();
     while (!done())
         if (context.run_one_until(deadline) == 0) return done();
