@@ -197,6 +197,17 @@ TEST_CASE("a body of 4080 bytes fits a message, and one of 4081 is too large") {
     CHECK(jaus::make_message(emergency_header, bulk<4081>{}, out).error() == errc::body_too_large);
 }
 
+TEST_CASE("a received body of 4080 bytes is taken, and one of 4081 to 4095 is too large") {
+    for (const std::size_t size : {4080U, 4081U, 4095U}) {
+        CAPTURE(size);
+        auto head = emergency_header;
+        head.data_size = static_cast<std::uint16_t>(size);
+        std::vector<std::byte> message(jaus::header_size + size);
+        REQUIRE(wire::encode(head, message));
+        CHECK(jaus::split(message).error == (size == 4080 ? errc::ok : errc::body_too_large));
+    }
+}
+
 TEST_CASE("an answer goes back to the sender under the same sequence number and is no acknowledgement") {
     const jaus::header request{.priority = 11,
                                .ack_nak = jaus::ack_nak::request,

@@ -43,7 +43,7 @@ enum class errc : std::uint8_t {
     no_space,       ///< the output span is too small
     invalid_header, ///< a value of the header is wider than its bits
     invalid_body,   ///< a value of the body does not encode; wire::diagnose says which
-    body_too_large, ///< more than 4080 bytes: needs a large data set
+    body_too_large, ///< more than 4080 bytes: needs a large data set, also in a header that states 4081 to 4095
 };
 
 /// The error in one line, for logs.
@@ -74,7 +74,8 @@ struct split_message {
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return error == errc::ok; }
 };
 
-/// Takes a received message apart and checks its header: errors truncated, wrong_version, wrong_size, invalid_source.
+/// Takes a received message apart and checks its header: errors truncated, wrong_version, wrong_size, body_too_large,
+/// invalid_source.
 [[nodiscard]] constexpr split_message split(std::span<const std::byte> bytes) noexcept {
     split_message m{};
     if (!wire::decode_prefix(m.header, bytes)) {
@@ -86,6 +87,8 @@ struct split_message {
         m.error = errc::wrong_version;
     else if (m.header.data_size != m.body.size())
         m.error = errc::wrong_size;
+    else if (m.body.size() > max_body_size)
+        m.error = errc::body_too_large;
     else if (!names_one_component(m.header.source))
         m.error = errc::invalid_source;
     return m;
