@@ -2,6 +2,7 @@
 // message_group.cpp.in) keeps compilers within minutes and memory.
 #pragma once
 #include "jaus/messages.hpp"
+#include <jauscat/jaus/answer.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/describe.hpp>
 #include <jauscat/wire/view.hpp>
@@ -61,6 +62,11 @@ template <wire::message T> encoded random(support::generator& g, const support::
     wire::arena arena{scratch()};
     made.decodes_to_itself =
         written.size() == made.bytes.size() && decode_into(back, made.bytes, arena) == wire::errc::ok && back == value;
+    octets room(2 * (jaus::header_size + jaus::max_body_size) + made.bytes.size()), sent;
+    const auto out = [&](std::span<const std::byte> packet) {
+        sent.insert(sent.end(), packet.begin() + jaus::header_size, packet.end());
+    };
+    made.is_put = jaus::put({.source = {1, 1, 1, 1}}, value, room, out) && sent == made.bytes;
     return made;
 }
 

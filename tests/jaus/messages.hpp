@@ -22,6 +22,7 @@ struct encoded {
     wire::diagnosis why{}; ///< what diagnose says of the value
     octets bytes{};
     bool decodes_to_itself{}; ///< what decode makes of the bytes equals the value
+    bool is_put{};            ///< jaus::put sends these bytes, in packets where they are many
 };
 
 /// What is made of some bytes.

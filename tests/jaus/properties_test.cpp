@@ -71,6 +71,10 @@ TEST_CASE("every random message encodes and decodes to itself") {
     });
 }
 
+TEST_CASE("every message of the standard is sent by its type") {
+    for_random_bodies(4, 20, {}, [](const auto&, const messages::encoded& sample) { REQUIRE(sample.is_put); });
+}
+
 TEST_CASE("what was decoded encodes to the same bytes, from real values and from raw ones") {
     for_random_bodies(2, 100, {}, [](const messages::message& message, const messages::encoded& sample) {
         const auto seen = message.decode(sample.bytes);

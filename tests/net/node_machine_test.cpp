@@ -1,5 +1,7 @@
 // The node without sockets: two of them against each other, in simulated time.
 #include "net/simulated_program.hpp"
+#include <jauscat/schema/jaus/environment_sensor.hpp>
+#include <jauscat/schema/jaus/event.hpp>
 
 using namespace test;
 using std::chrono::nanoseconds;
@@ -68,6 +70,45 @@ TEST_CASE("a node without sockets sends large data sets at its pace, and nothing
     p.robot.node.start(now);
     p.ocu.appeared.clear();
     REQUIRE(p.network.run(now + 2s, [&] { return has(p.ocu.appeared, make(2, 1)); }));
+}
+
+TEST_CASE("a node sends a typed message whose size has no bound, a large one as a data set") {
+    simulated_pair p;
+    auto& now = p.network.now;
+    std::vector<std::size_t> sizes{};
+    const jaus::header head{.destination = p.robot.self, .source = p.ocu.self};
+    const bytes pixels(100'000, std::byte{7});
+    jaus::report_image image{.camera_id = 1, .image_data = std::span{pixels}.first(10)};
+    p.robot.heard = [&](const jaus::header& h, std::span<const std::byte> body) {
+        if (h.command_code == jaus::report_image::command_code) sizes.push_back(body.size());
+    };
+    p.network.run(now + 1s);
+    REQUIRE(p.ocu.node.send(head, image, now));
+    image.image_data = pixels;
+    REQUIRE(p.ocu.node.send(head, image, now));
+    REQUIRE(p.network.run(now + 1s, [&] { return sizes.size() == 2; }));
+    REQUIRE(sizes == std::vector<std::size_t>{12, 100'002});
+    REQUIRE(p.ocu.node.send(head, jaus::create_event{.message_code = 0x4405}, now));
+}
+
+// The queue holds what it is just sending, whatever a handler does.
+TEST_CASE("a log handler may stop the node while a large data set is sent") {
+    for (const auto how : {jaus::ack_nak::none, jaus::ack_nak::request}) {
+        CAPTURE(how);
+        simulated_pair p;
+        auto& now = p.network.now;
+        const bytes image(100'000, std::byte{7});
+        p.network.run(now + 1s);
+        p.ocu.on_log = [&](std::string_view line) {
+            if (line.find("no way to the destination") != line.npos) p.ocu.node.stop();
+        };
+        REQUIRE(p.ocu.node.send(
+            {.ack_nak = how, .command_code = 0xD111, .destination = make(9, 1, 33), .source = p.ocu.self},
+            std::span<const std::byte>{image}, now));
+        REQUIRE(p.network.run(now + 1s, [&] { return !p.ocu.node.running(); }));
+        REQUIRE(p.ocu.logged("1 large data sets were not sent to their end"));
+        p.network.run(now + 1s);
+    }
 }
 
 TEST_CASE("a node without sockets says what its gate refuses") {

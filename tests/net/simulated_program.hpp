@@ -22,7 +22,13 @@ struct simulated_program {
     simulated_program& operator=(const simulated_program&) = delete;
 
     net::jaus_node_options with_hooks(net::jaus_node_options options) {
-        options.log = [this](std::string_view line) { log.emplace_back(line); };
+        options.log = [this](std::string_view line) {
+            log.emplace_back(line);
+            if (on_log) on_log(line);
+        };
+        options.seen = [this](const jaus::address&, const jaus::header& head, std::span<const std::byte> body, auto) {
+            if (heard) heard(head, body);
+        };
         options.appeared = [this](const jaus::address& who) { appeared.push_back(who); };
         options.disappeared = [this](const jaus::address& who) { disappeared.push_back(who); };
         options.large_data_done = [this](const jaus::header&, jaus::delivered what) { large_done.push_back(what); };
@@ -42,6 +48,8 @@ struct simulated_program {
     simulated_network::endpoint at;
     simulated_network& on;
     std::vector<std::string> log{};
+    std::function<void(std::string_view)> on_log{};
+    std::function<void(const jaus::header&, std::span<const std::byte>)> heard{};
     std::vector<jaus::address> appeared{}, disappeared{};
     std::vector<bytes> large{}; ///< that came
     std::vector<jaus::delivered> large_done{};

@@ -280,6 +280,31 @@ TEST_CASE("the configuration of the node has what is described and what sends he
                 message_outcome::refused);
 }
 
+// The report counts a node's components in one byte.
+TEST_CASE("of more than 255 components of one node 255 are reported, those of the description among them") {
+    node n;
+    std::vector<jaus::presence_table::place> places(2048);
+    bytes lists(1 << 16), report(1 << 16);
+    n.components = {{{250, 9}, {251, 9}}};
+    jaus::node_manager manager{make(1, 2), n.description, {places, lists, report}};
+    for (unsigned i = 0; i != 600; ++i)
+        for (const unsigned of : {2U, 3U})
+            manager.on_message({.command_code = jaus::report_heartbeat_pulse::command_code,
+                                .source = make(1, of, 2 + i % 200, 1 + i / 200)},
+                               {}, 0s, n.out);
+    for (const auto field : {jaus::query_field::node_configuration, jaus::query_field::subsystem_configuration}) {
+        n.out.take();
+        const std::array query{static_cast<std::byte>(field)};
+        REQUIRE(manager.on_message({.command_code = jaus::query_configuration::command_code, .source = make(9, 9)},
+                                   query, 0s, n.out) == message_outcome::taken);
+        n.lists.reset();
+        const auto told = n.out.only<jaus::report_configuration>(n.lists);
+        REQUIRE(told.node[0].component.size() == 255);
+        REQUIRE(std::ranges::count(told.node[0].component, 9, &jaus::configured_component::instance_id) == 2);
+        REQUIRE((told.node.size() == 1 || told.node[1].component.size() == 255));
+    }
+}
+
 TEST_CASE("a node manager asks the other nodes of its subsystem for their components and forgets them with the node") {
     node n;
     n.manager.on_time(0s, n.out);

@@ -1,8 +1,10 @@
 // What a component's state machines have in common: what they make of a message, and how they answer it.
 #pragma once
+#include <jauscat/jaus/large_data_sender.hpp>
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/jaus/message_sink.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace jauscat::jaus {
@@ -41,19 +43,57 @@ constexpr message_outcome decode_for(std::span<const std::byte> body, F&& use) n
     }
 }
 
-/// Hands the message of `head` and `body` to `out`; false where it does not encode.
+namespace detail {
+// Out of line: g++ 12 warns about the room where it sees the size of the body and of the room, but not the check.
+template <coded_message T>
+[[gnu::noinline]] constexpr bool put_in(std::span<std::byte> room, const header& head, const T& body,
+                                        message_sink out) noexcept {
+    const result size = make_message(head, body, room);
+    if (size) out(room.first(size.size()));
+    return static_cast<bool>(size);
+}
+} // namespace detail
+
+/// Hands the message of `head` and `body` to `out`; false, and nothing is sent, where it does not encode or its body
+/// has more than 4080 bytes.
 template <coded_message T> constexpr bool put(const header& head, const T& body, message_sink out) noexcept {
-    std::array<std::byte, header_size + wire::max_size<T>> bytes{};
+    std::array<std::byte, header_size + std::min(wire::max_size<T>, max_body_size)> bytes{};
+    if constexpr (wire::max_size < T >> max_body_size) return detail::put_in(bytes, head, body, out);
     const result size = make_message(head, body, bytes);
     if (!size) return false;
     out(std::span<const std::byte>{bytes}.first(size.size()));
     return true;
 }
+/// The same for a body of any size: one of more than 4080 bytes goes as a large data set, all packets of which are
+/// handed to `out` at once. `memory`: header and body of a message must fit; for a large data set also 4096 bytes.
+template <coded_message T>
+constexpr bool put(header head, const T& body, std::span<std::byte> memory, message_sink out) noexcept {
+    constexpr std::size_t packet_size = header_size + max_body_size;
+    if (const result size = make_message(head, body, memory)) {
+        out(std::span<const std::byte>{memory}.first(size.size()));
+        return true;
+    }
+    if (memory.size() <= packet_size) return false;
+    const auto whole = memory.subspan(packet_size);
+    const wire::result size = wire::encode(body, whole);
+    if (!size) return false;
+    head.command_code = command_code_of<T>;
+    large_data_sender packets{head, whole.first(size.size()), memory.first(packet_size)};
+    while (packets.next(out)) {}
+    return packets.error() == errc::ok;
+}
 
-/// Answers `request` from `self`; false where the answer does not encode.
+/// Answers `request` from `self`; false, and nothing is sent, where the answer does not encode or its body has more
+/// than 4080 bytes.
 template <coded_message T>
 constexpr bool answer(const header& request, const address& self, const T& body, message_sink out) noexcept {
     return put(answer_to(request, self), body, out);
+}
+/// The same for a body of any size, with the memory that `put` needs.
+template <coded_message T>
+constexpr bool answer(const header& request, const address& self, const T& body, std::span<std::byte> memory,
+                      message_sink out) noexcept {
+    return put(answer_to(request, self), body, memory, out);
 }
 
 /// Answers `request` with an ACK or a NAK from `self`.

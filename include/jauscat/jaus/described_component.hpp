@@ -1,6 +1,6 @@
 // What every component says of itself: that it is alive, what it is called and what it can do.
 #pragma once
-#include <jauscat/jaus/answer_in_packets.hpp>
+#include <jauscat/jaus/answer.hpp>
 #include <jauscat/jaus/later.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
@@ -45,7 +45,7 @@ class described_component {
   public:
     using time = std::chrono::nanoseconds;
 
-    /// `memory`, which must outlive this: room for Report Services, see answer_in_packets.
+    /// `memory`, which must outlive this: room for Report Services, see answer.
     constexpr described_component(const address& self, const component_description& description, const heartbeat& beat,
                                   std::span<std::byte> memory) noexcept
         : self_{self}, description_{description}, beat_{beat}, memory_{memory} {}
@@ -66,7 +66,7 @@ class described_component {
             });
         case query_services::command_code:
             return decode_for<query_services>(body, [&](const auto&) {
-                return done(answer_in_packets(head, self_, report_services{description_.services}, memory_, out));
+                return done(answer(head, self_, report_services{description_.services}, memory_, out));
             });
         default: return message_outcome::not_mine;
         }

@@ -39,7 +39,7 @@ struct node_manager_options {
 struct node_manager_memory {
     std::span<presence_table::place> presences{}; ///< for all components heard of; see presence_table
     std::span<std::byte> lists{}; ///< 8 bytes for each of them and of the node's own, 32 for each node of the subsystem
-    std::span<std::byte> report{}; ///< the longest report; see answer_in_packets
+    std::span<std::byte> report{}; ///< the longest report; see answer
 };
 
 } // namespace jauscat::jaus

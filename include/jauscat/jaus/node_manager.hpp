@@ -42,7 +42,7 @@ class node_manager {
         case query_configuration::command_code:
             return decode_for<query_configuration>(body, [&](const query_configuration& query) {
                 return done(with_components(query.query_field, [&](const report_configuration& report) {
-                    return answer_in_packets(head, self_, report, memory_.report, out);
+                    return answer(head, self_, report, memory_.report, out);
                 }));
             });
         case query_subsystem_list::command_code:
@@ -169,6 +169,17 @@ class node_manager {
         std::ranges::sort(all, {}, key);
         return all.first(static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin()));
     }
+    // The message counts a node's components in one byte. Those of the description stay in before others.
+    std::span<const configured_component> most_of_node(std::span<configured_component> of_node) const noexcept {
+        constexpr std::size_t most = 255;
+        if (of_node.size() <= most) return of_node;
+        std::partition(of_node.begin(), of_node.end(), [&](const configured_component& one) {
+            return std::ranges::find(description_.components, one) != description_.components.end();
+        });
+        const auto listed = of_node.first(most);
+        std::ranges::sort(listed, {}, [](const auto& one) { return std::pair{one.component_id, one.instance_id}; });
+        return listed;
+    }
     // False, and no report, for another field and for want of room; else what `use(report)` says.
     bool with_components(query_field what, auto&& use) const noexcept {
         const bool of_node = what == query_field::node_configuration;
@@ -190,7 +201,7 @@ class node_manager {
         for (std::size_t i = 0, begin = 0, node = 0; i != all.size(); ++i) {
             components[i] = {all[i].component, all[i].instance};
             if (i + 1 != all.size() && all[i + 1].node == all[i].node) continue;
-            nodes[node++] = {all[i].node, std::span<const configured_component>{components + begin, i + 1 - begin}};
+            nodes[node++] = {all[i].node, most_of_node(std::span{components + begin, i + 1 - begin})};
             begin = i + 1;
         }
         return use(report_configuration{std::span<const configured_node>{nodes, node_count}});
@@ -211,7 +222,7 @@ class node_manager {
             if (count == 0 || subsystems[count - 1].subsystem_id != who.subsystem)
                 subsystems[count++] = {who.subsystem, who.node, who.component, who.instance};
         const report_subsystem_list report{std::span<const listed_subsystem>{subsystems, count}};
-        return done(answer_in_packets(head, self_, report, memory_.report, out));
+        return done(answer(head, self_, report, memory_.report, out));
     }
 
     address self_;

@@ -186,7 +186,10 @@ class node_machine {
     }
     /// The same for a typed body. Throws nothing; a value that does not encode is a problem of the outcome.
     template <jaus::coded_message T> outcome send(jaus::header head, const T& body, time now) {
-        std::array<std::byte, wire::max_size<T>> encoded{};
+        std::array<std::byte, jaus::max_body_size> packet{};
+        std::vector<std::byte> larger{};
+        if (wire::encoded_size(body) > packet.size()) larger.resize(wire::encoded_size(body));
+        const std::span<std::byte> encoded = larger.empty() ? std::span<std::byte>{packet} : larger;
         const auto size = wire::encode(body, encoded);
         if (!size) return outcome{std::string{wire::describe(size.error())}};
         head.command_code = jaus::command_code_of<T>;

@@ -1,7 +1,7 @@
 // What a component answers where its program does not: others ask each component, and go on asking until they know.
 #pragma once
 
-#include <jauscat/jaus/answer_in_packets.hpp>
+#include <jauscat/jaus/answer.hpp>
 #include <jauscat/jaus/core_service.hpp>
 #include <jauscat/jaus/described_component.hpp>
 #include <jauscat/net/detail/configured_identity.hpp>
@@ -47,12 +47,11 @@ class default_answers {
             });
         if (head.command_code == jaus::create_event::command_code)
             return jaus::decode_for<jaus::create_event>(body, [&](const auto& request) {
-                jaus::answer_in_packets(
-                    head, self_,
-                    jaus::reject_event_request{.local_request_id = request.local_request_id,
-                                               .response_code = jaus::event_response::message_not_supported,
-                                               .error_message = "no events"},
-                    memory_, out);
+                jaus::answer(head, self_,
+                             jaus::reject_event_request{.local_request_id = request.local_request_id,
+                                                        .response_code = jaus::event_response::message_not_supported,
+                                                        .error_message = "no events"},
+                             memory_, out);
                 return message_outcome::refused;
             });
         return described_->on_message(head, body, now, out);
