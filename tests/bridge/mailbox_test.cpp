@@ -476,3 +476,18 @@ TEST_CASE("a slave whose state nobody knows is lost, also while the master waits
     CHECK(r.watcher.last_loss == bridge::loss::left_state);
     CHECK(r.unit(1).state() == status::failure);
 }
+
+TEST_CASE("the look at the states takes no reply that the master waits for") {
+    rig r;
+    r.run_until_ready();
+    r.run(30s); // every index was used
+    for (int i = 0; i != 20; ++i) {
+        r.actuators[0].power_cycle();
+        r.run_until([&] { return !r.fronts[0].up(); });
+        const auto took = r.run_until([&] { return r.fronts[0].up(); });
+        CHECK(took < 20ms);
+    }
+    CHECK(r.watcher.failed_bring_ups == 0);
+    CHECK(r.bus.master().statistics().lost == 0);
+    CHECK(r.bus.master().statistics().foreign == 0);
+}

@@ -96,6 +96,7 @@ class process_data {
         const auto low = static_cast<std::uint8_t>(cycle_), high = static_cast<std::uint8_t>(cycle_ >> 8);
         frame_builder frame{out, low};
         frame.tag_rest(static_cast<std::uint8_t>(low + high));
+        if (part_count_ == 0) frame.add(command::nop, 0, 0, filler_size);
         for (const auto& each : parts()) request(frame, each);
         for (const auto& each : members())
             if (watches_) request(frame, each);
@@ -110,12 +111,10 @@ class process_data {
     /// Takes a frame that arrived. False if it is none of ours: it may be the master's.
     bool on_frame(std::span<const std::byte> frame) noexcept {
         frame_view view;
-        if (!view.parse(frame)) return false;
+        if (!view.parse(frame) || !begins_as_ours(view)) return false;
         const auto datagrams = outstanding_.waits() ? outstanding_.match(view) : replies{};
-        // Only here logical addresses are used: no other frame of this program's begins with them.
-        if (datagrams.empty())
-            return outstanding_.may_be_own(view) || (begins_logical(view) && outstanding_.claim(view));
-        auto next = datagrams.begin();
+        if (datagrams.empty()) return outstanding_.claim(view);
+        auto next = datagrams.begin() + (part_count_ == 0 ? 1 : 0);
         std::array<exchanged, slave_capacity> back{};
         working_counter_ = 0;
         is_complete_ = true;
@@ -197,7 +196,8 @@ class process_data {
     }
     // What all datagrams of a cycle take.
     [[nodiscard]] std::size_t datagrams_size() const noexcept {
-        std::size_t size = 0;
+        if (part_count_ == 0 && (!watches_ || member_count_ == 0)) return 0;
+        std::size_t size = part_count_ == 0 ? datagram_overhead + filler_size : 0;
         for (const auto& each : parts()) size += (datagram_overhead + each.size) * (image_.no_lrw ? 2 : 1);
         for (const auto& each : members()) {
             if (!watches_) break;
@@ -207,9 +207,10 @@ class process_data {
         return size;
     }
 
-    [[nodiscard]] static bool begins_logical(const frame_view& frame) noexcept {
+    // A master's frames begin with neither: without this a frame that only looks at a state would be taken for its own.
+    [[nodiscard]] static bool begins_as_ours(const frame_view& frame) noexcept {
         const auto cmd = (*frame.begin()).header.cmd;
-        return cmd == command::lrw || cmd == command::lwr || cmd == command::lrd;
+        return cmd == command::lrw || cmd == command::lwr || cmd == command::lrd || cmd == command::nop;
     }
     void request(frame_builder& frame, const part& each) const noexcept {
         const auto data = std::span{bytes_}.subspan(each.address, each.size);
