@@ -479,6 +479,7 @@ void model::enters(std::uint8_t which, primary_status_code from, primary_status_
                  .value = static_cast<std::uint32_t>(to)});
     look_for_lost_holders(a);
     if (a.state == ready && to != ready) a.not_ready_since = world_.now();
+    if (a.state != to && (to == failure || to == initialize)) a.failed_since = world_.now();
     a.state = to;
     auto* cause = find(a.current);
     if (cause != nullptr && (from == ready || to == emergency)) cause->stopped_it = true;
@@ -603,9 +604,23 @@ void model::check_known(const actuator_account& a) {
                std::string{"Ready, "} + in_ms(world_.now() - since) + " after this: " + trouble->what);
 }
 
+// A slave that is there and left alone is brought up and to rest: nobody waits for it for ever.
+void model::check_return(const actuator_account& a) {
+    const auto& slave = (*a.wire)[a.slave];
+    const bool waits = a.state == primary_status_code::failure || a.state == primary_status_code::initialize;
+    if (!waits || !a.program->running() || slave.frozen || slave.state_is_unknown || slave.unreachable_since) return;
+    const time since =
+        std::max({slave.disturbed_at, slave.unfrozen_at, a.program->jumped_at(), a.not_ready_since, a.failed_since});
+    constexpr auto long_enough = std::chrono::seconds{10};
+    if (world_.now() - since > long_enough)
+        breaks(contract::s6, a, 0, "a slave that is there is brought up and to rest",
+               text(a.state) + " for " + in_ms(world_.now() - since) + " in which nothing has happened to it");
+}
+
 // Whatever is lost, a slave that moves must come to rest: told by the bridge or by itself.
 void model::check_slave(const actuator_account& a) {
     check_known(a);
+    check_return(a);
     if (a.command == 0) return;
     const auto& slave = (*a.wire)[a.slave];
     if (slave.frozen) return; // nothing that is outside of it can stop it

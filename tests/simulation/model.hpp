@@ -97,7 +97,7 @@ struct actuator_account {
     std::array<std::uint32_t, 64> arrived{};
     std::uint32_t arrived_count{};
     // What was in force, and when:
-    time not_ready_since{}, rest_seen_at{}, emergency_seen_at{}, controlled_since{};
+    time failed_since{}, not_ready_since{}, rest_seen_at{}, emergency_seen_at{}, controlled_since{};
     std::array<std::pair<time, command_number>, 32> efforts{};
     std::uint32_t effort_count{};
 };
@@ -191,6 +191,7 @@ class model {
     [[nodiscard]] bool is_like_one_before(const sent_message& sent) const;
     [[nodiscard]] bool was_on_its_way(const actuator_account& a, const sent_message& sent, time changed) const;
     void check_known(const actuator_account& a);
+    void check_return(const actuator_account& a);
     void check_slave(const actuator_account& a);
     void check_stop(const actuator_account& a, const char* why, time since, time limit);
     void confirmed(actuator_account& a, const jaus::header& head, bytes body);
