@@ -58,7 +58,7 @@ template <coded_message T>
 /// has more than 4080 bytes.
 template <coded_message T> constexpr bool put(const header& head, const T& body, message_sink out) noexcept {
     std::array<std::byte, header_size + std::min(wire::max_size<T>, max_body_size)> bytes{};
-    if constexpr (wire::max_size < T >> max_body_size) return detail::put_in(bytes, head, body, out);
+    if constexpr (max_body_size < wire::max_size<T>) return detail::put_in(bytes, head, body, out);
     const result size = make_message(head, body, bytes);
     if (!size) return false;
     out(std::span<const std::byte>{bytes}.first(size.size()));
