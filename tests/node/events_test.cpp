@@ -7,6 +7,7 @@
 #include <jauscat/schema/jaus/platform.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -715,7 +716,215 @@ TEST_CASE("a consumer gives up the events of a provider that has disappeared") {
     REQUIRE(c.events.lose(sensor) == 0);
     c.sent.clear();
     REQUIRE(c.events.create(sensor, wanted, 2s, c.sent.sink()) == 0);
-    REQUIRE(c.hear(confirmed("00 04 04 44 01 00")).what == event_news::confirmed);
+    REQUIRE(c.hear(confirmed("00 05 04 44 01 00")).what == event_news::confirmed); // 4 cancelled the unknown event
+}
+
+namespace {
+
+/// Hands on what provider and consumer have sent each other, until nothing is left; the events that came.
+std::size_t converse(provider& p, consumer& c, time_point now) {
+    std::size_t count = 0;
+    while (!p.sent.empty() || !c.sent.empty()) {
+        for (const auto& m : c.sent.take()) p.hear(m, now);
+        for (const auto& m : p.sent.take()) count += c.hear(m, now).what == event_news::event;
+    }
+    return count;
+}
+std::size_t in_use(const provider& p) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(p.events.records(), [](const auto& e) { return e.message_code != 0; }));
+}
+bytes event_number(unsigned number) {
+    return jauscat::test::message({.destination = viewer, .source = sensor},
+                                  jaus::event{.event_id = 7,
+                                              .message_code = velocity,
+                                              .event_sequence_number = static_cast<std::uint8_t>(number)});
+}
+
+} // namespace
+
+TEST_CASE("a consumer that has started anew gets a first change as before") {
+    provider p;
+    for (int run = 0; run != 3; ++run) {
+        consumer c;
+        const time_point now = run * 100s;
+        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::first_change}, now, c.sent.sink());
+        converse(p, c, now);
+        p.drive(run, now + 1s);
+        REQUIRE(converse(p, c, now + 1s) == 1);
+        p.drive(run + 0.5, now + 2s);
+        REQUIRE(converse(p, c, now + 2s) == 0);
+        REQUIRE(in_use(p) == 1);
+    }
+}
+
+TEST_CASE("a consumer that starts anew again and again leaves no events behind") {
+    // Each run asks for another rate, so the provider cannot know the event of the run before.
+    provider p;
+    for (int run = 0; run != 20; ++run) {
+        consumer c;
+        const time_point now = run * 10ms;
+        c.events.create(
+            sensor,
+            {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 1.0 + run}, now,
+            c.sent.sink());
+        converse(p, c, now);
+        REQUIRE(c.first().state == requested_state::active);
+    }
+    REQUIRE(in_use(p) == 4);
+    // Others find a place, and none is taken from an event that is wanted.
+    REQUIRE(p.hear(other, jaus::create_event{.message_code = velocity, .event_type = event_type::every_change}) ==
+            message_outcome::taken);
+    REQUIRE(p.hear(other, jaus::create_event{.local_request_id = 1,
+                                             .message_code = velocity,
+                                             .event_type = event_type::first_change}) == message_outcome::taken);
+    REQUIRE(p.hear(other, jaus::create_event{.local_request_id = 2,
+                                             .message_code = 0x4400,
+                                             .event_type = event_type::periodic,
+                                             .requested_periodic_rate = 1}) == message_outcome::taken);
+    REQUIRE(
+        p.rejects(
+            jaus::create_event{.local_request_id = 3, .message_code = velocity, .event_type = event_type::every_change},
+            other) == event_response::connection_refused);
+}
+
+TEST_CASE("an event that was not asked for is cancelled, once for each answer's time") {
+    consumer c;
+    REQUIRE(c.hear(event_number(0), 1s).what == event_news::unknown);
+    REQUIRE(c.hear(event_number(1), 1500ms).what == event_news::unknown);
+    REQUIRE(c.sent.size() == 1);
+    REQUIRE(c.sent.body<jaus::cancel_event>(0).event_id == std::uint8_t{7});
+    REQUIRE(c.sent.body<jaus::cancel_event>(0).message_code == velocity);
+    REQUIRE(c.hear(event_number(2), 2s).what == event_news::unknown);
+    REQUIRE(c.sent.size() == 2);
+
+    // Not while its confirmation may be under way.
+    c.sent.clear();
+    c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 5s, c.sent.sink());
+    c.sent.clear();
+    REQUIRE(c.hear(event_number(3), 5s).what == event_news::unknown);
+    REQUIRE(c.sent.empty());
+
+    // What an earlier life has left goes on until it is cancelled.
+    provider p;
+    consumer before, after;
+    before.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s,
+                         before.sent.sink());
+    converse(p, before, 0s);
+    p.drive(1, 1s);
+    converse(p, after, 1s);
+    REQUIRE(in_use(p) == 0);
+}
+
+TEST_CASE("events go on after a gap that their numbers cannot count") {
+    consumer c;
+    c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s, c.sent.sink());
+    c.hear(confirmed("00 01 04 44 07 00"));
+    REQUIRE(c.hear(event_number(9), 1s).what == event_news::event);
+    // Late ones and copies of those before are dropped, at first.
+    REQUIRE(c.hear(event_number(9), 1900ms).what == event_news::repeated);
+    REQUIRE(c.hear(event_number(8), 1900ms).what == event_news::repeated);
+    // A cable that was out for 130 events.
+    REQUIRE(c.hear(event_number(9 + 130), 2s).what == event_news::event);
+    REQUIRE(c.first().lost == 0);
+    REQUIRE(c.hear(event_number(9 + 131), 2s).what == event_news::event);
+    REQUIRE(c.hear(event_number(9 + 131 + 256), 3s).what == event_news::event);
+}
+
+TEST_CASE("a silent provider of periodic events is noticed, and asked again until it answers") {
+    provider p;
+    consumer c;
+    c.events.create(sensor,
+                    {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 10}, 0s,
+                    c.sent.sink());
+    converse(p, c, 0s);
+    const auto period = jaus::period_of(c.first().rate);
+    REQUIRE(c.events.next_event() == 3 * period);
+    p.wait(period);
+    REQUIRE(converse(p, c, period) == 2);
+    REQUIRE(c.events.next_event() == 4 * period);
+    const auto count = [&](time_point end) {
+        c.sent.clear();
+        while (*c.events.next_event() <= end) c.events.on_time(*c.events.next_event(), c.sent.sink());
+        return c.sent.size();
+    };
+    REQUIRE(count(60s) == 60);
+    REQUIRE(c.first().state == requested_state::stale);
+    // It has started anew, and counts from 0 under another ID.
+    provider anew;
+    anew.create({.message_code = devices, .event_type = event_type::every_change});
+    c.events.on_time(*c.events.next_event(), c.sent.sink());
+    converse(anew, c, 61s);
+    REQUIRE(c.first().state == requested_state::active);
+    REQUIRE(c.first().event_id == 2);
+    anew.wait(61s);
+    REQUIRE(converse(anew, c, 61s) == 1);
+    REQUIRE(in_use(anew) == 2);
+
+    // One that was cut off goes on with the same event.
+    count(70s);
+    REQUIRE(c.first().state == requested_state::stale);
+    c.sent.clear();
+    c.events.on_time(*c.events.next_event(), c.sent.sink());
+    converse(anew, c, 71s);
+    REQUIRE(c.first().event_id == 2);
+    anew.wait(71s);
+    REQUIRE(converse(anew, c, 71s) == 1);
+    REQUIRE(in_use(anew) == 2);
+
+    // Who refuses it now is not asked again.
+    count(80s);
+    REQUIRE(c.first().state == requested_state::stale);
+    c.hear(jauscat::test::message({.destination = viewer, .source = sensor},
+                                  jaus::reject_event_request{.local_request_id = c.first().local_request_id}),
+           80s);
+    REQUIRE(c.first().state == requested_state::rejected);
+    REQUIRE(c.events.next_event() == std::nullopt);
+}
+
+TEST_CASE("a limit that is not a number is refused, whatever it would limit") {
+    provider p;
+    const auto nan = real(std::numeric_limits<double>::quiet_NaN());
+    jaus::typed_value small_nan{.data_type = jaus::data_type::float_, .value = std::numeric_limits<float>::quiet_NaN()};
+    jaus::create_event wanted{.message_code = velocity,
+                              .event_type = event_type::every_change,
+                              .event_boundary = event_boundary::equal,
+                              .limit_data_field = std::uint8_t{2},
+                              .state_limit = nan};
+    REQUIRE(p.rejects(wanted) == event_response::invalid_event_setup);
+    wanted.state_limit = real(1);
+    wanted.upper_limit = small_nan;
+    REQUIRE(p.rejects(wanted) == event_response::invalid_event_setup);
+    REQUIRE(p.rejects(jaus::create_event{.message_code = velocity,
+                                         .event_type = event_type::periodic,
+                                         .lower_limit = nan,
+                                         .requested_periodic_rate = 1}) == event_response::invalid_event_setup);
+    wanted.upper_limit.reset();
+    wanted.state_limit = real(std::numeric_limits<double>::infinity());
+    p.create(wanted);
+    REQUIRE(in_use(p) == 1);
+}
+
+TEST_CASE("a rate that rounds to 0 is refused, and a low one is kept to") {
+    consumer c;
+    jaus::create_event wanted{
+        .message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 1e-10};
+    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == std::nullopt);
+    wanted.requested_periodic_rate = std::numeric_limits<double>::denorm_min();
+    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == std::nullopt);
+    wanted.requested_periodic_rate = 0.1;
+    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == 0);
+
+    // A report that changes often, and is sent once in 1000 seconds.
+    provider p;
+    p.reports[0].max_rate = 0.001;
+    REQUIRE(p.rejects(jaus::create_event{.message_code = velocity,
+                                         .event_type = event_type::every_change,
+                                         .requested_periodic_rate = 5}) == event_response::invalid_event_setup);
+    p.create({.message_code = velocity, .event_type = event_type::every_change});
+    REQUIRE(p.drive(1, 1s) == 1);
+    REQUIRE(p.drive(2, 2s) == 0);
+    REQUIRE(p.drive(3, 1001s) == 1);
 }
 
 TEST_CASE("over a network that loses a third of all messages events come about, come and end") {

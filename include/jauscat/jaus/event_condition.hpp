@@ -47,6 +47,17 @@ template <class A, class B> constexpr std::partial_ordering compare_numbers(A a,
 [[nodiscard]] constexpr bool is_number(const typed_value& limit) noexcept {
     return limit.data_type <= data_type::long_float;
 }
+/// Whether it is the floating-point value "not a number", which no value is above, below or equal to.
+[[nodiscard]] constexpr bool is_nan(const typed_value& limit) noexcept {
+    return std::visit(
+        [](const auto& value) {
+            if constexpr (std::is_floating_point_v<std::remove_cvref_t<decltype(value)>>)
+                return detail::is_nan(value);
+            else
+                return false;
+        },
+        limit.value);
+}
 
 /// Compares a field with a limit of any type by value, not by bits. A scaled field is compared with an integer as it is
 /// on the wire, and with a Float or Long Float as the real value that it stands for: the limit is first rounded to the

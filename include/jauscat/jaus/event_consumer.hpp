@@ -8,7 +8,12 @@
 
 namespace jauscat::jaus {
 
-/// Asks for events and matches what comes with what was asked for.
+/// Asks for events and matches what comes with what was asked for. A periodic event that is stale is asked for again
+/// without end, so it outlives a provider that starts anew or a link that was down. Of the others nobody knows when the
+/// next is due: see lose().
+///
+/// An event that nobody asked for is cancelled: it was asked for before the program was started anew. So a component
+/// has one of these.
 template <std::size_t Capacity> class event_consumer {
   public:
     /// `patience`: between requests that are not answered; `requests`: how many of those.
@@ -17,7 +22,7 @@ template <std::size_t Capacity> class event_consumer {
         : self_{self}, patience_{patience}, most_requests_{requests} {}
 
     /// Sends `wanted`, whose local request ID is replaced. Returns the event's place in requested(); none where all are
-    /// taken or the message cannot be made.
+    /// taken, a rate rounds to 0 or the message cannot be made.
     constexpr std::optional<std::size_t> create(const address& provider, create_event wanted,
                                                 std::chrono::nanoseconds now, message_sink out) noexcept {
         const auto place = std::ranges::find_if(requested_, [](const requested_event& e) {
@@ -76,6 +81,7 @@ template <std::size_t Capacity> class event_consumer {
             return decoded_by(confirm_event_request{}, [&](const confirm_event_request& m) {
                 answered(head.source, m.local_request_id, outcome, [&](requested_event& e) {
                     e.response = m.response_code;
+                    e.heard = e.heard && e.event_id == m.event_id && e.state != requested_state::stale;
                     e.event_id = m.event_id;
                     e.rate = m.confirmed_periodic_rate.value_or(0);
                     confirmed(e, outcome, now, out);
@@ -87,25 +93,29 @@ template <std::size_t Capacity> class event_consumer {
                     const bool gone = e.state == requested_state::cancelling;
                     outcome.what = gone ? event_news::cancelled : event_news::rejected;
                     e.response = m.response_code;
-                    e.state = e.confirmed ? requested_state::active : requested_state::rejected;
+                    e.confirmed = e.confirmed && e.state != requested_state::stale;
+                    e.state = requested_state::rejected;
+                    if (e.confirmed) activate(e, now); // an update
                     if (gone) e = {};
                 });
             });
-        case event::command_code: return decoded_by(event{}, [&](const event& m) { heard(head.source, m, outcome); });
+        case event::command_code:
+            return decoded_by(event{}, [&](const event& m) { heard(head.source, m, outcome, now, out); });
         default: return outcome;
         }
     }
 
-    /// Asks again.
+    /// Asks again, and notices silence.
     constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
         for (requested_event& e : requested_) {
-            if (!waits(e) || e.due > now) continue;
-            if (e.requests < most_requests_)
+            if (!has_due(e) || e.due > now) continue;
+            if (e.state == requested_state::active) e.state = requested_state::stale;
+            if (e.state == requested_state::stale || e.requests < most_requests_)
                 ask(e, now, out);
             else if (e.state == requested_state::asking)
                 e.state = requested_state::unanswered;
             else if (e.state == requested_state::updating)
-                e.state = requested_state::active;
+                activate(e, now);
             else
                 e = {};
         }
@@ -114,7 +124,7 @@ template <std::size_t Capacity> class event_consumer {
     [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
         std::optional<std::chrono::nanoseconds> next;
         for (const requested_event& e : requested_)
-            if (waits(e) && (!next || e.due < *next)) next = e.due;
+            if (has_due(e) && (!next || e.due < *next)) next = e.due;
         return next;
     }
 
@@ -139,7 +149,15 @@ template <std::size_t Capacity> class event_consumer {
   private:
     [[nodiscard]] static constexpr bool waits(const requested_event& e) noexcept {
         return e.state == requested_state::asking || e.state == requested_state::updating ||
-               e.state == requested_state::cancelling;
+               e.state == requested_state::cancelling || e.state == requested_state::stale;
+    }
+    [[nodiscard]] static constexpr bool has_due(const requested_event& e) noexcept {
+        return waits(e) || (e.state == requested_state::active && e.periodic && e.rate > 0);
+    }
+    constexpr void activate(requested_event& e, std::chrono::nanoseconds now) const noexcept {
+        constexpr int silent_periods = 3;
+        e.state = requested_state::active;
+        if (has_due(e)) e.due = later(now, silent_periods * period_of(e.rate));
     }
     // A confirmation that comes late makes an event at the provider all the same, which must be cancelled.
     [[nodiscard]] static constexpr bool may_be_answered(const requested_event& e) noexcept {
@@ -148,7 +166,13 @@ template <std::size_t Capacity> class event_consumer {
     constexpr bool keep(requested_event& e, create_event& wanted) noexcept {
         wanted.local_request_id = e.local_request_id = ++last_id_;
         e.one_time = wanted.event_type == event_type::one_time_on_demand;
+        e.periodic = wanted.event_type == event_type::periodic;
         e.requests = 0;
+        const auto rounds_to_0 = [](const std::optional<double>& rate) {
+            return rate && *rate != 0 && sayable_rate(*rate, update_rate::max) == 0;
+        };
+        if (rounds_to_0(wanted.requested_periodic_rate) || rounds_to_0(wanted.requested_minimum_periodic_rate))
+            return false;
         e.request.resize(max_create_event_size);
         const auto size = wire::encode(wanted, std::span{e.request.begin(), e.request.size()});
         return size && e.request.resize(size.size());
@@ -157,7 +181,7 @@ template <std::size_t Capacity> class event_consumer {
     constexpr void ask(requested_event& e, std::chrono::nanoseconds now, message_sink out) noexcept {
         create_event wanted{};
         static_cast<void>(wire::decode(wanted, std::span<const std::byte>{e.request.begin(), e.request.size()}));
-        if (!e.confirmed)
+        if (!e.confirmed || e.state == requested_state::stale)
             send(e, wanted, out);
         else if (e.state == requested_state::updating)
             send(e, as_update(wanted, e.event_id), out);
@@ -188,9 +212,9 @@ template <std::size_t Capacity> class event_consumer {
     constexpr void confirmed(requested_event& e, event_outcome& outcome, std::chrono::nanoseconds now,
                              message_sink out) noexcept {
         e.requests = 0;
-        if (e.state == requested_state::asking || e.state == requested_state::updating) {
+        if (e.state != requested_state::cancelling && e.state != requested_state::unanswered) {
             e.confirmed = true;
-            e.state = requested_state::active;
+            activate(e, now);
             outcome.what = event_news::confirmed;
         } else if (e.confirmed) {
             e = {};
@@ -203,36 +227,63 @@ template <std::size_t Capacity> class event_consumer {
             outcome.what = event_news::confirmed;
         }
     }
-    constexpr void heard(const address& source, const event& m, event_outcome& outcome) noexcept {
+    constexpr void heard(const address& source, const event& m, event_outcome& outcome, std::chrono::nanoseconds now,
+                         message_sink out) noexcept {
         outcome.message_code = m.message_code;
         outcome.report = m.report_message_body;
         const auto e = std::ranges::find_if(requested_, [&](const requested_event& r) {
-            return (r.state == requested_state::active || r.state == requested_state::updating) &&
+            return (r.state == requested_state::active || r.state == requested_state::updating ||
+                    r.state == requested_state::stale) &&
                    r.event_id == m.event_id && r.message_code == m.message_code && r.provider == source;
         });
         if (e == requested_.end()) {
             outcome.what = event_news::unknown;
+            cancel_unknown(source, m, now, out);
             return;
         }
         outcome.place = static_cast<std::size_t>(e - requested_.begin());
         const auto ahead = static_cast<std::uint8_t>(m.event_sequence_number - e->sequence_number);
-        if (e->heard && (ahead == 0 || ahead >= 128)) {
+        const bool is_newer = ahead != 0 && ahead < 128;
+        // 8 bits say nothing about a gap of 128 events and more. After a silence none is late.
+        const bool may_be_late = e->state != requested_state::stale && now - e->heard_at < patience_;
+        if (e->heard && !is_newer && may_be_late) {
             outcome.what = event_news::repeated;
             return;
         }
         outcome.what = event_news::event;
-        outcome.lost = e->heard ? ahead - 1u : 0;
+        outcome.lost = e->heard && is_newer ? ahead - 1u : 0;
         e->heard = true;
+        e->heard_at = now;
+        if (e->state != requested_state::updating) activate(*e, now);
         e->sequence_number = m.event_sequence_number;
         ++e->received;
         e->lost += outcome.lost;
         if (e->one_time) *e = {};
     }
 
+    // Not while an answer may tell of it, and not again until there was time for an answer.
+    constexpr void cancel_unknown(const address& source, const event& m, std::chrono::nanoseconds now,
+                                  message_sink out) noexcept {
+        const bool may_become_known = std::ranges::any_of(requested_, [&](const requested_event& e) {
+            return may_be_answered(e) && e.provider == source && e.message_code == m.message_code;
+        });
+        const bool is_cancelled = unwanted_.provider == source && unwanted_.message_code == m.message_code &&
+                                  unwanted_.event_id == m.event_id && now < unwanted_.due;
+        if (may_become_known || is_cancelled) return;
+        unwanted_ = {.provider = source,
+                     .message_code = m.message_code,
+                     .local_request_id = ++last_id_,
+                     .event_id = m.event_id,
+                     .due = later(now, patience_)};
+        send(unwanted_,
+             cancel_event{.local_request_id = last_id_, .message_code = m.message_code, .event_id = m.event_id}, out);
+    }
+
     address self_;
     std::chrono::nanoseconds patience_;
     unsigned most_requests_;
     std::array<requested_event, Capacity> requested_{};
+    requested_event unwanted_{}; ///< cancelled last, without having been asked for
     std::uint8_t last_id_{};
 };
 

@@ -18,9 +18,10 @@ struct event_record {
     address requester{};                     ///< who is sent the events
     std::uint16_t message_code{};            ///< of the report; 0: no event
     std::uint8_t event_id{};                 ///< 1 to 255
-    std::uint8_t local_request_id{};         ///< of the request that created it
+    std::uint8_t local_request_id{};         ///< of the last request for it
     std::uint8_t priority{};                 ///< of that request, and of the events
     std::uint8_t sequence_number{};          ///< of the next one
+    std::uint32_t order{};                   ///< the higher, the later it was asked for
     event_setup setup{};                     ///< what it was asked to be
     bool pending{};                          ///< to be sent as soon as the rate allows
     bool done{};                             ///< a first change that has been
@@ -39,8 +40,9 @@ constexpr void arm(event_record& e, const event_setup& setup, const eventful_rep
     e.done = e.inside = false;
     e.last.reset();
     e.due = now;
-    const double most = sayable_rate(setup.rate != 0 ? setup.rate : report.max_rate, update_rate::max);
-    e.gap = is_on_change(setup.event_type) && most != 0 ? period_of(most) : std::chrono::nanoseconds{};
+    const double most = setup.rate != 0 ? setup.rate : report.max_rate;
+    constexpr double lowest = 1e-9; // once in 31 years
+    e.gap = is_on_change(setup.event_type) && most > 0 ? period_of(std::max(most, lowest)) : std::chrono::nanoseconds{};
     if (setup.min_rate != 0) e.silent_until = now + period_of(setup.min_rate);
 }
 
@@ -89,6 +91,13 @@ constexpr void note_sent(event_record& e, bool sent, std::chrono::nanoseconds no
     e.pending = false;
     e.due = now + e.gap;
     if (e.setup.min_rate != 0) e.silent_until = now + period_of(e.setup.min_rate);
+}
+
+/// Whether the requester of both seems to have asked for `later` instead of `earlier`: it has started anew, and counts
+/// its requests from the same number. Then nobody cancels `earlier`.
+[[nodiscard]] constexpr bool supersedes(const event_record& later, const event_record& earlier) noexcept {
+    return later.message_code == earlier.message_code && later.requester == earlier.requester &&
+           later.local_request_id == earlier.local_request_id && later.order > earlier.order;
 }
 
 /// Whether a message that may name a report and an event means this one.

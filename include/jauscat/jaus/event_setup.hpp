@@ -77,6 +77,8 @@ template <class Request>
     std::ranges::copy(query, setup.query.begin());
 
     if (setup.event_type > event_type::one_time_on_demand) return reject(invalid_event_setup, "unknown event type");
+    for (const auto* const limit : {&setup.condition.lower, &setup.condition.upper, &setup.condition.state})
+        if (*limit && is_nan(**limit)) return reject(invalid_event_setup, "a limit is not a number");
     if (is_periodic(setup.event_type)) {
         if (!of->periodic) return reject(periodic_events_not_supported, "no periodic events of this message");
         setup.rate = sayable_rate(setup.rate, of->max_rate);
@@ -88,6 +90,8 @@ template <class Request>
     if (is_on_change(setup.event_type)) {
         setup.rate = sayable_rate(setup.rate, of->max_rate);
         setup.min_rate = sayable_rate(setup.min_rate, of->max_rate);
+        if (setup.rate == 0 && request.requested_periodic_rate.value_or(0) != 0)
+            return reject(invalid_event_setup, "the rate rounds to 0");
         const event_condition& condition = setup.condition;
         if (!condition.boundary && setup.event_type == event_type::first_change_in_and_out_of_boundary)
             return reject(invalid_event_setup, "the event type needs a boundary");

@@ -8,7 +8,8 @@
 namespace jauscat::jaus {
 
 /// Keeps events and sends them; what triggers which type says event_record.hpp. Only who created an event may update or
-/// cancel it. A request that comes twice is confirmed twice, and makes one event.
+/// cancel it. A request that comes twice is confirmed twice, and makes one event, which begins anew: its requester may
+/// have started anew. Where no place is free, an event that its requester has asked for anew since gives its place.
 ///
 ///     const auto fill = [&](std::uint16_t code, std::span<const std::byte> query, std::span<std::byte> body) { ... };
 ///     constexpr std::array reports{jaus::eventful_report{0x4404, &jaus::read_field<jaus::report_velocity_state>}};
@@ -135,17 +136,20 @@ template <std::size_t Capacity> class events {
                    e.local_request_id == m.local_request_id && e.setup == judged.setup;
         });
         if (same != events_.end()) {
-            confirm(head, m.local_request_id, *same, out);
+            same->order = ++last_order_;
+            confirm(head, m.local_request_id, set_up(*same, judged.setup, now), out);
+            start(*same, now, out);
             return message_outcome::taken;
         }
-        const auto place = std::ranges::find(events_, 0, &event_record::message_code);
-        if (place == events_.end())
+        event_record* const place = free_place();
+        if (place == nullptr)
             return reject(head, m.local_request_id, event_response::connection_refused, "too many events", out);
         *place = {.requester = head.source,
                   .message_code = m.message_code,
                   .event_id = free_id(),
                   .local_request_id = m.local_request_id,
-                  .priority = head.priority};
+                  .priority = head.priority,
+                  .order = ++last_order_};
         confirm(head, m.local_request_id, set_up(*place, judged.setup, now), out);
         start(*place, now, out);
         return message_outcome::taken;
@@ -164,6 +168,8 @@ template <std::size_t Capacity> class events {
         const judged_setup judged = judge_setup(m, report_of(m.message_code));
         if (judged.response != event_response::successful)
             return reject(head, m.local_request_id, judged.response, judged.error_message, out);
+        e->local_request_id = m.local_request_id;
+        e->order = ++last_order_;
         confirm(head, m.local_request_id, set_up(*e, judged.setup, now), out);
         start(*e, now, out);
         return message_outcome::taken;
@@ -192,6 +198,15 @@ template <std::size_t Capacity> class events {
         return fits ? message_outcome::taken : message_outcome::refused;
     }
 
+    // A free place, or else that of an event that nobody wants any more.
+    [[nodiscard]] constexpr event_record* free_place() noexcept {
+        auto found = std::ranges::find(events_, 0, &event_record::message_code);
+        if (found == events_.end())
+            found = std::ranges::find_if(events_, [&](const event_record& old) {
+                return std::ranges::any_of(events_, [&](const event_record& e) { return supersedes(e, old); });
+            });
+        return found == events_.end() ? nullptr : &*found;
+    }
     [[nodiscard]] constexpr std::uint8_t free_id() noexcept {
         do {
             last_id_ = static_cast<std::uint8_t>(last_id_ % 255 + 1);
@@ -242,6 +257,7 @@ template <std::size_t Capacity> class events {
     std::array<event_record, Capacity> events_{};
     std::uint64_t skipped_{};
     std::uint8_t last_id_{};
+    std::uint32_t last_order_{};
 };
 
 } // namespace jauscat::jaus

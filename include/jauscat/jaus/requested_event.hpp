@@ -11,6 +11,7 @@ enum class requested_state : std::uint8_t {
     free,       ///< no event
     asking,     ///< not answered yet; asked again at each patience
     active,     ///< confirmed
+    stale,      ///< periodic, and none came for three periods; asked for again at each patience
     updating,   ///< by update(), not answered yet; until then it goes on as it was, or as it will be
     rejected,   ///< by the provider, for the reason in `response`
     unanswered, ///< given up: no answer to as many requests as were to be made, or the provider has disappeared
@@ -22,21 +23,23 @@ inline constexpr std::size_t max_create_event_size = 42 + max_event_query;
 
 /// An event of a consumer.
 struct requested_event {
-    address provider{};              ///< who sends the events
-    requested_state state{};         ///< how far it has got
-    event_response response{};       ///< of the last answer
-    std::uint16_t message_code{};    ///< of the report
-    bool one_time{};                 ///< is over with the first event
-    bool confirmed{};                ///< the event ID is known
-    bool heard{};                    ///< `sequence_number` is that of an event
-    std::uint8_t local_request_id{}; ///< of the request that waits for an answer
-    std::uint8_t event_id{};         ///< as confirmed
-    std::uint8_t sequence_number{};  ///< of the last event
-    double rate{};                   ///< hertz, as confirmed; 0: none was
-    std::chrono::nanoseconds due{};  ///< when to ask again
-    unsigned requests{};             ///< that were not answered
-    std::uint64_t received{};        ///< events
-    std::uint64_t lost{};            ///< events missing between those, as far as 8 bits can count
+    address provider{};                  ///< who sends the events
+    requested_state state{};             ///< how far it has got
+    event_response response{};           ///< of the last answer
+    std::uint16_t message_code{};        ///< of the report
+    bool one_time{};                     ///< is over with the first event
+    bool periodic{};                     ///< comes at its rate, whatever the report says
+    bool confirmed{};                    ///< the event ID is known
+    bool heard{};                        ///< `sequence_number` is that of an event
+    std::uint8_t local_request_id{};     ///< of the request that waits for an answer
+    std::uint8_t event_id{};             ///< as confirmed
+    std::uint8_t sequence_number{};      ///< of the last event
+    double rate{};                       ///< hertz, as confirmed; 0: none was
+    std::chrono::nanoseconds due{};      ///< when to ask again, or notice the silence
+    std::chrono::nanoseconds heard_at{}; ///< when the last event came
+    unsigned requests{};                 ///< that were not answered
+    std::uint64_t received{};            ///< events
+    std::uint64_t lost{};                ///< events missing between those, as far as 8 bits can count
     wire::inline_list<std::byte, max_create_event_size>
         request{}; ///< the body of Create Event, or what Update Event has
 };

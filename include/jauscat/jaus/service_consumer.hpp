@@ -28,7 +28,7 @@ template <std::size_t Capacity> class service_consumer {
     constexpr std::optional<std::size_t> ask(const address& provider, std::uint16_t code, double rate,
                                              std::uint32_t presence_vector, std::chrono::nanoseconds now,
                                              message_sink out) noexcept {
-        if (!(rate > 0) || rate > update_rate::max) return std::nullopt;
+        if (sayable_rate(rate, update_rate::max) == 0 || rate > update_rate::max) return std::nullopt;
         consumed_connection* c = find(provider, code);
         if (c == nullptr) c = free_place();
         if (c == nullptr) return std::nullopt;
