@@ -126,6 +126,22 @@ TEST_CASE("a scan counts the slaves and takes away what an earlier master has le
     CHECK(stubborn.run(stubborn.master.scan()) == outcome{.error = master_errc::state_timeout, .detail = 2});
 }
 
+TEST_CASE("a station address that an earlier master has left at another slave is taken away from it") {
+    bench b{motors, lamps, {.product = 0x55, .station_alias = 1}};
+    write_register(b.at(1), command::apwr, 0, 0x0010, "0100");
+    REQUIRE(b.up(2, 3));
+    write_register(b.at(2), command::fpwr, 3, 0x0100, "00000001"); // its alias counts as an address
+    REQUIRE(b.up(0, 1));
+    CHECK(b.master.find(1)->identity.product == 0x11);
+    CHECK(b.at(0).station_address() == 1);
+    CHECK(b.at(1).station_address() == 0);
+    CHECK(b.at(2).station_address() == 3);
+    REQUIRE(b.run(b.master.check(1)));
+    REQUIRE(b.run(b.master.check(3)));
+    REQUIRE(b.up(1, 2));
+    CHECK(b.master.slaves().size() == 3);
+}
+
 TEST_CASE("a slave that is not the expected one is refused before it is configured") {
     bench b{motors};
     CHECK(b.run(b.master.bring_up(0, 1, {.vendor = 1, .product = 0x11, .serial = 7})));

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace jauscat::ethercat {
 
@@ -22,9 +23,10 @@ namespace jauscat::ethercat {
 class bring_up {
   public:
     bring_up() noexcept = default;
-    /// Of the slave at `position`, from 0, which gets the station address `station` if it is `expected`.
-    bring_up(std::uint16_t position, std::uint16_t station, const identity_check& expected) noexcept
-        : expected_{expected}, change_{state_change::to_init(station)} {
+    /// Of the slave at `position`, from 0, which gets the station address `station` if it is `expected`. Other slaves
+    /// lose that address if it `may_be_taken`.
+    bring_up(std::uint16_t position, std::uint16_t station, const identity_check& expected, bool may_be_taken) noexcept
+        : may_be_taken_{may_be_taken}, expected_{expected}, change_{state_change::to_init(station)} {
         slave_.position = position;
         slave_.station = station;
     }
@@ -40,11 +42,12 @@ class bring_up {
         };
         switch (step_) {
         case step::count: frame.add(command::brd, 0, esc_registers::type.address, std::size_t{1}); break;
-        case step::assign: {
-            const auto position = static_cast<std::uint16_t>(-slave_.position);
-            frame.add(command::apwr, position, esc_registers::station_address.address, esc_word{station});
+        case step::assign: assign(frame); break;
+        case step::clear: // an alias that equals the address, too; then this slave alone gets it
+            frame.add(command::fpwr, station, esc_registers::dl_control.address + alias_byte, std::size_t{1});
+            write(esc_registers::station_address, esc_word{});
+            assign(frame);
             break;
-        }
         case step::verify: frame.add(command::fprd, station, esc_registers::station_address.address, 2u); break;
         case step::take_sii: // by force, then without
             write(esc_registers::sii_owner, sii_owner{.force = true});
@@ -71,7 +74,12 @@ class bring_up {
         case step::to_pre_op: return finish(change_, change_.reply(datagrams, now, config));
         case step::verify:
             if (counter == 0) return fail(master_errc::wrong_station, slave_.station);
+            // An earlier master has left the address at another slave. Where it stays there, it is reported.
+            if (counter > 1 && std::exchange(may_be_taken_, false)) return go(step::clear);
             break;
+        case step::clear:
+            if (datagrams.back().working_counter != 1) return fail(master_errc::no_slave);
+            return go(step::verify);
         default: break;
         }
         if (result_ = executed_by_one(datagrams); !result_) return progress::done;
@@ -91,6 +99,7 @@ class bring_up {
     enum class step : std::uint8_t {
         count,
         assign,
+        clear, // several slaves have the address
         verify,
         to_init,
         take_sii,
@@ -101,6 +110,12 @@ class bring_up {
         to_pre_op,
     };
 
+    static constexpr std::uint16_t alias_byte = 3; // of DL control: whether the alias counts as an address
+
+    void assign(frame_builder& frame) const noexcept {
+        const auto position = static_cast<std::uint16_t>(-slave_.position);
+        frame.add(command::apwr, position, esc_registers::station_address.address, esc_word{slave_.station});
+    }
     progress go(step next) noexcept {
         step_ = next;
         return progress::send;
@@ -164,6 +179,7 @@ class bring_up {
     }
 
     step step_{};
+    bool may_be_taken_{};
     identity_check expected_{};
     sii_read sii_{};
     state_change change_{};

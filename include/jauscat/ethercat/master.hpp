@@ -52,12 +52,13 @@ class master {
                                 const identity_check& expected = {}) noexcept {
         if (!begin(job::bring_up)) return false;
         const auto* before = slaves_.find(station);
+        const bool is_ours = before != nullptr && before->position != position; // another slave is to have it
         if (before == nullptr) before = away_.find(station);
         before_ = before != nullptr ? *before : slave_record{};
         slaves_.remove(position, station);
         away_.remove(position, station);
         if (before_.station == station && !away_.full()) away_.add(before_);
-        bring_up_ = ethercat::bring_up{position, station, expected};
+        bring_up_ = ethercat::bring_up{position, station, expected, !is_ours};
         if (slaves_.full()) finish({.error = master_errc::too_many_slaves});
         return true;
     }
