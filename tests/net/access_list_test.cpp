@@ -10,8 +10,8 @@ using net::verdict;
 
 namespace {
 
-const auto config = test::parse(
-    "<thissystem>a</thissystem>" + test::system_a +
+const auto config = net_test::parse(
+    "<thissystem>a</thissystem>" + net_test::system_a +
     "<system name='b' jausip='2.0.0.0' ip='10.0.0.2' port='3794'><ip>10.0.1.2</ip><ip>fd00::2</ip></system>\n"
     "<system name='arm' jausip='2.7.0.0' ip='10.0.0.7' port='3794' sourceport='any'/>\n"
     "<system name='c' jausip='3.0.0.0' ip='10.0.0.2' port='4000'/>\n");
@@ -71,7 +71,7 @@ TEST_CASE("an open list takes all, and still does not take a stranger for a peer
 }
 
 TEST_CASE("a configuration that names no peer gives an open list") {
-    CHECK(access_list{test::parse("<thissystem>a</thissystem>" + test::system_a)}.is_open());
+    CHECK(access_list{net_test::parse("<thissystem>a</thissystem>" + net_test::system_a)}.is_open());
 }
 
 TEST_CASE("a list of 200 subsystems and 50 nodes agrees with the configuration's next hop") {

@@ -11,7 +11,7 @@
 
 using namespace jauscat;
 using namespace std::chrono_literals;
-using namespace test;
+using namespace net_test;
 using net::verdict;
 using std::chrono::nanoseconds;
 using byte_vector = std::vector<std::byte>;

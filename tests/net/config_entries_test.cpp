@@ -5,7 +5,7 @@
 #include <filesystem>
 
 using namespace jauscat;
-using namespace test;
+using namespace net_test;
 
 namespace {
 

@@ -8,7 +8,7 @@
 
 using namespace jauscat;
 using namespace jauscat::net;
-using namespace test;
+using namespace net_test;
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace test {
+namespace net_test {
 
 inline const std::string system_a =
     "<system><name>a</name><jausip>1.0.0.0</jausip><ip>127.0.0.1</ip><port>39777</port></system>\n";
@@ -32,4 +32,4 @@ inline std::string complaint_about(const std::string& this_line) {
     return complaint("<jausconfig thissystem='a'>\n" + system_a + this_line + "\n</jausconfig>\n");
 }
 
-} // namespace test
+} // namespace net_test

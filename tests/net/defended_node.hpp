@@ -10,7 +10,7 @@
 #include <array>
 #include <cstdint>
 
-namespace test {
+namespace net_test {
 
 /// This system, two peers and what they may send.
 inline const jauscat::net::jaus_config guarded_config = parse(
@@ -72,4 +72,4 @@ class defended_node {
     jauscat::jaus::reassembler large_{places_, packets_, large_memory_, std::chrono::seconds{5}};
 };
 
-} // namespace test
+} // namespace net_test

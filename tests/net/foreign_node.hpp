@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-namespace test {
+namespace net_test {
 
 /// subsystem, node, component, instance, as people say it.
 using jaus_id = std::array<unsigned, 4>;
@@ -119,4 +119,4 @@ class foreign_node {
     boost::asio::steady_timer timer_{context_};
 };
 
-} // namespace test
+} // namespace net_test

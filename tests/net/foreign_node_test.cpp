@@ -4,7 +4,7 @@
 #include "support/pcap.hpp"
 #include <jauscat/jaus/service_connections.hpp>
 
-using namespace test;
+using namespace net_test;
 
 namespace {
 

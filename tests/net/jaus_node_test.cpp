@@ -5,7 +5,7 @@
 
 #include <random>
 
-using namespace test;
+using namespace net_test;
 
 TEST_CASE("two nodes hear each other and identify themselves") {
     pair p;

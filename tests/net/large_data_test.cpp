@@ -5,7 +5,7 @@
 #include <list>
 #include <map>
 
-using namespace test;
+using namespace net_test;
 
 namespace {
 

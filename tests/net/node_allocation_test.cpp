@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace test;
+using namespace net_test;
 
 /// A node, and a socket that its configuration knows as system 1.
 struct asked_node {

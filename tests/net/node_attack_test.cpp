@@ -4,7 +4,7 @@
 #include "net/node_program.hpp"
 #include "support/random_message.hpp"
 
-using namespace test;
+using namespace net_test;
 
 namespace {
 

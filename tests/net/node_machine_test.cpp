@@ -3,7 +3,7 @@
 #include <jauscat/schema/jaus/environment_sensor.hpp>
 #include <jauscat/schema/jaus/event.hpp>
 
-using namespace test;
+using namespace net_test;
 using std::chrono::nanoseconds;
 
 namespace {

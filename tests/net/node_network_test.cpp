@@ -3,7 +3,7 @@
 #include "net/foreign_node.hpp"
 #include "net/node_program.hpp"
 
-using namespace test;
+using namespace net_test;
 
 namespace {
 

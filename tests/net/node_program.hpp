@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace test {
+namespace net_test {
 
 namespace jaus = jauscat::jaus;
 namespace net = jauscat::net;
@@ -37,7 +37,7 @@ inline std::string system(const std::string& name, const std::string& jausip, un
            inside + "</system>\n";
 }
 inline net::jaus_config config(const std::string& self, const std::string& systems) {
-    return test::parse("<thissystem>" + self + "</thissystem>\n" + systems);
+    return net_test::parse("<thissystem>" + self + "</thissystem>\n" + systems);
 }
 
 /// What a message of a node's components was.
@@ -133,4 +133,4 @@ inline bool has(const std::vector<jaus::address>& list, const jaus::address& who
     return std::ranges::find(list, who) != list.end();
 }
 
-} // namespace test
+} // namespace net_test

@@ -1,7 +1,7 @@
 // Lost peers of programs that no node manager tells about them, in simulated time.
 #include "net/simulated_program.hpp"
 
-using namespace test;
+using namespace net_test;
 
 namespace {
 

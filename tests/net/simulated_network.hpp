@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace test {
+namespace net_test {
 
 /// Carries datagrams between node machines by their endpoints.
 class simulated_network {
@@ -86,4 +86,4 @@ class simulated_network {
     std::multimap<time, datagram> travelling_{};
 };
 
-} // namespace test
+} // namespace net_test

@@ -5,7 +5,7 @@
 #include "net/simulated_network.hpp"
 #include <jauscat/jaus/service_connections.hpp>
 
-namespace test {
+namespace net_test {
 
 /// A node with one component, without sockets, and what it says.
 struct simulated_program {
@@ -73,4 +73,4 @@ struct simulated_program {
     net::node_machine node;
 };
 
-} // namespace test
+} // namespace net_test
