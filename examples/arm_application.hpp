@@ -8,10 +8,12 @@
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/jaus/requested_fields.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
+#include <jauscat/text/hex.hpp>
 #include <jauscat/text/jaus.hpp>
 #include <jauscat/translate/object_list.hpp>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace example {
@@ -215,16 +217,26 @@ template <class Table> class arm_application {
     static constexpr std::array objects{jauscat::translate::object_list<Table, component, robot_messages>::description,
                                         jauscat::translate::object_list<Table, 255, robot_messages>::description};
 
-    arm_application(std::uint8_t subsystem, arm& behind) : self_{.subsystem = subsystem}, arm_{behind} {}
+    /// `node` is the arm's JAUS node; without it, it is the station address that the master gives the slave.
+    arm_application(std::uint8_t subsystem, arm& behind, std::optional<std::uint8_t> node = {})
+        : self_{.subsystem = subsystem, .station = node.value_or(0)}, has_own_node_{node.has_value()}, arm_{behind} {}
 
-    /// The station address that the master gave the slave: the arm's JAUS node.
-    void set_station(std::uint16_t station) noexcept { self_.station = station; }
+    /// The station address that the master gave the slave.
+    void set_station(std::uint16_t station) noexcept {
+        if (!has_own_node_) self_.station = station;
+    }
 
     /// An SDO download: the object as a JAUS message.
     jauscat::ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex,
                                         std::span<const std::byte> data) noexcept {
         using jauscat::ethercat::abort_code;
         namespace translate = jauscat::translate;
+        if (self_.station == 0 || self_.station > highest_node) {
+            arm_.say("refused an object: the station address " + std::to_string(self_.station) + " (" +
+                     jauscat::text::hex_number(self_.station, 4) +
+                     ") is not a JAUS node, 1 to 254: give the node with --node");
+            return abort_code::parameter_incompatible;
+        }
         const auto size = delivery::message_of({self_.station, index, subindex, data}, self_, message_);
         if (!size) {
             arm_.say("refused an object: " + std::string{describe(size.error())});
@@ -266,8 +278,10 @@ template <class Table> class arm_application {
 
   private:
     using delivery = jauscat::ethercat::delivery<Table>;
+    static constexpr std::uint16_t highest_node = 254;
 
     jauscat::ethercat::slave_identity self_;
+    bool has_own_node_{};
     arm& arm_;
     std::array<std::byte, delivery::translator::max_message_size> message_{};
 };

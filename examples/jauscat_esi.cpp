@@ -2,6 +2,7 @@
 #include "arm_application.hpp"
 #include "support/arm_slave.hpp"
 #include "support/link_options.hpp"
+#include "support/mailbox_option.hpp"
 #include <jauscat/esi/check_esi.hpp>
 #include <jauscat/esi/make_device.hpp>
 #include <jauscat/esi/write_esi.hpp>
@@ -14,8 +15,9 @@ namespace esi = jauscat::esi;
 
 constexpr const char* help = R"(jauscat-esi: writes an ESI file (EtherCAT Slave Information), or checks one.
 
-The file describes the slave that robot_arm emulates: its mailbox, its features of CoE, its SII memory, and an object
-for its JAUS component with an entry for each message that it accepts. Configuration tools and emulators load it.
+The file describes the slave that robot_arm emulates: its mailbox, its process data, its features of CoE, its SII
+memory, and an object for its JAUS component with an entry for each message that it accepts. Configuration tools and
+emulators load it.
 
 Examples:
   jauscat-esi --output arm.xml                          the robot arm, under the seed table
@@ -27,7 +29,7 @@ Exit code: 0 done, and with --check everything is there; 1 a file cannot be read
 2 the command line is wrong.
 )";
 
-template <class Table> std::string esi_of(std::uint8_t component) {
+template <class Table> std::string esi_of(std::uint8_t component, std::uint16_t mailbox_size) {
     // The arm's own component is any other; the indices of components follow one another.
     auto objects = example::arm_application<Table>::objects;
     auto& own = objects.front();
@@ -35,8 +37,10 @@ template <class Table> std::string esi_of(std::uint8_t component) {
     own.component = component;
     const std::string name = "component " + std::to_string(component);
     own.name = name;
+    auto slave = example::arm_slave;
+    slave.mailbox_out_size = slave.mailbox_in_size = mailbox_size;
     return esi::write_esi(esi::make_device(
-        example::arm_slave,
+        slave,
         {.vendor_name = "JausCat", .group_type = "JausCat", .group_name = "JAUS components", .type = "robot_arm"},
         objects, true));
 }
@@ -60,9 +64,10 @@ int write(const boost::program_options::variables_map& values) {
     const auto component = values["component"].as<unsigned>();
     if (component < 1 || component > 254)
         throw example::usage_error{"--component must be a JAUS component ID, 1 to 254"};
+    const auto mailbox_size = example::mailbox_size_of(values);
     std::string text;
     example::with_table(values, [&]<class Table>() {
-        text = esi_of<Table>(static_cast<std::uint8_t>(component));
+        text = esi_of<Table>(static_cast<std::uint8_t>(component), mailbox_size);
         return int{example::success};
     });
     if (values.count("output") == 0) {
@@ -88,6 +93,7 @@ int main(int argc, char** argv) {
             ("output", po::value<std::string>(), "file to write, instead of standard output")
             ("check", po::value<std::string>(), "ESI file to check; nothing is written");
         // clang-format on
+        example::add_mailbox_option(options);
         example::add_table_options(options);
         const auto values = example::parse(argc, argv, options, help);
         return values.count("check") != 0 ? check(values["check"].as<std::string>()) : write(values);

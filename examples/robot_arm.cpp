@@ -4,7 +4,9 @@
 #include "arm_watch.hpp"
 #include "support/arm_slave.hpp"
 #include "support/link_options.hpp"
+#include "support/mailbox_option.hpp"
 #include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/ethercat/mapped_objects.hpp>
 #include <jauscat/ethercat/slave.hpp>
 #include <jauscat/ethercat/standard_objects.hpp>
 
@@ -17,11 +19,12 @@ namespace ethercat = jauscat::ethercat;
 
 constexpr const char* help = R"(robot_arm: an EtherCAT slave that obeys JAUS messages.
 
-It waits for an EtherCAT master (robot_controller, or any other), takes the station address that the master gives it as
-its JAUS node, and shows what it is told to do.
+It waits for an EtherCAT master (robot_controller, or any other) and shows what it is told to do. Its JAUS subsystem is
+that of its system in the configuration file. Its node is --node, or else the station address that the master gives it.
 
 Examples:
   robot_arm --this b                          EtherCAT in UDP on port 34980
+  robot_arm --this b --node 2                 for a master whose station addresses are above 254, such as 0x1001
   robot_arm --this b --link raw --interface eth0
 )";
 
@@ -50,6 +53,13 @@ void show(const jauscat::jaus::report_wrench_effort& efforts) {
     });
 }
 
+std::optional<std::uint8_t> node_of(const boost::program_options::variables_map& values) {
+    if (values.count("node") == 0) return {};
+    const auto node = values["node"].as<unsigned>();
+    if (node < 1 || node > 254) throw example::usage_error{"--node must be a JAUS node, 1 to 254"};
+    return static_cast<std::uint8_t>(node);
+}
+
 template <class Table> int serve(auto& link, const std::string& where, const auto& values) {
     const auto config = example::load_config(values);
     const auto subsystem = config.me().jausip.subsystem;
@@ -58,23 +68,21 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
     example::arm arm{[](const std::string& line) { std::cout << "arm: " << line << "\n"; },
                      [&] { show(arm_of_display->efforts()); }};
     arm_of_display = &arm;
-    example::arm_application<Table> application{subsystem, arm};
+    example::arm_application<Table> application{subsystem, arm, node_of(values)};
     ethercat::listed_objects objects{application.objects, application,
                                      values["strict"].template as<bool>() ? ethercat::size_rule::exact
                                                                           : ethercat::size_rule::up_to_largest};
     auto description = example::arm_slave;
-    description.mailbox_out_size = description.mailbox_in_size = values["mailbox-size"].template as<std::uint16_t>();
-    description.outputs = example::arm_process_data::outputs;
-    description.inputs = example::arm_process_data::inputs;
-    if (description.mailbox_in_size < ethercat::min_mailbox_size ||
-        description.mailbox_in_size > ethercat::max_mailbox_size)
-        throw example::usage_error{"--mailbox-size must be 24 to 1486"};
-    ethercat::standard_objects dictionary{description, objects};
+    description.mailbox_out_size = description.mailbox_in_size = example::mailbox_size_of(values);
+    ethercat::mapped_objects mapped{description, objects};
+    ethercat::standard_objects dictionary{description, mapped};
     std::array<std::byte, jauscat::translate::largest_subobject(example::arm_application<Table>::objects)> memory{};
-    ethercat::slave slave{
-        description,
-        dictionary,
-        {.transfer_memory = memory, .subindex_0_rule = values["subindex-0-rule"].template as<bool>()}};
+    ethercat::slave slave{description,
+                          dictionary,
+                          {.transfer_memory = memory,
+                           .subindex_0_rule = values["subindex-0-rule"].template as<bool>(),
+                           .empty_start = values["empty-start"].template as<bool>()}};
+    mapped.show(slave.outputs(), slave.inputs());
     example::arm_process_data process_data{arm};
     const std::chrono::milliseconds command_timeout{values["command-timeout"].template as<unsigned>()};
     example::arm_watch watch{arm, command_timeout};
@@ -130,11 +138,13 @@ int main(int argc, char** argv) {
         options.add_options()
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this arm belongs to, instead of the file's <thissystem>")
+            ("node", po::value<unsigned>(), "JAUS node of this arm, 1 to 254, instead of the station address")
             ("command-timeout", po::value<unsigned>()->default_value(450), "milliseconds without a message after which efforts that came by mailbox end; 0: never")
-            ("mailbox-size", po::value<std::uint16_t>()->default_value(example::arm_slave.mailbox_in_size), "bytes of each mailbox, 24 to 1486: larger objects go in segments")
+            ("empty-start", po::bool_switch(), "start uploads in segments without data, as some slaves do")
             ("strict", po::bool_switch(), "take and give objects at their exact size only, as some slaves do: needs --fixed-length")
             ("subindex-0-rule", po::bool_switch(), "abort writes to PDO mapping objects while their subindex 0 is not 0, as some slaves do: needs the controller's --clear-subindex-0 or another --index-base");
         // clang-format on
+        example::add_mailbox_option(options);
         example::add_link_options(options);
         const auto values = example::parse(argc, argv, options, help);
         return example::with_link(values, example::link_end::slave, [&](auto& link, const std::string& where) {

@@ -8,6 +8,7 @@
 #include <jauscat/ethercat/image_exchange.hpp>
 #include <jauscat/ethercat/listed_objects.hpp>
 #include <jauscat/ethercat/loopback_link.hpp>
+#include <jauscat/ethercat/mapped_objects.hpp>
 #include <jauscat/ethercat/master.hpp>
 #include <jauscat/ethercat/message_assembly.hpp>
 #include <jauscat/ethercat/object_creation.hpp>

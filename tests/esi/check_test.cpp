@@ -45,7 +45,7 @@ TEST_CASE("each required element or attribute that is taken away is named") {
     for (const auto& wanted : esi::requirements) {
         INFO(wanted.path);
         pugi::xml_document document;
-        REQUIRE(document.load_string(sample_esi().c_str()));
+        REQUIRE(document.load_string(test::sample_esi_with_pdos().c_str()));
         auto element = element_at(document, wanted.path);
         REQUIRE(element);
         if (const auto at = wanted.path.find("/@"); at != wanted.path.npos) {
@@ -66,7 +66,7 @@ TEST_CASE("each required text or number that is spoilt is named") {
         if (wanted.holds == esi::content::element) continue;
         INFO(wanted.path);
         pugi::xml_document document;
-        REQUIRE(document.load_string(sample_esi().c_str()));
+        REQUIRE(document.load_string(test::sample_esi_with_pdos().c_str()));
         auto element = element_at(document, wanted.path);
         const char* const spoilt = wanted.holds == esi::content::text ? "" : "0x1A";
         if (const auto at = wanted.path.find("/@"); at != wanted.path.npos) {

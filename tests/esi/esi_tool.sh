@@ -27,7 +27,18 @@ assert root.tag == "EtherCATInfo"
 device = root.find("Descriptions/Devices/Device")
 assert device.findtext("Name") == "JausCat robot arm"
 objects = {o.findtext("Index"): o for o in device.iter("Object")}
-assert list(objects) == ["#x1000", "#x1008", "#x1018", "#x1C00", "#x1B15", "#x1BF3"], list(objects)
+standard = ["#x1000", "#x1001", "#x1008", "#x1009", "#x100A", "#x1018", "#x1600", "#x1A00", "#x1C00", "#x1C12", "#x1C13", "#x1C32", "#x1C33"]
+assert list(objects) == standard + ["#x6000", "#x7000", "#x1B15", "#x1BF3"], list(objects)
+assert [(m.text, m.get("StartAddress"), m.get("DefaultSize")) for m in device.findall("Sm")] == [
+    ("MBoxOut", "#x1000", "128"), ("MBoxIn", "#x1600", "128"), ("Outputs", "#x1C00", "22"), ("Inputs", "#x2400", "22")]
+assert [f.text for f in device.findall("Fmmu")] == ["Outputs", "Inputs"]
+for pdo, index, manager, mapped in (("RxPdo", "#x1600", "2", "#x7000"), ("TxPdo", "#x1A00", "3", "#x6000")):
+    found = device.find(pdo)
+    assert (found.findtext("Index"), found.get("Sm")) == (index, manager)
+    entries = found.findall("Entry")
+    assert [e.findtext("Index") for e in entries] == [mapped] * 14
+    assert sum(int(e.findtext("BitLen")) for e in entries) == 22 * 8
+    assert (entries[2].findtext("Name"), entries[2].findtext("DataType")) == ("propulsive_linear_effort_x", "INT")
 types = {t.findtext("Name"): t for t in device.iter("DataType")}
 items = {i.findtext("SubIdx"): i for i in types["DT1B15"].findall("SubItem")}
 assert items["26"].findtext("Name") == "set_wrench_effort"
@@ -55,6 +66,9 @@ options() {
     says "<Index>#x69FE</Index>"
     expect 0 --table self-contained
     says "<Name>OCTET_STRING(32)</Name>"
+    expect 0 --mailbox-size 1486
+    says 'DefaultSize="1486" StartAddress="#x1000"'
+    expect 2 --mailbox-size 23
     expect 0 --fixed-length
     says "<Name>ExactSize</Name>"
 }

@@ -3,12 +3,14 @@
 #include "esi/sample.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
+#include <jauscat/esi/check_esi.hpp>
 #include <jauscat/esi/emulated_device.hpp>
 #include <jauscat/esi/read_esi.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/ethercat/listed_objects.hpp>
 #include <jauscat/ethercat/loopback_link.hpp>
+#include <jauscat/ethercat/mapped_objects.hpp>
 #include <jauscat/ethercat/master.hpp>
 #include <jauscat/ethercat/slave.hpp>
 #include <jauscat/net/run_master.hpp>
@@ -52,7 +54,8 @@ class machine {
             std::size_t transfer_size)
         : memory_(transfer_size),
           listed_{components, store_},
-          objects_{description, listed_},
+          mapped_{description, listed_},
+          objects_{description, mapped_},
           slave_{{slave{description, objects_, {.transfer_memory = memory_}}}} {
         REQUIRE(master_.bring_up(0, 0x1001));
         REQUIRE(net::run(link_, master_));
@@ -79,9 +82,9 @@ class machine {
     }
 
     /// What a master reads of the SII, 4 bytes at a time.
-    bytes read_sii() {
+    bytes read_sii(std::size_t size = sii_image{}.size()) {
         bytes image;
-        for (std::uint32_t word = 0; word != sii_image{}.size() / 2; word += 2) {
+        for (std::uint32_t word = 0; word != size / 2; word += 2) {
             bytes frame(max_frame_size);
             frame_builder builder{frame, 1};
             builder.add(command::bwr, 0, esc_registers::sii_owner.address, sii_owner{.force = true});
@@ -104,6 +107,7 @@ class machine {
     bytes memory_;
     store store_{};
     listed_objects listed_;
+    mapped_objects mapped_;
     standard_objects objects_;
     std::array<slave, 1> slave_;
     loopback_link link_{slave_};
@@ -180,6 +184,48 @@ TEST_CASE(
     compare_machines<translation::seed_table>(0, small);
 }
 
+TEST_CASE("a slave with process data is rebuilt from its file with its PDOs and the objects that they map") {
+    static constexpr std::array outputs{pdo_entry{0x7000, 1, 16, data_types::unsigned16, "left"},
+                                        pdo_entry{0x7000, 2, 1, data_types::boolean, "on"}, pdo_entry{.bits = 5},
+                                        pdo_entry{0x7000, 3, 2, data_types::bit1 + 1, "mode"},
+                                        pdo_entry{0x7010, 0, 8, data_types::unsigned8, "level"}};
+    static constexpr std::array inputs{pdo_entry{0x6000, 1, 32, data_types::integer32, "place"}};
+    auto slave = sample_slave;
+    slave.outputs = outputs;
+    for (const bool has_inputs : {true, false}) {
+        if (has_inputs)
+            slave.inputs = inputs;
+        else
+            slave.inputs = {};
+        slave.error_register = slave.synchronization = has_inputs;
+        slave.hardware_version = has_inputs ? "A" : "";
+        slave.software_version = "1.2";
+        const auto described = test::sample_device<>(slave);
+        const auto xml = esi::write_esi(described);
+        CHECK(esi::parse_esi(xml, "sample.xml") == described);
+        for (const auto& each : esi::check_esi_text(xml, "sample.xml")) {
+            INFO(each.what << ": " << each.problem);
+            CHECK(each.met());
+        }
+        const esi::emulated_device device{esi::parse_esi(xml, "sample.xml")};
+        machine original{slave, sample_components<translation::seed_table>, 28};
+        machine rebuilt{device.description(), device.components(), 28};
+        const auto size = make_sii_image(slave).size();
+        CHECK(original.read_sii(size) == rebuilt.read_sii(size));
+        std::size_t there = 0;
+        for (std::uint32_t index = 0x1000; index != 0x8000; ++index)
+            for (const auto subindex : std::to_array<std::uint8_t>({0, 1, 2, 3, 4, 6, 7})) {
+                const auto one = original.upload(static_cast<std::uint16_t>(index), subindex);
+                if (one != rebuilt.upload(static_cast<std::uint16_t>(index), subindex))
+                    FAIL(std::hex << index << ':' << int{subindex} << " answers differently");
+                there += one.result && subindex == 0 ? 1 : 0;
+            }
+        // 1000h, 1008h, 100Ah, 1018h, 1600h, 1C00h, 1C12h, 1C13h, 7000h, 7010h, two components; and 1001h, 1009h,
+        // 1A00h, 1C32h, 1C33h, 6000h.
+        CHECK(there == (has_inputs ? 18 : 12));
+    }
+}
+
 TEST_CASE("the rebuilt slave answers for its standard objects with what its SII says") {
     const esi::emulated_device device{esi::parse_esi(test::sample_esi(), "sample.xml")};
     machine rebuilt{device.description(), device.components(), device.transfer_size()};
@@ -236,11 +282,11 @@ TEST_CASE("what an emulated slave cannot be is refused by name") {
     CHECK(complaint([](esi::device& d) { d.profile = 402; }) ==
           "\"arm <1>\": <ProfileNo>: a device profile cannot be emulated");
     CHECK(complaint([](esi::device& d) { d.fmmus = {"Outputs"}; }) ==
-          "\"arm <1>\": <Fmmu>: process data cannot be emulated");
+          "\"arm <1>\": <Fmmu>: these FMMUs cannot be emulated");
     CHECK(complaint([](esi::device& d) { d.sync_managers.emplace_back(); }) ==
-          "\"arm <1>\": <Sm>: expected two, the mailbox; process data cannot be emulated");
+          "\"arm <1>\": <Sm>: expected two, the mailbox, or four, with outputs and inputs");
     CHECK(complaint([](esi::device& d) { d.sync_managers[0].control = 0x22; }) ==
-          "\"arm <1>\": <Sm>: SyncManagers that are not the mailbox alone cannot be emulated");
+          "\"arm <1>\": <Sm>: these SyncManagers cannot be emulated");
     CHECK(complaint([](esi::device& d) { d.coe.sdo_information = false; }) ==
           "\"arm <1>\": <CoE>: these features cannot be emulated");
     CHECK(complaint([](esi::device& d) { d.eeprom.byte_size = 2048; }) ==

@@ -35,6 +35,15 @@ template <class Table = translation::seed_table> std::string sample_esi() {
     return esi::write_esi(sample_device<Table>());
 }
 
+/// The same slave with process data.
+inline std::string sample_esi_with_pdos() {
+    static constexpr std::array entries{ethercat::pdo_entry{0x7000, 1, 8, ethercat::data_types::unsigned8, "level"},
+                                        ethercat::pdo_entry{.bits = 8}};
+    auto slave = sample_slave;
+    slave.outputs = slave.inputs = entries;
+    return esi::write_esi(sample_device(slave));
+}
+
 /// `text` with its first `from` replaced.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const auto at = text.find(from);

@@ -2,10 +2,13 @@
 #include "arm_application.hpp"
 #include "arm_process_data.hpp"
 #include "arm_watch.hpp"
+#include "support/arm_slave.hpp"
 #include "support/catch.hpp"
+#include "support/hex.hpp"
 #include "support/simulated_link.hpp"
 #include <jauscat/ethercat/image_exchange.hpp>
 #include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/ethercat/mapped_objects.hpp>
 #include <jauscat/ethercat/process_data.hpp>
 #include <jauscat/ethercat/standard_objects.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
@@ -25,12 +28,12 @@ constexpr std::uint16_t station = 2;
 struct robot {
     std::vector<std::string> said{};
     example::arm arm{[this](const std::string& line) { said.push_back(line); }, [] {}};
-    example::arm_application<table> application{2, arm};
+    std::uint16_t at; // its station address
+    example::arm_application<table> application;
     ethercat::listed_objects objects{application.objects, application};
-    ethercat::slave_description description{.outputs = example::arm_process_data::outputs,
-                                            .inputs = example::arm_process_data::inputs};
-    ethercat::standard_objects dictionary{description, objects};
-    ethercat::slave slave{description, dictionary};
+    ethercat::mapped_objects mapped{example::arm_slave, objects};
+    ethercat::standard_objects dictionary{example::arm_slave, mapped};
+    ethercat::slave slave{example::arm_slave, dictionary};
     example::arm_process_data process_data{arm};
     example::arm_watch watch;
     test::simulated_link link{[this](std::span<std::byte> frame) {
@@ -40,8 +43,11 @@ struct robot {
     }};
     ethercat::master master{};
 
-    explicit robot(std::chrono::milliseconds command_timeout = 500ms) : watch{arm, command_timeout} {
-        REQUIRE(run(master.bring_up(0, station)));
+    explicit robot(std::chrono::milliseconds command_timeout = 500ms, std::uint16_t address = station,
+                   std::optional<std::uint8_t> node = {})
+        : at{address}, application{2, arm, node}, watch{arm, command_timeout} {
+        mapped.show(slave.outputs(), slave.inputs());
+        REQUIRE(run(master.bring_up(0, at)));
     }
     void work() {
         slave.on_time(link.now);
@@ -66,7 +72,7 @@ struct robot {
         const auto used = delivery::translator::forth(std::span{bytes}.first(size.size()), packet);
         REQUIRE(used);
         const auto object = delivery::object_of(std::span{packet}.first(used.size()));
-        return run(master.download(station, object.index, object.subindex, object.data));
+        return run(master.download(at, object.index, object.subindex, object.data));
     }
     void drive() {
         REQUIRE(send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50.0}));
@@ -85,6 +91,12 @@ struct robot {
         REQUIRE(data.on_frame(bytes));
         work();
         link.now += 10ms;
+    }
+    /// What an upload brings, in hex; empty if it is aborted.
+    std::string object(std::uint16_t index, std::uint8_t subindex) {
+        std::vector<std::byte> value(64);
+        const auto result = run(master.upload(at, index, subindex, value));
+        return result ? test::to_hex(std::span{value}.first(result.size)) : std::string{};
     }
     bool says(const std::string& line) const { return std::ranges::find(said, line) != said.end(); }
 };
@@ -125,6 +137,52 @@ TEST_CASE("efforts by mailbox end when no message has come for the command timeo
     without.drive();
     without.wait(60s);
     CHECK(without.arm.moves());
+}
+
+TEST_CASE("an arm with a node of its own obeys under any station address, and without one says which it has") {
+    for (const std::uint16_t address : {std::uint16_t{1}, std::uint16_t{1001}, std::uint16_t{0x1001}}) {
+        robot r{500ms, address, station};
+        r.drive();
+        CHECK(r.arm.efforts().propulsive_linear_effort_x.value_or(0) > 49);
+    }
+    robot without{500ms, 0x1001};
+    CHECK(without.send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50.0}) ==
+          ethercat::outcome{.error = ethercat::master_errc::sdo_abort, .detail = 0x06040043});
+    CHECK_FALSE(without.arm.moves());
+    CHECK(without.says("refused an object: the station address 4097 (0x1001) is not a JAUS node, 1 to 254: give the "
+                       "node with --node"));
+}
+
+TEST_CASE("the arm's dictionary has the objects that its PDOs map, and those that tools look for") {
+    robot r;
+    CHECK(r.object(0x1001, 0) == "00");
+    CHECK(r.object(0x1009, 0) == "65 6d 75 6c 61 74 65 64");
+    CHECK(r.object(0x100A, 0) == "31");
+    for (const std::uint16_t synchronization : {std::uint16_t{0x1C32}, std::uint16_t{0x1C33}}) {
+        CHECK(r.object(synchronization, 0) == "06");
+        CHECK(r.object(synchronization, 1) == "00 00");
+        CHECK(r.object(synchronization, 4) == "01 00");
+        CHECK(r.object(synchronization, 5) == "00 00 00 00");
+    }
+    for (const std::uint16_t pdo : {std::uint16_t{0x1600}, std::uint16_t{0x1A00}}) {
+        REQUIRE(r.object(pdo, 0) == "0e");
+        for (std::uint8_t i = 1; i <= 14; ++i) {
+            const auto mapped = test::from_hex(r.object(pdo, i)); // bits, subindex, index
+            const auto index = std::to_integer<unsigned>(mapped[2]) | std::to_integer<unsigned>(mapped[3]) << 8U;
+            const auto value = r.object(static_cast<std::uint16_t>(index), std::to_integer<std::uint8_t>(mapped[1]));
+            INFO(std::hex << index << ':' << std::to_integer<unsigned>(mapped[1]) << " is " << value);
+            CHECK((value.size() + 1) / 3 == std::to_integer<unsigned>(mapped[0]) / 8);
+        }
+    }
+    CHECK(r.object(0x7000, 15).empty());
+
+    auto data = r.to_op();
+    const auto outputs = data.outputs(r.master.slaves()[0]);
+    std::ranges::copy(test::from_hex("0100 0100 ff3f"), outputs.begin());
+    for (int i = 0; i != 4; ++i) r.cycle(data);
+    CHECK(r.object(0x7000, 3) == "ff 3f");
+    CHECK(r.object(0x6000, 1) == "01 00");
+    CHECK(r.object(0x6000, 3) == "ff 3f");
 }
 
 TEST_CASE("in an emergency the arm aborts what moves, and obeys what brings it to rest") {

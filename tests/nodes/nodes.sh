@@ -385,12 +385,14 @@ large_data_set_is_delivered() {
     wait_for controller "not delivered: more bytes than an SDO carries"
 }
 small_mailbox() { # of 8 bytes of data in a first message and 15 in a segment
-    arm_options=(--mailbox-size 24)
+    arm_options=(--mailbox-size 24 --empty-start --node 2)
     start_robot
     the_command_arrives
     says controller "SDO segment request, mailbox length 18"
     expect 2 "$bin/robot_arm" --config "$config" --mailbox-size 23
     says out "--mailbox-size must be 24 to 1486"
+    expect 2 "$bin/robot_arm" --config "$config" --node 255
+    says out "--node must be a JAUS node, 1 to 254"
 }
 command_by_process_data() {
     master_options+=("${cyclic[@]}" --open)

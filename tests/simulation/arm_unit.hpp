@@ -74,8 +74,6 @@ class arm_unit {
     ethercat::slave_description description_ = [] {
         auto made = example::arm_slave;
         made.mailbox_out_size = made.mailbox_in_size = 128;
-        made.outputs = example::arm_process_data::outputs;
-        made.inputs = example::arm_process_data::inputs;
         return made;
     }();
     ethercat::listed_objects objects_{application::objects, *this, ethercat::size_rule::up_to_largest};

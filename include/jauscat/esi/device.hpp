@@ -75,6 +75,29 @@ struct sync_manager {
     friend bool operator==(const sync_manager&, const sync_manager&) = default;
 };
 
+/// An object, or a gap, in a PDO.
+struct pdo_entry {
+    std::uint16_t index{};   ///< of the mapped object; 0: a gap
+    std::uint8_t subindex{}; ///< of a gap: 0
+    std::uint8_t bits{};     ///< 1 to 255
+    std::string name{};      ///< for people
+    std::string type{};      ///< a base type of ETG.1020; of a gap: none
+
+    friend bool operator==(const pdo_entry&, const pdo_entry&) = default;
+};
+
+/// Process data that travel together.
+struct pdo {
+    std::uint16_t index{};            ///< of its mapping object
+    std::string name{};               ///< for people
+    std::uint8_t sync_manager{};      ///< that carries it from the start
+    bool fixed{};                     ///< its entries cannot be changed
+    bool mandatory{};                 ///< it is always assigned
+    std::vector<pdo_entry> entries{}; ///< in the order in which they travel
+
+    friend bool operator==(const pdo&, const pdo&) = default;
+};
+
 /// What of CoE the device can do.
 struct coe_features {
     bool sdo_information{};   ///< without it, tools take the dictionary from the ESI file
@@ -111,6 +134,8 @@ struct device {
     std::vector<object> objects{};             ///< the dictionary, in ascending order of indices
     std::vector<std::string> fmmus{};          ///< what each is for: Outputs, Inputs, MBoxState
     std::vector<sync_manager> sync_managers{}; ///< SyncManager 0 first
+    std::vector<pdo> rx_pdos{};                ///< master to slave
+    std::vector<pdo> tx_pdos{};                ///< slave to master
     coe_features coe{};                        ///< what of CoE it can do
     esi::eeprom eeprom{};                      ///< the memory behind its SII
 

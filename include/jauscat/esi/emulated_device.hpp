@@ -21,20 +21,21 @@
 
 namespace jauscat::esi {
 
-/// What a description says, in the form that `ethercat::slave`, `ethercat::standard_objects` and
-/// `ethercat::listed_objects` take. Must outlive them.
+/// What a description says, in the form that `ethercat::slave`, `ethercat::standard_objects`,
+/// `ethercat::mapped_objects` and `ethercat::listed_objects` take. Must outlive them.
 ///
 ///     esi::emulated_device device{esi::read_esi("arm.xml")};
 ///     ethercat::listed_objects listed{device.components(), application};
-///     ethercat::standard_objects objects{device.description(), listed};
+///     ethercat::mapped_objects mapped{device.description(), listed};
+///     ethercat::standard_objects objects{device.description(), mapped};
 ///     std::vector<std::byte> memory(device.transfer_size());
 ///     ethercat::slave slave{device.description(), objects, {.transfer_memory = memory}};
 ///
 /// An ESI does not say whether the slave controller gives 4 or 8 bytes in a read of the SII: the emulated one gives 4.
 class emulated_device {
   public:
-    /// Throws `esi_error` for a device that the emulated slave cannot be: one with process data, other objects, other
-    /// features of CoE.
+    /// Throws `esi_error` for a device that the emulated slave cannot be: one with other PDOs than one of each
+    /// direction, other objects, other features of CoE.
     explicit emulated_device(device what) : device_{std::move(what)} {
         read_description();
         for (const auto& each : device_.objects)
@@ -48,8 +49,10 @@ class emulated_device {
         };
         compare(emulated.physics == device_.physics, "<Device>: its ports (Physics)");
         compare(emulated.profile == device_.profile, "<ProfileNo>: a device profile");
-        compare(emulated.fmmus == device_.fmmus, "<Fmmu>: process data");
-        compare(emulated.sync_managers == device_.sync_managers, "<Sm>: SyncManagers that are not the mailbox alone");
+        compare(emulated.rx_pdos == device_.rx_pdos, "<RxPdo>: these outputs");
+        compare(emulated.tx_pdos == device_.tx_pdos, "<TxPdo>: these inputs");
+        compare(emulated.fmmus == device_.fmmus, "<Fmmu>: these FMMUs");
+        compare(emulated.sync_managers == device_.sync_managers, "<Sm>: these SyncManagers");
         compare(emulated.coe == device_.coe, "<CoE>: these features");
         compare(emulated.eeprom == device_.eeprom, "<Eeprom>: this memory");
         for (const auto& each : device_.objects)
@@ -75,7 +78,8 @@ class emulated_device {
     [[noreturn]] void fail(const std::string& what) const { throw esi_error{'"' + device_.name + "\": " + what, 0}; }
 
     void read_description() {
-        if (device_.sync_managers.size() != 2) fail("<Sm>: expected two, the mailbox; process data cannot be emulated");
+        if (const auto count = device_.sync_managers.size(); count != 2 && count != 4)
+            fail("<Sm>: expected two, the mailbox, or four, with outputs and inputs");
         if (device_.eeprom.config_data.size() != ethercat::sii_configuration_checked)
             fail("<ConfigData>: expected 14 bytes, words 0 to 6 of the SII");
         std::array<std::byte, wire::max_size<ethercat::sii_configuration>> words{};
@@ -93,6 +97,37 @@ class emulated_device {
                         .mailbox_in_offset = in.start,
                         .mailbox_in_size = in.default_size,
                         .name = device_.name};
+        read_entries(device_.rx_pdos, outputs_);
+        read_entries(device_.tx_pdos, inputs_);
+        description_.outputs = outputs_;
+        description_.inputs = inputs_;
+        using namespace ethercat::standard_indices;
+        description_.error_register = find_object(error_register) != nullptr;
+        description_.hardware_version = hardware_ = text_of(hardware_version);
+        description_.software_version = software_ = text_of(software_version);
+        description_.synchronization =
+            find_object(output_synchronization) != nullptr || find_object(input_synchronization) != nullptr;
+    }
+    static void read_entries(const std::vector<pdo>& pdos, std::vector<ethercat::pdo_entry>& into) {
+        for (const auto& each : pdos)
+            for (const auto& entry : each.entries)
+                into.push_back({.index = entry.index,
+                                .subindex = entry.subindex,
+                                .bits = entry.bits,
+                                .data_type = static_cast<std::uint8_t>(parse_data_type(entry.type)),
+                                .name = entry.name});
+    }
+    [[nodiscard]] const object* find_object(std::uint16_t index) const noexcept {
+        const auto found = std::ranges::find(device_.objects, index, &object::index);
+        return found == device_.objects.end() ? nullptr : &*found;
+    }
+    // The default of a string object; empty where it is not there.
+    [[nodiscard]] std::string text_of(std::uint16_t index) const {
+        std::string text;
+        if (const auto* const what = find_object(index); what != nullptr && !what->entries.empty())
+            for (const auto byte : what->entries.front().default_data)
+                text += static_cast<char>(std::to_integer<unsigned char>(byte));
+        return text;
     }
 
     void add_component(const object& what, const std::string& id) {
@@ -128,6 +163,8 @@ class emulated_device {
     }
 
     device device_;
+    std::vector<ethercat::pdo_entry> outputs_{}, inputs_{};
+    std::string hardware_{}, software_{};
     ethercat::slave_description description_{};
     std::deque<std::vector<translate::sub_object>> entries_{}; // components_ refers to them
     std::vector<translate::object_description> components_{};

@@ -4,6 +4,7 @@
 
 #include <jauscat/esi/device.hpp>
 #include <jauscat/esi/text_values.hpp>
+#include <jauscat/ethercat/mapped_objects.hpp>
 #include <jauscat/ethercat/sii_image.hpp>
 #include <jauscat/ethercat/standard_objects.hpp>
 #include <jauscat/translate/object_list.hpp>
@@ -47,30 +48,38 @@ struct no_objects {
 
 /// The name that an ESI gives a data type of a standard object.
 inline std::string type_name(const ethercat::entry_info& entry) {
-    switch (entry.data_type) {
-    case ethercat::data_types::unsigned8: return "USINT";
-    case ethercat::data_types::unsigned16: return "UINT";
-    case ethercat::data_types::unsigned32: return "UDINT";
-    default: return string_type(entry.bits / 8u);
-    }
+    const auto name = data_type_name(entry.data_type);
+    return name.empty() ? string_type(entry.bits / 8u) : std::string{name};
 }
 
-/// The standard objects as a slave of that description answers with them.
+inline bool is_mandatory(std::uint16_t index) {
+    using namespace ethercat::standard_indices;
+    return index == device_type || index == identity || index == sync_manager_types || index == output_assignment ||
+           index == input_assignment || index == ethercat::pdo_indices::outputs ||
+           index == ethercat::pdo_indices::inputs;
+}
+
+/// The standard objects, and those that PDOs map, as a slave of that description answers with them.
 inline std::vector<object> describe_standard_objects(const ethercat::slave_description& slave) {
     no_objects none{};
-    ethercat::standard_objects source{slave, none};
+    ethercat::mapped_objects mapped{slave, none};
+    ethercat::standard_objects source{slave, mapped};
     std::vector<object> made;
     for (auto index = source.next_index(0); index != 0; index = source.next_index(index)) {
-        const auto info = *source.describe(index);
+        auto info = *source.describe(index);
+        // A file has no type for the elements of an array that has none.
+        if (info.code == ethercat::object_code::array && info.highest_subindex == 0)
+            info.code = ethercat::object_code::record;
         made.push_back({.index = index,
                         .name = std::string{info.name},
                         .code = static_cast<object_code>(info.code),
-                        .mandatory = index != ethercat::standard_indices::device_name});
+                        .mandatory = is_mandatory(index)});
         for (unsigned i = 0; i <= info.highest_subindex; ++i) {
             const auto subindex = static_cast<std::uint8_t>(i);
             const auto entry = *source.describe(index, subindex);
-            std::vector<std::byte> value(entry.bits / 8u);
+            std::vector<std::byte> value((entry.bits + 7u) / 8u);
             static_cast<void>(source.read(index, subindex, value));
+            if (entry.access.rx_pdo || entry.access.tx_pdo) value.clear(); // process data have no default
             made.back().entries.push_back({.subindex = subindex,
                                            .name = std::string{entry.name},
                                            .type = type_name(entry),
@@ -80,6 +89,25 @@ inline std::vector<object> describe_standard_objects(const ethercat::slave_descr
         }
     }
     return made;
+}
+
+/// The one PDO of a direction; none without entries.
+inline std::vector<pdo> describe_pdo(std::uint16_t index, const char* name, std::size_t manager,
+                                     std::span<const ethercat::pdo_entry> all) {
+    const auto entries = ethercat::pdo_contents(all);
+    if (entries.empty()) return {};
+    pdo made{.index = index,
+             .name = name,
+             .sync_manager = static_cast<std::uint8_t>(manager),
+             .fixed = true,
+             .mandatory = true};
+    for (const auto& each : entries)
+        made.entries.push_back({.index = each.index,
+                                .subindex = each.subindex,
+                                .bits = each.bits,
+                                .name = std::string{each.name},
+                                .type = std::string{each.index == 0 ? "" : data_type_name(each.data_type)}});
+    return {made};
 }
 
 inline object describe_component(const translate::object_description& component) {
@@ -102,6 +130,27 @@ inline object describe_component(const translate::object_description& component)
             {std::string{property_names::command_code}, hex_number(each.command_code, 4)});
     }
     return made;
+}
+
+/// SyncManagers 2 and 3, FMMUs and PDOs.
+inline void describe_process_data(device& made, const ethercat::slave_description& slave) {
+    const auto add = [&](ethercat::sii_sync_manager_use use, std::uint16_t start, std::size_t size,
+                         std::uint8_t control, const char* fmmu) {
+        made.sync_managers.push_back({.use = use,
+                                      .start = start,
+                                      .default_size = static_cast<std::uint16_t>(size),
+                                      .control = control,
+                                      .enabled = size != 0});
+        if (size != 0) made.fmmus.emplace_back(fmmu);
+    };
+    add(ethercat::sii_sync_manager_use::outputs, ethercat::process_memory::outputs, slave.output_size(),
+        ethercat::manager_controls::outputs, "Outputs");
+    add(ethercat::sii_sync_manager_use::inputs, ethercat::process_memory::inputs, slave.input_size(),
+        ethercat::manager_controls::inputs, "Inputs");
+    made.rx_pdos =
+        describe_pdo(ethercat::pdo_indices::outputs, "Outputs", ethercat::manager_numbers::outputs, slave.outputs);
+    made.tx_pdos =
+        describe_pdo(ethercat::pdo_indices::inputs, "Inputs", ethercat::manager_numbers::inputs, slave.inputs);
 }
 
 } // namespace detail
@@ -133,6 +182,7 @@ inline device make_device(const ethercat::slave_description& slave, const device
                            .default_size = slave.mailbox_in_size,
                            .control = ethercat::manager_controls::mailbox_in,
                            .enabled = true}};
+    if (slave.has_process_data()) detail::describe_process_data(made, slave);
     made.coe = {.sdo_information = true, .complete_access = true, .segmented_sdo = segmented_sdo};
     made.eeprom.byte_size = static_cast<std::uint32_t>(image.size());
     made.eeprom.config_data.assign(image.begin(), image.begin() + ethercat::sii_configuration_checked);

@@ -60,6 +60,8 @@ class esi_reader : xml_source {
                 fail(each, "expected at most " + std::to_string(max_sync_managers) + " <Sm>: a slave has no more");
             made.sync_managers.push_back(read_sync_manager(each));
         }
+        for (const auto each : node.children("RxPdo")) made.rx_pdos.push_back(read_pdo(each));
+        for (const auto each : node.children("TxPdo")) made.tx_pdos.push_back(read_pdo(each));
         made.coe = read_coe(child(child(node, "Mailbox"), "CoE"));
         made.eeprom = read_eeprom(child(node, "Eeprom"));
         return made;
@@ -67,6 +69,7 @@ class esi_reader : xml_source {
 
   private:
     static constexpr std::size_t max_sync_managers = 16; // registers 0800h to 087Fh
+    static constexpr std::size_t max_pdo_entries = 255;  // subindices of its mapping object
 
     sync_manager read_sync_manager(pugi::xml_node node) const {
         const auto use = parse_sync_manager_use(node.text().get());
@@ -81,6 +84,28 @@ class esi_reader : xml_source {
                 .max_size = size("MaxSize"),
                 .control = static_cast<std::uint8_t>(number(node, "ControlByte", 0xFF)),
                 .enabled = (number(node, "Enable", 0xFF) & 1) != 0};
+    }
+
+    pdo read_pdo(pugi::xml_node node) const {
+        const auto is_set = [&](const char* name) { return node.attribute(name) && boolean(node, name); };
+        pdo made{.index = static_cast<std::uint16_t>(number(child(node, "Index"), 0xFFFF)),
+                 .name = text(child(node, "Name")),
+                 .sync_manager = static_cast<std::uint8_t>(number(node, "Sm", max_sync_managers - 1)),
+                 .fixed = is_set("Fixed"),
+                 .mandatory = is_set("Mandatory")};
+        for (const auto each : node.children("Entry")) {
+            if (made.entries.size() == max_pdo_entries)
+                fail(each, "expected at most " + std::to_string(max_pdo_entries) + " <Entry>: a PDO has no more");
+            pdo_entry entry{.index = static_cast<std::uint16_t>(number(child(each, "Index"), 0xFFFF)),
+                            .bits = static_cast<std::uint8_t>(number(child(each, "BitLen"), 0xFF))};
+            if (entry.index != 0) {
+                entry.subindex = static_cast<std::uint8_t>(number(child(each, "SubIndex"), 0xFF));
+                entry.name = text(child(each, "Name"));
+                entry.type = text(child(each, "DataType"));
+            }
+            made.entries.push_back(std::move(entry));
+        }
+        return made;
     }
 
     coe_features read_coe(pugi::xml_node node) const {

@@ -1,6 +1,7 @@
 // How an ESI file writes numbers, bytes, names of data types and uses of SyncManagers.
 #pragma once
 
+#include <jauscat/schema/ethercat/data_types.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
 
 #include <array>
@@ -65,20 +66,45 @@ inline std::optional<std::vector<std::byte>> parse_bytes(std::string_view text) 
 }
 
 /// Base types of ETG.1020 that have one size, in bits.
-inline constexpr std::array<std::pair<std::string_view, std::uint32_t>, 14> sized_types{{{"BOOL", 1},
-                                                                                         {"BYTE", 8},
-                                                                                         {"SINT", 8},
-                                                                                         {"USINT", 8},
-                                                                                         {"INT", 16},
-                                                                                         {"UINT", 16},
-                                                                                         {"WORD", 16},
-                                                                                         {"DINT", 32},
-                                                                                         {"UDINT", 32},
-                                                                                         {"DWORD", 32},
-                                                                                         {"REAL", 32},
-                                                                                         {"LINT", 64},
-                                                                                         {"ULINT", 64},
-                                                                                         {"LREAL", 64}}};
+inline constexpr std::array<std::pair<std::string_view, std::uint32_t>, 22> sized_types{
+    {{"BOOL", 1},   {"BIT1", 1},   {"BIT2", 2},  {"BIT3", 3},  {"BIT4", 4},   {"BIT5", 5},  {"BIT6", 6},  {"BIT7", 7},
+     {"BIT8", 8},   {"BYTE", 8},   {"SINT", 8},  {"USINT", 8}, {"INT", 16},   {"UINT", 16}, {"WORD", 16}, {"DINT", 32},
+     {"UDINT", 32}, {"DWORD", 32}, {"REAL", 32}, {"LINT", 64}, {"ULINT", 64}, {"LREAL", 64}}};
+
+/// The names of ETG.1000.6's data types that PDO entries have.
+inline constexpr std::array<std::pair<std::uint16_t, std::string_view>, 19> data_type_names{
+    {{ethercat::data_types::boolean, "BOOL"},
+     {ethercat::data_types::integer8, "SINT"},
+     {ethercat::data_types::integer16, "INT"},
+     {ethercat::data_types::integer32, "DINT"},
+     {ethercat::data_types::integer64, "LINT"},
+     {ethercat::data_types::unsigned8, "USINT"},
+     {ethercat::data_types::unsigned16, "UINT"},
+     {ethercat::data_types::unsigned32, "UDINT"},
+     {ethercat::data_types::unsigned64, "ULINT"},
+     {ethercat::data_types::real32, "REAL"},
+     {ethercat::data_types::real64, "LREAL"},
+     {ethercat::data_types::bit1, "BIT1"},
+     {ethercat::data_types::bit1 + 1, "BIT2"},
+     {ethercat::data_types::bit1 + 2, "BIT3"},
+     {ethercat::data_types::bit1 + 3, "BIT4"},
+     {ethercat::data_types::bit1 + 4, "BIT5"},
+     {ethercat::data_types::bit1 + 5, "BIT6"},
+     {ethercat::data_types::bit1 + 6, "BIT7"},
+     {ethercat::data_types::bit1 + 7, "BIT8"}}};
+
+/// The name of a data type; empty where it has none here.
+inline std::string_view data_type_name(std::uint16_t type) {
+    for (const auto& [number, name] : data_type_names)
+        if (number == type) return name;
+    return {};
+}
+/// The data type of that name; 0 where there is none.
+inline std::uint16_t parse_data_type(std::string_view text) {
+    for (const auto& [number, name] : data_type_names)
+        if (name == text) return number;
+    return 0;
+}
 
 /// The base type of so many bytes.
 inline std::string octet_string_type(std::size_t bytes) { return "OCTET_STRING(" + std::to_string(bytes) + ')'; }

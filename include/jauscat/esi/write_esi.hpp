@@ -71,6 +71,8 @@ class esi_writer {
         for (const auto& what : device_.objects) put_object(types, objects, what);
         for (const auto& use : device_.fmmus) add(node, "Fmmu", use);
         for (const auto& manager : device_.sync_managers) put_sync_manager(node, manager);
+        for (const auto& each : device_.rx_pdos) put_pdo(add(node, "RxPdo"), each);
+        for (const auto& each : device_.tx_pdos) put_pdo(add(node, "TxPdo"), each);
         put_mailbox(add(node, "Mailbox"));
         const auto memory = add(node, "Eeprom");
         add(memory, "ByteSize", number(device_.eeprom.byte_size));
@@ -88,6 +90,23 @@ class esi_writer {
         set(node, "StartAddress", hex_number(manager.start, 4));
         set(node, "ControlByte", hex_number(manager.control, 2));
         set(node, "Enable", manager.enabled ? "1" : "0");
+    }
+
+    static void put_pdo(pugi::xml_node node, const pdo& what) {
+        set(node, "Sm", number(what.sync_manager));
+        if (what.fixed) set(node, "Fixed", "1");
+        if (what.mandatory) set(node, "Mandatory", "1");
+        add(node, "Index", hex_number(what.index, 4));
+        add_name(node, what.name);
+        for (const auto& each : what.entries) {
+            const auto entry = add(node, "Entry");
+            add(entry, "Index", hex_number(each.index, each.index == 0 ? 1 : 4));
+            if (each.index != 0) add(entry, "SubIndex", number(each.subindex));
+            add(entry, "BitLen", number(each.bits));
+            if (each.index == 0) continue;
+            add_name(entry, each.name);
+            add(entry, "DataType", each.type);
+        }
     }
 
     void put_mailbox(pugi::xml_node node) const {

@@ -22,15 +22,21 @@ namespace jauscat::ethercat {
 /// Indices of the standard objects.
 namespace standard_indices {
 inline constexpr std::uint16_t device_type = 0x1000;
+inline constexpr std::uint16_t error_register = 0x1001;
 inline constexpr std::uint16_t device_name = 0x1008;
+inline constexpr std::uint16_t hardware_version = 0x1009;
+inline constexpr std::uint16_t software_version = 0x100A;
 inline constexpr std::uint16_t identity = 0x1018;
 inline constexpr std::uint16_t sync_manager_types = 0x1C00;
 inline constexpr std::uint16_t output_assignment = 0x1C12;
 inline constexpr std::uint16_t input_assignment = 0x1C13;
+inline constexpr std::uint16_t output_synchronization = 0x1C32;
+inline constexpr std::uint16_t input_synchronization = 0x1C33;
 } // namespace standard_indices
 
 /// The standard objects of an emulated slave, all read only, in front of the objects of its application: with process
-/// data also their mapping (1600h, 1A00h) and assignment (1C12h, 1C13h). Models object_source.
+/// data also their mapping (1600h, 1A00h) and assignment (1C12h, 1C13h). The description says which others there are.
+/// Models object_source.
 class standard_objects {
   public:
     /// What `description` and `application` refer to must outlive this.
@@ -86,7 +92,8 @@ class standard_objects {
         if (error != abort_code::none) return {};
         const bool variable = kind->code == object_code::variable;
         if (!variable && subindex == 0) return highest_subindex_info;
-        return entry_info{.data_type = kind->entry_type,
+        const bool is_word = kind->object_type == data_types::synchronization && found.size == 2;
+        return entry_info{.data_type = is_word ? data_types::unsigned16 : kind->entry_type,
                           .bits = static_cast<std::uint16_t>(found.size * 8),
                           .access = readable_always,
                           .name = variable ? kind->name : entry_name(index, subindex - 1u)};
@@ -104,8 +111,14 @@ class standard_objects {
     static constexpr std::array kinds{
         constant_part{standard_indices::device_type, object_code::variable, data_types::unsigned32,
                       data_types::unsigned32, "Device type"},
+        constant_part{standard_indices::error_register, object_code::variable, data_types::unsigned8,
+                      data_types::unsigned8, "Error register"},
         constant_part{standard_indices::device_name, object_code::variable, data_types::visible_string,
                       data_types::visible_string, "Device name"},
+        constant_part{standard_indices::hardware_version, object_code::variable, data_types::visible_string,
+                      data_types::visible_string, "Hardware version"},
+        constant_part{standard_indices::software_version, object_code::variable, data_types::visible_string,
+                      data_types::visible_string, "Software version"},
         constant_part{standard_indices::identity, object_code::record, data_types::identity, data_types::unsigned32,
                       "Identity"},
         constant_part{pdo_indices::outputs, object_code::record, data_types::pdo_mapping, data_types::unsigned32,
@@ -118,20 +131,32 @@ class standard_objects {
                       data_types::unsigned16, "Output assignment"},
         constant_part{standard_indices::input_assignment, object_code::array, data_types::unsigned16,
                       data_types::unsigned16, "Input assignment"},
+        constant_part{standard_indices::output_synchronization, object_code::record, data_types::synchronization,
+                      data_types::unsigned32, "Output synchronization"},
+        constant_part{standard_indices::input_synchronization, object_code::record, data_types::synchronization,
+                      data_types::unsigned32, "Input synchronization"},
     };
     static constexpr const constant_part* kind_of(std::uint16_t index) noexcept {
         const auto found = std::ranges::find(kinds, index, &constant_part::index);
         return found != kinds.end() ? &*found : nullptr;
     }
+    static constexpr std::string_view name_of(const pdo_entry& each) noexcept {
+        return each.index == 0 ? "Gap" : each.name;
+    }
     [[nodiscard]] std::string_view entry_name(std::uint16_t index, std::size_t entry) const noexcept {
         constexpr std::array<std::string_view, 4> identity{"Vendor ID", "Product code", "Revision", "Serial number"};
         constexpr std::array<std::string_view, 4> managers{"SyncManager 0", "SyncManager 1", "SyncManager 2",
                                                            "SyncManager 3"};
+        constexpr std::array<std::string_view, 6> synchronization{
+            "Synchronization type", "Cycle time",        "Shift time", "Synchronization types supported",
+            "Minimum cycle time",   "Calc and copy time"};
         switch (index) {
+        case standard_indices::output_synchronization:
+        case standard_indices::input_synchronization: return synchronization[entry];
         case standard_indices::identity: return identity[entry];
         case standard_indices::sync_manager_types: return managers[entry];
-        case pdo_indices::outputs: return description_.outputs[entry].name;
-        case pdo_indices::inputs: return description_.inputs[entry].name;
+        case pdo_indices::outputs: return name_of(description_.outputs[entry]);
+        case pdo_indices::inputs: return name_of(description_.inputs[entry]);
         default: return "PDO";
         }
     }
@@ -145,6 +170,8 @@ class standard_objects {
             size += wire::encode(message, std::span{bytes}.subspan(size)).size();
         }
     };
+
+    static constexpr std::byte free_run_supported{0x01};
 
     // Error no_object: it is none of the standard ones.
     [[nodiscard]] abort_code find(std::uint16_t index, std::uint8_t subindex, value& out) const noexcept {
@@ -170,7 +197,29 @@ class standard_objects {
             if (!process_data) return abort_code::no_object;
             return entries(all.empty() ? 0 : 1, [&](std::size_t) { out.put_message(esc_word{pdo}); });
         };
+        const auto text = [&](std::string_view characters) {
+            if (characters.empty()) return abort_code::no_object;
+            if (subindex != 0) return abort_code::no_subindex;
+            for (const char c : characters.substr(0, out.bytes.size())) out.put(static_cast<unsigned char>(c));
+            return abort_code::none;
+        };
+        const auto synchronization = [&](std::span<const pdo_entry> all) {
+            if (!description_.synchronization || all.empty()) return abort_code::no_object;
+            return entries(6, [&](std::size_t i) {
+                out.size = i == 0 || i == 3 ? 2 : 4;                // type and types supported: words
+                if (i == 3) out.bytes.front() = free_run_supported; // all others 0: free run, and no times
+            });
+        };
         switch (index) {
+        case standard_indices::error_register:
+            if (!description_.error_register) return abort_code::no_object;
+            if (subindex != 0) return abort_code::no_subindex;
+            out.put(0);
+            return abort_code::none;
+        case standard_indices::hardware_version: return text(description_.hardware_version);
+        case standard_indices::software_version: return text(description_.software_version);
+        case standard_indices::output_synchronization: return synchronization(description_.outputs);
+        case standard_indices::input_synchronization: return synchronization(description_.inputs);
         case standard_indices::device_type: // 4 bytes of 0: no device profile
             if (subindex != 0) return abort_code::no_subindex;
             out.size = 4;
