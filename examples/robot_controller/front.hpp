@@ -111,6 +111,14 @@ class front {
         jauscat::jaus::message_outcome operator()(const jauscat::jaus::header&, std::span<const std::byte>) const {
             return jauscat::jaus::message_outcome::not_mine;
         }
+        /// The slave has objects for these, and may have more.
+        static void list_messages(auto&& takes, auto&& sends) {
+            [&]<class... M>(jauscat::jaus::message_list<M...>) {
+                (M::command_code < 0x4000 ? takes({M::command_code, jauscat::jaus::presence_bits_of<M>})
+                                          : sends({M::command_code, jauscat::jaus::presence_bits_of<M>}),
+                 ...);
+            }(robot_messages{});
+        }
     };
 
     jauscat::jaus::component_options component_options(std::uint8_t authority) const {

@@ -130,8 +130,18 @@ TEST_CASE("a foreign communicator finds an open node, which is in no configurati
     body = ask({.code = 0x2B00, .source = communicator, .destination = {2, 1, 34, 1}, .body = {4}}, 0x4B00);
     REQUIRE(text_of(body, 4) == "component 34");
     body = ask({.code = 0x2B03, .source = communicator, .destination = driver}, 0x4B03);
-    REQUIRE(numbers(body.begin(), body.begin() + 3) == numbers{1, 0, 0}); // one service, of type 0
-    REQUIRE(body.size() == 1 + 2 + 1 + 17 * 6 + 1 + 9 * 6);
+    REQUIRE(numbers(body.begin(), body.begin() + 3) == numbers{2, 0, 0}); // the service of type 0, and
+    constexpr auto core_size = 1 + 2 + 1 + 17 * 6 + 1 + 9 * 6;
+    REQUIRE(numbers(body.begin() + core_size, body.end()) ==
+            numbers{33, 0,                                              // a primitive driver's:
+                    4,                                                  // it takes
+                    8,  0,    0,    0,    0,    0,   10, 0, 0, 0, 0, 0, // requests for service connections,
+                    11, 0,    0,    0,    0,    0,   12, 0, 0, 0, 0, 0, //
+                    2,                                                  // and gives
+                    9,  0,    0,    0,    0,    0,                      // their confirmation,
+                    5,  0x44, 0xFF, 0xFF, 0xFF, 0xFF});                 // and Report Wrench Effort
+    body = ask({.code = 0x2B03, .source = communicator, .destination = {2, 1, 34, 1}}, 0x4B03);
+    REQUIRE(body.size() == core_size); // it has no more
     body = ask({.code = 0x2B03, .source = communicator, .destination = manager}, 0x4B03);
     REQUIRE(numbers(body.begin(), body.begin() + 3) == numbers{1, 1, 0});
     body = ask({.code = 0x2B02, .source = communicator, .destination = manager}, 0x4B02);

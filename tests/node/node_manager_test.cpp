@@ -367,6 +367,19 @@ TEST_CASE("services are those of the component that is asked") {
     REQUIRE(std::ranges::count(ours.service[0].output_message, 0x4B02, &jaus::supported_message::command_code) == 1);
 }
 
+TEST_CASE("a component without services has the core service: others ask again until they hear of one") {
+    bytes memory(1000);
+    outbox out;
+    jaus::described_component component{make(1, 2, 33), {.services = {}}, {}, memory};
+    REQUIRE(component.on_message({.command_code = 0x2B03, .source = make(3, 1)}, {}, 0s, out) ==
+            message_outcome::taken);
+    bytes held(4000);
+    wire::arena decoded{held};
+    const auto report = out.only<jaus::report_services>(decoded);
+    REQUIRE(report.service.size() == 1);
+    REQUIRE(report.service[0] == jaus::core_messages::service);
+}
+
 TEST_CASE("a report beyond one packet comes as a large data set, or is refused for want of memory") {
     std::vector<jaus::supported_message> messages(200);
     for (std::size_t i = 0; i != messages.size(); ++i) messages[i].command_code = static_cast<std::uint16_t>(i);

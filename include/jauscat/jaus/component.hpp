@@ -119,6 +119,13 @@ template <class... Parts> class component {
         });
     }
 
+    /// Asks the parts that have such a function for the messages that they take and send.
+    constexpr void list_messages(auto&& takes, auto&& sends) const {
+        each_part([&](const auto& part) {
+            if constexpr (requires { part.list_messages(takes, sends); }) part.list_messages(takes, sends);
+        });
+    }
+
     [[nodiscard]] constexpr const address& self() const noexcept { return self_; }
     /// Initialize, Ready, Standby, Shutdown, Failure or Emergency.
     [[nodiscard]] constexpr primary_status_code state() const noexcept { return state_.state(); }

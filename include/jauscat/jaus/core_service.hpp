@@ -30,5 +30,7 @@ inline constexpr std::array<supported_message, 9> output{
     {{0x000F}, {0x0010}, {0x4001}, {0x4002}, {0x400D}, {0x4011, 0x03}, {0x4202}, {0x4B00}, {0x4B03}}};
 /// The service type of what every component can do is 0.
 inline constexpr offered_service service{0, input, output};
+/// The services of a component that has no other.
+inline constexpr std::array services{service};
 
 } // namespace jauscat::jaus::core_messages

@@ -1,6 +1,7 @@
 // What every component says of itself: that it is alive, what it is called and what it can do.
 #pragma once
 #include <jauscat/jaus/answer.hpp>
+#include <jauscat/jaus/core_service.hpp>
 #include <jauscat/jaus/later.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
@@ -19,8 +20,8 @@ struct identity {
 
 /// What a component tells of itself.
 struct component_description {
-    identity name{.type = 60001};                ///< what it calls itself
-    std::span<const offered_service> services{}; ///< up to 255
+    identity name{.type = 60001};                                        ///< what it calls itself
+    std::span<const offered_service> services = core_messages::services; ///< up to 255; none counts as the core service
 };
 
 /// Where a component's heartbeats go, and how often.
@@ -48,7 +49,10 @@ class described_component {
     /// `memory`, which must outlive this: room for Report Services, see answer.
     constexpr described_component(const address& self, const component_description& description, const heartbeat& beat,
                                   std::span<std::byte> memory) noexcept
-        : self_{self}, description_{description}, beat_{beat}, memory_{memory} {}
+        : self_{self}, description_{description}, beat_{beat}, memory_{memory} {
+        // There are nodes that ask again and again until they hear of a service.
+        if (description.services.empty()) description_.services = core_messages::services;
+    }
 
     /// Refused are also answers for which the memory is too small and texts of more than 80 characters.
     constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time,

@@ -1,8 +1,10 @@
 // From a received message to the handler of its type, in constant time and without a heap.
 #pragma once
 #include <jauscat/jaus/answer.hpp>
+#include <jauscat/schema/jaus/dynamic_configuration.hpp>
 #include <jauscat/wire/code_index.hpp>
 
+#include <type_traits>
 #include <utility>
 
 namespace jauscat::jaus {
@@ -118,6 +120,17 @@ template <class F> constexpr auto on_acknowledgement(F handle) {
     return detail::acknowledgement_handler<F>{std::move(handle)};
 }
 
+/// The presence bits that a message's layout defines; 0 where it has no presence vector.
+template <coded_message T>
+inline constexpr std::uint32_t presence_bits_of = [] {
+    std::uint32_t bits = 0;
+    wire::layout_of<T>::all_items([&]<class Item>() {
+        if constexpr (requires { Item::known_bits; }) bits = static_cast<std::uint32_t>(Item::known_bits);
+        return bits == 0;
+    });
+    return bits;
+}();
+
 /// Calls the handler of a message's type with the decoded message.
 ///
 ///     jaus::dispatcher arm{jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const auto& efforts) { ... }),
@@ -138,6 +151,18 @@ template <class... Handlers> class dispatcher {
     constexpr dispatched operator()(const header& head, std::span<const std::byte> body, wire::arena& memory) {
         memory.reset();
         return dispatch(head, body, &memory);
+    }
+
+    /// Calls `takes(supported_message)` for each message that is handled, and `sends` for the report of each query.
+    static constexpr void list_messages(auto&& takes, auto&& sends) {
+        const auto list = [&]<coded_message T>(std::type_identity<T>) {
+            takes(supported_message{command_code_of<T>, presence_bits_of<T>});
+            if (const auto report = report_code_of(command_code_of<T>); report != 0) sends(supported_message{report});
+        };
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+            (list(std::type_identity<typename table::template handler<I>::message_type>{}), ...);
+        }
+        (std::make_index_sequence<table::count>{});
     }
 
   private:

@@ -4,6 +4,7 @@
 #include <jauscat/jaus/answer.hpp>
 #include <jauscat/jaus/event_record.hpp>
 #include <jauscat/jaus/stands_for.hpp>
+#include <jauscat/schema/jaus/dynamic_configuration.hpp>
 
 namespace jauscat::jaus {
 
@@ -89,6 +90,18 @@ template <std::size_t Capacity> class events {
             ++count;
         }
         return count;
+    }
+
+    /// Calls `takes(supported_message)` and `sends` for each message of events, and for the reports.
+    constexpr void list_messages(auto&& takes, auto&& sends) const {
+        if (reports_.empty()) return;
+        for (const auto code : {create_event::command_code, update_event::command_code, cancel_event::command_code,
+                                query_events::command_code})
+            takes(supported_message{code});
+        for (const auto code : {confirm_event_request::command_code, reject_event_request::command_code,
+                                event::command_code, report_events::command_code})
+            sends(supported_message{code});
+        for (const auto& report : reports_) sends(supported_message{report.command_code});
     }
 
     /// All places; those with message code 0 are free.

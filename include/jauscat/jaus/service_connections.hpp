@@ -6,6 +6,7 @@
 #include <jauscat/jaus/stands_for.hpp>
 #include <jauscat/jaus/update_rate.hpp>
 #include <jauscat/schema/jaus/core.hpp>
+#include <jauscat/schema/jaus/dynamic_configuration.hpp>
 
 #include <optional>
 
@@ -115,6 +116,16 @@ template <std::size_t Capacity> class service_connections {
     }
     /// Terminates all, for example at shutdown. The RA has no message for it: consumers notice the silence.
     constexpr void clear() noexcept { connections_ = {}; }
+
+    /// Calls `takes(supported_message)` and `sends` for each message of service connections, and for the reports.
+    constexpr void list_messages(auto&& takes, auto&& sends) const {
+        if (reports_.empty()) return;
+        for (const auto code : {create_service_connection::command_code, activate_service_connection::command_code,
+                                suspend_service_connection::command_code, terminate_service_connection::command_code})
+            takes(supported_message{code});
+        sends(supported_message{confirm_service_connection::command_code});
+        for (const auto& report : reports_) sends(supported_message{report.command_code, report.presence_vector});
+    }
 
     /// All places; the index is the instance ID. Those with command code 0 are free.
     [[nodiscard]] constexpr std::span<const service_connection> connections() const noexcept { return connections_; }

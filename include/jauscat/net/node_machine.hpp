@@ -62,7 +62,9 @@ class node_machine {
                                         std::to_string(self_.subsystem) + '.' + std::to_string(self_.node)};
         if (has_manager() && id == self_)
             throw std::invalid_argument{"the node has its node manager, " + to_jausip(id) + ", already"};
-        core_.components.add({component, application, std::make_shared<detail::default_answers>(config_, id)});
+        core_.components.add(
+            {component, application,
+             std::make_shared<detail::default_answers>(config_, id, detail::offered_messages{component, application})});
     }
 
     /// Begins, after `stop` from the start: who was there is forgotten. Not from within a handler of this node. Throws

@@ -5,6 +5,7 @@
 #include <jauscat/jaus/core_service.hpp>
 #include <jauscat/jaus/described_component.hpp>
 #include <jauscat/net/detail/configured_identity.hpp>
+#include <jauscat/net/detail/offered_messages.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/event.hpp>
 
@@ -13,18 +14,28 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace jauscat::net::detail {
 
 /// Answers Query Identification with the name that the configuration has for the component, Query Services with the
-/// core service, Query Heartbeat Pulse; and requests for service connections and events with a refusal. It sends no
-/// heartbeats.
+/// core service and that of the component's own messages, Query Heartbeat Pulse; and requests for service connections
+/// and events with a refusal. It sends no heartbeats.
 class default_answers {
   public:
-    /// `config` must outlive this.
-    default_answers(const jaus_config& config, const jaus::address& self)
-        : self_{self}, number_{"component " + std::to_string(self.component)} {
-        jaus::component_description description{.services = services};
+    /// `config` must outlive this. `more`: what the component takes and sends beside the core service.
+    default_answers(const jaus_config& config, const jaus::address& self, offered_messages more)
+        : self_{self},
+          number_{"component " + std::to_string(self.component)},
+          more_{std::move(more)},
+          memory_(256 + (services_[0].input_message.size() + services_[0].output_message.size() + more_.input.size() +
+                         more_.output.size()) *
+                            wire::max_size<jaus::supported_message>) {
+        services_[1] = {self.component, std::span<const jaus::supported_message>{more_.input},
+                        std::span<const jaus::supported_message>{more_.output}};
+        const bool has_more = !more_.input.empty() || !more_.output.empty();
+        jaus::component_description description{.services = std::span{services_}.first(has_more ? 2 : 1)};
         description.name.identification = number_;
         description.name = identity_of(config, self, description.name);
         described_.emplace(self, description, jaus::heartbeat{.period = {}}, memory_);
@@ -58,11 +69,11 @@ class default_answers {
     }
 
   private:
-    static constexpr std::array services{jaus::core_messages::service};
-
     jaus::address self_;
-    std::string number_;                  ///< what a component is called that has no name
-    std::array<std::byte, 256> memory_{}; ///< the longest answer has 178 bytes
+    std::string number_;    ///< what a component is called that has no name
+    offered_messages more_; ///< listed in the second service
+    std::array<jaus::offered_service, 2> services_{jaus::core_messages::service};
+    std::vector<std::byte> memory_; ///< for the longest answer
     std::optional<jaus::described_component> described_{};
 };
 

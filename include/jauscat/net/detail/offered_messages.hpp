@@ -1,0 +1,36 @@
+// What a component and its application say that they take and send, for Report Services.
+#pragma once
+
+#include <jauscat/jaus/core_service.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace jauscat::net::detail {
+
+/// Each code once, and those of the core service not at all. As many as Report Services can count.
+struct offered_messages {
+    std::vector<jaus::supported_message> input{}, output{};
+
+    /// Asks those among `all` that have `list_messages(takes, sends)`.
+    explicit offered_messages(const auto&... all) { (ask(all), ...); }
+
+  private:
+    void ask(const auto& one) {
+        const auto takes = [this](const jaus::supported_message& m) { add(input, jaus::core_messages::input, m); };
+        const auto sends = [this](const jaus::supported_message& m) { add(output, jaus::core_messages::output, m); };
+        if constexpr (requires { one.list_messages(takes, sends); }) one.list_messages(takes, sends);
+    }
+    static void add(std::vector<jaus::supported_message>& list, const auto& core, const jaus::supported_message& m) {
+        constexpr std::size_t most = 255;
+        const auto code = &jaus::supported_message::command_code;
+        if (std::ranges::find(core, m.command_code, code) != core.end()) return;
+        const auto known = std::ranges::find(list, m.command_code, code);
+        if (known != list.end())
+            known->supported_presence_vector |= m.supported_presence_vector;
+        else if (list.size() != most)
+            list.push_back(m);
+    }
+};
+
+} // namespace jauscat::net::detail
