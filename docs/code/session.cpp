@@ -109,8 +109,9 @@ int main() try {
     net::run_until(context, 2s, [&] { return control.state() != jaus::control_state::asking; });
     if (control.state() != jaus::control_state::held) return std::cerr << "no control\n", 1;
 
-    unit.send({.destination = target}, jaus::set_wrench_effort{.propulsive_linear_effort_x = 50}, node.now(),
-              node.out());
+    const auto sent = unit.send({.destination = target}, jaus::set_wrench_effort{.propulsive_linear_effort_x = 50},
+                                node.now(), node.out());
+    if (!sent) return std::cerr << describe(sent.error) << '\n', 1;
     net::run_until(context, 2s, [&] { return outcome.has_value(); });
     std::cout << "operator: " << (outcome == jaus::delivered::acknowledged ? "obeyed\n" : "not obeyed\n");
 

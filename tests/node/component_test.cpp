@@ -176,7 +176,8 @@ TEST_CASE("an operator takes control, commands, loses control to a higher author
     REQUIRE(a.efforts.size() == 1);
 
     // What is no command is answered to anybody.
-    jaus::put({.destination = arm_address, .source = ocu_address}, jaus::query_component_control{}, channel.sink());
+    REQUIRE(jaus::put({.destination = arm_address, .source = ocu_address}, jaus::query_component_control{},
+                      channel.sink()));
     boss.control.release(channel.sink());
     until(60ms);
     REQUIRE(operator_.reports == std::vector<std::uint16_t>{0x400D});

@@ -608,7 +608,7 @@ TEST_CASE("a consumer matches answers and events with what it asked for") {
 TEST_CASE("a consumer updates an event, which goes on meanwhile") {
     consumer c;
     jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
-    c.events.create(sensor, wanted, 0s, c.sent.sink());
+    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()));
     REQUIRE_FALSE(c.events.update(0, wanted, 0s, c.sent.sink())); // not active yet
     c.hear(confirmed("00 01 04 44 07 00"));
     c.sent.clear();
@@ -639,7 +639,7 @@ TEST_CASE("a consumer updates an event, which goes on meanwhile") {
     provider p;
     wanted = {.message_code = velocity, .event_type = event_type::first_change};
     consumer d;
-    d.events.create(sensor, wanted, 0s, d.sent.sink());
+    REQUIRE(d.events.create(sensor, wanted, 0s, d.sent.sink()));
     const auto exchange = [&] {
         for (const auto& m : d.sent.take()) p.hear(m);
         std::vector<event_news> news;
@@ -660,7 +660,7 @@ TEST_CASE("a consumer updates an event, which goes on meanwhile") {
 TEST_CASE("a consumer gives up what is rejected or never answered") {
     consumer c;
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
-    c.events.create(sensor, wanted, 0s, c.sent.sink());
+    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()));
     REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 05 00 00 00 01 01 03 6e 6f")).what ==
             event_news::rejected);
     REQUIRE(c.first().response == event_response::connection_refused);
@@ -688,7 +688,7 @@ TEST_CASE("a consumer gives up what is rejected or never answered") {
 TEST_CASE("an event that is confirmed when it was given up is cancelled") {
     consumer c;
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
-    c.events.create(sensor, wanted, 0s, c.sent.sink());
+    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()));
     while (c.events.next_event()) c.events.on_time(*c.events.next_event(), c.sent.sink());
     REQUIRE(c.first().state == requested_state::unanswered);
     c.sent.clear();
@@ -703,8 +703,8 @@ TEST_CASE("an event that is confirmed when it was given up is cancelled") {
 TEST_CASE("a consumer gives up the events of a provider that has disappeared") {
     consumer c;
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
-    c.events.create(sensor, wanted, 0s, c.sent.sink());
-    c.events.create(sensor, wanted, 0s, c.sent.sink());
+    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()));
+    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()));
     c.hear(confirmed("00 01 04 44 07 00"));
     c.hear(confirmed("00 02 04 44 08 00"));
     c.events.cancel(1, 1s, c.sent.sink());
@@ -748,7 +748,8 @@ TEST_CASE("a consumer that has started anew gets a first change as before") {
     for (int run = 0; run != 3; ++run) {
         consumer c;
         const time_point now = run * 100s;
-        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::first_change}, now, c.sent.sink());
+        REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::first_change}, now,
+                                c.sent.sink()));
         converse(p, c, now);
         p.drive(run, now + 1s);
         REQUIRE(converse(p, c, now + 1s) == 1);
@@ -764,10 +765,10 @@ TEST_CASE("a consumer that starts anew again and again leaves no events behind")
     for (int run = 0; run != 20; ++run) {
         consumer c;
         const time_point now = run * 10ms;
-        c.events.create(
+        REQUIRE(c.events.create(
             sensor,
             {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 1.0 + run}, now,
-            c.sent.sink());
+            c.sent.sink()));
         converse(p, c, now);
         REQUIRE(c.first().state == requested_state::active);
     }
@@ -800,7 +801,8 @@ TEST_CASE("an event that was not asked for is cancelled, once for each answer's 
 
     // Not while its confirmation may be under way.
     c.sent.clear();
-    c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 5s, c.sent.sink());
+    REQUIRE(
+        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 5s, c.sent.sink()));
     c.sent.clear();
     REQUIRE(c.hear(event_number(3), 5s).what == event_news::unknown);
     REQUIRE(c.sent.empty());
@@ -808,8 +810,8 @@ TEST_CASE("an event that was not asked for is cancelled, once for each answer's 
     // What an earlier life has left goes on until it is cancelled.
     provider p;
     consumer before, after;
-    before.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s,
-                         before.sent.sink());
+    REQUIRE(before.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s,
+                                 before.sent.sink()));
     converse(p, before, 0s);
     p.drive(1, 1s);
     converse(p, after, 1s);
@@ -818,7 +820,8 @@ TEST_CASE("an event that was not asked for is cancelled, once for each answer's 
 
 TEST_CASE("events go on after a gap that their numbers cannot count") {
     consumer c;
-    c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s, c.sent.sink());
+    REQUIRE(
+        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s, c.sent.sink()));
     c.hear(confirmed("00 01 04 44 07 00"));
     REQUIRE(c.hear(event_number(9), 1s).what == event_news::event);
     // Late ones and copies of those before are dropped, at first.
@@ -834,9 +837,9 @@ TEST_CASE("events go on after a gap that their numbers cannot count") {
 TEST_CASE("a silent provider of periodic events is noticed, and asked again until it answers") {
     provider p;
     consumer c;
-    c.events.create(sensor,
-                    {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 10}, 0s,
-                    c.sent.sink());
+    REQUIRE(c.events.create(
+        sensor, {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 10}, 0s,
+        c.sent.sink()));
     converse(p, c, 0s);
     const auto period = jaus::period_of(c.first().rate);
     REQUIRE(c.events.next_event() == 3 * period);
@@ -942,10 +945,11 @@ TEST_CASE("over a network that loses a third of all messages events come about, 
                     if (random() % 3 != 0) REQUIRE(c.hear(m, now).what != event_news::malformed);
             }
         };
-        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s, c.sent.sink());
-        c.events.create(sensor,
-                        {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 20},
-                        0s, c.sent.sink());
+        REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s,
+                                c.sent.sink()));
+        REQUIRE(c.events.create(
+            sensor, {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 20}, 0s,
+            c.sent.sink()));
         if (round % 4 == 0) c.events.cancel(1, 0s, c.sent.sink()); // before its ID is known
         for (time_point now = 0s; now != 40s; now += 5ms) {
             if (now == 20s) {
@@ -1001,7 +1005,7 @@ TEST_CASE("random messages leave both sides of events within their bounds") {
         ++outcomes[static_cast<std::size_t>(p.events.on_message(head, body, now, p.sent.sink()))];
         c.events.on_message(head, body, now, c.sent.sink());
         const jaus::create_event wanted{.message_code = velocity, .event_type = event_type(random() % 6)};
-        if (random() % 50 == 0) c.events.create(sensor, wanted, now, c.sent.sink());
+        if (random() % 50 == 0) static_cast<void>(c.events.create(sensor, wanted, now, c.sent.sink()));
         if (random() % 50 == 0) c.events.cancel(random() % 3, now, c.sent.sink());
         if (random() % 100 == 0) p.events.lose(viewer);
         const auto report = velocity_body(static_cast<double>(random() % 40) - 20);

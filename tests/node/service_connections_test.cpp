@@ -303,7 +303,7 @@ TEST_CASE("a consumer asks until it is answered, keeps what is confirmed and ter
 
 TEST_CASE("a consumer counts the reports that are missing, and drops old ones") {
     consumer c;
-    c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink());
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
     // The first overtakes the confirmation.
     REQUIRE(c.report(65533, 1ms) == jaus::consumer_outcome{consumer_news::report, 0, 0});
     c.hear(from_hex(confirmation), 2ms);
@@ -321,7 +321,7 @@ TEST_CASE("a consumer counts the reports that are missing, and drops old ones") 
 
 TEST_CASE("a connection without a report for three periods is stale and asked for again") {
     consumer c;
-    c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink());
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
     c.hear(from_hex(confirmation), 0s);
     c.report(41, 100ms);
     const auto due = c.service.next_event();
@@ -347,7 +347,7 @@ TEST_CASE("a connection without a report for three periods is stale and asked fo
 
 TEST_CASE("a consumer gives up what is refused or never answered") {
     consumer c;
-    c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink());
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 00 00 04"), 0s).what ==
             consumer_news::refused);
     REQUIRE(c.first().response == response::connection_refused);
@@ -369,7 +369,7 @@ TEST_CASE("a consumer gives up what is refused or never answered") {
 
 TEST_CASE("a connection that is confirmed when it was given up is terminated") {
     consumer c;
-    c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink());
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
     while (c.service.next_event()) c.service.on_time(*c.service.next_event(), c.sent.sink());
     REQUIRE(c.first().state == consumed_state::unanswered);
     c.sent.clear();
@@ -383,7 +383,7 @@ TEST_CASE("a connection that is confirmed when it was given up is terminated") {
 
 TEST_CASE("a confirmation from elsewhere or of another report is none") {
     consumer c;
-    c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink());
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 02 26 01 02 06 00 05 00 02 44 07 58 02 00"), 0s).what ==
             consumer_news::not_mine);
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 04 44 07 58 02 00"), 0s).what ==
@@ -417,7 +417,7 @@ TEST_CASE("over a network that loses a third of all messages connections come ab
                 }
             }
         };
-        c.service.ask(sensor, pose, 50, 7, 0s, c.sent.sink());
+        REQUIRE(c.service.ask(sensor, pose, 50, 7, 0s, c.sent.sink()));
         bool ended = false;
         int restarts = 0;
         time_point now = 0s;
@@ -473,8 +473,8 @@ TEST_CASE("random messages leave both sides of service connections within their 
         ++outcomes[static_cast<std::size_t>(p.connections.on_message(head, body, now, p.sent.sink()))];
         c.service.on_message(head, body, now, c.sent.sink());
         if (random() % 50 == 0)
-            c.service.ask(sensor, codes[5 + random() % 2], 1 + static_cast<double>(random() % 100), 1, now,
-                          c.sent.sink());
+            static_cast<void>(c.service.ask(sensor, codes[5 + random() % 2], 1 + static_cast<double>(random() % 100), 1,
+                                            now, c.sent.sink()));
         if (random() % 50 == 0) c.service.end(random() % 3, now, c.sent.sink());
         p.connections.on_time(now, p.sent.sink());
         c.service.on_time(now, c.sent.sink());

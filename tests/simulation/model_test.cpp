@@ -49,11 +49,11 @@ struct stage {
                      .destination = robot_id,
                      .source = who == sender ? operator_id : other_id,
                      .sequence_number = number++};
-        jaus::put(made.head, body, [&](bytes whole) { made.message = m.hands_over(who, whole); });
+        REQUIRE(jaus::put(made.head, body, [&](bytes whole) { made.message = m.hands_over(who, whole); }));
         return made;
     }
     template <class T> void answer(const jaus::header& request, const T& body) {
-        jaus::answer(request, robot_id, body, [&](bytes whole) { m.answers(actuator, whole); });
+        REQUIRE(jaus::answer(request, robot_id, body, [&](bytes whole) { m.answers(actuator, whole); }));
     }
     void acknowledge(const sent& one, jaus::ack_nak how = jaus::ack_nak::ack) {
         jaus::acknowledge(one.head, robot_id, how, [&](bytes whole) { m.answers(actuator, whole); });
@@ -235,8 +235,8 @@ TEST_CASE("S6: a sender that never learns what became of its message") {
     stage s;
     const auto one = [&] {
         std::uint32_t made{};
-        jaus::put({.ack_nak = jaus::ack_nak::request, .destination = robot_id, .source = operator_id}, jaus::resume{},
-                  [&](bytes whole) { made = s.m.hands_over(s.sender, whole, 1s); });
+        REQUIRE(jaus::put({.ack_nak = jaus::ack_nak::request, .destination = robot_id, .source = operator_id},
+                          jaus::resume{}, [&](bytes whole) { made = s.m.hands_over(s.sender, whole, 1s); }));
         return made;
     }();
     REQUIRE(one != 0);

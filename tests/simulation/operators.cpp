@@ -114,7 +114,7 @@ template <class Message> void operator_program::command(const Message& message, 
     if (acknowledged)
         static_cast<void>(core_->send(head, message, local(), out));
     else
-        jaus::put(head, message, out);
+        static_cast<void>(jaus::put(head, message, out));
 }
 
 void operator_program::send_large() {
@@ -290,12 +290,13 @@ std::size_t foreign_operator::spoil(std::span<std::byte> message, std::size_t si
 }
 
 template <class Message> void foreign_operator::put(const jaus::address& to, const Message& message) {
-    jaus::put({.destination = to, .source = id_, .sequence_number = all_zero_ ? std::uint16_t{} : number_++}, message,
-              [this](bytes whole) {
-                  std::array<std::byte, 128> made{};
-                  std::ranges::copy(whole, made.begin());
-                  send(bytes{made}.first(spoil(made, whole.size())));
-              });
+    static_cast<void>(
+        jaus::put({.destination = to, .source = id_, .sequence_number = all_zero_ ? std::uint16_t{} : number_++},
+                  message, [this](bytes whole) {
+                      std::array<std::byte, 128> made{};
+                      std::ranges::copy(whole, made.begin());
+                      send(bytes{made}.first(spoil(made, whole.size())));
+                  }));
 }
 
 template <class Message> void foreign_operator::command(const Message& message, bool acknowledged) {

@@ -171,7 +171,8 @@ class operator_end : public end {
     // A plain release may be lost; this one is repeated.
     void release(commander& who) {
         who.released.reset();
-        who.core.send({.destination = robot_id}, jaus::release_component_control{}, net::jaus_node::now(), node_.out());
+        static_cast<void>(who.core.send({.destination = robot_id}, jaus::release_component_control{},
+                                        net::jaus_node::now(), node_.out()));
         who.control.release([](std::span<const std::byte>) {});
     }
 

@@ -58,7 +58,7 @@ enum class send_errc : std::uint8_t {
 }
 
 /// What became of a message to be sent: how it is found again in the outcome, or why it was not sent.
-struct send_result {
+struct [[nodiscard]] send_result {
     send_errc error{};               ///< why it was not sent
     std::uint16_t sequence_number{}; ///< the message's, by which its outcome is told
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return error == send_errc::ok; }

@@ -54,7 +54,7 @@ template <class Value> class address_map {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
 
     /// Puts a value under an address that is not there yet.
-    constexpr inserted insert(const address& entry, const Value& value) noexcept {
+    [[nodiscard]] constexpr inserted insert(const address& entry, const Value& value) noexcept {
         if (exactly(entry) != nullptr) return inserted::duplicate;
         if (size_ == capacity()) return inserted::full;
         std::size_t at = home(key_of(entry));

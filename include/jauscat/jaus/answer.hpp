@@ -56,7 +56,8 @@ template <coded_message T>
 
 /// Hands the message of `head` and `body` to `out`; false, and nothing is sent, where it does not encode or its body
 /// has more than 4080 bytes.
-template <coded_message T> constexpr bool put(const header& head, const T& body, message_sink out) noexcept {
+template <coded_message T>
+[[nodiscard]] constexpr bool put(const header& head, const T& body, message_sink out) noexcept {
     std::array<std::byte, header_size + std::min(wire::max_size<T>, max_body_size)> bytes{};
     if constexpr (max_body_size < wire::max_size<T>) return detail::put_in(bytes, head, body, out);
     const result size = make_message(head, body, bytes);
@@ -67,7 +68,7 @@ template <coded_message T> constexpr bool put(const header& head, const T& body,
 /// The same for a body of any size: one of more than 4080 bytes goes as a large data set, all packets of which are
 /// handed to `out` at once. `memory`: header and body of a message must fit; for a large data set also 4096 bytes.
 template <coded_message T>
-constexpr bool put(header head, const T& body, std::span<std::byte> memory, message_sink out) noexcept {
+[[nodiscard]] constexpr bool put(header head, const T& body, std::span<std::byte> memory, message_sink out) noexcept {
     constexpr std::size_t packet_size = header_size + max_body_size;
     if (const result size = make_message(head, body, memory)) {
         out(std::span<const std::byte>{memory}.first(size.size()));
@@ -86,13 +87,14 @@ constexpr bool put(header head, const T& body, std::span<std::byte> memory, mess
 /// Answers `request` from `self`; false, and nothing is sent, where the answer does not encode or its body has more
 /// than 4080 bytes.
 template <coded_message T>
-constexpr bool answer(const header& request, const address& self, const T& body, message_sink out) noexcept {
+[[nodiscard]] constexpr bool answer(const header& request, const address& self, const T& body,
+                                    message_sink out) noexcept {
     return put(answer_to(request, self), body, out);
 }
 /// The same for a body of any size, with the memory that `put` needs.
 template <coded_message T>
-constexpr bool answer(const header& request, const address& self, const T& body, std::span<std::byte> memory,
-                      message_sink out) noexcept {
+[[nodiscard]] constexpr bool answer(const header& request, const address& self, const T& body,
+                                    std::span<std::byte> memory, message_sink out) noexcept {
     return put(answer_to(request, self), body, memory, out);
 }
 

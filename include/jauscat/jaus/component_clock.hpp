@@ -96,7 +96,7 @@ class component_clock {
             return decode_for<query_time>(body, [&](const query_time& query) {
                 report_time report = report_at(now);
                 keep_requested(report, query.presence_vector);
-                answer(head, self_, report, out);
+                static_cast<void>(answer(head, self_, report, out));
             });
         default: return message_outcome::not_mine;
         }

@@ -106,13 +106,15 @@ class component_control {
                 if (controls(head.source)) end(control_change::released);
             });
         case query_component_authority::command_code:
-            return decode_for<query_component_authority>(
-                body, [&](const auto&) { answer(head, self_, report_component_authority{authority_}, out); });
+            return decode_for<query_component_authority>(body, [&](const auto&) {
+                static_cast<void>(answer(head, self_, report_component_authority{authority_}, out));
+            });
         case query_component_control::command_code:
             return decode_for<query_component_control>(body, [&](const auto&) {
                 const auto [who, code] = controller_.value_or(jaus::controller{});
-                answer(head, self_,
-                       report_component_control{who.subsystem, who.node, who.component, who.instance, code}, out);
+                static_cast<void>(
+                    answer(head, self_,
+                           report_component_control{who.subsystem, who.node, who.component, who.instance, code}, out));
             });
         default: return message_outcome::not_mine;
         }
@@ -132,7 +134,7 @@ class component_control {
         if (now >= later(heard_, options_.timeout)) return take_back(control_change::lost, out);
         asked_ = (now - heard_) / quarter();
         if (pulses_ != 255) ++pulses_;
-        put({.destination = controller_->address, .source = self_}, query_heartbeat_pulse{}, out);
+        static_cast<void>(put({.destination = controller_->address, .source = self_}, query_heartbeat_pulse{}, out));
     }
     [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
         if (!controller_ || options_.timeout == options_.timeout.zero()) return std::nullopt;
@@ -145,7 +147,7 @@ class component_control {
         using enum component_control_response;
         const bool is_controller = controls(head.source);
         if (controller_ && !is_controller && authority <= controller_->authority_code) {
-            answer(head, self_, confirm_component_control{control_not_accepted}, out);
+            static_cast<void>(answer(head, self_, confirm_component_control{control_not_accepted}, out));
             return;
         }
         const bool is_other = controller_ && !is_controller;
@@ -154,7 +156,7 @@ class component_control {
         if (!is_controller) pulses_ = 0;
         controller_ = jaus::controller{head.source, authority};
         heard(head.source, now);
-        answer(head, self_, confirm_component_control{control_accepted}, out);
+        static_cast<void>(answer(head, self_, confirm_component_control{control_accepted}, out));
     }
 
     [[nodiscard]] constexpr std::chrono::nanoseconds quarter() const noexcept {
@@ -167,7 +169,7 @@ class component_control {
     // The controller is told.
     constexpr void take_back(control_change why, message_sink out) noexcept {
         if (!controller_) return;
-        put({.destination = controller_->address, .source = self_}, reject_component_control{}, out);
+        static_cast<void>(put({.destination = controller_->address, .source = self_}, reject_component_control{}, out));
         end(why);
     }
 

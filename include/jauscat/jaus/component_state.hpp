@@ -132,7 +132,7 @@ template <std::size_t Holders = 8> class component_state {
             });
         case query_component_status::command_code:
             return decode_for<query_component_status>(body, [&](const query_component_status&) {
-                answer(head, self_, report_component_status{state_, secondary_status}, out);
+                static_cast<void>(answer(head, self_, report_component_status{state_, secondary_status}, out));
             });
         default: return message_outcome::not_mine;
         }

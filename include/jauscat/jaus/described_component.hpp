@@ -81,7 +81,7 @@ class described_component {
         if (beat_.period <= time{} || now < next_) return;
         const time following = later(next_, beat_.period);
         next_ = following > now ? following : later(now, beat_.period);
-        put({.destination = beat_.to, .source = self_}, report_heartbeat_pulse{}, out);
+        static_cast<void>(put({.destination = beat_.to, .source = self_}, report_heartbeat_pulse{}, out));
     }
     [[nodiscard]] constexpr std::optional<time> next_event() const noexcept {
         if (beat_.period <= time{}) return std::nullopt;

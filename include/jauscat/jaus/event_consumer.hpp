@@ -23,8 +23,8 @@ template <std::size_t Capacity> class event_consumer {
 
     /// Sends `wanted`, whose local request ID is replaced. Returns the event's place in requested(); none where all are
     /// taken, a rate rounds to 0 or the message cannot be made.
-    constexpr std::optional<std::size_t> create(const address& provider, create_event wanted,
-                                                std::chrono::nanoseconds now, message_sink out) noexcept {
+    [[nodiscard]] constexpr std::optional<std::size_t> create(const address& provider, create_event wanted,
+                                                              std::chrono::nanoseconds now, message_sink out) noexcept {
         const auto place = std::ranges::find_if(requested_, [](const requested_event& e) {
             return e.state == requested_state::free || e.state == requested_state::rejected ||
                    e.state == requested_state::unanswered;
@@ -40,8 +40,8 @@ template <std::size_t Capacity> class event_consumer {
     /// Has an active event set up anew, as `wanted` says, whose local request ID is replaced. A rejection leaves the
     /// event as it was; without an answer nobody knows. False where the event is not active, and where `wanted` is of
     /// another report or cannot be sent.
-    constexpr bool update(std::size_t place, create_event wanted, std::chrono::nanoseconds now,
-                          message_sink out) noexcept {
+    [[nodiscard]] constexpr bool update(std::size_t place, create_event wanted, std::chrono::nanoseconds now,
+                                        message_sink out) noexcept {
         if (place >= Capacity || requested_[place].state != requested_state::active) return false;
         requested_event e = requested_[place];
         if (wanted.message_code != e.message_code || !keep(e, wanted)) return false;

@@ -58,7 +58,7 @@ class held_control {
     constexpr void release(message_sink out) noexcept {
         const bool tell = is_wanted();
         enter(control_state::none);
-        if (tell) put(head(), release_component_control{}, out);
+        if (tell) static_cast<void>(put(head(), release_component_control{}, out));
     }
 
     /// Takes Confirm and Reject Component Control from the target, and its question for the pulse while control is
@@ -83,12 +83,12 @@ class held_control {
         case query_heartbeat_pulse::command_code:
             return decode_for<query_heartbeat_pulse>(body, [&](const query_heartbeat_pulse&) {
                 if (is_wanted()) {
-                    answer(from, self_, report_heartbeat_pulse{}, out);
+                    static_cast<void>(answer(from, self_, report_heartbeat_pulse{}, out));
                     return message_outcome::taken;
                 }
                 if (releases_ != 0) {
                     --releases_;
-                    put(head(), release_component_control{}, out);
+                    static_cast<void>(put(head(), release_component_control{}, out));
                 }
                 return message_outcome::not_mine;
             });
@@ -126,11 +126,11 @@ class held_control {
     constexpr void request(std::chrono::nanoseconds now, message_sink out) noexcept {
         ++asked_;
         at_ = now;
-        put(head(), request_component_control{authority_}, out);
+        static_cast<void>(put(head(), request_component_control{authority_}, out));
     }
     constexpr void confirm(bool accepted, std::chrono::nanoseconds now, message_sink out) noexcept {
         if (!is_wanted()) {
-            if (accepted) put(head(), release_component_control{}, out);
+            if (accepted) static_cast<void>(put(head(), release_component_control{}, out));
             return;
         }
         asked_ = 0;

@@ -115,7 +115,8 @@ class node_manager {
     // The components of another node of the subsystem.
     void ask(const address& who, message_sink out) const noexcept {
         if (who.subsystem != self_.subsystem || who.node == self_.node || !is_node_manager(who)) return;
-        put({.destination = who, .source = self_}, query_configuration{query_field::node_configuration}, out);
+        static_cast<void>(
+            put({.destination = who, .source = self_}, query_configuration{query_field::node_configuration}, out));
     }
     // Taken from those who are asked, about themselves.
     message_outcome on_configuration(const header& head, std::span<const std::byte> body, time now) noexcept {

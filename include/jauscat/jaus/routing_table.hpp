@@ -46,13 +46,14 @@ class routing_table {
     [[nodiscard]] constexpr std::uint8_t node() const noexcept { return node_; }
 
     /// A component of this program. `number` is what the router calls it.
-    constexpr added add_component(std::uint8_t component, std::uint8_t instance, std::uint16_t number) noexcept {
+    [[nodiscard]] constexpr added add_component(std::uint8_t component, std::uint8_t instance,
+                                                std::uint16_t number) noexcept {
         const address whole{instance, component, node_, subsystem_};
         return names_one_component(whole) ? add(whole, {number, true}) : added::invalid_address;
     }
     /// Messages to `to` go to `by`. An address of the own node is that of a component in another program; that of the
     /// own node as a whole leads to the program that has its node manager.
-    constexpr added add_way(const address& to, hop by) noexcept {
+    [[nodiscard]] constexpr added add_way(const address& to, hop by) noexcept {
         if (by >= hops_.size()) return added::invalid_hop;
         const added what = add(to, {by, false});
         if (what != added::ok) return what;

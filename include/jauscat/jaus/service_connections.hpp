@@ -171,7 +171,7 @@ template <std::size_t Capacity> class service_connections {
             confirmed.instance_id = static_cast<std::uint8_t>(place - connections_.data());
             confirmed.confirmed_periodic_update_rate = rate;
         }
-        answer(head, self_, confirmed, out);
+        static_cast<void>(answer(head, self_, confirmed, out));
         return confirmed.response_code == response::connection_created ? message_outcome::taken
                                                                        : message_outcome::refused;
     }

@@ -25,9 +25,9 @@ template <std::size_t Capacity> class service_consumer {
     /// Asks `provider` for report `code` at `rate` hertz (at most 1092) with the fields of `presence_vector`, also when
     /// there is a connection, to change it. Returns its place in connections(); none where all are taken, or the rate
     /// cannot be said.
-    constexpr std::optional<std::size_t> ask(const address& provider, std::uint16_t code, double rate,
-                                             std::uint32_t presence_vector, std::chrono::nanoseconds now,
-                                             message_sink out) noexcept {
+    [[nodiscard]] constexpr std::optional<std::size_t> ask(const address& provider, std::uint16_t code, double rate,
+                                                           std::uint32_t presence_vector, std::chrono::nanoseconds now,
+                                                           message_sink out) noexcept {
         if (sayable_rate(rate, update_rate::max) == 0 || rate > update_rate::max) return std::nullopt;
         consumed_connection* c = find(provider, code);
         if (c == nullptr) c = free_place();
@@ -41,14 +41,14 @@ template <std::size_t Capacity> class service_consumer {
         return static_cast<std::size_t>(c - connections_.data());
     }
     /// Pauses a confirmed connection; false where there is none.
-    constexpr bool suspend(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
+    [[nodiscard]] constexpr bool suspend(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
         if (place >= Capacity || !going_on(connections_[place])) return false;
         tell<suspend_service_connection>(connections_[place], now, out);
         enter(connections_[place], consumed_state::suspended);
         return true;
     }
     /// Goes on with a suspended connection; false where it is not.
-    constexpr bool activate(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
+    [[nodiscard]] constexpr bool activate(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
         if (place >= Capacity || connections_[place].state != consumed_state::suspended) return false;
         consumed_connection& c = connections_[place];
         tell<activate_service_connection>(c, now, out);
@@ -150,14 +150,15 @@ template <std::size_t Capacity> class service_consumer {
         return {.destination = c.provider, .source = self_};
     }
     constexpr void request(consumed_connection& c, std::chrono::nanoseconds now, message_sink out) noexcept {
-        put(head_to(c), c.request, out);
+        static_cast<void>(put(head_to(c), c.request, out));
         ++c.requests;
         c.asked_at = now;
         c.due = later(now, options_.patience);
     }
     template <class Message>
     constexpr void tell(consumed_connection& c, std::chrono::nanoseconds now, message_sink out) noexcept {
-        put(head_to(c), Message{.command_code_ = c.request.command_code_, .instance_id = c.instance_id}, out);
+        static_cast<void>(
+            put(head_to(c), Message{.command_code_ = c.request.command_code_, .instance_id = c.instance_id}, out));
         c.asked_at = now;
     }
     constexpr consumer_outcome confirm(const header& head, std::span<const std::byte> body,

@@ -45,7 +45,7 @@ class access_list {
           places_(std::bit_ceil(config.systems.size() + config.systems.size() / 2 + 2)),
           peers_{places_} {
         for (const auto& system : config.systems) {
-            peers_.insert(system.jausip, static_cast<std::uint32_t>(senders_.size()));
+            static_cast<void>(peers_.insert(system.jausip, static_cast<std::uint32_t>(senders_.size())));
             sender made{.ips = {system.ip}, .port = system.any_source_port ? std::uint16_t{0} : system.port};
             made.ips.insert(made.ips.end(), system.more_ips.begin(), system.more_ips.end());
             for (auto& ip : made.ips) ip = detail::unmapped(ip);

@@ -49,20 +49,21 @@ class default_answers {
         if (head.command_code == jaus::create_service_connection::command_code)
             return jaus::decode_for<jaus::create_service_connection>(body, [&](const auto& request) {
                 using enum jaus::service_connection_response;
-                jaus::answer(
+                static_cast<void>(jaus::answer(
                     head, self_,
                     jaus::confirm_service_connection{.command_code_ = request.command_code_,
                                                      .response_code = component_does_not_support_service_connections},
-                    out);
+                    out));
                 return message_outcome::refused;
             });
         if (head.command_code == jaus::create_event::command_code)
             return jaus::decode_for<jaus::create_event>(body, [&](const auto& request) {
-                jaus::answer(head, self_,
-                             jaus::reject_event_request{.local_request_id = request.local_request_id,
-                                                        .response_code = jaus::event_response::message_not_supported,
-                                                        .error_message = "no events"},
-                             memory_, out);
+                static_cast<void>(jaus::answer(
+                    head, self_,
+                    jaus::reject_event_request{.local_request_id = request.local_request_id,
+                                               .response_code = jaus::event_response::message_not_supported,
+                                               .error_message = "no events"},
+                    memory_, out));
                 return message_outcome::refused;
             });
         return described_->on_message(head, body, now, out);

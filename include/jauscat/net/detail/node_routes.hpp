@@ -135,12 +135,12 @@ class node_routes {
     void add_group(const multicast_options& options) {
         group_ = static_cast<jaus::hop>(neighbours_.size());
         neighbours_.push_back({{options.group, options.port}, config_.me().framing});
-        table_.add_way({.node = 255, .subsystem = 255}, *group_);
+        static_cast<void>(table_.add_way({.node = 255, .subsystem = 255}, *group_));
         // It takes the place of single ways only where every node of the subsystem has it.
         const bool by_all = std::ranges::all_of(config_.systems, [&](const system_entry& system) {
             return system.jausip.subsystem != table_.subsystem() || shares_group(system);
         });
-        if (by_all) table_.add_way({.node = 255, .subsystem = table_.subsystem()}, *group_);
+        if (by_all) static_cast<void>(table_.add_way({.node = 255, .subsystem = table_.subsystem()}, *group_));
     }
 
     const jaus_config& config_;

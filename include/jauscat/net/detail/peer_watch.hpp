@@ -118,7 +118,8 @@ class peer_watch {
         }
         peer.asked = true;
         peer.due = std::min(jaus::later(now, patience_ / 12), jaus::later(peer.heard_at, patience_));
-        jaus::put({.destination = who, .source = peer.component}, jaus::query_heartbeat_pulse{}, out);
+        static_cast<void>(
+            jaus::put({.destination = who, .source = peer.component}, jaus::query_heartbeat_pulse{}, out));
     }
 
     time patience_;
