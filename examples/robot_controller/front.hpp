@@ -113,10 +113,12 @@ class front {
         }
         /// The slave has objects for these, and may have more.
         static void list_messages(auto&& takes, auto&& sends) {
+            const auto list = [&]<class M>() {
+                const jauscat::jaus::supported_message m{M::command_code, jauscat::jaus::presence_bits_of<M>};
+                M::command_code < 0x4000 ? takes(m) : sends(m);
+            };
             [&]<class... M>(jauscat::jaus::message_list<M...>) {
-                (M::command_code < 0x4000 ? takes({M::command_code, jauscat::jaus::presence_bits_of<M>})
-                                          : sends({M::command_code, jauscat::jaus::presence_bits_of<M>}),
-                 ...);
+                (list.template operator()<M>(), ...);
             }(robot_messages{});
         }
     };
