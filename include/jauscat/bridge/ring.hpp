@@ -28,7 +28,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     using time = time_point;
 
     /// The options must outlive it.
-    explicit basic_ring(const bridge_options& options) noexcept : options_{options}, master_{options.master} {}
+    explicit basic_ring(const bridge_options& options) noexcept : options_{options} {}
     basic_ring(const basic_ring&) = delete;
     basic_ring& operator=(const basic_ring&) = delete;
 
@@ -47,7 +47,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     void on_time(time now, jaus::message_sink out) {
         last_turn_ = now;
-        if (!begun_) begun_ = now;
+        if (!has_begun_) begin(now);
         master_.on_time(now);
         watch_cycles(now, out);
         refuse_expired(now, out);
@@ -167,6 +167,20 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     [[nodiscard]] time reserve() const noexcept { return has_process_data_ ? options_.period / 4 : time{}; }
 
+    // A slave that was not reached when all were cleared may still run with the place in the process image that an
+    // earlier life of this program gave it: each life has an image elsewhere, in one of 2^21 windows.
+    void begin(time now) {
+        constexpr unsigned window_bits = 11; // holds every image
+        static_assert(ethercat::max_process_image <= 1U << window_bits);
+        const auto start = static_cast<std::uint64_t>(now / std::chrono::microseconds{1});
+        const auto window = start * 0x9E37'79B9'7F4A'7C15U >> (32 + window_bits); // spreads starts that are close
+        logical_base_ = static_cast<std::uint32_t>(window << window_bits);
+        auto config = options_.master;
+        config.logical_base = logical_base_;
+        master_ = ethercat::master{config};
+        has_begun_ = true;
+    }
+
     // ---- The master's next job, in the order of urgency.
 
     // True where something was done and there may be more.
@@ -208,8 +222,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         case phase::pre_op:
             return begin_job(at, work::configure, master_.configure(at.front->station(), options_.watchdog));
         case phase::configured:
-            return now >= earlier_outputs_end() &&
-                   begin_job(at, work::safe_op, master_.change_state(at.front->station(), ethercat::al_state::safe_op));
+            return begin_job(at, work::safe_op, master_.change_state(at.front->station(), ethercat::al_state::safe_op));
         case phase::safe_op:
             return begin_job(at, work::op, master_.change_state(at.front->station(), ethercat::al_state::op));
         case phase::settling: return false;
@@ -231,9 +244,6 @@ template <class Image = wrench_effort_path> class basic_ring {
         const auto& slave = at.front->options();
         return begin_job(at, work::bring_up, master_.bring_up(slave.position, slave.identity.station));
     }
-    // A slave that was not reached when all were cleared may run with a place in the process image that is another's
-    // now, until its watchdog ends that: as long as this program's, and the time that a slave takes to notice.
-    [[nodiscard]] time earlier_outputs_end() const noexcept { return jaus::later(*begun_, 2 * options_.watchdog); }
     // Nothing that moves the actuator goes before a stop order that it has not confirmed.
     [[nodiscard]] static bool is_held_back(const order& each) noexcept {
         return each.unit->debt().next() && !is_query(each.header);
@@ -440,8 +450,8 @@ template <class Image = wrench_effort_path> class basic_ring {
     [[nodiscard]] std::optional<time> next_work_of(const place& at) const {
         switch (at.at) {
         case phase::absent: return at.next_try;
-        case phase::configured: return earlier_outputs_end();
         case phase::pre_op:
+        case phase::configured:
         case phase::safe_op: return time::min();
         case phase::settling: return at.settling_until;
         case phase::up: break;
@@ -491,7 +501,8 @@ template <class Image = wrench_effort_path> class basic_ring {
             const auto* const record = master_.find(each.front->station());
             if (is_exchanged(each) && record != nullptr) records[count++] = *record;
         }
-        ethercat::process_data next{std::span{std::as_const(records)}.first(count), {.watch_slaves = true}};
+        ethercat::process_data next{std::span{std::as_const(records)}.first(count),
+                                    {.watch_slaves = true, .logical_base = logical_base_}};
         for (place& each : places()) {
             const bool stays = std::exchange(each.is_exchanged, is_exchanged(each)) && each.is_exchanged;
             const auto* const record = master_.find(each.front->station());
@@ -701,7 +712,8 @@ template <class Image = wrench_effort_path> class basic_ring {
     std::size_t exchanged_{}; // slaves in the cyclic exchange
     bool has_process_data_{}; // some of them; else it only looks at their states
     bool is_cleared_{};       // the slaves, of what an earlier master has left in them
-    std::optional<time> begun_{};
+    bool has_begun_{};
+    std::uint32_t logical_base_{};
     time last_turn_{};
     time next_cycle_{};
 

@@ -31,6 +31,7 @@ struct master_config {
     std::chrono::nanoseconds sii_timeout{std::chrono::milliseconds{100}};  ///< for one read of the SII
     std::chrono::nanoseconds state_timeout{std::chrono::seconds{5}};       ///< for one change of state
     std::chrono::nanoseconds mailbox_timeout{std::chrono::seconds{1}};     ///< for one mailbox request and its answer
+    std::uint32_t logical_base{}; ///< where the process image begins; give the same to process_data
 };
 
 /// How a state machine goes on after a reply.

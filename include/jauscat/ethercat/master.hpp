@@ -73,7 +73,7 @@ class master {
         slave_->watchdog = {};
         auto image = slaves_.image_without(*slave_);
         image.size = std::max(image.size, away_.image_without(*slave_).size);
-        setup_ = process_setup{*slave_, image, watchdog};
+        setup_ = process_setup{*slave_, image, watchdog, frames_.config().logical_base};
         if (watchdog_units(watchdog) == 0) finish({.error = master_errc::watchdog_range});
         return true;
     }

@@ -31,6 +31,8 @@ struct process_options {
     /// slave then have a datagram of their own, so that one slave's failure does not make another's inputs old. That
     /// takes 45 bytes of the frame for each slave.
     bool watch_slaves{};
+    /// That of the master which has configured the slaves.
+    std::uint32_t logical_base{};
 };
 
 /// Sends the process image when a cycle is due; a frame that is not back by then is lost, and the next one goes all the
@@ -41,7 +43,7 @@ class process_data {
     process_data() noexcept = default;
     /// The slaves' places, as `configure` has left them. All outputs are 0.
     explicit process_data(std::span<const slave_record> slaves, const process_options& options = {}) noexcept
-        : image_{process_image::of(slaves)}, watches_{options.watch_slaves} {
+        : image_{process_image::of(slaves)}, watches_{options.watch_slaves}, base_{options.logical_base} {
         fits_ = slaves.size() <= members_.size() && image_.size <= bytes_.size();
         if (!fits_) image_ = {};
         if (!fits_) return;
@@ -214,8 +216,8 @@ class process_data {
     }
     void request(frame_builder& frame, const part& each) const noexcept {
         const auto data = std::span{bytes_}.subspan(each.address, each.size);
-        const auto low = static_cast<std::uint16_t>(each.address),
-                   high = static_cast<std::uint16_t>(each.address >> 16);
+        const auto address = base_ + each.address;
+        const auto low = static_cast<std::uint16_t>(address), high = static_cast<std::uint16_t>(address >> 16);
         if (!image_.no_lrw) return frame.add(command::lrw, low, high, data);
         frame.add(command::lwr, low, high, data);
         frame.add(command::lrd, low, high, each.size);
@@ -270,6 +272,7 @@ class process_data {
 
     process_image image_{};
     bool watches_{};
+    std::uint32_t base_{};
     bool fits_{true};
     std::array<std::byte, max_process_image> bytes_{};
     std::array<part, slave_capacity> parts_{};

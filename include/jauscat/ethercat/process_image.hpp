@@ -18,7 +18,8 @@ inline constexpr std::size_t max_process_image = max_datagram_data;
 /// The same where a frame carries them in two datagrams, LWR and LRD, because a slave cannot do LRW: 737.
 inline constexpr std::size_t max_process_image_without_lrw = max_datagrams_size / 2 - datagram_overhead;
 
-/// The process image begins at logical address 0. Each slave has a place of its own: its outputs, then its inputs.
+/// The addresses in it are those behind master_config::logical_base. Each slave has a place of its own: its outputs,
+/// then its inputs.
 struct process_image {
     std::size_t size{};         ///< bytes
     std::uint16_t read_write{}; ///< working counter of a complete LRW: 1 for inputs, 2 for outputs of each slave

@@ -26,12 +26,14 @@ class process_setup {
   public:
     process_setup() noexcept = default;
     /// `slave` is in PRE-OP. `image` is that of all other slaves: this one's place follows.
-    process_setup(const slave_record& slave, const process_image& image, std::chrono::nanoseconds watchdog) noexcept
+    process_setup(const slave_record& slave, const process_image& image, std::chrono::nanoseconds watchdog,
+                  std::uint32_t logical_base = 0) noexcept
         : station_{slave.station},
           coe_{slave.mailbox.coe && slave.mailbox.receive_size != 0},
           before_{slave.process_data},
           image_{image},
-          watchdog_units_{watchdog_units(watchdog)} {}
+          watchdog_units_{watchdog_units(watchdog)},
+          logical_base_{logical_base} {}
 
     [[nodiscard]] const outcome& result() const noexcept { return result_; }
     /// Where the slave's process data are; once it is done.
@@ -226,7 +228,7 @@ class process_setup {
             frame.add(command::fpwr, station_, at, settings);
             auto& address = each.is_output() ? output : input;
             frame.add(command::fpwr, station_, register_of(esc_registers::fmmu, fmmus++),
-                      fmmu{.logical_start = address,
+                      fmmu{.logical_start = logical_base_ + address,
                            .length = settings.length,
                            .last_bit = 7,
                            .physical_start = each.description.start,
@@ -264,6 +266,7 @@ class process_setup {
     process_place before_{}, place_{};
     process_image image_{};
     std::uint16_t watchdog_units_{};
+    std::uint32_t logical_base_{};
     std::uint8_t fmmus_{};
     step step_{};
 
