@@ -19,10 +19,10 @@ inline constexpr std::uint16_t visible_string = 0x0009;
 inline constexpr std::uint16_t real64 = 0x0011;
 inline constexpr std::uint16_t integer64 = 0x0015;
 inline constexpr std::uint16_t unsigned64 = 0x001B;
-inline constexpr std::uint16_t pdo_mapping = 0x0021; ///< the record of a PDO mapping object
-inline constexpr std::uint16_t identity = 0x0023;    ///< the record of object 1018h
+inline constexpr std::uint16_t pdo_mapping = 0x0021;     ///< the record of a PDO mapping object
+inline constexpr std::uint16_t identity = 0x0023;        ///< the record of object 1018h
 inline constexpr std::uint16_t synchronization = 0x0029; ///< the record of objects 1C32h and 1C33h
-inline constexpr std::uint16_t bit1 = 0x0030;        ///< BIT1; those of 2 to 8 bits follow
+inline constexpr std::uint16_t bit1 = 0x0030;            ///< BIT1; those of 2 to 8 bits follow
 } // namespace data_types
 
 } // namespace jauscat::ethercat
