@@ -626,6 +626,36 @@ TEST_CASE("an empty copy of a mailbox read that comes back first does not cost t
     CHECK(b.objects.writes == 3);
 }
 
+TEST_CASE("a refused copy of a mailbox write that comes back first, or alone, does not cost the answer") {
+    for (const bool alone : {false, true}) {
+        bench b{{}, {.frames_may_be_copied = true}};
+        REQUIRE(b.bring_up());
+        bytes out(max_frame_size);
+        for (int i = 0; i != 3; ++i) {
+            REQUIRE(b.master.download(0x1001, 0x6926, 1, b.data));
+            while (!b.master.idle()) {
+                const auto size = b.master.next_frame(out, b.link.now);
+                bytes first(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size));
+                bytes second = first;
+                if (size != 0) {
+                    b.device.pass(first);
+                    b.device.pass(second); // the application has not looked yet: its mailbox is full
+                    b.device.work();
+                    frame_view view;
+                    REQUIRE(view.parse(first));
+                    const bool is_write = (*view.begin()).header.cmd == command::fpwr;
+                    if (is_write) static_cast<void>(b.master.on_frame(second, b.link.now));
+                    if (!is_write || !alone) static_cast<void>(b.master.on_frame(first, b.link.now));
+                }
+                if (const auto next = b.master.next_event()) b.link.now = std::max(b.link.now, *next);
+                b.master.on_time(b.link.now);
+            }
+            CHECK(b.master.result());
+        }
+        CHECK(b.objects.writes == 3);
+    }
+}
+
 TEST_CASE("a repeat goes at once, and what follows it waits until the lost frame cannot arrive") {
     bench b{{}, {.frame_timeout = 1ms, .frame_lifetime = 5ms}};
     REQUIRE(b.bring_up());

@@ -52,12 +52,13 @@ class frame_traffic {
     void wait_until(time_point time) noexcept { not_before_ = time; }
 
     /// The datagrams of `frame` if it is the reply that is waited for, else none. They are views of `frame` and are
-    /// kept here until the next call. The last frame `was_empty`: a copy of it counts, too, that a slave has executed.
-    replies take(std::span<const std::byte> frame, bool was_empty = false) noexcept {
+    /// kept here until the next call. The last frame `was_refused`: a copy of it counts, too, that a slave has
+    /// executed.
+    replies take(std::span<const std::byte> frame, bool was_refused = false) noexcept {
         frame_view view;
         const bool parsed = static_cast<bool>(view.parse(frame));
         const bool is_first = outstanding_.waits();
-        auto datagrams = (is_first || was_empty) && parsed ? outstanding_.match(view) : replies{};
+        auto datagrams = (is_first || was_refused) && parsed ? outstanding_.match(view) : replies{};
         if (!is_first && !datagrams.empty() && datagrams.front().working_counter == 0) datagrams = {};
         if (datagrams.empty()) {
             ++statistics_.ignored;

@@ -58,12 +58,13 @@ class mailbox_exchange {
         return step_ != step::drain && step_ != step::collect && step_ != step::read;
     }
 
-    /// The last read found the reply mailbox empty. Where a network copies frames, another copy of that read may have
-    /// got the answer before, and come back later.
-    [[nodiscard]] bool was_empty() const noexcept { return was_empty_ && step_ == step::read; }
+    /// The slave has not executed the last frame: the mailbox was full, or empty. Where a network copies frames, it may
+    /// have executed another copy before, which comes back later.
+    [[nodiscard]] bool was_refused() const noexcept { return was_refused_; }
 
-    void request(frame_builder& frame, const slave_record& slave,
-                 const mailbox_protocol auto& protocol) const noexcept {
+    void request(frame_builder& frame, const slave_record& slave, const mailbox_protocol auto& protocol) noexcept {
+        asked_ = step_;
+        was_refused_ = false;
         const auto read = [&](std::uint16_t address, std::size_t size) {
             frame.add(command::fprd, slave.station, address, size);
         };
@@ -97,7 +98,9 @@ class mailbox_exchange {
 
     progress reply(const datagram_view& datagram, time_point now, const master_config& config, slave_record& slave,
                    mailbox_protocol auto& protocol) noexcept {
+        if (was_refused_) step_ = asked_; // another copy
         const auto next = advance(datagram, slave, protocol);
+        if (was_refused_ && asked_ == step::write && config.frames_may_be_copied) unsure_ = true; // a copy may be taken
         if (next == progress::done || !patience_.exhausted(now, config.mailbox_timeout)) return next;
         if (!accepted_) return fail(master_errc::mailbox_full, slave);
         if (const auto specifier = protocol.unexpected())
@@ -136,7 +139,7 @@ class mailbox_exchange {
 
     progress advance(const datagram_view& datagram, slave_record& slave, mailbox_protocol auto& protocol) noexcept {
         const bool executed = datagram.working_counter != 0;
-        was_empty_ = step_ == step::read && !executed;
+        was_refused_ = !executed && (step_ == step::read || step_ == step::write || step_ == step::drain);
         sync_manager_handshake mailbox{};
         switch (step_) {
         case step::drain:
@@ -263,7 +266,8 @@ class mailbox_exchange {
     bool accepted_{};      // the slave has taken the request
     bool unsure_{};        // the slave may have taken it: the reply to a write was lost
     bool repeat_{};        // the repeat request bit that was sent
-    bool was_empty_{};     // the last reply was that of a read without a message
+    step asked_{};         // the step of the last frame
+    bool was_refused_{};   // it came back without being executed
     bool repeated_{};      // a repeat was asked for: the message before may come again
     patience patience_{};
     outcome result_{};

@@ -193,7 +193,7 @@ class master {
 
     /// Takes a frame that arrived. False if it was not the reply that is waited for: it then changed nothing.
     bool on_frame(std::span<const std::byte> frame, time_point now) noexcept {
-        const auto datagrams = frames_.take(frame, uses_mailbox() && exchange_.was_empty());
+        const auto datagrams = frames_.take(frame, uses_mailbox() && exchange_.was_refused());
         if (datagrams.empty()) return false;
         const auto& config = frames_.config();
         progress next{};
