@@ -22,16 +22,16 @@ namespace jauscat::ethercat {
 /// Indices of the standard objects.
 namespace standard_indices {
 inline constexpr std::uint16_t device_type = 0x1000;
-inline constexpr std::uint16_t error_register = 0x1001;
+inline constexpr std::uint16_t error_register = 0x1001; ///< one bit for each kind of error
 inline constexpr std::uint16_t device_name = 0x1008;
-inline constexpr std::uint16_t hardware_version = 0x1009;
-inline constexpr std::uint16_t software_version = 0x100A;
+inline constexpr std::uint16_t hardware_version = 0x1009; ///< text of the manufacturer
+inline constexpr std::uint16_t software_version = 0x100A; ///< text of the manufacturer
 inline constexpr std::uint16_t identity = 0x1018;
 inline constexpr std::uint16_t sync_manager_types = 0x1C00;
 inline constexpr std::uint16_t output_assignment = 0x1C12;
 inline constexpr std::uint16_t input_assignment = 0x1C13;
-inline constexpr std::uint16_t output_synchronization = 0x1C32;
-inline constexpr std::uint16_t input_synchronization = 0x1C33;
+inline constexpr std::uint16_t output_synchronization = 0x1C32; ///< how the outputs' SyncManager is synchronised
+inline constexpr std::uint16_t input_synchronization = 0x1C33;  ///< the same of the inputs'
 } // namespace standard_indices
 
 /// The standard objects of an emulated slave, all read only, in front of the objects of its application: with process
