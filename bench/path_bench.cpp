@@ -60,7 +60,7 @@ template <class Table> [[gnu::noinline]] std::size_t path(in_bytes datagram, out
     if (!size) return 0;
     const auto object = delivery::object_of(std::span{packet}.first(size.size()));
     const auto transfer = ethercat::sdo_transfer::download(object.index, object.subindex, object.data);
-    const ethercat::mailbox_exchange exchange{slave};
+    ethercat::mailbox_exchange exchange{slave};
     ethercat::frame_builder frame{frame_bytes, ++index};
     exchange.request(frame, slave, transfer);
     return frame.finish().size();

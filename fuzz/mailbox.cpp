@@ -98,7 +98,8 @@ void check_master(std::span<const std::byte> message, sdo_transfer transfer, std
     }
     coe_header coe{};
     sdo_header sdo{};
-    check(wire::decode_prefix(coe, message) && wire::decode_prefix(sdo, message.subspan(2)), "an answer is complete");
+    const bool is_complete = wire::decode_prefix(coe, message) && wire::decode_prefix(sdo, message.subspan(2));
+    check(is_complete || transfer.result().error == master_errc::sdo_abort, "an answer that is no abort is complete");
     check(transfer.result().size <= room, "an upload fits its buffer");
 }
 
