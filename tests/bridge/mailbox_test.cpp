@@ -432,6 +432,24 @@ TEST_CASE("a message waits for its slave for a bounded time") {
     CHECK(r.is_refused(later));
 }
 
+TEST_CASE("a program that was suspended asks no slave for what was under way before") {
+    rig r;
+    r.run_until_ready();
+    r.cable_is_out = true;
+    const auto number = r.drive(50);
+    r.run(5ms);
+    r.tell(jaus::standby{});
+    r.cable_is_out = false;
+    r.now += r.options.longest_silence + 1s;
+    bool has_moved = false;
+    r.run_until([&] {
+        has_moved = has_moved || r.motor().effort != 0;
+        return r.watcher.lost == 1 && r.fronts[0].up() && r.unit().debt().settled();
+    });
+    CHECK_FALSE(has_moved);
+    CHECK(r.is_refused(number));
+}
+
 TEST_CASE("the end of the program waits for a slave that is away to come back") {
     rig r;
     r.run_until_ready();

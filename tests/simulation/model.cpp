@@ -373,6 +373,7 @@ void model::take_emergency_codes(actuator_account& a, const sent_message& sent) 
             a.holders.push_back({sent.source, world_.now(), false});
         else
             *held = {sent.source, world_.now(), false};
+        look_for_lost_holders(a); // it may be given up before the next check
     }
     if (sent.code == jaus::clear_emergency::command_code && !a.refused && held != a.holders.end())
         a.holders.erase(held);

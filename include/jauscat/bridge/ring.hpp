@@ -485,6 +485,9 @@ template <class Image = wrench_effort_path> class basic_ring {
                                      });
         if (was_up)
             for (component* unit : at.front->components()) unit->on_slave_lost(now, out);
+        // A command that is under way would be asked for again, and reach a slave that comes back.
+        if (work_ == work::message && purpose_ == purpose::order && served_ == &at)
+            master_.cancel(ethercat::master_errc::timeout);
         rebuild_process_data(now);
     }
 
