@@ -3,7 +3,12 @@
 #include <jauscat/text/hex.hpp>
 #include <jauscat/wire/wire.hpp>
 
+#include <array>
+#include <cstdint>
 #include <iostream>
+#include <optional>
+#include <span>
+#include <string_view>
 
 // clang-format off
 struct gripper { double force{}; std::optional<std::uint8_t> finger{}; };
