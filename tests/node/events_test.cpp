@@ -582,7 +582,7 @@ TEST_CASE("a consumer matches answers and events with what it asked for") {
     REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_news::unknown);
     REQUIRE(c.hear(occurred("00")).what == event_news::unknown);
     REQUIRE(c.hear(confirmed("00 01 04 44 07 00")).what == event_news::confirmed);
-    REQUIRE(c.events.next_event() == std::nullopt);
+    REQUIRE(c.events.next_event() == 5s); // the provider is asked whether it has the event
 
     const auto message = occurred("fe");
     const auto heard = c.hear(message);
@@ -627,7 +627,7 @@ TEST_CASE("a consumer updates an event, which goes on meanwhile") {
     REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 03 00 00 00 00 03 04")).what == event_news::rejected);
     REQUIRE(c.first().response == event_response::invalid_event_setup);
     REQUIRE(c.events.update(0, wanted, 3s, c.sent.sink()));
-    while (c.events.next_event()) c.events.on_time(*c.events.next_event(), c.sent.sink());
+    while (c.first().state == requested_state::updating) c.events.on_time(*c.events.next_event(), c.sent.sink());
     REQUIRE(c.first().state == requested_state::active);
     REQUIRE(c.first().requests == 5);
     REQUIRE(c.hear(occurred("01")).what == event_news::event);
@@ -885,6 +885,95 @@ TEST_CASE("a silent provider of periodic events is noticed, and asked again unti
     REQUIRE(c.events.next_event() == std::nullopt);
 }
 
+TEST_CASE("a silent provider of events on change is noticed, and asked again until it answers") {
+    const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
+    provider p;
+    consumer c;
+    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()));
+    converse(p, c, 0s);
+    p.drive(1, 2s);
+    REQUIRE(converse(p, c, 2s) == 1);
+
+    // Nothing changes for a minute: every 5 s the provider is asked, and says that it has the event.
+    int queries = 0;
+    while (*c.events.next_event() <= 60s) {
+        const time_point now = *c.events.next_event();
+        c.events.on_time(now, c.sent.sink());
+        REQUIRE(c.sent.size() == 1);
+        REQUIRE(to_hex(c.sent[0]) == "06 02 f0 21 01 2a 01 02 01 28 01 01 04 00 00 00 05 04 44 01");
+        ++queries;
+        converse(p, c, now);
+        REQUIRE(c.first().state == requested_state::active);
+    }
+    REQUIRE(queries == 11);
+
+    // A lost answer does nothing.
+    const time_point last = *c.events.next_event();
+    c.events.on_time(last, c.sent.sink());
+    c.sent.clear();
+    REQUIRE(c.events.next_event() == last + 1s);
+    c.events.on_time(last + 1s, c.sent.sink());
+    converse(p, c, last + 1s);
+    REQUIRE(c.events.next_event() == last + 6s);
+
+    // The provider ends: noticed after 5 s and five queries.
+    c.sent.clear();
+    while (c.first().state == requested_state::active) c.events.on_time(*c.events.next_event(), c.sent.sink());
+    REQUIRE(c.first().state == requested_state::stale);
+    REQUIRE(c.events.next_event() == last + 12s);
+    REQUIRE(c.sent.size() == 6);
+    REQUIRE(c.sent.body<jaus::create_event>(5).message_code == velocity);
+
+    // It has started anew, and gives the event another ID.
+    provider anew;
+    anew.create({.message_code = devices, .event_type = event_type::every_change});
+    c.sent.clear();
+    anew.sent.clear();
+    c.events.on_time(last + 12s, c.sent.sink());
+    converse(anew, c, last + 12s);
+    REQUIRE(c.first().state == requested_state::active);
+    REQUIRE(c.first().event_id == 2);
+    anew.drive(2, last + 13s);
+    REQUIRE(converse(anew, c, last + 13s) == 1);
+}
+
+TEST_CASE("a provider that has started anew without an event is asked for it again") {
+    provider p;
+    consumer c;
+    REQUIRE(
+        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s, c.sent.sink()));
+    converse(p, c, 0s);
+    provider anew;
+    while (*c.events.next_event() <= 10s) {
+        const time_point now = *c.events.next_event();
+        c.events.on_time(now, c.sent.sink());
+        converse(anew, c, now);
+    }
+    REQUIRE(c.first().state == requested_state::active);
+    REQUIRE(in_use(anew) == 1);
+}
+
+TEST_CASE("a first change that has come is not asked for any more") {
+    provider p;
+    consumer c;
+    REQUIRE(
+        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::first_change}, 0s, c.sent.sink()));
+    converse(p, c, 0s);
+    REQUIRE(c.events.next_event() == 5s);
+    p.drive(1, 1s);
+    REQUIRE(converse(p, c, 1s) == 1);
+    REQUIRE(c.first().state == requested_state::active);
+    REQUIRE(c.events.next_event() == std::nullopt);
+
+    // Nor is a provider asked that does not answer Query Events.
+    c.events = jaus::event_consumer<2>{viewer, 1s, 5, time_point::max()};
+    REQUIRE(
+        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 2s, c.sent.sink()));
+    converse(p, c, 2s);
+    REQUIRE(c.first().state == requested_state::active);
+    REQUIRE(c.events.next_event() == std::nullopt);
+}
+
 TEST_CASE("a limit that is not a number is refused, whatever it would limit") {
     provider p;
     const auto nan = real(std::numeric_limits<double>::quiet_NaN());
@@ -979,7 +1068,7 @@ TEST_CASE("random messages leave both sides of events within their bounds") {
     provider p;
     consumer c;
     std::array<int, 4> outcomes{};
-    constexpr std::array<std::uint16_t, 7> codes{0x1F0, 0x1F1, 0x1F2, 0x1F3, 0x1F4, 0x21F0, 0x41F1};
+    constexpr std::array<std::uint16_t, 8> codes{0x1F0, 0x1F1, 0x1F2, 0x1F3, 0x1F4, 0x21F0, 0x41F0, 0x41F1};
     time_point now = 0s;
     for (int i = 0; i != 100000; ++i) {
         now += std::chrono::milliseconds{random() % 50};

@@ -367,6 +367,51 @@ TEST_CASE("a consumer gives up what is refused or never answered") {
     REQUIRE(c.service.ask(other, velocity, 1093, 15, 9s, c.sent.sink()) == std::nullopt);
 }
 
+TEST_CASE("a connection whose change is refused is terminated, also when that message is lost") {
+    const auto refusal = from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 00 00 04");
+    const auto termination = "06 02 0c 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 07";
+    consumer c;
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
+    c.hear(from_hex(confirmation), 0s);
+    REQUIRE(c.service.ask(sensor, pose, 20, 15, 1s, c.sent.sink()) == 0);
+    c.sent.clear();
+    REQUIRE(c.hear(refusal, 1s) == jaus::consumer_outcome{consumer_news::refused, 0, 0});
+    REQUIRE(c.first().state == consumed_state::refused);
+    REQUIRE(c.service.next_event() == std::nullopt);
+    REQUIRE(c.sent.size() == 1);
+    REQUIRE(to_hex(c.sent[0]) == termination);
+    REQUIRE(c.report(0, 1500ms).what == consumer_news::ignored); // was under way
+    REQUIRE(c.sent.size() == 1);
+    REQUIRE(c.report(1, 2s).what == consumer_news::ignored);
+    REQUIRE(c.sent.size() == 2);
+    REQUIRE(to_hex(c.sent[1]) == termination);
+
+    // A change that is ended before there is an answer.
+    consumer d;
+    REQUIRE(d.service.ask(sensor, pose, 10, 15, 0s, d.sent.sink()));
+    d.hear(from_hex(confirmation), 0s);
+    REQUIRE(d.service.ask(sensor, pose, 20, 15, 1s, d.sent.sink()) == 0);
+    d.sent.clear();
+    d.service.end(0, 1s, d.sent.sink());
+    REQUIRE(d.sent.size() == 1);
+    REQUIRE(to_hex(d.sent[0]) == termination);
+}
+
+TEST_CASE("a stale connection that is refused is not asked for again") {
+    consumer c;
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
+    c.hear(from_hex(confirmation), 0s);
+    c.service.on_time(5s, c.sent.sink());
+    REQUIRE(c.first().state == consumed_state::stale);
+    REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 00 00 04"), 6s).what ==
+            consumer_news::refused);
+    REQUIRE(c.first().state == consumed_state::refused);
+    REQUIRE(c.first().response == response::connection_refused);
+    REQUIRE(c.service.next_event() == std::nullopt);
+    REQUIRE(c.states ==
+            states{consumed_state::asking, consumed_state::active, consumed_state::stale, consumed_state::refused});
+}
+
 TEST_CASE("a connection that is confirmed when it was given up is terminated") {
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));

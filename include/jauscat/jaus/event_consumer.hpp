@@ -8,18 +8,24 @@
 
 namespace jauscat::jaus {
 
-/// Asks for events and matches what comes with what was asked for. A periodic event that is stale is asked for again
-/// without end, so it outlives a provider that starts anew or a link that was down. Of the others nobody knows when the
-/// next is due: see lose().
+/// Asks for events and matches what comes with what was asked for. An event that is stale is asked for again without
+/// end, so it outlives a provider that starts anew or a link that was down.
+///
+/// A periodic event is stale after three periods without one. The others may be silent for long, so after a silence the
+/// provider is asked by Query Events whether it has the event, and the event is stale when no answer lists it. Report
+/// Events does not say whose an event is: another requester's event of the same report and ID counts as this one.
 ///
 /// An event that nobody asked for is cancelled: it was asked for before the program was started anew. So a component
 /// has one of these.
 template <std::size_t Capacity> class event_consumer {
   public:
-    /// `patience`: between requests that are not answered; `requests`: how many of those.
+    /// `patience`: between requests that are not answered; `requests`: how many of those. `silence`: without an event
+    /// that is not periodic, before its provider is asked; nanoseconds::max() for one that does not answer Query
+    /// Events.
     constexpr explicit event_consumer(const address& self, std::chrono::nanoseconds patience = std::chrono::seconds{1},
-                                      unsigned requests = 5) noexcept
-        : self_{self}, patience_{patience}, most_requests_{requests} {}
+                                      unsigned requests = 5,
+                                      std::chrono::nanoseconds silence = std::chrono::seconds{5}) noexcept
+        : self_{self}, patience_{patience}, most_requests_{requests}, silence_{silence} {}
 
     /// Sends `wanted`, whose local request ID is replaced. Returns the event's place in requested(); none where all are
     /// taken, a rate rounds to 0 or the message cannot be made.
@@ -64,7 +70,7 @@ template <std::size_t Capacity> class event_consumer {
         ask(e, now, out);
     }
 
-    /// Takes Confirm and Reject Event Request, and Event.
+    /// Takes Confirm and Reject Event Request, and Event. Looks at Report Events, which is not_mine all the same.
     constexpr event_outcome on_message(const header& head, std::span<const std::byte> body,
                                        std::chrono::nanoseconds now, message_sink out) noexcept {
         event_outcome outcome{};
@@ -94,6 +100,7 @@ template <std::size_t Capacity> class event_consumer {
                     outcome.what = gone ? event_news::cancelled : event_news::rejected;
                     e.response = m.response_code;
                     e.confirmed = e.confirmed && e.state != requested_state::stale;
+                    e.requests = 0;
                     e.state = requested_state::rejected;
                     if (e.confirmed) activate(e, now); // an update
                     if (gone) e = {};
@@ -101,6 +108,7 @@ template <std::size_t Capacity> class event_consumer {
             });
         case event::command_code:
             return decoded_by(event{}, [&](const event& m) { heard(head.source, m, outcome, now, out); });
+        case report_events::command_code: listed(head.source, body, now); return outcome;
         default: return outcome;
         }
     }
@@ -109,6 +117,10 @@ template <std::size_t Capacity> class event_consumer {
     constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
         for (requested_event& e : requested_) {
             if (!has_due(e) || e.due > now) continue;
+            if (e.state == requested_state::active && !comes_at_rate(e) && e.requests < most_requests_) {
+                query(e, now, out);
+                continue;
+            }
             if (e.state == requested_state::active) e.state = requested_state::stale;
             if (e.state == requested_state::stale || e.requests < most_requests_)
                 ask(e, now, out);
@@ -151,13 +163,18 @@ template <std::size_t Capacity> class event_consumer {
         return e.state == requested_state::asking || e.state == requested_state::updating ||
                e.state == requested_state::cancelling || e.state == requested_state::stale;
     }
+    static constexpr auto never = std::chrono::nanoseconds::max();
+
     [[nodiscard]] static constexpr bool has_due(const requested_event& e) noexcept {
-        return waits(e) || (e.state == requested_state::active && e.periodic && e.rate > 0);
+        return waits(e) || (e.state == requested_state::active && e.due != never);
+    }
+    [[nodiscard]] static constexpr bool comes_at_rate(const requested_event& e) noexcept {
+        return e.type == event_type::periodic && e.rate > 0;
     }
     constexpr void activate(requested_event& e, std::chrono::nanoseconds now) const noexcept {
         constexpr int silent_periods = 3;
         e.state = requested_state::active;
-        if (has_due(e)) e.due = later(now, silent_periods * period_of(e.rate));
+        e.due = later(now, comes_at_rate(e) ? silent_periods * period_of(e.rate) : silence_);
     }
     // A confirmation that comes late makes an event at the provider all the same, which must be cancelled.
     [[nodiscard]] static constexpr bool may_be_answered(const requested_event& e) noexcept {
@@ -165,8 +182,7 @@ template <std::size_t Capacity> class event_consumer {
     }
     constexpr bool keep(requested_event& e, create_event& wanted) noexcept {
         wanted.local_request_id = e.local_request_id = ++last_id_;
-        e.one_time = wanted.event_type == event_type::one_time_on_demand;
-        e.periodic = wanted.event_type == event_type::periodic;
+        e.type = wanted.event_type;
         e.requests = 0;
         const auto rounds_to_0 = [](const std::optional<double>& rate) {
             return rate && *rate != 0 && sayable_rate(*rate, update_rate::max) == 0;
@@ -192,6 +208,27 @@ template <std::size_t Capacity> class event_consumer {
                  out);
         ++e.requests;
         e.due = later(now, patience_);
+    }
+    constexpr void query(requested_event& e, std::chrono::nanoseconds now, message_sink out) noexcept {
+        send(e, query_events{.message_code = e.message_code, .event_id = e.event_id}, out);
+        ++e.requests;
+        e.due = later(now, patience_);
+    }
+    // A list without an event may be the answer about another, so it says nothing about this one.
+    constexpr void listed(const address& source, std::span<const std::byte> body,
+                          std::chrono::nanoseconds now) noexcept {
+        const wire::view<report_events> report{body};
+        if (!report) return;
+        for (const auto reported : report.template get<&report_events::event>()) {
+            const auto code = reported.template get<&reported_event::message_code>();
+            const auto id = reported.template get<&reported_event::event_id>();
+            for (requested_event& e : requested_) {
+                if (e.state != requested_state::active || comes_at_rate(e) || e.requests == 0) continue;
+                if (e.provider != source || e.message_code != code || e.event_id != id) continue;
+                e.requests = 0;
+                activate(e, now);
+            }
+        }
     }
     template <coded_message T> constexpr void send(const requested_event& e, const T& body, message_sink out) noexcept {
         std::array<std::byte, header_size + max_create_event_size + 1> bytes{}; // Update Event has one more: the ID
@@ -254,11 +291,15 @@ template <std::size_t Capacity> class event_consumer {
         outcome.lost = e->heard && is_newer ? ahead - 1u : 0;
         e->heard = true;
         e->heard_at = now;
-        if (e->state != requested_state::updating) activate(*e, now);
+        if (e->state != requested_state::updating) {
+            e->requests = 0;
+            activate(*e, now);
+            if (e->type == event_type::first_change) e->due = never; // no other follows
+        }
         e->sequence_number = m.event_sequence_number;
         ++e->received;
         e->lost += outcome.lost;
-        if (e->one_time) *e = {};
+        if (e->type == event_type::one_time_on_demand) *e = {};
     }
 
     // Not while an answer may tell of it, and not again until there was time for an answer.
@@ -282,6 +323,7 @@ template <std::size_t Capacity> class event_consumer {
     address self_;
     std::chrono::nanoseconds patience_;
     unsigned most_requests_;
+    std::chrono::nanoseconds silence_;
     std::array<requested_event, Capacity> requested_{};
     requested_event unwanted_{}; ///< cancelled last, without having been asked for
     std::uint8_t last_id_{};

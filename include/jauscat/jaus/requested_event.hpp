@@ -11,7 +11,7 @@ enum class requested_state : std::uint8_t {
     free,       ///< no event
     asking,     ///< not answered yet; asked again at each patience
     active,     ///< confirmed
-    stale,      ///< periodic, and none came for three periods; asked for again at each patience
+    stale,      ///< the provider is silent, or has not the event any more; asked for again at each patience
     updating,   ///< by update(), not answered yet; until then it goes on as it was, or as it will be
     rejected,   ///< by the provider, for the reason in `response`
     unanswered, ///< given up: no answer to as many requests as were to be made, or the provider has disappeared
@@ -27,8 +27,7 @@ struct requested_event {
     requested_state state{};             ///< how far it has got
     event_response response{};           ///< of the last answer
     std::uint16_t message_code{};        ///< of the report
-    bool one_time{};                     ///< is over with the first event
-    bool periodic{};                     ///< comes at its rate, whatever the report says
+    event_type type{};                   ///< what triggers it
     bool confirmed{};                    ///< the event ID is known
     bool heard{};                        ///< `sequence_number` is that of an event
     std::uint8_t local_request_id{};     ///< of the request that waits for an answer

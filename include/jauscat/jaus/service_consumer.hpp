@@ -23,16 +23,19 @@ template <std::size_t Capacity> class service_consumer {
         : self_{self}, options_{options}, changed_{changed} {}
 
     /// Asks `provider` for report `code` at `rate` hertz (at most 1092) with the fields of `presence_vector`, also when
-    /// there is a connection, to change it. Returns its place in connections(); none where all are taken, or the rate
-    /// cannot be said.
+    /// there is a connection, to change it: if the provider refuses that, the connection ends. Returns its place in
+    /// connections(); none where all are taken, or the rate cannot be said.
     [[nodiscard]] constexpr std::optional<std::size_t> ask(const address& provider, std::uint16_t code, double rate,
                                                            std::uint32_t presence_vector, std::chrono::nanoseconds now,
                                                            message_sink out) noexcept {
         if (sayable_rate(rate, update_rate::max) == 0 || rate > update_rate::max) return std::nullopt;
         consumed_connection* c = find(provider, code);
+        const consumed_connection before = c == nullptr ? consumed_connection{} : *c;
         if (c == nullptr) c = free_place();
         if (c == nullptr) return std::nullopt;
         *c = {.provider = provider,
+              .instance_id = before.instance_id,
+              .confirmed = before.confirmed,
               .request = {.command_code_ = code,
                           .requested_periodic_update_rate = rate,
                           .requested_presence_vector = presence_vector}};
@@ -81,6 +84,7 @@ template <std::size_t Capacity> class service_consumer {
         case consumed_state::suspended: // the message got lost
             if (now - c->asked_at >= options_.patience) tell<suspend_service_connection>(*c, now, out);
             break;
+        case consumed_state::refused:
         case consumed_state::ending:
             if (c->confirmed && now - c->asked_at >= options_.patience)
                 tell<terminate_service_connection>(*c, now, out);
@@ -181,6 +185,8 @@ template <std::size_t Capacity> class service_consumer {
         c->response = answered.response_code;
         // A rate of nothing would never be missed.
         if (!accepted || answered.confirmed_periodic_update_rate == 0) {
+            // A refused change leaves the provider with the connection that it had.
+            if (c->confirmed) tell<terminate_service_connection>(*c, now, out);
             enter(*c, consumed_state::refused);
             return {consumer_news::refused, place};
         }
