@@ -1,4 +1,5 @@
-# Compiles SOURCE with COMPILER and INCLUDES, and checks that the outcome is EXPECT, by default what its first line says.
+# Compiles SOURCE with COMPILER and INCLUDES, warnings as errors, and checks that the outcome is EXPECT, by default what its
+# first line says.
 if(NOT DEFINED EXPECT)
     file(STRINGS ${SOURCE} first_line LIMIT_COUNT 1)
     if(NOT first_line MATCHES "^// expect: (.+)$")
@@ -10,7 +11,7 @@ endif()
 list(REMOVE_DUPLICATES INCLUDES)
 list(REMOVE_ITEM INCLUDES "" "/usr/include")
 list(TRANSFORM INCLUDES PREPEND "-I")
-execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only ${INCLUDES} ${SOURCE}
+execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -Werror ${INCLUDES} ${SOURCE}
                 RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
 
 string(FIND "${output}" "${EXPECT}" at)

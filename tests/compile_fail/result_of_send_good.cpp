@@ -1,0 +1,8 @@
+// expect: no error
+#include <jauscat/jaus/component.hpp>
+
+namespace jaus = jauscat::jaus;
+
+bool rest(jaus::component<>& unit, const jaus::address& arm, std::chrono::nanoseconds now, jaus::message_sink out) {
+    return static_cast<bool>(unit.send({.destination = arm}, jaus::standby{}, now, out));
+}

@@ -1,0 +1,8 @@
+// expect: ignoring return
+#include <jauscat/jaus/component.hpp>
+
+namespace jaus = jauscat::jaus;
+
+void rest(jaus::component<>& unit, const jaus::address& arm, std::chrono::nanoseconds now, jaus::message_sink out) {
+    unit.send({.destination = arm}, jaus::standby{}, now, out);
+}
