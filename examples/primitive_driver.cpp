@@ -24,7 +24,7 @@ int main(int argc, char** argv) try {
     jaus::report_wrench_effort effort{};
     jaus::dispatcher own{
         jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const jaus::set_wrench_effort& told) {
-            jaus::copy_present(told, effort); // and here the motors
+            jaus::copy_present(told, effort); // and set the motors
         }),
         jaus::on<jaus::query_wrench_effort>([&](const jaus::header& head, const jaus::query_wrench_effort& query) {
             auto answer = effort;
@@ -33,7 +33,7 @@ int main(int argc, char** argv) try {
             if (!sent) std::cout << sent.problem() << std::endl;
         })};
     const auto rest = [&effort](state, state now) {
-        if (now != state::ready) effort = {}; // standby, emergency, shutdown: the motors rest
+        if (now != state::ready) effort = {}; // standby, emergency, shutdown: motors at rest
     };
     jaus::component_memory<> memory{};
     jaus::component driver{self, memory, {.on_state = rest}, {}};

@@ -15,7 +15,7 @@ int main() try {
     const auto* const way = config.next_hop({.instance = 1, .component = 32, .node = 1, .subsystem = 1});
     if (way != nullptr) std::cout << "messages to 1.1.32.1 go to " << way->name << ", at " << way->endpoint() << '\n';
 
-    const auto as_ocu = config.with_this("ocu"); // the same file, seen by another program
+    const auto as_ocu = config.with_this("ocu"); // the same file, for another program
     std::cout << "this is " << as_ocu.me().name << ", subsystem " << int{as_ocu.me().jausip.subsystem} << '\n';
     // [use end]
     for (const auto* master : net::read_jaus_config("several_masters.xml").masters_of("arm"))

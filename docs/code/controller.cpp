@@ -17,7 +17,7 @@ namespace net = jauscat::net;
 // [includes end]
 
 // [controller]
-/// Carries messages to the slave with the station address 2, over any link.
+/// Sends messages to the slave with the station address 2, over any link.
 template <ethercat::link Link> class controller {
   public:
     explicit controller(Link& link) : link_{link} {}
@@ -25,7 +25,7 @@ template <ethercat::link Link> class controller {
     /// Brings the slave up.
     ethercat::outcome start() { return net::run(link_, master_, master_.bring_up(0, station)); }
 
-    /// Delivers a message; the report that it asks for, and its acknowledgement, go to `answer`.
+    /// Delivers a message; passes its report, if it is a query, and its acknowledgement to `answer`.
     template <class Answer> void carry(std::span<const std::byte> message, Answer answer) {
         auto step = exchange_.begin(message, buffer_);
         while (step.what == ethercat::exchange_progress::request)
@@ -39,7 +39,7 @@ template <ethercat::link Link> class controller {
     }
 
   private:
-    /// Has the master do what a request packet says; returns the confirmation.
+    /// Executes a request packet by the master; returns the confirmation.
     std::span<const std::byte> execute(std::span<const std::byte> request) {
         ethercat::packet_job job{request, confirmation_};
         for (bool runs = job.start(master_); runs; runs = job.next(master_))

@@ -12,7 +12,7 @@ namespace jaus = jauscat::jaus;
 
 int main() {
     // [use]
-    // A Set Wrench Effort that announces two efforts, and ends within the second.
+    // A Set Wrench Effort that announces two efforts, and ends inside the second.
     constexpr std::array bytes{std::byte{0x03}, std::byte{0x00}, std::byte{0xff}, std::byte{0x3f}, std::byte{0x01}};
     jaus::set_wrench_effort command{};
     const auto used = jauscat::wire::decode(command, bytes);

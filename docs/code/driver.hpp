@@ -20,7 +20,7 @@ namespace ethercat = jauscat::ethercat;
 // [application]
 using driver_table = jauscat::translation::self_contained_table_at_2000h;
 
-/// What the slave does: an object that is written becomes its JAUS message again and reaches a handler.
+/// The application: restores the JAUS message of a written object and calls its handler.
 class driver {
   public:
     ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
@@ -31,7 +31,7 @@ class driver {
         if (!message) return ethercat::abort_code::parameter_incompatible;
         jaus::dispatcher handlers{
             jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const jaus::set_wrench_effort& command) {
-                jaus::copy_present(command, effort); // and here the motors
+                jaus::copy_present(command, effort); // and set the motors
             }),
             jaus::on<jaus::query_wrench_effort>([&](const jaus::header& query, const jaus::query_wrench_effort& asked) {
                 auto answer = effort;
@@ -42,7 +42,7 @@ class driver {
         return what == jaus::dispatched::handled ? ethercat::abort_code::none : ethercat::abort_code::value_range;
     }
 
-    /// The report that the last query has asked for.
+    /// The report for the last query.
     ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
         const auto object = delivery::object_of(std::span{report}.first(report_size));
         if (object.index != index || object.subindex != subindex) return {ethercat::abort_code::no_data, 0};
@@ -57,7 +57,7 @@ class driver {
   private:
     using delivery = ethercat::delivery<driver_table>;
 
-    /// A report lies in the slave's own object: it is a message from the component to itself.
+    /// A report is in the slave's own object: it is a message from the component to itself.
     std::size_t prepare(const jaus::header& query, const jaus::report_wrench_effort& answer) noexcept {
         std::array<std::byte, 64> message{};
         const auto made =

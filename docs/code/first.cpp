@@ -20,7 +20,7 @@ int main() {
     const auto message = std::span{buffer}.first(size.size());
     std::cout << jauscat::text::annotate_message(message, jaus::message_list<jaus::set_wrench_effort>{});
 
-    // What the arm does with it.
+    // Decoding, as in the arm.
     const auto received = jaus::split(message);
     jaus::set_wrench_effort effort{};
     if (!received || !jauscat::wire::decode(effort, received.body)) return std::cerr << "not understood\n", 1;

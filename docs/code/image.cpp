@@ -26,8 +26,8 @@ struct set_gripper {
 
 /// The slave's outputs: 6 bytes, the same in every cycle.
 struct gripper_outputs {
-    std::uint16_t command_count{}; ///< goes up with each command
-    std::uint8_t presence{};       ///< which fields the last command had
+    std::uint16_t command_count{}; ///< incremented by each command
+    std::uint8_t presence{};       ///< fields of the last command
     std::uint16_t opening{};
     std::uint8_t finger{};
 };
@@ -73,7 +73,7 @@ int main() {
         if (error != translate::errc::ok) return std::cerr << describe(error) << '\n', 1;
         std::cout << jauscat::text::annotate<gripper_outputs>(outputs) << '\n';
     }
-    // The same struct tells the master what the slave's process data are.
+    // The master takes the description of the process data from the same struct.
     for (const auto& entry : jauscat::ethercat::image_entries<gripper_outputs, 0x7000>)
         std::cout << jauscat::text::hex_number(entry.index, 4) << ':' << int{entry.subindex} << "  " << int{entry.bits}
                   << " bits  " << entry.name << '\n';

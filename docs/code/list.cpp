@@ -19,7 +19,7 @@ struct grasp {
 
 struct report_gripper {
     jauscat::wire::inline_list<double, 4> force{}; ///< newtons, of each finger; held in the message
-    jauscat::wire::list<grasp> history{};          ///< lies elsewhere
+    jauscat::wire::list<grasp> history{};          ///< held in memory of the caller
 };
 
 // clang-format off
@@ -46,7 +46,7 @@ int main() {
     const auto bytes = std::span{buffer}.first(size.size());
     std::cout << jauscat::text::annotate<report_gripper>(bytes);
 
-    // The list's elements are decoded into memory of yours; the message is good for as long as that is.
+    // The list's elements are decoded into memory of the caller, which must outlive the message.
     std::array<std::byte, 256> memory{};
     jauscat::wire::arena arena{memory};
     report_gripper received{};

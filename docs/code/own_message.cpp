@@ -17,7 +17,7 @@ struct newtons {
     static constexpr std::string_view unit = "N";
 };
 
-/// Set Gripper, code D101h: of the range that RA 3.3 leaves to experimental messages, D000h to FFFFh.
+/// Set Gripper, code D101h: RA 3.3 reserves D000h to FFFFh for experimental messages.
 struct set_gripper {
     static constexpr std::uint16_t command_code = 0xD101;
     std::uint8_t finger{};
@@ -43,7 +43,7 @@ int main() {
     const auto size = jaus::make_message(head, gripper::set_gripper{.finger = 1, .force = 120}, buffer);
     if (!size) return std::cerr << describe(size.error()) << '\n', 1;
 
-    // On the other side: from bytes to the handler of the message's type.
+    // The receiver: from bytes to the handler of the message's type.
     jaus::dispatcher handlers{
         jaus::on<gripper::set_gripper>([](const jaus::header& from, const gripper::set_gripper& command) {
             std::cout << jauscat::text::to_text(from.source) << " says: finger " << int{command.finger} << ", "

@@ -13,14 +13,14 @@ namespace translate = jauscat::translate;
 // [includes end]
 
 // [packet]
-/// In front of the data of a radio link: 8 bytes, big endian.
+/// The packet header of a radio link: 8 bytes, big endian.
 struct radio_packet {
     std::uint16_t station{};
     std::uint8_t channel{};
     std::uint8_t message{}; ///< number of the message, from 1
     std::uint8_t place{};   ///< 0: a whole message, 1 to 3: first, middle, last part of one
-    std::uint8_t counter{}; ///< the sender's own
-    std::uint16_t size{};   ///< bytes of data behind this
+    std::uint8_t counter{}; ///< set by the sender
+    std::uint16_t size{};   ///< bytes of data that follow
 };
 
 // clang-format off
@@ -70,10 +70,10 @@ using radio_table = translate::table<J, P, 200, // at most 200 bytes of data
         translate::same<jaus::data_flag::first, 1>,
         translate::same<jaus::data_flag::middle, 2>,
         translate::same<jaus::data_flag::last, 3>>,                      // all other flags are refused
-    translate::body_size<at<&J::data_size>>,                             // not carried: the packet's size says it
+    translate::body_size<at<&J::data_size>>,                             // not carried: derived from the packet's size
     translate::data_count<at<&P::size>>,
-    translate::given<at<&P::counter>>,                                   // the caller's
-    translate::rest>;                                                    // all else goes into the data
+    translate::given<at<&P::counter>>,                                   // set by the caller
+    translate::rest>;                                                    // all other fields, in the data
 // clang-format on
 // [table end]
 

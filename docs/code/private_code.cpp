@@ -25,7 +25,7 @@ template <> struct jauscat::wire::schema<set_gripper> {
 };
 
 // [table]
-/// RA 3.3's 158 codes keep their ranks; D101h is appended and is number 159. Objects lie from 2000h on.
+/// RA 3.3's 158 codes keep their ranks; D101h is appended and has rank 159. The index base is 2000h.
 inline constexpr auto command_codes = translation::ra_command_codes_and<set_gripper::command_code>;
 using gripper_table = translation::self_contained_table_of<translation::manufacturer_index_base, command_codes>::type;
 // [table end]

@@ -16,9 +16,9 @@ int report(const std::string& problem) {
 int open_and_drop(const std::string& interface) {
     // [drop]
     jauscat::net::raw_link link{interface};
-    // real-time priority and locked memory, if wanted, come here
+    // set real-time priority and lock memory here, if needed
     if (const auto dropped = jauscat::net::drop_privileges(); !dropped) return report(dropped.problem());
-    // threads are started here
+    // start threads here
     // [drop end]
     return link.problem().empty() ? 0 : report(link.problem());
 }

@@ -8,10 +8,10 @@
 // [includes end]
 
 // [declare]
-/// What a gripper says of itself.
+/// The report of a gripper.
 struct report_gripper {
     std::uint8_t finger{};   ///< 1 is the first
-    std::uint32_t strokes{}; ///< since it was built
+    std::uint32_t strokes{}; ///< in its lifetime
 };
 
 template <> struct jauscat::wire::schema<report_gripper> {

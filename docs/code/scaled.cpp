@@ -29,11 +29,11 @@ int main() {
     auto size = jauscat::wire::encode(report, buffer);
     std::cout << jauscat::text::annotate<report_gripper>(std::span{buffer}.first(size.size()));
 
-    report.opening = 250; // is refused: nothing is cut off in silence
+    report.opening = 250; // refused: values are not limited silently
     size = jauscat::wire::encode(report, buffer);
     std::cout << "250 mm: " << describe(size.error()) << '\n';
 
-    jauscat::wire::clamp(report); // unless you say so
+    jauscat::wire::clamp(report); // limits all values to their ranges
     size = jauscat::wire::encode(report, buffer);
     std::cout << "clamped: " << report.opening << " mm, " << describe(size.error()) << '\n';
     // [use end]

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 // [includes end]
 
 // [robot]
-/// Component 33 of the robot: obeys Set Wrench Effort, and reports its efforts to who has connected to them.
+/// Component 33 of the robot: executes Set Wrench Effort, and reports its efforts by service connections.
 class driver {
   public:
     explicit driver(net::jaus_node& node) { node.add(core_, application_); }
@@ -23,7 +23,7 @@ class driver {
   private:
     using header = jaus::header;
     void on_state(jaus::primary_status_code, jaus::primary_status_code now) {
-        if (now != jaus::primary_status_code::ready) effort_ = {}; // the motors rest
+        if (now != jaus::primary_status_code::ready) effort_ = {}; // motors at rest
     }
     void on_controller(const std::optional<jaus::controller>& who, jaus::control_change why) {
         if (why == jaus::control_change::lost) effort_ = {};
@@ -37,7 +37,7 @@ class driver {
             return jaus::outcome_of(handlers(head, body));
         }
     };
-    /// Writes a report with the fields that a connection wants.
+    /// Writes a report with the fields that a connection requested.
     struct filler {
         driver& mine;
         std::optional<std::size_t> operator()(std::uint16_t, std::uint32_t fields, std::span<std::byte> body) const {
@@ -93,7 +93,7 @@ int main() try {
     const auto keep = [&](const jaus::awaited_message&, jaus::delivered what) { outcome = what; };
     jaus::component_memory<> memory{};
     jaus::held_control control{self, target};
-    const auto first_number = static_cast<std::uint16_t>(std::random_device{}()); // another one after each start
+    const auto first_number = static_cast<std::uint16_t>(std::random_device{}()); // differs after each start
     jaus::component unit{
         self, memory, {.on_delivered = keep}, {.acknowledgement = {.first_number = first_number}}, control};
     double forward{};

@@ -22,8 +22,8 @@ void set_motor(std::int16_t effort) { std::printf("motor at %d of 32767\n", effo
 // [node]
 using command = wire::raw<jaus::set_wrench_effort>; // optional integers instead of optional doubles
 
-constinit std::array<std::byte, jaus::header_size + 64> message_buffer{}; // the longest message that is taken
-constinit jaus::stream_framer framer{message_buffer, 20ms}; // 20 ms of silence end a message that is not whole
+constinit std::array<std::byte, jaus::header_size + 64> message_buffer{}; // for the longest accepted message
+constinit jaus::stream_framer framer{message_buffer, 20ms};               // 20 ms of silence end an incomplete message
 
 void on_message(std::span<const std::byte> bytes) {
     const auto message = jaus::split(bytes);
@@ -38,7 +38,7 @@ void on_message(std::span<const std::byte> bytes) {
     if (const auto size = jaus::make_acknowledgement(message.header, how, answer)) send(answer);
 }
 
-/// From the loop: what the receive interrupt has collected. Also with nothing, every few milliseconds.
+/// Called by the main loop with the received bytes, and every few milliseconds without any.
 void on_bytes(std::span<const std::byte> bytes, std::chrono::nanoseconds now) {
     framer.on_bytes(bytes, now, on_message);
 }

@@ -50,7 +50,7 @@ int main() {
         std::cout << jauscat::text::annotate<set_goal>(std::span{buffer}.first(size.size())) << '\n';
     }
 
-    // The value is not of the type that its tag says.
+    // The type of the value does not match its tag.
     const auto size = jauscat::wire::encode(set_goal{goal_type::width, object_goal{}}, buffer);
     std::cout << describe(size.error()) << '\n';
     // [use end]
