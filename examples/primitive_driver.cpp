@@ -2,6 +2,7 @@
 //     primitive_driver JausConfig.xml b
 #include <jauscat/jauscat.hpp>
 #include <jauscat/net.hpp>
+#include <jauscat/text/jaus.hpp>
 
 #include <boost/asio/signal_set.hpp>
 
@@ -15,9 +16,14 @@ using state = jaus::primary_status_code;
 int main(int argc, char** argv) try {
     if (argc != 3) return std::cerr << "primitive_driver CONFIGURATION SYSTEM, such as JausConfig.xml b\n", 2;
     boost::asio::io_context context;
-    net::jaus_node node{context, net::read_jaus_config(argv[1]).with_this(argv[2]), {.log = [](std::string_view line) {
-                            std::cout << line << std::endl;
-                        }}};
+    using orders = jaus::message_list<jaus::set_wrench_effort, jaus::query_wrench_effort>;
+    net::jaus_node node{context,
+                        net::read_jaus_config(argv[1]).with_this(argv[2]),
+                        {.log = [](std::string_view line) { std::cout << line << std::endl; },
+                         .explain_malformed =
+                             [](std::uint16_t code, std::span<const std::byte> body) {
+                                 return jauscat::text::why_malformed(code, body, orders{});
+                             }}};
     auto self = node.manager();
     self.component = 33; // Primitive Driver
 

@@ -2,6 +2,7 @@
 #include "net/simulated_program.hpp"
 #include <jauscat/schema/jaus/environment_sensor.hpp>
 #include <jauscat/schema/jaus/event.hpp>
+#include <jauscat/text/jaus.hpp>
 
 using namespace net_test;
 using std::chrono::nanoseconds;
@@ -134,7 +135,23 @@ TEST_CASE("a node without sockets says what its gate refuses") {
     REQUIRE(p.robot.node.on_datagram(datagram.first(3), p.ocu.at, jaus::framing::bare, false, p.network.now) ==
             net::verdict::malformed);
     REQUIRE(p.robot.log.size() == 2);
+    REQUIRE(p.robot.logged("could be answered: truncated: shorter than the 16-byte JAUS header"));
     REQUIRE(p.robot.core.state() == jaus::primary_status_code::ready);
+}
+
+TEST_CASE("the log names the field and the byte of a body that does not decode, where it is told how") {
+    simulated_network network;
+    const auto systems = system("ocu", "1.0.0.0", 1001) + system("robot", "2.0.0.0", 1002);
+    simulated_program ocu{network, config("ocu", systems), make(1, 1, 32)};
+    simulated_program robot{
+        network, config("robot", systems), make(2, 1, 33), {.explain_malformed = [](std::uint16_t code, auto body) {
+            return jauscat::text::why_malformed(code, body, jaus::message_list<jaus::set_component_authority>{});
+        }}};
+    REQUIRE(ocu.node.send({.command_code = 0x0001, .destination = robot.self, .source = ocu.self},
+                          std::span<const std::byte>{}, network.now));
+    REQUIRE(network.run(network.now + 1s, [&] { return !robot.log.empty(); }));
+    REQUIRE(robot.logged("malformed: the body does not decode: truncated"));
+    REQUIRE(robot.logged("authority_code at byte 0 needs 1 bytes, 0 left"));
 }
 
 // A program that was suspended finds the packets of several data sets in its socket, and takes them in one instant.

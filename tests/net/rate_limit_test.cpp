@@ -1,8 +1,11 @@
 // Token buckets: rate, burst, idle times; and a table of them under a flood of senders.
 #include "support/catch.hpp"
+#include <jauscat/net/limited_log.hpp>
 #include <jauscat/net/rate_limit.hpp>
 
 #include <random>
+#include <string>
+#include <vector>
 
 using namespace std::chrono_literals;
 using net_time = std::chrono::nanoseconds;
@@ -102,4 +105,17 @@ TEST_CASE("a limit is computed at compile time as well, so it uses no clock and 
     }();
     static_assert(second_is_refused);
     SUCCEED();
+}
+
+TEST_CASE("a log is limited by cause: what floods it does not hide what else happens") {
+    std::vector<std::string> lines;
+    jauscat::net::limited_log log{[&](std::string_view line) { lines.emplace_back(line); },
+                                  {.per_second = 1, .burst = 2}};
+    const auto flood = [] { return "refused"; };
+    const auto rare = [] { return "lost"; };
+    for (int i = 0; i != 1000; ++i) log(0s, flood);
+    log(0s, rare);
+    log(1s, flood);
+    REQUIRE(lines == std::vector<std::string>{"refused", "refused", "lost", "998 lines such as the next were left out",
+                                              "refused"});
 }

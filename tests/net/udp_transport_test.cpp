@@ -158,6 +158,26 @@ TEST_CASE("a closed port at the peer is reported by its address, and the transpo
     CHECK(sender.message == bytes_of("to the sender"));
 }
 
+TEST_CASE("an absent peer is told of once, and again after it was there") {
+    boost::asio::io_context context;
+    station sender{context};
+    const auto peer_port = closed_port();
+    const auto refused = [&](std::uint64_t count) {
+        REQUIRE(sender.transport.send(bytes_of("heartbeat"), peer_port));
+        REQUIRE(support::until(context, [&] { return sender.transport.counts().refused == count; }));
+    };
+    for (const std::uint64_t count : {1U, 2U, 3U}) refused(count);
+    CHECK(sender.errors == std::vector{text(peer_port) + ": closed port: no program receives there"});
+    {
+        udp_transport peer{context, peer_port};
+        REQUIRE(peer.send(bytes_of("here"), sender.transport.local()));
+        REQUIRE(support::until(context, [&] { return !sender.message.empty(); }));
+        peer.stop();
+    }
+    for (const std::uint64_t count : {4U, 5U}) refused(count);
+    CHECK(sender.errors.size() == 2);
+}
+
 TEST_CASE("one peer's closed port does not swallow the next message to another") {
     boost::asio::io_context context;
     station sender{context};

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace jauscat::net {
@@ -50,9 +51,12 @@ struct jaus_node_options {
     /// Bytes of large data sets that may wait to be sent, and of messages between components of the node.
     std::size_t most_waiting{std::size_t{16} << 20U};
 
-    /// Gets a line about all that was refused, unroutable or lost, `log_limit` of them.
+    /// Gets a line about all that was refused, unroutable or lost.
     std::function<void(std::string_view line)> log{};
-    rate log_limit{.per_second = 20, .burst = 100}; ///< lines that go to the log
+    rate log_limit{.per_second = 20, .burst = 100}; ///< lines of each cause that go to the log
+    /// Says which field and byte of a body that does not decode are at fault, for the log. text::why_malformed does,
+    /// for the messages of a list.
+    std::function<std::string(std::uint16_t command_code, std::span<const std::byte> body)> explain_malformed{};
     /// Hears of each message that a component of the node got, the node manager's included, and what became of it.
     std::function<void(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
                        jaus::component_outcome what)>

@@ -109,7 +109,8 @@ class node_machine {
         const auto what = (*gate_)(message, from, now);
         if (what != verdict::taken)
             log_(now, [&] {
-                return "a datagram from " + detail::text(from) + " is refused: " + std::string{describe(what)};
+                return "a datagram from " + detail::text(from) + " is refused: " + std::string{describe(what)} +
+                       (what == verdict::malformed ? ": " + std::string{describe(jaus::split(message).error)} : "");
             });
         return what;
     }

@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -44,7 +45,8 @@ class udp_transport {
         std::function<void(std::span<const std::byte> message, const endpoint& from, jaus::framing framing)>;
 
     /// Called with a line of text for everything that went wrong without a caller to tell: a closed port at a peer,
-    /// a datagram that holds no message, a failed receive. The transport goes on receiving.
+    /// a datagram that holds no message, a failed receive. The transport goes on receiving. What a network refuses on
+    /// the way to a peer is told once, until something comes from that peer or the reason changes.
     using error_handler = std::function<void(std::string_view text)>;
 
     /// Called with each datagram's content, framing removed, before anything is done with it; it may be empty.
@@ -205,6 +207,7 @@ class udp_transport {
             report("a datagram from " + detail::text(from) + " holds no message");
         else {
             ++counters_.received;
+            if (!unreachable_.empty()) unreachable_.erase(from);
             on_message_(message, from, framing);
         }
     }
@@ -223,10 +226,18 @@ class udp_transport {
     std::size_t take_refusals() {
         return detail::take_icmp_errors(socket_, [this](const endpoint& sent_to, std::error_code error) {
             ++counters_.refused;
-            tell(detail::text(detail::unmapped(sent_to)) + (error == std::errc::connection_refused
-                                                                ? ": closed port: no program receives there"
-                                                                : ": not delivered: " + error.message()));
+            const auto to = detail::unmapped(sent_to);
+            if (is_news(to, error))
+                tell(detail::text(to) + (error == std::errc::connection_refused
+                                             ? ": closed port: no program receives there"
+                                             : ": not delivered: " + error.message()));
         });
+    }
+    /// Heartbeats go to an absent peer each second. Of more peers than are remembered all is news.
+    bool is_news(const endpoint& peer, std::error_code error) {
+        constexpr std::size_t most = 256;
+        if (unreachable_.size() == most && !unreachable_.contains(peer)) return true;
+        return std::exchange(unreachable_[peer], error) != error;
     }
 
     void tell(const std::string& text) {
@@ -251,6 +262,7 @@ class udp_transport {
     error_handler on_error_{};
     filter filter_{};
     udp_counters counters_{};
+    std::map<endpoint, std::error_code> unreachable_{}; ///< peers, and what the network said last
     std::chrono::nanoseconds waited_{};
     std::uint32_t dropped_{}; ///< the kernel's count, modulo 2^32, at the last datagram
     std::shared_ptr<detail::handler_memory> memory_{std::make_shared<detail::handler_memory>()};

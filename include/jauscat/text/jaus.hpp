@@ -30,6 +30,16 @@ namespace jauscat::text {
            " -> " + to_text(head.destination) + ", sequence " + std::to_string(head.sequence_number);
 }
 
+/// Which field and byte of a body are at fault, if it is that of one of `Messages` and does not decode; else empty.
+template <jaus::coded_message... Messages>
+[[nodiscard]] std::string why_malformed(std::uint16_t command_code, std::span<const std::byte> body,
+                                        jaus::message_list<Messages...>) {
+    wire::diagnosis why{};
+    static_cast<void>(
+        (... || (Messages::command_code == command_code && (why = wire::diagnose<Messages>(body), true))));
+    return why.error == wire::errc::ok ? std::string{} : to_text(why);
+}
+
 /// A line for each field of the header and of the body, if one of `Messages` has its command code; a hex dump else.
 template <jaus::coded_message... Messages>
 [[nodiscard]] std::string annotate_message(std::span<const std::byte> bytes, jaus::message_list<Messages...>) {

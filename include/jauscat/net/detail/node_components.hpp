@@ -251,8 +251,13 @@ class node_components {
             peers_.bind(head.source, to.self, now);
         constexpr std::array unremarkable{taken, deferred, acknowledgement, repeated, pending};
         if (std::ranges::find(unremarkable, what) == unremarkable.end())
-            log_(now,
-                 [&] { return in_text(head) + ": at " + to_jausip(to.self) + ": " + std::string{describe(what)}; });
+            log_(now, [&] {
+                const auto line = in_text(head) + ": at " + to_jausip(to.self) + ": " + std::string{describe(what)};
+                const auto why = what == malformed && options_.explain_malformed
+                                     ? options_.explain_malformed(head.command_code, body)
+                                     : std::string{};
+                return why.empty() ? line : line + ": " + why;
+            });
         if (going_ && options_.seen) options_.seen(to.self, head, body, what);
         return what;
     }
