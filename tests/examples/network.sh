@@ -60,6 +60,13 @@ objects_on_a_wire() {
     start "three slaves" "$bin/emulated_slaves" jc1
     objects_are_written jc0
 }
+a_wrong_size_is_noticed() {
+    start "one slave" "$bin/wrong_size_slave"
+    expect 1 "do not use the data" "$bin/sdo_read" udp 2000 0
+    grep -qFx "the slave's SDO information says 8 bytes" "$work/out.log" || fail "the described size is not told"
+    expect 0 "00 00 00 00" "$bin/sdo_read" udp 2001 0
+    expect 0 "4a" "$bin/sdo_read" udp 1008 0 # a string may be shorter
+}
 a_component_answers() { # primitive_driver
     local ocu=("$bin/ocu" --config "$bin/JausConfig.xml" --this a --to 2.1.33.1)
     start "" "$bin/primitive_driver" "$bin/JausConfig.xml" b
