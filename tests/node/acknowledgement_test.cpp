@@ -387,6 +387,15 @@ TEST_CASE("a program that is started again and then numbers all its messages 0 i
     REQUIRE(a.hear(0x0004, 0, 0, begun_anew + 200ms) == received::handed_on);
 }
 
+TEST_CASE("a program that is started again and numbers several commands 0 does not count, whatever came before") {
+    arm a;
+    REQUIRE(a.hear(0x0405, 0xFF80) == received::handed_on); // 0 may follow soon
+    REQUIRE(a.hear(0x0405, 0) == received::handed_on);
+    REQUIRE(a.hear(0x0004, 0) == received::handed_on);
+    a.commands.on_change(); // another unit has got control
+    REQUIRE(a.hear(0x0004, 0) == received::handed_on);
+}
+
 TEST_CASE("a sender that counts may send plain messages with the number 0 in between") {
     arm a;
     REQUIRE(a.hear(0x0003, 0xFFFF) == received::handed_on);

@@ -243,18 +243,20 @@ void model::answers(std::uint8_t which, bytes message) {
 }
 
 // Of a message that took its time. Of several with the same number it is one that was executed, if there is one. One
-// that was refused when it came is none that is acknowledged later, unless its number says so.
+// with the number 0 that was refused when it came comes last: the NAK may have been for one before it.
 void model::later_acknowledged(actuator_account& a, const jaus::header& head) {
     std::uint32_t latest = 0;
     look(a);
-    for (std::size_t i = 0; i != std::min<std::size_t>(a.arrived_count, a.arrived.size()); ++i) {
-        const auto* sent = find(a.arrived[(a.arrived_count - 1 - i) % a.arrived.size()]);
-        if (sent == nullptr || sent->source != head.destination || sent->code != head.command_code ||
-            sent->sequence_number != head.sequence_number ||
-            (sent->was_refused && !sent->done && sent->sequence_number == 0))
-            continue;
-        if (latest == 0) latest = sent->number;
-        if (sent->done || (!sent->is_malformed && has_effect(a, *sent))) return acknowledged(a, sent->number);
+    for (const bool takes_refused : {false, true}) {
+        for (std::size_t i = 0; i != std::min<std::size_t>(a.arrived_count, a.arrived.size()); ++i) {
+            const auto* sent = find(a.arrived[(a.arrived_count - 1 - i) % a.arrived.size()]);
+            if (sent == nullptr || sent->source != head.destination || sent->code != head.command_code ||
+                sent->sequence_number != head.sequence_number ||
+                (!takes_refused && sent->was_refused && !sent->done && sent->sequence_number == 0))
+                continue;
+            if (latest == 0) latest = sent->number;
+            if (sent->done || (!sent->is_malformed && has_effect(a, *sent))) return acknowledged(a, sent->number);
+        }
     }
     acknowledged(a, latest);
 }

@@ -201,7 +201,11 @@ class acknowledged_receiver {
             if (m.sequence_number != 0 || !is_known(m)) continue;
             const bool counts = std::ranges::any_of(
                 places_, [&](const acknowledged_message& other) { return is_known(other) && shows_count(other, m); });
-            if (concerns(m.source) && !counts)
+            // Who counts does not use the number 0 for two commands.
+            const bool repeats_zero = std::ranges::any_of(places_, [&](const acknowledged_message& other) {
+                return other.superseded && now < other.until && other.source == m.source && other.sequence_number == 0;
+            });
+            if (concerns(m.source) && (repeats_zero || !counts))
                 m.superseded = true;
             else
                 knows_unnumbered_ = true;
