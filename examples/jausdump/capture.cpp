@@ -30,13 +30,18 @@ template <class Header> Header take(bytes& rest, const char* name) {
 constexpr std::uint16_t ether_type_ipv4 = 0x0800;
 constexpr std::uint16_t ether_type_provider_vlan = 0x88A8;
 constexpr std::uint8_t protocol_udp = 17;
+constexpr std::uint16_t ethercat_port = jauscat::ethercat::ether_type_ethercat;
 
-/// The IPv4 packet behind an EtherType.
-bytes ip_packet(std::uint16_t ether_type, bytes rest) {
+/// What a frame carries, without its link layer.
+struct packet {
+    std::uint16_t ether_type{ether_type_ipv4};
+    bytes data{};
+};
+
+packet behind_vlan_tags(std::uint16_t ether_type, bytes rest) {
     while (ether_type == jauscat::ethercat::ether_type_vlan || ether_type == ether_type_provider_vlan)
         ether_type = take<jauscat::ethercat::vlan_tag>(rest, "VLAN").ether_type;
-    if (ether_type != ether_type_ipv4) throw useless{"not IPv4: EtherType " + text::hex_number(ether_type, 4)};
-    return rest;
+    return {ether_type, rest};
 }
 
 /// The address family in front of a packet from a loopback device, in the byte order of the machine that wrote it.
@@ -47,23 +52,23 @@ bytes behind_address_family(bytes frame) {
     return frame.subspan(4);
 }
 
-bytes ip_packet_of(int link_type, bytes frame) {
+packet packet_of(int link_type, bytes frame) {
     switch (link_type) {
     case DLT_EN10MB: {
         const auto ether_type = take<jauscat::ethercat::ethernet_header>(frame, "Ethernet").ether_type;
-        return ip_packet(ether_type, frame);
+        return behind_vlan_tags(ether_type, frame);
     }
     case DLT_LINUX_SLL: {
         const auto ether_type = take<cooked_header>(frame, "Linux cooked").protocol;
-        return ip_packet(ether_type, frame);
+        return behind_vlan_tags(ether_type, frame);
     }
     case DLT_LINUX_SLL2: {
         const auto ether_type = take<cooked_header_2>(frame, "Linux cooked").protocol;
-        return ip_packet(ether_type, frame);
+        return behind_vlan_tags(ether_type, frame);
     }
     case DLT_NULL:
-    case DLT_LOOP: return behind_address_family(frame);
-    default: return frame; // raw IP
+    case DLT_LOOP: return {.data = behind_address_family(frame)};
+    default: return {.data = frame}; // raw IP
     }
 }
 
@@ -89,8 +94,13 @@ std::string endpoint(const std::array<std::byte, 4>& ip, std::uint16_t port) {
     return text + ":" + std::to_string(port);
 }
 
-/// The UDP payload of an IPv4 packet; fills in the ends of `from`.
-bytes udp_payload(bytes packet, origin& from) {
+struct udp_datagram {
+    bool ethercat{}; ///< by its port
+    bytes payload{};
+};
+
+/// The UDP datagram of an IPv4 packet; fills in the ends of `from`.
+udp_datagram udp_datagram_of(bytes packet, origin& from) {
     const bytes whole = packet;
     const auto ip = take<ipv4_header>(packet, "IPv4");
     const std::size_t header_size = std::size_t{ip.words} * 4;
@@ -106,7 +116,20 @@ bytes udp_payload(bytes packet, origin& from) {
         throw useless{"broken UDP header"};
     from.from = endpoint(ip.source, udp.source_port);
     from.to = endpoint(ip.destination, udp.destination_port);
-    return datagram.first(udp.size - wire::min_size<udp_header>);
+    return {.ethercat = udp.source_port == ethercat_port || udp.destination_port == ethercat_port,
+            .payload = datagram.first(udp.size - wire::min_size<udp_header>)};
+}
+
+void hand_over(const packet& found, origin& from, const capture_listener& listener) {
+    if (found.ether_type == jauscat::ethercat::ether_type_ethercat) {
+        if (!listener.ethercat) throw useless{"EtherCAT: --ethercat shows the JAUS messages in it"};
+        return listener.ethercat(found.data, from);
+    }
+    if (found.ether_type != ether_type_ipv4)
+        throw useless{"not IPv4: EtherType " + text::hex_number(found.ether_type, 4)};
+    const auto datagram = udp_datagram_of(found.data, from);
+    const bool ethercat = datagram.ethercat && listener.ethercat;
+    (ethercat ? listener.ethercat : listener.datagram)(datagram.payload, from);
 }
 
 std::chrono::nanoseconds time_of(const timeval& when) {
@@ -144,7 +167,7 @@ void read_capture(const std::string& path, const capture_listener& listener) {
         from.time = time_of(head->ts);
         try {
             const bytes frame = std::as_bytes(std::span{data, head->caplen});
-            listener.datagram(udp_payload(ip_packet_of(link_type, frame), from), from);
+            hand_over(packet_of(link_type, frame), from, listener);
         } catch (const useless& frame) {
             listener.skipped(frame.reason);
         }

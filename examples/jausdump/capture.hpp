@@ -1,4 +1,4 @@
-// UDP payloads out of a capture file.
+// UDP payloads and EtherCAT frames out of a capture file.
 #pragma once
 #include "record.hpp"
 
@@ -9,7 +9,9 @@ namespace jausdump {
 /// Who hears what a capture holds.
 struct capture_listener {
     std::function<void(std::span<const std::byte> payload, const origin&)> datagram{};
-    std::function<void(const std::string& reason)> skipped{}; ///< a frame without a whole UDP payload
+    /// An EtherCAT frame, its EtherCAT header on: of Ethernet, or the payload of UDP port 34980. Not set: passed over.
+    std::function<void(std::span<const std::byte> frame, const origin&)> ethercat{};
+    std::function<void(const std::string& reason)> skipped{}; ///< a frame with neither
     std::function<void(double part)> progress{};              ///< of the file, 0 to 1
     std::function<bool()> stop{};
 };

@@ -87,6 +87,25 @@ void dump::on_datagram(std::span<const std::byte> payload, const origin& from) {
     take_apart(message, true);
 }
 
+void dump::on_object(std::span<const std::byte> bytes, const origin& from) {
+    record message{.origin = from, .bytes = {bytes.begin(), bytes.end()}};
+    take_apart(message, true);
+}
+
+void dump::on_unreadable_object(std::span<const std::byte> data, translate::errc error, const origin& from) {
+    const bool known = error != translate::errc::unknown_subindex;
+    tell({.origin = from,
+          .kind = known ? kind::broken : kind::unknown,
+          .bytes = {data.begin(), data.end()},
+          .error = fault{.error = error_name(error), .what = "not a message: " + std::string{describe(error)}}});
+}
+
+void dump::on_refused(const jaus::header& head, const refusal& why, const origin& from) {
+    const record message{
+        .origin = from, .kind = kind::refused, .head = head, .name = name_of(head.command_code), .refusal = why};
+    if (options_.filter.passes(message)) tell(message);
+}
+
 void dump::take_apart(record& message, bool network) {
     jaus::header head{};
     if (!wire::decode_prefix(head, message.bytes)) {

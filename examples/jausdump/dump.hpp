@@ -2,13 +2,13 @@
 #pragma once
 #include "decoder.hpp"
 #include "filter.hpp"
+#include "object_table.hpp"
 #include "printer.hpp"
 #include <jauscat/jaus/large_data_set.hpp>
 
 namespace jausdump {
 
 enum class format { text_lines, json_lines };
-enum class translation { none, seed, self_contained };
 
 /// What the command line asks for.
 struct options {
@@ -30,6 +30,13 @@ class dump {
     void on_line(const std::string& line, std::size_t number);
     /// A UDP payload: a message, a packet of a large data set, or something else.
     void on_datagram(std::span<const std::byte> payload, const origin& from);
+    /// A message that an object of an EtherCAT slave stood for.
+    void on_object(std::span<const std::byte> bytes, const origin& from);
+    /// The data of a component's object that are no message.
+    void on_unreadable_object(std::span<const std::byte> data, jauscat::translate::errc error, const origin& from);
+    /// A message that was not taken, or not given.
+    void on_refused(const jaus::header& head, const refusal& why, const origin& from);
+    void on_lost_transfer() { summary_.lose_transfer(); }
     void on_skipped(const std::string& reason) { summary_.skip(reason); }
 
     [[nodiscard]] bool has_seen_anything() const { return !summary_.empty(); }

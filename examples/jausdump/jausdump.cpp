@@ -1,6 +1,7 @@
 // jausdump: shows JAUS messages out of a capture, from a UDP port, or from lines of hex digits.
 #include "capture.hpp"
 #include "dump.hpp"
+#include "ethercat_reader.hpp"
 #include "input_lines.hpp"
 #include "listener.hpp"
 #include "support/program.hpp"
@@ -23,10 +24,17 @@ Captures and ports: with or without JAUS01.0 in front of a message. Large data s
 elements are decoded with the types of an earlier Report Payload Interface. What is not JAUS is counted. Lines: each is
 decoded alone, whatever its acknowledgement bits or data flag say.
 
+EtherCAT (--ethercat): shows what SDO transfers carry to and from the objects of JAUS components, in frames of EtherType
+88A4h or in UDP at port 34980. A message is shown once all its data have passed, and each refusal with its abort code.
+Other objects and mailbox protocols are counted. The octets of a JAUS ID that are not on the wire are what a slave fills
+in: with the seed table the subsystem of --subsystem and instance 1. An octet that is not known is 0, such as the node
+of a slave whose station address is above 254.
+
 Examples:
   jausdump drive.pcap
   jausdump drive.pcap --name global_pose --from 1.1 --hex
   jausdump drive.pcap --summary
+  jausdump ring.pcap --ethercat seed --subsystem 2
   jausdump --listen 3794 --join 224.1.0.1
   echo 0602050401210202012001010400220001000040 | jausdump --format json --reencode
   jausdump --format json --translate seed <messages.hex
@@ -34,7 +42,7 @@ Examples:
 
 JSON: one object a line with message, code, header, presence_vector, fields; then hex (--reencode), packet (--translate,
 or the name of the error), error (what broke the message: error, field, byte counted from the header), bytes (of what was
-not decoded), dropped (bytes that the fields do not hold), data_set, origin.
+not decoded), dropped (bytes that the fields do not hold), data_set, refusal (by, what, code, text), origin.
 
 Exit code: 0 when all was decoded, 1 when something was broken, unknown or incomplete, 2 for a wrong command line or
 input that cannot be read.
@@ -89,6 +97,35 @@ std::vector<jauscat::jaus::payload_type> payload_types(const std::string& text) 
     return jausdump::parse_payload_types(content, text);
 }
 
+jausdump::translation table_choice(const po::variables_map& values, const std::string& name) {
+    using jausdump::translation;
+    return choice<translation>(values, name,
+                               {{"seed", translation::seed}, {"self-contained", translation::self_contained}});
+}
+
+/// What --ethercat and the options that go with it say.
+jausdump::object_table object_table_from(const po::variables_map& values) {
+    namespace bases = jauscat::translation;
+    if (values.count("ethercat") == 0) {
+        for (const std::string name : {"index-base", "subsystem", "fixed-length"})
+            if (values.count(name) != 0) throw usage_error{"--" + name + " needs --ethercat seed or self-contained"};
+        return {};
+    }
+    jausdump::object_table table{.table = table_choice(values, "ethercat"),
+                                 .fixed_length = values.count("fixed-length") != 0};
+    if (values.count("index-base") != 0)
+        table.index_base = static_cast<std::uint16_t>(choice<std::uint32_t>(values, "index-base",
+                                                                            {{"6900", bases::seed_index_base},
+                                                                             {"0x2000", bases::manufacturer_index_base},
+                                                                             {"0x6900", bases::profile_index_base}}));
+    if (values.count("subsystem") != 0) {
+        const auto subsystem = values["subsystem"].as<unsigned>();
+        if (subsystem < 1 || subsystem > 254) throw usage_error{"--subsystem must be 1 to 254"};
+        table.subsystem = static_cast<std::uint8_t>(subsystem);
+    }
+    return table;
+}
+
 jausdump::options options_from(const po::variables_map& values) {
     using namespace jausdump;
     jausdump::options made{
@@ -102,9 +139,7 @@ jausdump::options options_from(const po::variables_map& values) {
         .summary_only = values.count("summary") != 0,
         .colours = example::colours(),
     };
-    if (values.count("translate") != 0)
-        made.translation = choice<translation>(
-            values, "translate", {{"seed", translation::seed}, {"self-contained", translation::self_contained}});
+    if (values.count("translate") != 0) made.translation = table_choice(values, "translate");
     if (values.count("payload-types") != 0)
         made.payload_types = payload_types(values["payload-types"].as<std::string>());
     return made;
@@ -137,13 +172,34 @@ void read_lines(jausdump::dump& dump) {
     jausdump::read_input_lines([&](const std::string& line) { dump.on_line(line, ++number); }, stopped);
 }
 
-void read_file(jausdump::dump& dump, const std::string& path) {
+void read_file(jausdump::dump& dump, const std::string& path, const jausdump::object_table& table) {
     progress shown;
-    jausdump::read_capture(path, {.datagram = [&](auto payload, const auto& from) { dump.on_datagram(payload, from); },
-                                  .skipped = [&](const std::string& reason) { dump.on_skipped(reason); },
-                                  .progress = [&](double part) { shown(part); },
-                                  .stop = stopped});
+    const auto skipped = [&](const std::string& reason) { dump.on_skipped(reason); };
+    jausdump::capture_listener listener{
+        .datagram = [&](auto payload, const auto& from) { dump.on_datagram(payload, from); },
+        .skipped = skipped,
+        .progress = [&](double part) { shown(part); },
+        .stop = stopped};
+    jausdump::ethercat_reader ring{
+        table,
+        {.message = [&](auto message, const auto& from) { dump.on_object(message, from); },
+         .unreadable = [&](auto data, auto error, const auto& from) { dump.on_unreadable_object(data, error, from); },
+         .refused = [&](const auto& head, const auto& why, const auto& from) { dump.on_refused(head, why, from); },
+         .lost = [&] { dump.on_lost_transfer(); },
+         .skipped = skipped}};
+    const bool wants_ring = table.table != jausdump::translation::none;
+    if (wants_ring) listener.ethercat = [&](auto frame, const auto& from) { ring.read(frame, from); };
+    try {
+        jausdump::read_capture(path, listener);
+    } catch (const jausdump::input_error&) {
+        ring.finish();
+        throw;
+    }
     shown.end();
+    ring.finish();
+    if (wants_ring && ring.frames() == 0 && !stopped())
+        throw jausdump::input_error{path + ": holds no EtherCAT: no frame of EtherType 0x88A4, nothing at UDP port "
+                                           "34980; record at the interface of the master, or leave out --ethercat"};
 }
 
 void listen(jausdump::dump& dump, const po::variables_map& values) {
@@ -156,11 +212,13 @@ int read_input(const po::variables_map& values) {
     const bool live = values.count("listen") != 0, file = values.count("capture") != 0;
     if (live && file) throw usage_error{"give either a capture or --listen PORT"};
     if (!live && values.count("join") != 0) throw usage_error{"--join needs --listen PORT"};
+    const auto table = object_table_from(values);
+    if (!file && values.count("ethercat") != 0) throw usage_error{"--ethercat needs a capture"};
     jausdump::dump dump{options_from(values)};
     std::string problem;
     try {
         if (file)
-            read_file(dump, values["capture"].as<std::string>());
+            read_file(dump, values["capture"].as<std::string>(), table);
         else if (live)
             listen(dump, values);
         else
@@ -188,6 +246,13 @@ int main(int argc, char** argv) {
             ("hex", "show each message's bytes with their offsets too")
             ("reencode", "add the message encoded again from the decoded values")
             ("translate", po::value<std::string>(), "add the SDO download packet, by the table seed or self-contained")
+            ("ethercat", po::value<std::string>(),
+             "show what SDO transfers of a capture carry, by the table seed or self-contained")
+            ("index-base", po::value<std::string>(),
+             "object index of component 0, with --ethercat: 6900 (the default), 0x2000 or 0x6900")
+            ("fixed-length", "with --ethercat: every object is padded to one size, and begins with its length")
+            ("subsystem", po::value<unsigned>(),
+             "JAUS subsystem of the slaves, with --ethercat seed: that table does not carry it")
             ("payload-types", po::value<std::string>(),
              "type codes of a payload's interfaces 1, 2, ...: a list such as 1,2,4 or a file that holds one")
             ("code", po::value<std::vector<std::string>>(), "only these command codes, in hex: 0405,4405")

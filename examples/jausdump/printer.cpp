@@ -76,6 +76,19 @@ json error_object(const fault& error) {
     return object;
 }
 
+json refusal_object(const refusal& why) {
+    return {{"by", why.by}, {"what", why.what}, {"code", why.code}, {"text", why.text}};
+}
+
+/// "SDO abort 0x06020000: no such object in the dictionary"
+std::string reason_of(const refusal& why) { return why.what + " " + why.code + ": " + why.text; }
+
+/// "EtherCAT: download to station 2, object 0x1B15:26"
+std::string access_text(const origin& from) {
+    const auto direction = from.from == "master" ? "download to " + from.to : "upload from " + from.from;
+    return "EtherCAT: " + direction + ", object " + from.object;
+}
+
 std::string dump_line(const json& object) { return object.dump(-1, ' ', false, json::error_handler_t::replace) + "\n"; }
 
 } // namespace
@@ -103,7 +116,12 @@ std::string to_text(const record& message, const palette& colour, bool with_byte
     } else {
         text = columns(number, time, "-", "not a message", std::to_string(message.bytes.size()), "", "", "");
     }
-    text += "\n" + message.text;
+    text += "\n";
+    if (!from.object.empty()) text += indent + access_text(from) + "\n";
+    text += message.text;
+    if (message.refusal)
+        text += indent + colour.bad + (message.refusal->by == "master" ? "given up by the master: " : "refused: ") +
+                reason_of(*message.refusal) + colour.end + "\n";
     if (message.dropped != 0)
         text += indent + std::to_string(message.dropped) +
                 " bytes dropped: of presence bits that the standard's layout does not have\n";
@@ -132,6 +150,7 @@ std::string to_json_line(const record& message) {
     object["fields"] = message.fields;
     if (message.hex) object["hex"] = *message.hex;
     if (message.packet) object["packet"] = *message.packet;
+    if (message.refusal) object["refusal"] = refusal_object(*message.refusal);
     if (message.error) object["error"] = error_object(*message.error);
     if (message.kind == kind::unknown || message.kind == kind::broken)
         object["bytes"] = text::detail::plain_hex(message.bytes);
@@ -141,11 +160,16 @@ std::string to_json_line(const record& message) {
     if (message.origin.time) from["time"] = time_text(*message.origin.time, "%Y-%m-%dT%H:%M:%S") + "Z";
     if (!message.origin.from.empty()) from["from"] = message.origin.from;
     if (!message.origin.to.empty()) from["to"] = message.origin.to;
+    if (!message.origin.object.empty()) from["object"] = message.origin.object;
     object["origin"] = std::move(from);
     return dump_line(object);
 }
 
 void summary::add(const record& message) {
+    if (message.refusal) {
+        ++refused_[message.name + ": " + reason_of(*message.refusal)];
+        return;
+    }
     const bool bad = message.kind == kind::unknown || message.kind == kind::broken;
     const auto code = message.head ? text::hex_number(message.head->command_code, 4) : "-";
     auto& line = by_type_[{code, message.head ? message.name : "not a message"}];
@@ -156,7 +180,7 @@ void summary::add(const record& message) {
 }
 
 bool summary::something_did_not_decode() const {
-    return lost_ != 0 || by_kind_.contains(kind::unknown) || by_kind_.contains(kind::broken);
+    return lost_ != 0 || lost_transfers_ != 0 || by_kind_.contains(kind::unknown) || by_kind_.contains(kind::broken);
 }
 
 std::string summary::text(const palette& colour) const {
@@ -182,6 +206,8 @@ std::string summary::text(const palette& colour) const {
             parts += (parts.empty() ? ": " : ", ") + std::to_string(found->second) + " " + name;
     text += parts + "\n";
     if (lost_ != 0) text += std::to_string(lost_) + " incomplete large data sets\n";
+    if (lost_transfers_ != 0) text += std::to_string(lost_transfers_) + " incomplete SDO transfers of messages\n";
+    for (const auto& [reason, count] : refused_) text += std::to_string(count) + " refused: " + reason + "\n";
     for (const auto& [reason, count] : skipped_) text += std::to_string(count) + " skipped: " + reason + "\n";
     return text;
 }
@@ -205,6 +231,8 @@ json summary::object() const {
             {"unknown", count_of(kind::unknown)},
             {"broken", count_of(kind::broken)},
             {"incomplete_large_data_sets", lost_},
+            {"incomplete_transfers", lost_transfers_},
+            {"refused", refused_},
             {"skipped", skipped_}};
 }
 

@@ -16,8 +16,9 @@ class summary {
     void add(const record& message);
     void skip(const std::string& reason) { ++skipped_[reason]; }
     void lose_data_set() { ++lost_; }
-    [[nodiscard]] bool empty() const { return by_type_.empty() && skipped_.empty(); }
-    /// Whether a message was broken or unknown, or a data set incomplete.
+    void lose_transfer() { ++lost_transfers_; }
+    [[nodiscard]] bool empty() const { return by_type_.empty() && refused_.empty() && skipped_.empty(); }
+    /// Whether a message was broken or unknown, or a data set or a transfer incomplete.
     [[nodiscard]] bool something_did_not_decode() const;
     [[nodiscard]] std::string text(const palette& colour) const;
     [[nodiscard]] json object() const;
@@ -28,8 +29,9 @@ class summary {
     };
     std::map<std::pair<std::string, std::string>, tally> by_type_{}; ///< by code and name
     std::map<kind, std::size_t> by_kind_{};
+    std::map<std::string, std::size_t> refused_{}; ///< by message and reason
     std::map<std::string, std::size_t> skipped_{};
-    std::size_t lost_{};
+    std::size_t lost_{}, lost_transfers_{};
 };
 
 /// The columns' names; sizes are those of bodies, in bytes.

@@ -29,6 +29,15 @@ struct origin {
     std::size_t number{};                           ///< of the line or packet, from 1
     std::optional<std::chrono::nanoseconds> time{}; ///< since 1970, UTC
     std::string from{}, to{};                       ///< "10.0.0.1:3794"; empty for a line
+    std::string object{};                           ///< "0x1B15:26", of an EtherCAT slave; empty for UDP and a line
+};
+
+/// Who did not let an SDO transfer come to its end, and why.
+struct refusal {
+    std::string by{};   ///< "slave" or "master"
+    std::string what{}; ///< "SDO abort" or "mailbox error"
+    std::string code{}; ///< "0x06090030"
+    std::string text{}; ///< "value out of range"
 };
 
 /// What broke a message, or kept it from being decoded.
@@ -39,7 +48,7 @@ struct fault {
     std::string what{};                ///< for people
 };
 
-enum class kind { decoded, acknowledgement, part, unknown, broken };
+enum class kind { decoded, acknowledgement, part, unknown, broken, refused };
 
 struct record {
     jausdump::origin origin{};
@@ -53,6 +62,7 @@ struct record {
     std::optional<std::string> hex{};    ///< encoded again
     std::optional<std::string> packet{}; ///< translated, or the error's name
     std::optional<fault> error{};
+    std::optional<jausdump::refusal> refusal{}; ///< the message was not taken, or not given
     std::size_t dropped{};  ///< bytes that the decoded values do not hold: of presence bits that the layout lacks
     std::string data_set{}; ///< what became of a packet of a large data set, or "reassembled"
 

@@ -116,6 +116,16 @@ TEST_CASE("without arguments on a terminal it says what it waits for, and Ctrl-C
     REQUIRE(program.exit_code() == 0);
 }
 
+TEST_CASE("Ctrl-C on a terminal ends it also before anything is typed, and in the middle of a line") {
+    for (const std::string keys : {"", "0602"}) {
+        support::terminal_program program{{JAUSDUMP}};
+        program.wait_for("Ctrl-D or Ctrl-C ends it, --help says more");
+        program.type(keys + "\x03");
+        program.wait_for("0 messages");
+        REQUIRE(program.exit_code() == 0);
+    }
+}
+
 TEST_CASE("lines without an end and many lines at once are all read") {
     std::string many;
     for (int i = 0; i != 5000; ++i) many += wrench;

@@ -1,0 +1,72 @@
+#include "object_table.hpp"
+
+#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/schema/translation/self_contained_table.hpp>
+#include <jauscat/translate/fixed_length.hpp>
+
+namespace jausdump {
+
+namespace {
+
+namespace ethercat = jauscat::ethercat;
+namespace translate = jauscat::translate;
+namespace translation_tables = jauscat::translation;
+
+/// The component whose object it is; 0 or more than 255 for other objects.
+unsigned component_of(const object_transfer& object, const object_table& how) {
+    return static_cast<unsigned>(object.index) - how.index_base;
+}
+
+/// The JAUS node of a slave; 0 where its station address is none.
+std::uint8_t node_of(const slave_address& slave) {
+    return slave.station() < 255 ? static_cast<std::uint8_t>(slave.station()) : std::uint8_t{};
+}
+
+template <class Table>
+object_message translated(const object_transfer& object, std::span<const std::byte> data, const object_table& how) {
+    using delivery = ethercat::delivery<Table>;
+    object_message message{.bytes = std::vector<std::byte>(delivery::translator::max_message_size)};
+    const auto node = node_of(object.slave);
+    const ethercat::object_access access{
+        .station = node,
+        .index = static_cast<std::uint16_t>(translation_tables::seed_index_base + component_of(object, how)),
+        .subindex = object.subindex,
+        .data = data};
+    const auto size = delivery::message_of(access, {.subsystem = how.subsystem, .station = node}, message.bytes);
+    message.error = size.error();
+    message.bytes.resize(size ? size.size() : 0);
+    return message;
+}
+
+} // namespace
+
+bool is_message(const object_transfer& object, const object_table& how) {
+    const auto component = component_of(object, how);
+    return component >= 1 && component <= 255 && object.subindex != 0 && !object.complete_access;
+}
+
+object_message message_of(const object_transfer& object, const object_table& how) {
+    std::span<const std::byte> data{object.data};
+    if (how.fixed_length) {
+        translate::data_length length{};
+        const auto used = wire::decode_prefix(length, data);
+        if (!used) return {.error = translate::errc::truncated};
+        if (length.bytes > data.size() - used.size()) return {.error = translate::errc::wrong_size};
+        data = data.subspan(used.size(), length.bytes);
+    }
+    return how.table == translation::seed ? translated<translation_tables::seed_table>(object, data, how)
+                                          : translated<translation_tables::self_contained_table>(object, data, how);
+}
+
+jaus::header header_of(const object_transfer& object, const object_table& how) {
+    const auto& codes = translation_tables::ra_command_codes;
+    const std::size_t place = object.subindex - 1u;
+    jaus::header head{};
+    head.command_code = place < codes.size() ? codes[place] : std::uint16_t{};
+    head.destination = {.component = static_cast<std::uint8_t>(component_of(object, how)),
+                        .node = node_of(object.slave),
+                        .subsystem = how.subsystem};
+    return head;
+}
+
+} // namespace jausdump

@@ -1,0 +1,32 @@
+// Objects of EtherCAT slaves as JAUS messages, under a translation table.
+#pragma once
+#include "sdo_reader.hpp"
+#include <jauscat/jaus/message.hpp>
+#include <jauscat/schema/translation/index_bases.hpp>
+#include <jauscat/translate/result.hpp>
+
+namespace jausdump {
+
+enum class translation { none, seed, self_contained };
+
+/// The table that the master of a capture has used.
+struct object_table {
+    jausdump::translation table{};
+    std::uint16_t index_base{jauscat::translation::seed_index_base};
+    bool fixed_length{};      ///< data begin with their length and are filled up
+    std::uint8_t subsystem{}; ///< of the slaves; 0: not known. The seed table does not carry it
+};
+
+/// A message, or why the object's data are none.
+struct object_message {
+    jauscat::translate::errc error{};
+    std::vector<std::byte> bytes{};
+};
+
+/// Whether the object stands for a message of a component.
+bool is_message(const object_transfer& object, const object_table& how);
+object_message message_of(const object_transfer& object, const object_table& how);
+/// What object and station say of the message's header: command code, destination component and node; the rest is 0.
+jaus::header header_of(const object_transfer& object, const object_table& how);
+
+} // namespace jausdump
