@@ -209,7 +209,7 @@ std::pair<std::string, std::string> title_of(const std::string& remark) {
 }
 
 constexpr std::string_view made_by =
-    "<!-- Made by scripts/message-reference from the schemas; changes here get lost. -->\n\n";
+    "<!-- Generated from the schemas by scripts/message-reference: do not edit. -->\n\n";
 
 } // namespace
 
@@ -236,7 +236,7 @@ std::string page(const std::string& header, const std::vector<message>& messages
     list.erase(list.rfind("<br>"), 4);
     sections.pop_back();
     return std::string{made_by} + "# " + title + " subgroup\n\n" + subjects + " Messages of `schema/jaus/" + header +
-           ".hpp`; [README.md](README.md) says how to read the diagrams.\n\n" + list + "\n" + sections;
+           ".hpp`; [README.md](README.md) explains the diagrams.\n\n" + list + "\n" + sections;
 }
 
 std::string index_page(const std::vector<message>& messages, const remarks& from, const translation& table) {
@@ -260,29 +260,29 @@ A diagram shows a message's body from its first byte on. All numbers are little 
 ![Bytes of Set Discrete Devices](diagrams/0406.svg)
 
 - Each box is a field, with its type: `u` unsigned, `i` signed, `f` floating point, and the number of bits. The cells on
-  its top edge are its bytes, where they are few; dots stand for a number of bytes that varies.
-- Left above a box: which bytes of the body it takes, counted from 0, where that is the same in every message; `+` counts
-  from the start of a list's element.
-- Blue boxes say how the rest is laid out: presence vectors with their bits, counts, type codes.
-- A dashed box may be absent. `bit 3` above it is the bit of the presence vector that announces it, `if ...` a flag of a
-  structure around it.
+  its top edge are its bytes, if they are few; dots stand for a variable number of bytes.
+- The numbers above the left edge of a box are its bytes in the body, counted from 0, if they are the same in every message. `+`
+  counts from the start of a list's element.
+- Blue boxes describe the layout of other fields: presence vectors with their bits, counts, type codes.
+- A dashed box may be absent. `bit 3` above it is the bit of the presence vector that announces it, `if ...` a flag of an
+  enclosing structure.
 - A frame is a structure, or with × a list. A yellow frame holds one of several forms; `= 7` is the value that selects it.
-  What a message has shown before is not shown again.
+  A structure is shown in detail only at its first occurrence in a message.
 - Bits are counted from the least significant.
 
-In the tables, *where* says the bytes too, or what announces the field. A value with a *step* is a real number that travels as an integer; the step is what the integer's last bit
-stands for, rounded. In a `u` type 0 stands for the lower limit and all ones for the upper one; in an `i` type 0 stands for
-the middle, and the most negative integer is never sent.
+In the tables, *where* has the bytes of the field, or the bit or flag that announces it. A value with a *step* is a real number that
+travels as an integer; the step is the value of the integer's last bit, rounded. In a `u` type 0 stands for the lower limit and all
+ones for the upper one; in an `i` type 0 stands for the middle, and the most negative integer is never sent.
 
 ## In an SDO packet
 
 Under the seed table a message for component *c* is written to object )" +
-           base + R"( + *c*. The subindex is the message's place in
+           base + R"( + *c*. The subindex is the message's position in
 the list of all command codes, which does not change. The download request packet has )" +
            packet + R"( bytes and the body: 40 of header, 16 of
-node, index, subindex and count, 8 of what only the JAUS header says. One packet carries up to )" +
-           largest + R"( bytes of body; the
-sizes end there. [The architecture](../architecture.md) has the table.
+node, index, subindex and count, 8 of unmapped fields of the JAUS header. One packet carries up to )" +
+           largest + R"( bytes of body; larger
+bodies are not included in the sizes below. [translation.md](../translation.md) has the table.
 
 ## All messages
 
