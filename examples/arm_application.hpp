@@ -137,9 +137,9 @@ class arm {
             jaus::on_unknown([&](const header& unknown, auto) {
                 say_("no handler for " + jauscat::text::message_name(unknown.command_code));
             }),
-            jaus::on_malformed([&](const header& bad, auto, jauscat::wire::errc error) {
+            jaus::on_malformed([&](const header& bad, auto bytes, jauscat::wire::errc) {
                 say_("refused the body of " + jauscat::text::message_name(bad.command_code) + ": " +
-                     std::string{describe(error)});
+                     jauscat::text::why_malformed(bad.command_code, bytes, robot_messages{}));
             })};
         return handlers(head, body);
     }

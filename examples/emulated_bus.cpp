@@ -1,5 +1,6 @@
 // A bus of emulated EtherCAT slaves behind a network interface or UDP, for masters to be tried against.
 #include "support/link_options.hpp"
+#include "support/say.hpp"
 #include "support/stored_objects.hpp"
 #include <jauscat/ethercat/describe.hpp>
 #include <jauscat/ethercat/slave.hpp>
@@ -92,7 +93,7 @@ class node {
   public:
     node(std::size_t number, const ethercat::slave_description& description, ethercat::coe_options options,
          const std::vector<std::pair<object_place, unsigned long>>& more)
-        : name_{"slave " + std::to_string(number)},
+        : say_{"slave " + std::to_string(number)},
           dictionary_{description, prepare(more)},
           memory_(objects_.largest()),
           slave_{description, dictionary_, with_memory(options)} {
@@ -100,9 +101,9 @@ class node {
         objects_.add_mapped(description.inputs, slave_.inputs(), false);
         objects_.on_write = [this](std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) {
             constexpr std::size_t shown = 32;
-            std::cout << name_ << ": " << hex_number(index, 4) << ":" << int{subindex} << " = "
-                      << jauscat::text::hex(data.first(std::min(data.size(), shown)))
-                      << (data.size() > shown ? " ..." : "") << " (" << data.size() << " bytes)\n";
+            say_(hex_number(index, 4) + ":" + std::to_string(subindex) + " = " +
+                 jauscat::text::hex(data.first(std::min(data.size(), shown))) + (data.size() > shown ? " ..." : "") +
+                 " (" + std::to_string(data.size()) + " bytes)");
         };
     }
     node(const node&) = delete;
@@ -121,18 +122,17 @@ class node {
     void show_changes() {
         if (slave_.station_address() != station_) {
             station_ = slave_.station_address();
-            std::cout << name_ << ": station address " << station_ << " (" << hex_number(station_, 4) << ")\n";
+            say_("station address " + std::to_string(station_) + " (" + hex_number(station_, 4) + ")");
         }
         const auto status = slave_.status();
         if (status.state == status_.state && status.error == status_.error && status.code == status_.code) return;
         status_ = status;
-        const auto line = name_ + ": state " + jauscat::text::to_text(status.state);
+        const auto line = "state " + jauscat::text::to_text(status.state);
         if (!status.error)
-            std::cout << line << "\n";
+            say_(line);
         else
-            std::cout << example::bad(line + ", error " + hex_number(static_cast<std::uint16_t>(status.code), 4) +
-                                      ": " + std::string{describe(status.code)})
-                      << "\n";
+            say_.bad(line + ", error " + hex_number(static_cast<std::uint16_t>(status.code), 4) + ": " +
+                     std::string{describe(status.code)});
     }
 
   private:
@@ -150,7 +150,7 @@ class node {
         return options;
     }
 
-    std::string name_;
+    example::speaker say_;
     example::stored_objects objects_{};
     ethercat::standard_objects dictionary_;
     std::vector<std::byte> memory_;
@@ -164,6 +164,7 @@ int serve(example::any_link& link, const std::string& where, std::deque<node>& n
     std::cout << nodes.size() << (nodes.size() == 1 ? " slave, " : " slaves, ") << where
               << ", waiting for a master (Ctrl-C ends)\n";
     std::array<std::byte, 1600> frame{};
+    const example::speaker say{"emulated_bus"};
     std::string problem;
     std::uint64_t frames = 0;
     while (!example::stop_requested) {
@@ -173,14 +174,14 @@ int serve(example::any_link& link, const std::string& where, std::deque<node>& n
             const auto received = std::span{frame}.first(size);
             // First the frame, as the hardware does, and only then what the slaves make of it.
             for (auto& each : nodes) each.slave().pass(received);
-            if (!link.send(received)) std::cout << example::bad("a frame did not go back: " + link.problem()) << "\n";
+            if (!link.send(received)) say.bad("a frame did not go back: " + link.problem());
             for (auto& each : nodes) {
                 each.slave().work();
                 each.work();
             }
         } else if (link.problem() != problem) {
             problem = link.problem();
-            if (!problem.empty()) std::cout << example::bad(problem) << "\n";
+            if (!problem.empty()) say.bad(problem);
         }
         for (auto& each : nodes) {
             each.slave().on_time(std::chrono::steady_clock::now().time_since_epoch());

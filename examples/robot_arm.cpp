@@ -5,6 +5,7 @@
 #include "support/arm_slave.hpp"
 #include "support/link_options.hpp"
 #include "support/mailbox_option.hpp"
+#include "support/say.hpp"
 #include <jauscat/ethercat/listed_objects.hpp>
 #include <jauscat/ethercat/mapped_objects.hpp>
 #include <jauscat/ethercat/slave.hpp>
@@ -12,6 +13,7 @@
 
 #include <cmath>
 #include <iomanip>
+#include <sstream>
 
 namespace {
 
@@ -43,14 +45,15 @@ std::string bar(double value, double min, double max) {
 }
 
 void show(const jauscat::jaus::report_wrench_effort& efforts) {
-    std::cout << example::bold("arm: efforts in force") << "\n";
-    jauscat::wire::visit(efforts, []<class Item>(Item item, const auto& effort) {
+    std::ostringstream rows;
+    rows << example::bold("arm: efforts in force") << "\n";
+    jauscat::wire::visit(efforts, [&]<class Item>(Item item, const auto& effort) {
         using range = typename Item::codec_type::range_type;
-        std::cout << "  " << std::left << std::setw(32) << item.name() << std::right << std::setw(8) << std::fixed
-                  << std::setprecision(2) << *effort << ' ' << range::unit << "  ["
-                  << bar(*effort, range::min, range::max) << "]  raw "
-                  << static_cast<int>(Item::codec_type::to_raw(*effort)) << "\n";
+        rows << "  " << std::left << std::setw(32) << item.name() << std::right << std::setw(8) << std::fixed
+             << std::setprecision(2) << *effort << ' ' << range::unit << "  [" << bar(*effort, range::min, range::max)
+             << "]  raw " << static_cast<int>(Item::codec_type::to_raw(*effort)) << "\n";
     });
+    example::write_limited("efforts", rows.str());
 }
 
 std::optional<std::uint8_t> node_of(const boost::program_options::variables_map& values) {
@@ -65,8 +68,8 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
     const auto subsystem = config.me().jausip.subsystem;
 
     example::arm* arm_of_display = nullptr;
-    example::arm arm{[](const std::string& line) { std::cout << "arm: " << line << "\n"; },
-                     [&] { show(arm_of_display->efforts()); }};
+    const example::speaker say{"arm"};
+    example::arm arm{[&say](const std::string& line) { say(line); }, [&] { show(arm_of_display->efforts()); }};
     arm_of_display = &arm;
     example::arm_application<Table> application{subsystem, arm, node_of(values)};
     ethercat::listed_objects objects{application.objects, application,
@@ -96,8 +99,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
     const auto show_state = [&] {
         if (slave.state() == state) return;
         state = slave.state();
-        std::cout << "arm: state " << jauscat::text::to_text(state) << ", station address " << slave.station_address()
-                  << "\n";
+        say("state " + jauscat::text::to_text(state) + ", station address " + std::to_string(slave.station_address()));
     };
     const auto work = [&](std::chrono::nanoseconds now) {
         watch.look(slave, now); // first: the inputs say what is in force then
@@ -113,7 +115,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
             work(now);
             if (link.problem() != problem) {
                 problem = link.problem();
-                if (!problem.empty()) std::cout << example::bad("arm: " + problem) << "\n";
+                if (!problem.empty()) say.bad(problem);
             }
             continue;
         }
@@ -121,7 +123,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
         application.set_station(slave.station_address());
         slave.process(received);
         slave.on_time(now); // after the frame: it may have waited here
-        if (!link.send(received)) std::cout << example::bad("arm: a frame did not go back: " + link.problem()) << "\n";
+        if (!link.send(received)) say.bad("a frame did not go back: " + link.problem());
         work(now);
     }
     std::cout << "arm: stopped\n";

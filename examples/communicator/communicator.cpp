@@ -1,9 +1,10 @@
 // The interactive node: shows the messages that arrive, and sends any message of the standard by its name.
 #include "line_source.hpp"
-#include "message_kinds.hpp"
+#include "message_kinds/message_kinds.hpp"
 #include "support/component_of.hpp"
 #include "support/program.hpp"
 #include "support/repeated_lines.hpp"
+#include "support/say.hpp"
 #include <jauscat/jaus/component.hpp>
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/jaus.hpp>
@@ -51,8 +52,6 @@ class communicator {
           self_{own_component(config.me(), options.node)},
           core_{self_, memory_, hooks(), {.acknowledgement = {.first_number = example::any_number()}}},
           node_{context_, config, with_hooks(std::move(options))} {
-        for (const auto& kinds : {command_kinds(), query_kinds(), inform_kinds()})
-            kinds_.insert(kinds_.end(), kinds.begin(), kinds.end());
         core_.change(jaus::state_event::initialized);
         node_.add(core_, application_);
         node_.start();
@@ -88,9 +87,11 @@ class communicator {
         jaus::address from{};
         time until{};
     };
-    void on_state(jaus::primary_status_code, jaus::primary_status_code to) { show("state: " + state_name(to) + "\n"); }
+    void on_state(jaus::primary_status_code, jaus::primary_status_code to) {
+        tell("state", "state: " + state_name(to) + "\n");
+    }
     void on_controller(const std::optional<jaus::controller>& who, jaus::control_change) {
-        show(who ? "controlled by " + text::to_text(who->address) + "\n" : "controlled by nobody\n");
+        tell("controller", who ? "controlled by " + text::to_text(who->address) + "\n" : "controlled by nobody\n");
     }
     void on_delivered(const jaus::awaited_message& m, jaus::delivered what) {
         const auto line = text::message_name(m.header.command_code) + " to " + text::to_text(m.header.destination) +
@@ -133,15 +134,21 @@ class communicator {
 
     net::jaus_node_options with_hooks(net::jaus_node_options options) {
         options.log = [this](std::string_view line) {
-            if (log_lines_.is_new(line) || log_) show("log: " + std::string{line} + "\n");
+            const auto shown = log_lines_.shown(line);
+            if (shown || log_) show("log: " + shown.value_or(std::string{line}) + "\n"); // the node limits them
         };
         options.seen = [this](const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
                               jaus::component_outcome what) { seen(component, head, body, what); };
-        options.appeared = [this](const jaus::address& who) { show(text::to_text(who) + " is there\n"); };
-        options.disappeared = [this](const jaus::address& who) { show(text::to_text(who) + " is gone\n"); };
+        options.appeared = [this](const jaus::address& who) { tell("presence", text::to_text(who) + " is there\n"); };
+        options.disappeared = [this](const jaus::address& who) { tell("presence", text::to_text(who) + " is gone\n"); };
+        options.explain_malformed = &why_malformed;
         return options;
     }
     void show(const std::string& text) { input_->show(text); }
+    /// A line caused by a peer, limited: a peer may send without end.
+    void tell(const std::string& cause, const std::string& lines) {
+        if (const auto shown = limit_(cause, lines); !shown.empty()) show(shown);
+    }
     void wrong(const std::string& line) {
         any_wrong_ = true;
         show(example::bad(line) + "\n");
@@ -156,13 +163,9 @@ class communicator {
         auto first = "received " + text::summary(head);
         if (what != jaus::component_outcome::taken) first += "; " + std::string{describe(what)};
         auto lines = example::bold(first) + "\n";
-        const auto* const kind = find(head.command_code);
-        if (!body.empty()) lines += kind != nullptr ? kind->to_text(body) : text::hex_dump(body);
-        show(lines);
-    }
-    [[nodiscard]] const message_kind* find(std::uint16_t code) const {
-        const auto found = std::ranges::find(kinds_, code, &message_kind::command_code);
-        return found == kinds_.end() ? nullptr : &*found;
+        const auto* const kind = find_kind(head.command_code);
+        if (!body.empty()) lines += kind != nullptr ? kind->to_text(body, 0) : text::hex_dump(body);
+        tell("received", lines);
     }
 
     void obey(const std::string& line) {
@@ -202,7 +205,7 @@ class communicator {
         else
             return wrong("'" + all[1] + "' is neither a system of the configuration nor a JAUS ID; see peers");
         if (const auto problem = text::find_message(all[2], head.command_code); !problem.empty()) return wrong(problem);
-        const auto* const kind = find(head.command_code);
+        const auto* const kind = find_kind(head.command_code);
         if (kind == nullptr) return wrong(text::message_name(head.command_code) + " cannot be sent by its name");
         std::vector<std::byte> body;
         if (const auto problem = kind->from_words(std::span{all}.subspan(3), body); !problem.empty())
@@ -245,8 +248,8 @@ class communicator {
     std::unique_ptr<line_source> input_;
     jaus::address self_;
     boost::asio::io_context context_{};
-    std::vector<message_kind> kinds_{};
     example::repeated_lines log_lines_{};
+    example::line_limit limit_{};
     bool log_{}, quitting_{}, any_wrong_{};
     time next_line_at_{};
     std::vector<awaited_report> awaited_{};

@@ -1,5 +1,6 @@
 // A JAUS node in front of one slave, with the bridge to it: everything of it runs on one thread, and nothing blocks it.
 #pragma once
+#include "message_kinds/message_kinds.hpp"
 #include "robot_controller/front_component.hpp"
 #include "robot_controller/narrator.hpp"
 #include "support/any_link.hpp"
@@ -131,8 +132,9 @@ class front {
                 .node = node,
                 .log =
                     [this](std::string_view line) {
-                        if (log_lines_.is_new(line)) say_(std::string{line});
+                        if (const auto shown = log_lines_.shown(line)) say_(*shown);
                     },
+                .explain_malformed = &why_malformed,
                 .appeared =
                     [this](const jauscat::jaus::address& who_came) {
                         say_(jauscat::text::to_text(who_came) + " is heard");

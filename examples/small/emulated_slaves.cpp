@@ -4,17 +4,22 @@
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/slave.hpp>
 #include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/net/limited_log.hpp>
 #include <jauscat/net/raw_link.hpp>
 #include <jauscat/net/udp_link.hpp>
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/value.hpp>
 
 #include <array>
+#include <chrono>
 #include <iostream>
 
 namespace ethercat = jauscat::ethercat;
 namespace net = jauscat::net;
 namespace text = jauscat::text;
+
+/// A master may write often: at most 20 lines a second of each cause.
+net::limited_log limited{[](std::string_view line) { std::cout << line << std::endl; }};
 
 /// What is special to such a slave: one object, 2000h:0, that holds four bytes.
 class setpoint {
@@ -30,7 +35,7 @@ class setpoint {
         if (subindex != 0) return ethercat::abort_code::no_subindex;
         if (data.size() != value_.size()) return ethercat::abort_code::length_mismatch;
         std::ranges::copy(data, value_.begin());
-        std::cout << "2000h = " << text::hex(data) << std::endl;
+        limited(std::chrono::steady_clock::now().time_since_epoch(), [&] { return "2000h = " + text::hex(data); });
         return ethercat::abort_code::none;
     }
 
@@ -57,11 +62,12 @@ template <ethercat::link Link> void serve(Link& link) {
     for (;;) {
         const auto size = link.receive(frame, std::chrono::milliseconds{20});
         const auto received = std::span{frame}.first(size);
+        const auto now = std::chrono::steady_clock::now().time_since_epoch();
         if (size != 0) {
             for (auto& each : ring) each.slave.process(received); // the frame passes all of them
-            if (!link.send(received)) std::cout << link.problem() << std::endl;
+            if (!link.send(received)) limited(now, [&] { return link.problem(); });
         }
-        for (auto& each : ring) each.slave.on_time(std::chrono::steady_clock::now().time_since_epoch());
+        for (auto& each : ring) each.slave.on_time(now);
     }
 }
 

@@ -1,25 +1,38 @@
 // Lines of a node's log that keep coming, such as one for each heartbeat to a peer that is not running.
 #pragma once
 #include <chrono>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace example {
 
-/// Remembers lines, so that one that keeps coming is shown once.
+/// Remembers lines, so that one that keeps coming is shown once, and again as the 100th, the 1000th and so on.
 class repeated_lines {
   public:
-    /// Whether the line has not come within the last three seconds: heartbeats go each second.
-    bool is_new(std::string_view line) {
+    /// The line, and how often it has come; nothing where it has come within the last three seconds: heartbeats go each
+    /// second.
+    std::optional<std::string> shown(std::string_view line) {
         constexpr auto patience = std::chrono::seconds{3};
         const auto now = std::chrono::steady_clock::now();
-        std::erase_if(last_, [&](const auto& known) { return now - known.second > patience; });
-        return last_.insert_or_assign(std::string{line}, now).second;
+        std::erase_if(known_, [&](const auto& one) { return now - one.second.last > patience; });
+        auto& it = known_[std::string{line}];
+        it.last = now;
+        if (++it.count == 1) return std::string{line};
+        if (it.count != it.told) return std::nullopt;
+        it.told *= 10;
+        return std::string{line} + " (" + std::to_string(it.count) + " times)";
     }
 
   private:
-    std::map<std::string, std::chrono::steady_clock::time_point> last_{}; ///< when each came
+    struct entry {
+        std::chrono::steady_clock::time_point last{}; ///< when it came
+        std::uint64_t count{};                        ///< how often
+        std::uint64_t told{100};                      ///< it is shown again when it has come so often
+    };
+    std::map<std::string, entry> known_{};
 };
 
 } // namespace example

@@ -109,7 +109,8 @@ template <class Link> class traced_link {
                 continue; // a poll
             const auto text = sdo_text(datagram.data);
             if (!text.empty())
-                write_lines(who_ + arrow + "station " + std::to_string(datagram.header.adp) + ": " + text + "\n");
+                write_limited(who_ + arrow,
+                              who_ + arrow + "station " + std::to_string(datagram.header.adp) + ": " + text + "\n");
         }
     }
     static constexpr std::uint16_t first_ram_address = 0x1000; // registers lie below

@@ -354,6 +354,20 @@ garbage_on_the_sockets() {
     wait_for controller "unknown command code"
     the_command_arrives
 }
+a_flood_does_not_fill_the_log() { # each of these makes 30 lines
+    master_options+=(--open)
+    start_robot
+    exec 9>"/dev/udp/127.0.0.1/$controller_port"
+    for _ in $(seq 3000); do printf '\x06\x02\x05\x04\x01\x21\x02\x02\x01\x20\x01\x01\x04\0\x09\0\x01\0\xff\x3f' >&9; done
+    exec 9>&-
+    for _ in $(seq 100); do # the next entry of a cause says how many were left out
+        expect_ocu 0 --query
+        grep -q " such were left out)" "$work/controller.log" && break
+    done
+    says controller " such were left out)"
+    [ "$(grep -c "controller: received Set Wrench Effort" "$work/controller.log")" -lt 1000 ] || fail "the flood is shown"
+    the_command_arrives
+}
 unknown_node() {
     start_robot
     expect_ocu 1 --to 2.9.33.1 propulsive_linear_effort_x=1

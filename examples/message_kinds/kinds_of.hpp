@@ -18,8 +18,13 @@ template <class Message> std::string body_from_words(std::span<const std::string
     return {};
 }
 
-template <class Message> std::string body_to_text(std::span<const std::byte> body) {
-    return jauscat::text::annotate<Message>(body, 0);
+template <class Message> std::string body_to_text(std::span<const std::byte> body, std::size_t first_offset) {
+    return jauscat::text::annotate<Message>(body, first_offset);
+}
+
+template <class Message> std::string fault_of_body(std::span<const std::byte> body) {
+    const auto why = jauscat::wire::diagnose<Message>(body);
+    return why.error == jauscat::wire::errc::ok ? std::string{} : jauscat::text::to_text(why);
 }
 
 /// Those with codes from `First` to `Last`.
@@ -28,7 +33,8 @@ std::vector<message_kind> kinds_of(jauscat::jaus::message_list<Messages...>) {
     std::vector<message_kind> made;
     const auto add = [&]<class Message>() {
         if constexpr (Message::command_code >= First && Message::command_code <= Last)
-            made.push_back({Message::command_code, &body_from_words<Message>, &body_to_text<Message>});
+            made.push_back(
+                {Message::command_code, &body_from_words<Message>, &body_to_text<Message>, &fault_of_body<Message>});
     };
     (add.template operator()<Messages>(), ...);
     return made;
