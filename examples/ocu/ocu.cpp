@@ -1,6 +1,6 @@
 // The operator control unit: takes control of a robot arm over JAUS, commands a wrench effort, asks for it back and
-// compares; or sends any other message that the robot knows.
-#include "operator_messages.hpp"
+// compares; or sends any other message of the standard.
+#include "message_kinds/message_kinds.hpp"
 #include "operator_unit.hpp"
 #include "support/program.hpp"
 #include <jauscat/jaus/requested_fields.hpp>
@@ -30,10 +30,12 @@ Examples:
   ocu --authority 200 --hold 30 propulsive_linear_effort_x=10
   ocu --send set_travel_speed desired_speed=2.5
   ocu --send set_emergency emergency_code=transition_to_emergency
+  ocu --unacknowledged propulsive_linear_effort_x=50
 
 It takes control of the arm first if the command is one of those that a controlled component takes from its controller
 only, and releases it at the end, also after Ctrl-C. Queries, reports, Set and Clear Emergency go without.
-Without --send the fields are those of Set Wrench Effort.
+Without --send the fields are those of Set Wrench Effort. --send takes each message of the standard by its name.
+A peer that never acknowledges may obey all the same: then the report shows it. With --unacknowledged none is asked for.
 Exit code: 0 when the report equals the command, or the message of --send was answered as it should be; 1 when not,
 nobody answers, control is refused, or it is lost before all is done; 2 for a wrong command line.
 )";
@@ -43,17 +45,10 @@ order order_from(const std::string& name, const words& assignments) {
     order made;
     if (const auto wrong = text::find_message(name, made.command_code); !wrong.empty())
         throw example::usage_error{wrong};
-    const bool known = text::with_message(made.command_code, ocu::operator_messages{}, [&]<class Message>() {
-        Message message{};
-        wire::arena no_lists{{}};
-        if (const auto wrong = text::from_words(assignments, message, no_lists); !wrong.empty())
-            throw example::usage_error{wrong};
-        made.body.resize(wire::max_size<Message>);
-        const auto size = wire::encode(message, made.body);
-        if (!size) throw example::usage_error{std::string{wire::describe(size.error())}};
-        made.body.resize(size.size());
-    });
-    if (!known) throw example::usage_error{"the robot does not know " + text::message_name(made.command_code)};
+    const auto* const kind = find_kind(made.command_code);
+    if (kind == nullptr)
+        throw example::usage_error{text::message_name(made.command_code) + " cannot be sent by its name"};
+    if (const auto wrong = kind->from_words(assignments, made.body); !wrong.empty()) throw example::usage_error{wrong};
     return made;
 }
 
@@ -77,13 +72,17 @@ order query_efforts(std::uint16_t presence_vector) {
 
 /// Asks for the fields of the command and compares. Both messages have the same layout, so equal efforts are equal
 /// bytes.
-bool is_in_force(operator_unit& unit, const order& command) {
+bool is_in_force(operator_unit& unit, const order& command, bool is_acknowledged) {
     jaus::set_wrench_effort efforts{};
     if (!wire::decode(efforts, command.body)) throw std::logic_error{"a command that does not decode"};
     const auto vector = static_cast<std::uint16_t>(jaus::presence_vector_of(efforts));
     if (unit.give(query_efforts(vector)) != reply::taken) return false;
     const bool equal = std::ranges::equal(unit.report(), command.body);
-    ocu::say(equal ? "OK: the report equals the command" : "FAILED: the report differs from the command");
+    const std::string silently = is_acknowledged ? ""
+                                 : equal         ? "obeyed, not acknowledged: "
+                                                 : "not acknowledged, not obeyed: ";
+    ocu::say((equal ? "OK: " + silently + "the report equals the command"
+                    : "FAILED: " + silently + "the report differs from the command"));
     return equal;
 }
 
@@ -106,10 +105,13 @@ struct task {
 bool perform(operator_unit& unit, const task& what) {
     if (what.wait.count() != 0 && !unit.hear_robot(what.wait)) return false;
     if (what.control && !unit.take_control(what.authority)) return false;
-    if (unit.give(what.first) != reply::taken) return false;
+    const auto answer = unit.give(what.first, what.compare);
+    const bool is_acknowledged = answer == reply::taken;
+    if (!is_acknowledged && answer != reply::sent && !(answer == reply::silence && what.compare)) return false;
+    if (!is_acknowledged) unit.expect_no_acknowledgements();
     if (!what.compare)
-        ocu::say("OK");
-    else if (!is_in_force(unit, what.first))
+        ocu::say(is_acknowledged ? "OK" : "OK: sent, and no acknowledgement was asked for");
+    else if (!is_in_force(unit, what.first, is_acknowledged))
         return false;
     if (unit.has_lost_control()) return false;
     unit.hold(what.hold);
@@ -129,8 +131,9 @@ int main(int argc, char** argv) {
             ("to", po::value<std::string>()->default_value("2.2.33.1"), "JAUS ID of the arm")
             ("authority", po::value<unsigned>()->default_value(128), "with which control is asked for, 0 to 255: a higher one takes it from a lower one")
             ("no-control", po::bool_switch(), "send without taking control first")
+            ("unacknowledged", po::bool_switch(), "ask for no acknowledgements, for peers that never send any")
             ("hold", po::value<double>()->default_value(0), "seconds to keep control when all is done")
-            ("wait", po::value<double>()->default_value(0), "seconds to wait for a heartbeat of the robot's node before the first message; 0: begin at once")
+            ("wait", po::value<double>()->default_value(0), "seconds to wait for a heartbeat of any component of the robot before the first message; 0: begin at once")
             ("random", po::value<std::uint32_t>(), "command random fields, from this seed")
             ("query", "ask for all efforts, command nothing")
             ("send", po::value<std::string>(), "send this message instead, with the FIELD=VALUE arguments")
@@ -173,7 +176,7 @@ int main(int argc, char** argv) {
         what.compare = !query_only && !send;
         what.control = !values["no-control"].as<bool>() && needs_control(what.first.command_code);
 
-        operator_unit unit{example::load_config(values), robot, timeout};
+        operator_unit unit{example::load_config(values), robot, timeout, !values["unacknowledged"].as<bool>()};
         const bool done = perform(unit, what);
         return unit.finish() && done ? example::success : example::failure;
     });

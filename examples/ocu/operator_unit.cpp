@@ -1,8 +1,9 @@
 #include "operator_unit.hpp"
 
-#include "operator_messages.hpp"
+#include "message_kinds/message_kinds.hpp"
 #include "support/component_of.hpp"
 #include "support/program.hpp"
+#include "support/say.hpp"
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/jaus.hpp>
 
@@ -18,14 +19,18 @@ namespace wire = jauscat::wire;
 // The header in one line of hex, for its values are in the summary, and a line for each field of the body.
 void show(const char* verb, std::span<const std::byte> message) {
     const auto parts = jaus::split(message);
-    std::cout << example::bold(std::string{"ocu "} + verb + " " + text::summary(parts.header)) << "\n";
-    if (jaus::is_acknowledgement(parts.header)) return;
-    std::cout << text::hex_dump(message.first(jaus::header_size));
-    const bool known = text::with_message(parts.header.command_code, operator_messages{}, [&]<class Message>() {
-        std::cout << text::annotate<Message>(parts.body, jaus::header_size);
-    });
-    if (!known) std::cout << text::hex_dump(parts.body, "  ", jaus::header_size);
+    auto lines = example::bold(std::string{"ocu "} + verb + " " + text::summary(parts.header)) + "\n";
+    if (!jaus::is_acknowledgement(parts.header)) {
+        const auto* const kind = find_kind(parts.header.command_code);
+        lines += text::hex_dump(message.first(jaus::header_size));
+        lines += kind != nullptr ? kind->to_text(parts.body, jaus::header_size)
+                                 : text::hex_dump(parts.body, "  ", jaus::header_size);
+    }
+    example::write_limited(verb, lines);
 }
+
+// A line caused by a peer, limited: a peer may send without end.
+void tell(const std::string& cause, const std::string& line) { example::write_limited(cause, "ocu: " + line + "\n"); }
 
 std::chrono::nanoseconds now() { return net::jaus_node::now(); }
 
@@ -36,11 +41,13 @@ void say(const std::string& line) {
     std::cout << "ocu: " << (is_bad ? example::bad(line) : is_good ? example::good(line) : line) << "\n";
 }
 
-operator_unit::operator_unit(const net::jaus_config& config, const jaus::address& robot, milliseconds timeout)
+operator_unit::operator_unit(const net::jaus_config& config, const jaus::address& robot, milliseconds timeout,
+                             bool acknowledged)
     : self_{example::component_of(config.me())},
       robot_{robot},
       manager_of_robot_{.instance = 1, .component = 1, .node = robot.node, .subsystem = robot.subsystem},
       timeout_{timeout},
+      acknowledged_{acknowledged},
       held_{self_, robot, {.patience = timeout, .requests = retries + 1, .renewal = std::chrono::seconds{5}}},
       described_{self_,
                  {.name = {.identification = "operator control unit", .type = 60001}},
@@ -61,7 +68,7 @@ operator_unit::operator_unit(const net::jaus_config& config, const jaus::address
 bool operator_unit::hear_robot(milliseconds patience) {
     if (wait([this] { return heartbeats_ != 0; }, patience)) return true;
     if (!example::stop_requested)
-        say("FAILED: no heartbeat of " + text::to_text(manager_of_robot_) + " within " +
+        say("FAILED: no heartbeat of a component of " + part_of_robot() + " within " +
             text::to_text(std::chrono::duration<double>{patience}.count()) + " s; is robot_controller running?");
     return false;
 }
@@ -77,10 +84,12 @@ bool operator_unit::has_lost_control() const noexcept {
     return held_.state() == control_state::lost || held_.state() == control_state::unanswered;
 }
 
-reply operator_unit::give(const order& what) {
+reply operator_unit::give(const order& what, bool may_be_obeyed_silently) {
     const auto answer = exchange(what);
     const auto name = text::message_name(what.command_code);
-    if (answer == reply::silence)
+    if (answer == reply::silence && may_be_obeyed_silently)
+        say(name + " is not acknowledged; the report shows whether it is obeyed");
+    else if (answer == reply::silence)
         say("FAILED: no answer to " + name + "; " + hint());
     else if (answer == reply::refused) {
         say("FAILED: " + name + " was refused (NAK); robot_controller's output says why");
@@ -102,18 +111,20 @@ bool operator_unit::finish() {
     if (holds() || held_.state() == control_state::asking) {
         outcome_.reset();
         held_.release([&](bytes message) { released = send(message); });
-        if (released) work([this] { return outcome_.has_value(); }, [] { return false; });
+        if (released && acknowledged_) work([this] { return outcome_.has_value(); }, [] { return false; });
         const auto name = text::to_text(robot_);
         released = released && outcome_ != jaus::delivered::timed_out;
         if (!released)
             say("FAILED: nobody acknowledged that control of " + name + " is released");
+        else if (!acknowledged_)
+            say("control of " + name + " is released, as far as is known");
         else
             say(outcome_ == jaus::delivered::acknowledged ? "control of " + name + " is released"
                                                           : "control of " + name + " is another's already");
     }
     if (heartbeats_ != 0)
         say("heard " + std::to_string(heartbeats_) + (heartbeats_ == 1 ? " heartbeat" : " heartbeats") + " of " +
-            text::to_text(manager_of_robot_));
+            text::to_text(heard_));
     node_.stop();
     return released;
 }
@@ -136,9 +147,9 @@ void operator_unit::shown_output::operator()(bytes message) const {
 net::jaus_node_options operator_unit::node_options() {
     net::jaus_node_options options{.node = self_.node};
     options.log = [this](std::string_view line) {
-        constexpr std::size_t most = 64;
-        if (told_.size() < most && told_.insert(std::string{line}).second) say(std::string{line});
+        if (const auto shown = log_lines_.shown(line)) say(*shown); // the node limits them
     };
+    options.explain_malformed = &why_malformed;
     options.seen = [this](const jaus::address& component, const jaus::header& head, bytes body, auto) {
         seen(component, head, body);
     };
@@ -148,14 +159,17 @@ net::jaus_node_options operator_unit::node_options() {
 }
 
 void operator_unit::robot_is_there(const jaus::address& who, bool is_there) {
-    if (who != manager_of_robot_) return;
-    is_gone_ = !is_there;
-    say((is_there ? "hears the robot: heartbeat of " : "the robot is silent: no heartbeat of ") + text::to_text(who));
+    if (!is_of_robot(who)) return;
+    tell("presence",
+         (is_there ? "hears the robot: heartbeat of " : "the robot is silent: no heartbeat of ") + text::to_text(who));
 }
 
 void operator_unit::seen(const jaus::address& component, const jaus::header& head, bytes body) {
     if (head.command_code == jaus::report_heartbeat_pulse::command_code) { // counted: they come all the time
-        if (head.source == manager_of_robot_) ++heartbeats_;
+        if (is_of_robot(head.source)) {
+            ++heartbeats_;
+            heard_ = head.source;
+        }
         return;
     }
     if (component != self_) return;
@@ -197,9 +211,13 @@ reply operator_unit::exchange(const order& what) {
         say("FAILED: " + std::string{describe(size.error())});
         return reply::not_sent;
     }
-    if (!send(message)) return reply::not_sent;
     const bool asks = awaited_report_ != 0;
-    wait([&] { return report_ || outcome_; });
+    if (asks && !acknowledged_)
+        wait_for_report(message);
+    else if (!send(message))
+        return reply::not_sent;
+    if (!asks && !acknowledged_) return reply::sent;
+    if (acknowledged_) wait([&] { return report_ || outcome_; });
     if (asks && outcome_ == jaus::delivered::acknowledged) // there are components that report later
         wait([&] { return report_.has_value(); }, (retries + 2) * timeout_);
     if (outcome_ == jaus::delivered::refused) return reply::refused;
@@ -207,8 +225,35 @@ reply operator_unit::exchange(const order& what) {
     return example::stop_requested ? reply::stopped : reply::silence;
 }
 
-/// To be acknowledged: the component repeats it.
+/// Foreign nodes may have their heartbeats sent by another component than the node manager, and by one node for all.
+bool operator_unit::is_of_robot(const jaus::address& who) const noexcept {
+    return who.subsystem == robot_.subsystem && (who.node == robot_.node || robot_.subsystem != self_.subsystem);
+}
+std::string operator_unit::part_of_robot() const {
+    const auto subsystem = "subsystem " + std::to_string(robot_.subsystem);
+    return robot_.subsystem != self_.subsystem ? subsystem : "node " + std::to_string(robot_.node) + " of " + subsystem;
+}
+bool operator_unit::is_robot_gone() const {
+    bool is_heard = false;
+    if (const auto* const present = node_.present(); present != nullptr)
+        present->for_each([&](const jaus::address& who) { is_heard |= is_of_robot(who); });
+    return heartbeats_ != 0 && !is_heard;
+}
+
+/// Asks again where no report comes.
+void operator_unit::wait_for_report(bytes message) {
+    for (unsigned i = 0; i <= retries && !report_ && !example::stop_requested; ++i) {
+        out_(message);
+        wait([this] { return report_.has_value(); }, timeout_);
+    }
+}
+
+/// To be acknowledged: the component repeats it. Otherwise it is sent once.
 bool operator_unit::send(bytes message) {
+    if (!acknowledged_) {
+        out_(message);
+        return true;
+    }
     const auto sent = core_.send(message, now(), [&](bytes numbered) {
         jaus::header head{};
         if (wire::decode_prefix(head, numbered)) number_ = head.sequence_number;
@@ -220,8 +265,10 @@ bool operator_unit::send(bytes message) {
 
 /// Where to look when nobody answers.
 std::string operator_unit::hint() const {
-    return heartbeats_ == 0 ? "is robot_controller running?"
-                            : "its node " + text::to_text(manager_of_robot_) + " is there, so look at the JAUS ID";
+    if (heartbeats_ == 0) return "is robot_controller running?";
+    const auto who = text::to_text(heard_);
+    return heard_ == robot_ ? who + " is heard, but does not answer"
+                            : "its node " + who + " is there, so look at the JAUS ID";
 }
 
 void operator_unit::tell_control() {
@@ -232,7 +279,7 @@ void operator_unit::tell_control() {
     case control_state::refused: say("FAILED: control of " + name + " is refused: another has it"); break;
     case control_state::unanswered: say("FAILED: " + name + " does not answer requests for control; " + hint()); break;
     case control_state::lost:
-        say("LOST control of " + name + (is_gone_ ? ": the robot is gone" : ": it was taken away"));
+        say("LOST control of " + name + (is_robot_gone() ? ": the robot is gone" : ": it was taken away"));
         break;
     case control_state::none:
     case control_state::asking: break;

@@ -1,12 +1,12 @@
 // The operator's side of a session with one component of a robot: control, commands, questions, heartbeats.
 #pragma once
+#include "support/repeated_lines.hpp"
 #include <jauscat/jaus/component.hpp>
 #include <jauscat/jaus/described_component.hpp>
 #include <jauscat/jaus/held_control.hpp>
 #include <jauscat/net.hpp>
 
 #include <functional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +23,7 @@ struct order {
 /// How it was answered.
 enum class reply : std::uint8_t {
     taken,    ///< acknowledged; a query: its report is there
+    sent,     ///< and no acknowledgement was asked for
     refused,  ///< NAK
     silence,  ///< no answer to any of its copies
     not_sent, ///< it cannot be sent
@@ -40,15 +41,19 @@ class operator_unit {
     using milliseconds = std::chrono::milliseconds;
 
     /// `timeout`: from sending a message that must be answered to sending it again, three times at most.
-    operator_unit(const net::jaus_config& config, const jaus::address& robot, milliseconds timeout);
+    /// `acknowledged`: messages ask for an acknowledgement; else commands are sent once.
+    operator_unit(const net::jaus_config& config, const jaus::address& robot, milliseconds timeout, bool acknowledged);
 
-    /// Waits for a heartbeat of the robot's node. False: none came.
+    /// Waits for a heartbeat of any component of the robot. False: none came.
     bool hear_robot(milliseconds patience);
     /// Asks the robot for control. False: it is refused, or nobody answers.
     bool take_control(std::uint8_t authority);
     [[nodiscard]] bool has_lost_control() const noexcept;
     /// Sends an order and waits until it is acknowledged, and for the report if it is a query.
-    reply give(const order& what);
+    /// Silence is a failure, unless its caller looks whether the order was obeyed all the same.
+    reply give(const order& what, bool may_be_obeyed_silently = false);
+    /// For a peer that has obeyed without an acknowledgement: none is asked for from now on.
+    void expect_no_acknowledgements() noexcept { acknowledged_ = false; }
     /// The body of the report to the last query that was taken.
     [[nodiscard]] bytes report() const { return report_.value(); }
     /// Goes on hearing the robot, and controlling it if that is so; ends when control is lost.
@@ -79,12 +84,17 @@ class operator_unit {
     bool wait(const std::function<bool()>& done, milliseconds how_long);
     reply exchange(const order& what);
     bool send(bytes message);
+    [[nodiscard]] bool is_of_robot(const jaus::address& who) const noexcept;
+    [[nodiscard]] std::string part_of_robot() const;
+    [[nodiscard]] bool is_robot_gone() const;
+    void wait_for_report(bytes message);
     [[nodiscard]] std::string hint() const;
     void tell_control();
     void tell_why();
 
-    jaus::address self_, robot_, manager_of_robot_;
+    jaus::address self_, robot_, manager_of_robot_, heard_{manager_of_robot_};
     milliseconds timeout_;
+    bool acknowledged_;
     boost::asio::io_context context_{};
 
     // What the message that was sent last has come to.
@@ -93,9 +103,9 @@ class operator_unit {
     std::optional<std::vector<std::byte>> report_{};
 
     control_state told_state_{};
-    bool is_gone_{}, quiet_{};
+    bool quiet_{};
     std::uint64_t heartbeats_{};
-    std::set<std::string> told_{}; ///< lines of the node's log: each is shown once
+    example::repeated_lines log_lines_{};
 
     application_type application_{};
     shown_output out_{*this};

@@ -267,6 +267,10 @@ any_message() {
     says arm "travel speed 2.4414435 m/s"
     expect_ocu 0 --send query_travel_speed
     expect_ocu 0 --send "Set Component Authority" authority_code=7
+    # Each message of the standard has a name; what the robot does not take it refuses itself.
+    expect_ocu 1 --send query_camera_pose camera_id=1 presence_vector=1
+    says out "camera_id = 1"
+    says out "Query Camera Pose was refused (NAK)"
 }
 wrong_arguments() {
     expect 2 "$bin/ocu"
@@ -280,7 +284,7 @@ wrong_arguments() {
     expect 2 "$bin/ocu" --send set_travel_speed
     says out "desired_speed is missing"
     expect 2 "$bin/ocu" --send set_camera_pose
-    says out "the robot does not know Set Camera Pose"
+    says out "mode_indicator is missing"
     expect 2 "$bin/ocu" --to 1.2.3 --query
     says out "is no JAUS ID"
     expect 2 "$bin/robot_arm" --link token-ring --config "$config"

@@ -26,7 +26,7 @@ ocu_finds_nobody() {
     says out "no answer to Query Wrench Effort; is robot_controller running?"
     says out "Query Wrench Effort was sent 4 times"
     expect_ocu 1 --wait 0.5 --query
-    says out "no heartbeat of 2.2.1.1 within 0.5 s"
+    says out "no heartbeat of a component of subsystem 2 within 0.5 s"
     says_not out "sends Query Wrench Effort"
     # The node is there, the component is not.
     start_robot
@@ -56,6 +56,62 @@ ocu_takes_control_and_releases_it() {
     grep -Eq "ocu: heard [2-9] heartbeats of 2.2.1.1" "$work/out.log" || fail "no heartbeats are counted"
     for state in standby resume; do expect_ocu 0 --send "$state"; done
     says out "ocu: OK"
+}
+ocu_asks_for_no_acknowledgement() {
+    start_robot
+    expect_ocu 0 --unacknowledged propulsive_linear_effort_x=50
+    says out "OK: obeyed, not acknowledged: the report equals the command"
+    says_not out "(ACK)"
+    nobody_controls
+    expect_ocu 0 --unacknowledged --send standby
+    says out "OK: sent, and no acknowledgement was asked for"
+    wait_for controller "ready -> standby"
+    expect_ocu 1 --unacknowledged --timeout 50 --to 2.2.34.1 --query
+    says out "FAILED: no answer to Query Wrench Effort"
+}
+ocu_commands_a_peer_that_never_acknowledges() {
+    local manner code verdict
+    while read -r manner code verdict; do
+        python3 "$(dirname "${BASH_SOURCE[0]}")/silent_peer.py" "$controller_port" "$ocu_port" "$manner" >"$work/peer.log" 2>&1 &
+        pids+=($!)
+        last_pid=$!
+        wait_for peer "silent peer: ready"
+        # Its heartbeats come from the component itself.
+        expect_ocu "$code" --wait 30 --timeout 50 propulsive_linear_effort_x=50
+        says out "hears the robot: heartbeat of 2.2.33.1"
+        says out "controls 2.2.33.1"
+        says out "Set Wrench Effort is not acknowledged; the report shows whether it is obeyed"
+        says out "$verdict"
+        says_not out "nobody acknowledged"
+        says out "control of 2.2.33.1 is released, as far as is known"
+        dies "$last_pid"
+    done <<'EOT'
+obeys 0 OK: obeyed, not acknowledged: the report equals the command
+ignores 1 FAILED: not acknowledged, not obeyed: the report differs from the command
+mute 1 FAILED: no answer to Query Wrench Effort; 2.2.33.1 is heard, but does not answer
+EOT
+}
+ocu_is_not_flooded() { # with reports, none of which it asked for
+    second_unit
+    start_robot
+    hold a propulsive_linear_effort_x=50
+    local c_port
+    c_port=$(sed -n 's|.*<name>c</name>.*<port>\([0-9]*\)</port>.*|\1|p' "$config")
+    for _ in 1 2; do # the next of a kind says how many were left out
+        python3 - "$c_port" "$ocu_port" <<'EOT'
+import socket, sys
+peer = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+peer.bind(("127.0.0.1", int(sys.argv[1])))
+for _ in range(2000):  # Report Wrench Effort, from 3.1.32.1
+    peer.sendto(bytes.fromhex("0602054401200101012001030400000001000040"), ("127.0.0.1", int(sys.argv[2])))
+EOT
+        sleep 1
+    done
+    wait_for a " such were left out)"
+    [ "$(grep -c "^ocu receives Report Wrench Effort" "$work/a.log")" -lt 500 ] || fail "the flood is shown"
+    kill -INT "$unit_pid"
+    unit_ends 0
+    says a "control of 2.2.33.1 is released"
 }
 ocu_is_refused() {
     second_unit
