@@ -46,7 +46,7 @@ class narrator final : public bridge::observer {
                  jauscat::text::hex(emergency.data));
     }
     void no_keep_alive(const bridge::slave_front& slave, const bridge::refusal_reason& why) override {
-        say_.bad(name(slave) + " takes no Report Heartbeat Pulse (" + refusal_text(why) +
+        say_.bad(name(slave) + " takes no Report Heartbeat Pulse (" + refusal_text(slave, why) +
                  "): it does not stop by itself if this program ends without a word");
     }
 
@@ -68,7 +68,7 @@ class narrator final : public bridge::observer {
                       unsigned attempts) override {
         if (attempts != 1 && attempts != 10 && attempts % 100 != 0) return;
         say_.bad(name(unit) + ": the slave has not confirmed " + order_text(what) + ", attempt " +
-                 std::to_string(attempts) + ": " + refusal_text(why) + "; it is repeated");
+                 std::to_string(attempts) + ": " + refusal_text(unit.front(), why) + "; it is repeated");
     }
     void settled(const bridge::component& unit) override { say_(name(unit) + ": the slave has confirmed"); }
 
@@ -86,8 +86,9 @@ class narrator final : public bridge::observer {
     }
     void refused(const bridge::component& unit, const jauscat::jaus::header&,
                  const bridge::refusal_reason& why) override {
-        say_.bad("not delivered: " + (why.why == bridge::refusal::slave_down ? name(unit.front()) + " does not answer"
-                                                                             : refusal_text(why)));
+        say_.bad("not delivered to " + name(unit) + ": " +
+                 (why.why == bridge::refusal::slave_down ? name(unit.front()) + " does not answer"
+                                                         : refusal_text(unit.front(), why)));
     }
 
   private:
@@ -114,6 +115,20 @@ class narrator final : public bridge::observer {
         }
         return "stop";
     }
+    // What the status does not say: some abort codes have none of their own.
+    static std::string reason_text(const bridge::refusal_reason& why) {
+        const bool is_said = jauscat::hilscher::abort_of(why.status) != jauscat::ethercat::abort_code::none;
+        return why.outcome || is_said ? std::string{} : ": " + explain(why.outcome);
+    }
+    // The slave may take its JAUS address from its own configuration, and refuse what is sent to another.
+    static std::string place_text(const bridge::slave_front& slave, jauscat::hilscher::packet_status status) {
+        std::string text = "station address " + std::to_string(slave.station()) + " (" +
+                           jauscat::text::hex_number(slave.station(), 4) + ")";
+        if (status == jauscat::hilscher::packet_status::sdo_abort_parameter_incompatible)
+            text += ": the slave must be JAUS node " + std::to_string(slave.station()) + " of subsystem " +
+                    std::to_string(slave.options().identity.subsystem) + ", see robot_arm --node";
+        return text;
+    }
     static std::string order_text(bridge::stop_order what) {
         switch (what) {
         case bridge::stop_order::rest: return "zero efforts";
@@ -122,7 +137,7 @@ class narrator final : public bridge::observer {
         }
         return "a stop order";
     }
-    static std::string refusal_text(const bridge::refusal_reason& why) {
+    static std::string refusal_text(const bridge::slave_front& slave, const bridge::refusal_reason& why) {
         switch (why.why) {
         case bridge::refusal::slave_down: return "the slave does not answer";
         case bridge::refusal::queue_full: return "too many messages wait for the slave";
@@ -132,7 +147,8 @@ class narrator final : public bridge::observer {
         case bridge::refusal::stopped: return "a stop order came before it was its turn";
         case bridge::refusal::not_translated: return std::string{describe(why.error)};
         case bridge::refusal::by_slave:
-            return jauscat::text::explain(why.status) + (why.outcome ? std::string{} : ": " + explain(why.outcome));
+            return jauscat::text::explain(why.status) + reason_text(why) + ", asked at " +
+                   place_text(slave, why.status);
         case bridge::refusal::not_taken: return "the slave has not taken the command out of its process data";
         case bridge::refusal::stale: return "the slave's inputs are too old to answer from";
         }

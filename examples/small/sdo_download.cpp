@@ -41,10 +41,11 @@ template <ethercat::link Link> int write_and_read(Link& link, const object& what
     constexpr std::uint16_t station = 1;
     // The first of the ring; from here on it is known by its station address.
     if (!done(master.bring_up(0, station), "to PRE-OP")) return 1;
-    if (!done(master.download(station, what.index, what.subindex, what.value), "download")) return 1;
+    if (!done(master.download(station, what.index, what.subindex, what.value), "download to station address 1"))
+        return 1;
 
     std::array<std::byte, 1024> buffer{};
-    if (!done(master.upload(station, what.index, what.subindex, buffer), "upload")) return 1;
+    if (!done(master.upload(station, what.index, what.subindex, buffer), "upload from station address 1")) return 1;
     const auto read = std::span{buffer}.first(master.result().size);
     std::cout << "the slave has " << jauscat::text::hex(read) << '\n';
     return std::ranges::equal(read, what.value) ? 0 : 1;

@@ -49,7 +49,7 @@ template <ethercat::link Link> int read(Link& link, std::uint16_t index, std::ui
     std::array<std::byte, 1024> buffer{};
     if (!done(master.scan(), "scan") || !done(master.bring_up(0, station), "to PRE-OP")) return 1;
     const auto size = described_size(link, master, station, index, subindex);
-    if (!done(master.upload(station, index, subindex, buffer, {.size = size}), "upload")) {
+    if (!done(master.upload(station, index, subindex, buffer, {.size = size}), "upload from station address 1")) {
         if (master.result().error == ethercat::master_errc::size_mismatch && size)
             std::cout << "the slave's SDO information says " << *size << " bytes\n";
         return 1;

@@ -39,7 +39,8 @@ objects_are_written() { # INTERFACE
     expect 1 "no such object in the dictionary (0x06020000)" "$bin/sdo_read" "$1" 2001 0
     expect 1 "length does not match" "$bin/sdo_download" "$1" 2000 0 01
     expect 1 "no such object" "$bin/sdo_download" "$1" 2001 0 01
-    expect 1 "no such subindex" "$bin/sdo_download" "$1" 2000 1 01
+    expect 1 "download to station address 1: the slave aborted the transfer" "$bin/sdo_download" "$1" 2000 1 01
+    grep -qF "no such subindex" "$work/out.log" || fail "the reason is not told"
     expect 1 "can only be read (0x06010002)" "$bin/sdo_download" "$1" 1018 1 01
 }
 objects_in_udp() {

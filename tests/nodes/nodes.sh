@@ -351,7 +351,7 @@ garbage_on_the_sockets() {
     send_bytes "$controller_port" 16020504012102020120010102006300ff0f
     wait_for controller "is refused: malformed"
     wait_for arm "refused the body of Set Wrench Effort"
-    wait_for controller "not delivered: value out of range (ulSta 0xC065003B, abort code 0x06090030)"
+    wait_for controller "not delivered to 2.2.33.1: value out of range (ulSta 0xC065003B, abort code 0x06090030), asked at station address 2 (0x0002)"
     wait_for controller "sent Set Wrench Effort (NAK)"
     # A command code nobody knows.
     send_bytes "$controller_port" 16029999012102020120010100006300
@@ -400,7 +400,7 @@ large_data_set_is_delivered() {
     send_bytes "$controller_port" "${head}f4110000$(printf '%01000d' 0)"
     for i in 1 2; do send_bytes "$controller_port" "${head}f4210${i}00$(printf '%01000d' 0)"; done
     send_bytes "$controller_port" "${head}f4810300$(printf '%01000d' 0)"
-    wait_for controller "not delivered: more bytes than an SDO carries"
+    wait_for controller "not delivered to 2.2.33.1: more bytes than an SDO carries"
 }
 small_mailbox() { # of 8 bytes of data in a first message and 15 in a segment
     arm_options=(--mailbox-size 24 --empty-start --node 2)
@@ -433,7 +433,7 @@ command_by_process_data() {
     for seed in 1 2 3 4 5; do expect_ocu 0 --random "$seed"; done
     # -32768 stands for no effort.
     send_bytes "$controller_port" 1602050401210202012001010400090001000080
-    wait_for controller "not delivered: out of range"
+    wait_for controller "not delivered to 2.2.33.1: out of range"
     wait_for controller "sent Set Wrench Effort (NAK)"
 }
 other_messages_between_cycles() {
@@ -583,6 +583,11 @@ a_bus_of_emulated_slaves() {
     done
     expect 0 "$bin/emulated_bus" --help
     says out "Examples:"
+}
+a_slave_of_another_node_is_told_of() { # which takes its JAUS address from its own configuration
+    start_bus "${link[@]}" --abort 0x1B15=0x06040043
+    start_controller
+    wait_for controller "2.2.33.1: the slave has not confirmed zero efforts, attempt 1: parameters are incompatible (ulSta 0xC0650034, abort code 0x06040043), asked at station address 2 (0x0002): the slave must be JAUS node 2 of subsystem 2, see robot_arm --node"
 }
 arm_restarts() {
     start_robot
