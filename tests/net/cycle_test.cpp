@@ -126,6 +126,13 @@ TEST_CASE("a JAUS command is in the slave's outputs one cycle after it came, and
     CHECK(jaus::split(answer).header.ack_nak == jaus::ack_nak::ack);
 }
 
+TEST_CASE("a job without a limit of time is run to its end") {
+    robot r;
+    CHECK(net::run(r.link, r.master, r.master.check(station), std::chrono::nanoseconds::max()));
+    REQUIRE(r.master.check(station));
+    CHECK(r.cycles.run_job(std::chrono::nanoseconds::max(), nothing, nothing));
+}
+
 TEST_CASE("process data that do not come back are lost, and the next cycle goes all the same") {
     robot r;
     bool lose = false;

@@ -5,6 +5,7 @@
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/master.hpp>
 #include <jauscat/ethercat/process_data.hpp>
+#include <jauscat/jaus/later.hpp>
 #include <jauscat/net/cycle_timer.hpp>
 
 #include <algorithm>
@@ -79,8 +80,9 @@ template <ethercat::link Link> class cycle_runner {
         return report;
     }
 
-    /// Runs cycles until the master's job is done, and gives it up after `limit`; `each(report)` is called after every
-    /// cycle. Returns how the job ended; `busy` where it has not `started`, because another one runs.
+    /// Runs cycles until the master's job is done, and gives it up after `limit` (nanoseconds::max(): never);
+    /// `each(report)` is called after every cycle. Returns how the job ended; `busy` where it has not `started`,
+    /// because another one runs.
     template <class Prepare, class Each>
     ethercat::outcome run_job(bool started, std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
         return started ? run_job(limit, prepare, each) : ethercat::outcome{.error = ethercat::master_errc::busy};
@@ -88,7 +90,7 @@ template <ethercat::link Link> class cycle_runner {
     /// The same with the job that runs.
     template <class Prepare, class Each>
     ethercat::outcome run_job(std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
-        const auto deadline = now() + limit;
+        const auto deadline = jaus::later(now(), limit);
         while (!master_.idle()) {
             if (now() >= deadline) master_.cancel(ethercat::master_errc::timeout);
             each(run(prepare));

@@ -3,6 +3,7 @@
 
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/master.hpp>
+#include <jauscat/jaus/later.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,8 @@
 namespace jauscat::net {
 
 /// Drives the job that was started (`scan`, `bring_up`, `download` or another) and returns how it ended; at once if
-/// none runs. After `limit` it is given up. Errors besides those of the job: timeout, not_sent.
+/// none runs. After `limit` it is given up, with nanoseconds::max() never. Errors besides those of the job: timeout,
+/// not_sent.
 template <ethercat::link Link>
 ethercat::outcome run(Link& link, ethercat::master& master, std::chrono::nanoseconds limit = std::chrono::seconds{10}) {
     const auto clock = [] {
@@ -21,7 +23,7 @@ ethercat::outcome run(Link& link, ethercat::master& master, std::chrono::nanosec
             std::chrono::steady_clock::now().time_since_epoch());
     };
     std::array<std::byte, ethercat::max_frame_size> frame;
-    const auto deadline = clock() + limit;
+    const auto deadline = jaus::later(clock(), limit);
     while (!master.idle()) {
         const auto now = clock();
         if (now >= deadline) master.cancel(ethercat::master_errc::timeout);
