@@ -730,6 +730,12 @@ std::size_t converse(provider& p, consumer& c, time_point now) {
     }
     return count;
 }
+
+/// Asks for events of the velocity, until the provider has answered.
+void subscribe(provider& p, consumer& c, event_type type, time_point now) {
+    REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = type}, now, c.sent.sink()));
+    converse(p, c, now);
+}
 std::size_t in_use(const provider& p) {
     return static_cast<std::size_t>(
         std::ranges::count_if(p.events.records(), [](const auto& e) { return e.message_code != 0; }));
@@ -940,9 +946,7 @@ TEST_CASE("a silent provider of events on change is noticed, and asked again unt
 TEST_CASE("a provider that has started anew without an event is asked for it again") {
     provider p;
     consumer c;
-    REQUIRE(
-        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s, c.sent.sink()));
-    converse(p, c, 0s);
+    subscribe(p, c, event_type::every_change, 0s);
     provider anew;
     while (*c.events.next_event() <= 10s) {
         const time_point now = *c.events.next_event();
@@ -956,9 +960,7 @@ TEST_CASE("a provider that has started anew without an event is asked for it aga
 TEST_CASE("a first change that has come is not asked for any more") {
     provider p;
     consumer c;
-    REQUIRE(
-        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::first_change}, 0s, c.sent.sink()));
-    converse(p, c, 0s);
+    subscribe(p, c, event_type::first_change, 0s);
     REQUIRE(c.events.next_event() == 5s);
     p.drive(1, 1s);
     REQUIRE(converse(p, c, 1s) == 1);
@@ -967,9 +969,7 @@ TEST_CASE("a first change that has come is not asked for any more") {
 
     // Nor is a provider asked that does not answer Query Events.
     c.events = jaus::event_consumer<2>{viewer, 1s, 5, time_point::max()};
-    REQUIRE(
-        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 2s, c.sent.sink()));
-    converse(p, c, 2s);
+    subscribe(p, c, event_type::every_change, 2s);
     REQUIRE(c.first().state == requested_state::active);
     REQUIRE(c.events.next_event() == std::nullopt);
 }

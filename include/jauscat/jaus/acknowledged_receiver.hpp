@@ -201,7 +201,7 @@ class acknowledged_receiver {
             if (m.sequence_number != 0 || !is_known(m)) continue;
             const bool counts = std::ranges::any_of(
                 places_, [&](const acknowledged_message& other) { return is_known(other) && shows_count(other, m); });
-            // Who counts does not use the number 0 for two commands.
+            // A sender that counts gives the number 0 to one command only.
             const bool repeats_zero = std::ranges::any_of(places_, [&](const acknowledged_message& other) {
                 return other.superseded && now < other.until && other.source == m.source && other.sequence_number == 0;
             });
