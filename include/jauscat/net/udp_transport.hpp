@@ -113,7 +113,8 @@ class udp_transport {
         out_.push(prefix, message, detail::for_socket(to, v6_));
     }
 
-    /// In a message handler: how long the message had waited in the socket.
+    /// In a message handler: how long the message had waited in the socket. Too little in the first moments of
+    /// the socket when no other of the machine asks for arrival times: Linux switches them on a moment later.
     [[nodiscard]] std::chrono::nanoseconds waited() const noexcept { return waited_; }
 
     /// Closes the socket and leaves its groups. What was sent or posted goes out; no handler is called afterwards.
