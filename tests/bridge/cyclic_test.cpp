@@ -101,6 +101,38 @@ TEST_CASE("a slave that falls out of OP is lost within two cycles") {
     CHECK(r.motor().effort == 0);
 }
 
+TEST_CASE("a slave that confirms an emergency and is lost before its answer arrives is told again") {
+    rig r{1, true};
+    r.run_until_ready();
+    bool is_answered = false;
+    r.on_way_back = [&](std::span<std::byte> frame) {
+        r.round_trip = 200us;
+        ethercat::frame_view view;
+        REQUIRE(view.parse(frame));
+        for (const auto datagram : view) {
+            if (is_answered || !r.motor().emergency || datagram.header.cmd != ethercat::command::fprd ||
+                datagram.data.size() != 256 || datagram.working_counter == 0)
+                continue;
+            is_answered = true;
+            r.round_trip = 12ms; // of this frame alone
+            r.dead_from = 0;
+        }
+    };
+    const auto first = r.tell(rig::stop());
+    r.run_until([&] { return r.watcher.lost == 1; });
+    CHECK(is_answered);
+    r.run(20ms); // the answer is back
+    CHECK(r.unit().debt().owes_emergency());
+    r.motor().reset();
+    const auto second = r.tell(rig::stop(), 0, ack_nak::request, rig::stranger);
+    r.run(200ms);
+    CHECK_FALSE(r.answer(first));
+    CHECK_FALSE(r.answer(second));
+    r.dead_from = 100;
+    r.run_until([&] { return r.is_acknowledged(first) && r.is_acknowledged(second); });
+    CHECK(r.motor().emergency);
+}
+
 TEST_CASE("a slave that has lost its station address is lost within two cycles") {
     rig r{1, true};
     r.run_until_ready();

@@ -190,9 +190,10 @@ class rig {
             if (const auto event = each.next_event()) next = std::min(next, *event);
         for (const auto& each : flights_) next = std::min(next, each.at);
         now = std::max(now + 1us, next); // a node's wake-up takes time, and nothing here may stand still
-        while (!flights_.empty() && flights_.front().at <= now) {
-            auto back = std::move(flights_.front().frame);
-            flights_.pop_front();
+        const auto is_back = [&](const flight& each) { return each.at <= now; };
+        for (auto at = flights_.begin(); (at = std::ranges::find_if(flights_, is_back)) != flights_.end();) {
+            const auto back = std::move(at->frame);
+            flights_.erase(at);
             bus.on_frame(back, now, out_);
         }
         for (auto& each : actuators) each.work(now);
