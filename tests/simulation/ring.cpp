@@ -69,7 +69,7 @@ void ring::pass(std::span<std::byte> frame) {
         auto& at = places_[i];
         at.arm->pass(frame, world_.now(), at.frozen);
         at.passed_at = world_.now();
-        if (at.recount != 0 || at.state_is_unknown) alter(at, frame);
+        alter(at, frame);
         if (at.arm->take_aborted()) at.disturbed_at = world_.now();
         look(at);
     }
@@ -84,9 +84,15 @@ void ring::alter(ring_place& at, std::span<std::byte> frame) {
         const bool is_mine =
             one.header.cmd == ethercat::command::fprd && one.header.adp == at.arm->slave().station_address();
         if (!is_mine || one.working_counter == 0) continue;
-        if (at.recount != 0 && one.header.ado == mailbox_in && one.data.size() > 6) {
+        if (one.header.ado == mailbox_in && one.data.size() >= at.last_reply.size()) {
+            const auto reply = one.data.first(at.last_reply.size());
+            if (!std::ranges::equal(reply, at.last_reply)) {
+                std::ranges::copy(reply, at.last_reply.begin());
+                at.last_reply_recount = at.recount;
+            }
+            if (at.last_reply_recount == 0) continue;
             const auto old = std::to_integer<unsigned>(one.data[5]);
-            const unsigned counter = ((old >> 4U) + at.recount) % 7 + 1;
+            const unsigned counter = ((old >> 4U) + at.last_reply_recount) % 7 + 1;
             one.data[5] = static_cast<std::byte>((old & 0x0FU) | counter << 4U);
         }
         if (at.state_is_unknown && one.header.ado == registers::al_status.address && !one.data.empty())

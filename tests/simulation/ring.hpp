@@ -55,7 +55,9 @@ struct ring_place {
     bool cyclic{};
     std::unique_ptr<arm_unit> arm{};
     bool frozen{}, away{}, state_is_unknown{};
-    std::uint8_t recount{}; ///< added to its mailbox counter
+    std::uint8_t recount{}; ///< added to the mailbox counter of its new messages
+    std::array<std::byte, 16> last_reply{};
+    std::uint8_t last_reply_recount{}; ///< a message that is asked for again is the same
     time unfrozen_at{}, restarted_at{}, passed_at{};
     time disturbed_at{}; ///< when something last happened to it that may delay a stop order
     ethercat::al_state told_state{};
