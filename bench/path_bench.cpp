@@ -1,7 +1,7 @@
 // The whole way of a message: UDP datagram in, EtherCAT frame out. Without sockets against copying the frame's bytes;
 // through loopback sockets against the same sockets without the work between them.
 #include "pair.hpp"
-#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/loopback_link.hpp>
 #include <jauscat/ethercat/master.hpp>
 #include <jauscat/jaus/framing.hpp>
@@ -19,6 +19,7 @@
 namespace {
 
 namespace asio = boost::asio;
+namespace bridge = jauscat::bridge;
 namespace ethercat = jauscat::ethercat;
 namespace jaus = jauscat::jaus;
 namespace translation = jauscat::translation;
@@ -49,7 +50,7 @@ ethercat::slave_record slave_in_pre_op() {
 // What a controller does with a datagram, up to the frame that carries the message: framing off, header checked,
 // translated, posted to the slave's mailbox. Returns the frame's size, or 0.
 template <class Table> [[gnu::noinline]] std::size_t path(in_bytes datagram, out_bytes frame_bytes) {
-    using delivery = ethercat::delivery<Table>;
+    using delivery = bridge::delivery<Table>;
     static ethercat::slave_record slave = slave_in_pre_op();
     static std::uint8_t index = 0;
     const auto message = jaus::remove_framing(datagram).message;

@@ -2,7 +2,8 @@
 // query prepares the report that the master uploads next. The slave's dictionary is made of the messages it accepts.
 #pragma once
 #include "support/robot_messages.hpp"
-#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/bridge/delivery.hpp>
+#include <jauscat/bridge/object_list.hpp>
 #include <jauscat/ethercat/object_dictionary.hpp>
 #include <jauscat/jaus/copy_present.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
@@ -10,7 +11,6 @@
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/jaus.hpp>
-#include <jauscat/translate/object_list.hpp>
 
 #include <functional>
 #include <optional>
@@ -214,8 +214,8 @@ template <class Table> class arm_application {
     static constexpr std::uint8_t component = 33;
     /// The objects of the slave's dictionary, with a subobject for each message that the arm accepts: the one of its
     /// component, and the one of all components of the node.
-    static constexpr std::array objects{jauscat::translate::object_list<Table, component, robot_messages>::description,
-                                        jauscat::translate::object_list<Table, 255, robot_messages>::description};
+    static constexpr std::array objects{jauscat::bridge::object_list<Table, component, robot_messages>::description,
+                                        jauscat::bridge::object_list<Table, 255, robot_messages>::description};
 
     /// `node` is the arm's JAUS node; without it, it is the station address that the master gives the slave.
     arm_application(std::uint8_t subsystem, arm& behind, std::optional<std::uint8_t> node = {})
@@ -277,10 +277,10 @@ template <class Table> class arm_application {
     }
 
   private:
-    using delivery = jauscat::ethercat::delivery<Table>;
+    using delivery = jauscat::bridge::delivery<Table>;
     static constexpr std::uint16_t highest_node = 254;
 
-    jauscat::ethercat::slave_identity self_;
+    jauscat::bridge::slave_identity self_;
     bool has_own_node_{};
     arm& arm_;
     std::array<std::byte, delivery::translator::max_message_size> message_{};

@@ -1,7 +1,7 @@
 // A message of one's own over EtherCAT: written are the message, its layout, its place in the list of codes, and what a
 // slave does with it. Translation and delivery know nothing of it.
+#include <jauscat/bridge/packet_exchange.hpp>
 #include <jauscat/ethercat/loopback_link.hpp>
-#include <jauscat/ethercat/packet_exchange.hpp>
 #include <jauscat/ethercat/packet_job.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/net/run_master.hpp>
@@ -70,7 +70,7 @@ class gripper_slave {
     gripper::set_gripper obeyed{};
 
   private:
-    using delivery = ethercat::delivery<table>;
+    using delivery = bridge::delivery<table>;
     std::array<std::byte, delivery::translator::max_message_size> message_{};
 };
 
@@ -104,11 +104,11 @@ int main() {
     std::cout << "Set Gripper\n" << text::annotate_message(std::span{message}.first(made.size()), messages{});
 
     // Forth: an SDO download of the subobject of its rank. Back: the same message.
-    using exchange_type = ethercat::packet_exchange<table>;
+    using exchange_type = bridge::packet_exchange<table>;
     exchange_type exchange{{.subsystem = 1, .station = gripper_slave::station}};
     std::array<std::byte, exchange_type::buffer_size> buffer{};
     auto step = exchange.begin(std::span{message}.first(made.size()), buffer);
-    if (step.what != ethercat::exchange_progress::request) return failed(describe(exchange.error()));
+    if (step.what != bridge::exchange_progress::request) return failed(describe(exchange.error()));
     const auto packet = std::span{buffer}.first(step.size);
     std::cout << "SDO download request\n"
               << text::annotate<hilscher::sdo_download_request>(packet)
@@ -124,7 +124,7 @@ int main() {
     const auto size = execute(packet, confirmation, device);
     step = exchange.on_confirmation(std::span{confirmation}.first(size), buffer);
     std::cout << "confirmation: " << text::explain(exchange.status()) << "\n";
-    if (step.what != ethercat::exchange_progress::done) return failed("the slave did not take the message");
+    if (step.what != bridge::exchange_progress::done) return failed("the slave did not take the message");
 
     const auto& obeyed = application.obeyed;
     std::cout << "slave: finger " << int{obeyed.finger} << ", opening " << text::to_text(obeyed.opening.value_or(0))

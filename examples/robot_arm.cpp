@@ -6,7 +6,7 @@
 #include "support/link_options.hpp"
 #include "support/mailbox_option.hpp"
 #include "support/say.hpp"
-#include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/ethercat/mapped_objects.hpp>
 #include <jauscat/ethercat/slave.hpp>
 #include <jauscat/ethercat/standard_objects.hpp>
@@ -17,6 +17,7 @@
 
 namespace {
 
+namespace bridge = jauscat::bridge;
 namespace ethercat = jauscat::ethercat;
 
 constexpr const char* help = R"(robot_arm: an EtherCAT slave that obeys JAUS messages.
@@ -72,14 +73,14 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
     example::arm arm{[&say](const std::string& line) { say(line); }, [&] { show(arm_of_display->efforts()); }};
     arm_of_display = &arm;
     example::arm_application<Table> application{subsystem, arm, node_of(values)};
-    ethercat::listed_objects objects{application.objects, application,
-                                     values["strict"].template as<bool>() ? ethercat::size_rule::exact
-                                                                          : ethercat::size_rule::up_to_largest};
+    bridge::listed_objects objects{application.objects, application,
+                                   values["strict"].template as<bool>() ? bridge::size_rule::exact
+                                                                        : bridge::size_rule::up_to_largest};
     auto description = example::arm_slave;
     description.mailbox_out_size = description.mailbox_in_size = example::mailbox_size_of(values);
     ethercat::mapped_objects mapped{description, objects};
     ethercat::standard_objects dictionary{description, mapped};
-    std::array<std::byte, jauscat::translate::largest_subobject(example::arm_application<Table>::objects)> memory{};
+    std::array<std::byte, jauscat::bridge::largest_subobject(example::arm_application<Table>::objects)> memory{};
     ethercat::slave slave{description,
                           dictionary,
                           {.transfer_memory = memory,

@@ -8,7 +8,7 @@
 
 namespace {
 
-namespace ethercat = jauscat::ethercat;
+namespace bridge = jauscat::bridge;
 
 constexpr const char* help = R"(robot_controller: carries JAUS messages to an EtherCAT slave and its reports back.
 
@@ -97,7 +97,7 @@ example::front_options options_for(const place& at, const std::string& trace_nam
             .trace_name = trace_name};
 }
 
-std::unique_ptr<example::bridge::any_exchange> exchange_with(const ethercat::slave_identity& slave,
+std::unique_ptr<example::bridge::any_exchange> exchange_with(const bridge::slave_identity& slave,
                                                              const values_map& values) {
     std::unique_ptr<example::bridge::any_exchange> made;
     example::with_table(values, [&]<class Table>() {

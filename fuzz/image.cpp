@@ -1,6 +1,6 @@
 // A message into a process image and out of one, against the codec.
 #include "support/target.hpp"
-#include <jauscat/ethercat/image_exchange.hpp>
+#include <jauscat/bridge/image_exchange.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 #include <jauscat/wire/raw.hpp>
 
@@ -11,8 +11,7 @@ using translation::wrench_effort_image;
 namespace {
 
 using command = translate::image_translator<translation::set_wrench_effort_table>;
-using exchange =
-    ethercat::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
+using exchange = bridge::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
 
 wrench_effort_image values_of(const bytes& image) {
     wrench_effort_image values{};

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "slave_end.hpp"
-#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/packet_job.hpp>
 #include <jauscat/net/run_cycle.hpp>
 #include <jauscat/net/run_master.hpp>
@@ -86,7 +86,7 @@ class jaus_socket {
 /// By the mailbox: translated to an SDO download packet, which the master executes.
 inline unsigned command_by_mailbox(row& into, unsigned count, jauscat::net::raw_link& link, ethercat::master& master,
                                    slave_end& slave) {
-    using delivery = ethercat::delivery<translation::self_contained_table>;
+    using delivery = bridge::delivery<translation::self_contained_table>;
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation{};
     jaus_socket socket{[&](std::span<const std::byte> message) {
         std::array<std::byte, delivery::translator::max_packet_size> packet; // not zeroed: forth says how much it wrote

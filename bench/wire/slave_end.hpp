@@ -2,8 +2,8 @@
 #pragma once
 
 #include "report.hpp"
+#include <jauscat/bridge/image_exchange.hpp>
 #include <jauscat/ethercat/image_entries.hpp>
-#include <jauscat/ethercat/image_exchange.hpp>
 #include <jauscat/ethercat/slave.hpp>
 #include <jauscat/ethercat/standard_objects.hpp>
 #include <jauscat/net/raw_link.hpp>
@@ -14,6 +14,7 @@
 
 namespace wire_bench {
 
+namespace bridge = jauscat::bridge;
 namespace ethercat = jauscat::ethercat;
 namespace translation = jauscat::translation;
 
@@ -21,7 +22,7 @@ inline constexpr std::uint16_t station = 2;
 inline constexpr std::uint8_t component = 33;
 
 using efforts_by_cycle =
-    ethercat::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
+    bridge::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
 
 /// Takes every object that is written, and the efforts in its process data. Runs until it is destroyed.
 class slave_end {

@@ -1,10 +1,10 @@
 // write-a-controller.md: JAUS messages carried to an EtherCAT slave, and its reports back.
 // [includes]
 #include "driver.hpp"
-#include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/bridge/listed_objects.hpp>
+#include <jauscat/bridge/packet_exchange.hpp>
 #include <jauscat/ethercat/loopback_link.hpp>
 #include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/packet_exchange.hpp>
 #include <jauscat/ethercat/packet_job.hpp>
 #include <jauscat/ethercat/slave.hpp>
 #include <jauscat/net/run_master.hpp>
@@ -28,11 +28,11 @@ template <ethercat::link Link> class controller {
     /// Delivers a message; passes its report, if it is a query, and its acknowledgement to `answer`.
     template <class Answer> void carry(std::span<const std::byte> message, Answer answer) {
         auto step = exchange_.begin(message, buffer_);
-        while (step.what == ethercat::exchange_progress::request)
+        while (step.what == bridge::exchange_progress::request)
             step = exchange_.on_confirmation(execute(std::span{buffer_}.first(step.size)), buffer_);
         if (exchange_.error() != jauscat::translate::errc::ok)
             std::cout << "refused: " << describe(exchange_.error()) << '\n'; // by the table
-        else if (step.what == ethercat::exchange_progress::failed)
+        else if (step.what == bridge::exchange_progress::failed)
             std::cout << "refused: " << jauscat::text::explain(exchange_.status()) << '\n'; // by the slave
         if (step.size != 0) answer(std::span{buffer_}.first(step.size));
         if (const auto size = exchange_.acknowledgement(buffer_); size != 0) answer(std::span{buffer_}.first(size));
@@ -48,7 +48,7 @@ template <ethercat::link Link> class controller {
     }
 
     static constexpr std::uint16_t station = 2;
-    using exchange = ethercat::packet_exchange<driver_table>;
+    using exchange = bridge::packet_exchange<driver_table>;
 
     Link& link_;
     ethercat::master master_{};
@@ -69,7 +69,7 @@ template <class T> std::span<const std::byte> message_of(const T& body, std::spa
 int main() {
     // The slave of write-a-slave.md.
     driver application{};
-    ethercat::listed_objects objects{std::span{&driver_objects::description, 1}, application};
+    bridge::listed_objects objects{std::span{&driver_objects::description, 1}, application};
     ethercat::slave device{{.vendor = 1, .product = 33, .name = "driver"}, objects};
     ethercat::loopback_link link{std::span{&device, 1}};
 

@@ -1,20 +1,21 @@
 // The application of write-a-slave.md: what an EtherCAT slave does with objects that are JAUS messages.
 #pragma once
 // [includes]
-#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/bridge/delivery.hpp>
+#include <jauscat/bridge/object_list.hpp>
 #include <jauscat/ethercat/object_dictionary.hpp>
 #include <jauscat/jaus/copy_present.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/jaus/requested_fields.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
-#include <jauscat/translate/object_list.hpp>
 
 #include <algorithm>
 #include <array>
 
-namespace jaus = jauscat::jaus;
+namespace bridge = jauscat::bridge;
 namespace ethercat = jauscat::ethercat;
+namespace jaus = jauscat::jaus;
 // [includes end]
 
 // [application]
@@ -51,11 +52,11 @@ class driver {
         return {ethercat::abort_code::none, object.data.size()};
     }
 
-    ethercat::slave_identity self{.subsystem = 2, .station = 2};
+    bridge::slave_identity self{.subsystem = 2, .station = 2};
     jaus::report_wrench_effort effort{};
 
   private:
-    using delivery = ethercat::delivery<driver_table>;
+    using delivery = bridge::delivery<driver_table>;
 
     /// A report is in the slave's own object: it is a message from the component to itself.
     std::size_t prepare(const jaus::header& query, const jaus::report_wrench_effort& answer) noexcept {
@@ -71,6 +72,6 @@ class driver {
 };
 
 /// The slave's objects: component 33 takes these messages.
-using driver_objects = jauscat::translate::object_list<driver_table, 33, jaus::set_wrench_effort,
-                                                       jaus::query_wrench_effort, jaus::report_wrench_effort>;
+using driver_objects = jauscat::bridge::object_list<driver_table, 33, jaus::set_wrench_effort,
+                                                    jaus::query_wrench_effort, jaus::report_wrench_effort>;
 // [application end]

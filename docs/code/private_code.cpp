@@ -1,7 +1,7 @@
 // mapping-table.md: a message of one's own in the tables of this library.
 //     docs_private_code
 // [includes]
-#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/bridge/delivery.hpp>
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/text/hex.hpp>
@@ -32,7 +32,7 @@ using gripper_table = translation::self_contained_table_of<translation::manufact
 
 int main() {
     // [use]
-    using delivery = jauscat::ethercat::delivery<gripper_table>;
+    using delivery = jauscat::bridge::delivery<gripper_table>;
     std::array<std::byte, 64> message{};
     const jaus::header head{.experimental = true,
                             .destination = {.instance = 1, .component = 33, .node = 2, .subsystem = 2},

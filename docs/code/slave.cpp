@@ -1,7 +1,7 @@
 // write-a-slave.md: an EtherCAT slave whose objects are JAUS messages, and a master that writes one of them.
 // [includes]
 #include "driver.hpp"
-#include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/ethercat/loopback_link.hpp>
 #include <jauscat/ethercat/master.hpp>
 #include <jauscat/ethercat/slave.hpp>
@@ -14,7 +14,7 @@
 int main() {
     // [slave]
     driver application{};
-    ethercat::listed_objects objects{std::span{&driver_objects::description, 1}, application};
+    bridge::listed_objects objects{std::span{&driver_objects::description, 1}, application};
     const ethercat::slave_description description{.vendor = 1, .product = 33, .name = "driver"};
     ethercat::standard_objects dictionary{description, objects}; // 1000h, 1018h, ... in front of it
     ethercat::slave device{description, dictionary};

@@ -1,7 +1,7 @@
 // The frame that carries an object to a slave, as the master makes it: for pictures and worked bytes.
 #pragma once
 
-#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/loopback_link.hpp>
 #include <jauscat/ethercat/master.hpp>
 #include <jauscat/net/run_master.hpp>
@@ -39,7 +39,7 @@ struct recording_link {
 };
 
 /// The first frame of an SDO download, as the master sends it.
-inline bytes frame_with(const ethercat::object_access& object) {
+inline bytes frame_with(const bridge::object_access& object) {
     any_object objects;
     std::array slaves{ethercat::slave{{.vendor = 1, .product = 2}, objects}};
     ethercat::loopback_link loop{slaves};

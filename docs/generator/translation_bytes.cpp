@@ -2,7 +2,7 @@
 // in the mailbox and in the frame, each made by the library and taken apart by its schemas. And docs/data-path.svg.
 #include "data_path.hpp"
 #include "sdo_frame.hpp"
-#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
@@ -18,6 +18,7 @@
 
 namespace {
 
+namespace bridge = jauscat::bridge;
 namespace ethercat = jauscat::ethercat;
 namespace jaus = jauscat::jaus;
 namespace text = jauscat::text;
@@ -88,7 +89,7 @@ std::string block(const std::string& title, std::span<const std::byte> whole, co
 }
 
 template <class Table> std::string stages(const std::string& table, const bytes& message) {
-    using delivery = ethercat::delivery<Table>;
+    using delivery = bridge::delivery<Table>;
     bytes packet(delivery::translator::max_packet_size);
     const auto size = delivery::translator::forth(message, packet);
     if (!size) throw std::logic_error{"the message does not translate"};

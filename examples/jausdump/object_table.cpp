@@ -1,6 +1,6 @@
 #include "object_table.hpp"
 
-#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/bridge/delivery.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/translate/fixed_length.hpp>
 
@@ -8,7 +8,7 @@ namespace jausdump {
 
 namespace {
 
-namespace ethercat = jauscat::ethercat;
+namespace bridge = jauscat::bridge;
 namespace translate = jauscat::translate;
 namespace translation_tables = jauscat::translation;
 
@@ -24,10 +24,10 @@ std::uint8_t node_of(const slave_address& slave) {
 
 template <class Table>
 object_message translated(const object_transfer& object, std::span<const std::byte> data, const object_table& how) {
-    using delivery = ethercat::delivery<Table>;
+    using delivery = bridge::delivery<Table>;
     object_message message{.bytes = std::vector<std::byte>(delivery::translator::max_message_size)};
     const auto node = node_of(object.slave);
-    const ethercat::object_access access{
+    const bridge::object_access access{
         .station = node,
         .index = static_cast<std::uint16_t>(translation_tables::seed_index_base + component_of(object, how)),
         .subindex = object.subindex,

@@ -1,18 +1,19 @@
 // Everything below the I/O line: codec, translation, schemas, behaviour. No heap, exceptions, RTTI, clock or socket.
 #pragma once
+#include <jauscat/bridge/delivery.hpp>
+#include <jauscat/bridge/image_exchange.hpp>
+#include <jauscat/bridge/listed_objects.hpp>
+#include <jauscat/bridge/message_assembly.hpp>
+#include <jauscat/bridge/object_creation.hpp>
+#include <jauscat/bridge/object_list.hpp>
+#include <jauscat/bridge/packet_exchange.hpp>
 #include <jauscat/bridge/ring.hpp>
-#include <jauscat/ethercat/delivery.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/ethercat/image_entries.hpp>
-#include <jauscat/ethercat/image_exchange.hpp>
-#include <jauscat/ethercat/listed_objects.hpp>
 #include <jauscat/ethercat/loopback_link.hpp>
 #include <jauscat/ethercat/mapped_objects.hpp>
 #include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/message_assembly.hpp>
-#include <jauscat/ethercat/object_creation.hpp>
-#include <jauscat/ethercat/packet_exchange.hpp>
 #include <jauscat/ethercat/packet_job.hpp>
 #include <jauscat/ethercat/process_data.hpp>
 #include <jauscat/ethercat/slave.hpp>
@@ -44,7 +45,6 @@
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 #include <jauscat/translate/fixed_length.hpp>
 #include <jauscat/translate/image_translator.hpp>
-#include <jauscat/translate/object_list.hpp>
 #include <jauscat/translate/translator.hpp>
 #include <jauscat/version.hpp>
 #include <jauscat/wire/wire.hpp>

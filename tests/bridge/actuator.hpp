@@ -1,8 +1,9 @@
 // An emulated slave whose objects are JAUS messages, with faults on demand.
 #pragma once
-#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/bridge/delivery.hpp>
+#include <jauscat/bridge/listed_objects.hpp>
+#include <jauscat/bridge/object_list.hpp>
 #include <jauscat/ethercat/image_entries.hpp>
-#include <jauscat/ethercat/listed_objects.hpp>
 #include <jauscat/ethercat/slave.hpp>
 #include <jauscat/ethercat/standard_objects.hpp>
 #include <jauscat/jaus/copy_present.hpp>
@@ -10,7 +11,6 @@
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 #include <jauscat/translate/image_translator.hpp>
-#include <jauscat/translate/object_list.hpp>
 
 #include <algorithm>
 #include <array>
@@ -22,6 +22,7 @@
 
 namespace test {
 
+namespace bridge = jauscat::bridge;
 namespace ethercat = jauscat::ethercat;
 namespace jaus = jauscat::jaus;
 
@@ -97,7 +98,7 @@ class actuator {
     }
 
   private:
-    using delivery = ethercat::delivery<table>;
+    using delivery = bridge::delivery<table>;
     using command = jauscat::translate::image_translator<jauscat::translation::set_wrench_effort_table>;
     using report = jauscat::translate::image_translator<jauscat::translation::report_wrench_effort_table>;
 
@@ -135,7 +136,7 @@ class actuator {
             std::ranges::copy(bytes, inputs.begin());
     }
 
-    ethercat::slave_identity self_;
+    bridge::slave_identity self_;
     std::vector<std::byte> report_{};
     std::array<std::byte, delivery::translator::max_message_size> message_{};
     std::uint16_t taken_{};
@@ -146,9 +147,9 @@ class actuator {
 class emulated_actuator {
   public:
     static constexpr std::array objects{
-        jauscat::translate::object_list<actuator::table, 33, jaus::set_wrench_effort, jaus::query_wrench_effort,
-                                        jaus::report_wrench_effort, jaus::set_emergency, jaus::clear_emergency,
-                                        jaus::set_travel_speed, jaus::report_heartbeat_pulse>::description};
+        jauscat::bridge::object_list<actuator::table, 33, jaus::set_wrench_effort, jaus::query_wrench_effort,
+                                     jaus::report_wrench_effort, jaus::set_emergency, jaus::clear_emergency,
+                                     jaus::set_travel_speed, jaus::report_heartbeat_pulse>::description};
 
     emulated_actuator(std::uint8_t subsystem, std::uint16_t station) : behind{subsystem, station} {}
 
@@ -183,7 +184,7 @@ class emulated_actuator {
                                              .name = "actuator",
                                              .outputs = outputs,
                                              .inputs = inputs};
-    ethercat::listed_objects list_{objects, behind, ethercat::size_rule::up_to_largest};
+    bridge::listed_objects list_{objects, behind, bridge::size_rule::up_to_largest};
     ethercat::standard_objects dictionary_{description_, list_};
     std::array<std::byte, 4096> memory_{};
 

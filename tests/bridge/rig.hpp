@@ -55,7 +55,7 @@ class rig {
             const auto station = static_cast<std::uint16_t>(2 + i);
             actuators.emplace_back(std::uint8_t{2}, station);
             memories_.emplace_back();
-            exchanges.emplace_back(ethercat::slave_identity{.subsystem = 2, .station = station});
+            exchanges.emplace_back(bridge::slave_identity{.subsystem = 2, .station = station});
             fronts.emplace_back(bridge::slave_options{.position = static_cast<std::uint16_t>(i),
                                                       .identity = {.subsystem = 2, .station = station},
                                                       .cyclic = cyclic},

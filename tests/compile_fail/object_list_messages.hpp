@@ -1,7 +1,7 @@
 // Messages for an object list under the small table. Each object_list_*.cpp makes one mistake with them.
 #pragma once
 #include "small_table.hpp"
-#include <jauscat/translate/object_list.hpp>
+#include <jauscat/bridge/object_list.hpp>
 
 namespace small {
 

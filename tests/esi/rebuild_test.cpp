@@ -3,12 +3,12 @@
 #include "esi/sample.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
+#include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/esi/check_esi.hpp>
 #include <jauscat/esi/emulated_device.hpp>
 #include <jauscat/esi/read_esi.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
-#include <jauscat/ethercat/listed_objects.hpp>
 #include <jauscat/ethercat/loopback_link.hpp>
 #include <jauscat/ethercat/mapped_objects.hpp>
 #include <jauscat/ethercat/master.hpp>
@@ -50,7 +50,7 @@ class store {
 /// A slave of that description and those objects, alone on a link with a master that has brought it up.
 class machine {
   public:
-    machine(const slave_description& description, std::span<const translate::object_description> components,
+    machine(const slave_description& description, std::span<const bridge::object_description> components,
             std::size_t transfer_size)
         : memory_(transfer_size),
           listed_{components, store_},
@@ -106,7 +106,7 @@ class machine {
   private:
     bytes memory_;
     store store_{};
-    listed_objects listed_;
+    jauscat::bridge::listed_objects listed_;
     mapped_objects mapped_;
     standard_objects objects_;
     std::array<slave, 1> slave_;
@@ -259,9 +259,9 @@ TEST_CASE("the rebuilt objects say sizes, access and command codes") {
     CHECK(own.name == "component 33");
     CHECK(own.exact_size);
     REQUIRE(own.entries.size() == 3);
-    CHECK(own.entries[0] == translate::sub_object{26, 0x0405, "set_wrench_effort", 30, false, true});
-    CHECK(own.entries[1] == translate::sub_object{72, 0x2405, "query_wrench_effort", 12, false, true});
-    CHECK(own.entries[2] == translate::sub_object{121, 0x4405, "report_wrench_effort", 30, true, true});
+    CHECK(own.entries[0] == bridge::sub_object{26, 0x0405, "set_wrench_effort", 30, false, true});
+    CHECK(own.entries[1] == bridge::sub_object{72, 0x2405, "query_wrench_effort", 12, false, true});
+    CHECK(own.entries[2] == bridge::sub_object{121, 0x4405, "report_wrench_effort", 30, true, true});
     CHECK(device.components()[1].index == 0x1BF3);
 }
 

@@ -1,11 +1,11 @@
 // The slave that these tests describe, and its ESI file.
 #pragma once
+#include <jauscat/bridge/object_list.hpp>
 #include <jauscat/esi/make_device.hpp>
 #include <jauscat/esi/write_esi.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
-#include <jauscat/translate/object_list.hpp>
 
 #include <array>
 #include <stdexcept>
@@ -16,9 +16,9 @@ namespace jauscat::test {
 /// Accepts a command, a query and a report.
 template <class Table>
 inline constexpr std::array sample_components{
-    translate::object_list<Table, 33, jaus::query_wrench_effort, jaus::report_wrench_effort,
-                           jaus::set_wrench_effort>::description,
-    translate::object_list<Table, 255, jaus::set_travel_speed>::description};
+    bridge::object_list<Table, 33, jaus::query_wrench_effort, jaus::report_wrench_effort,
+                        jaus::set_wrench_effort>::description,
+    bridge::object_list<Table, 255, jaus::set_travel_speed>::description};
 
 inline constexpr ethercat::slave_description sample_slave{
     .vendor = 0x6A5, .product = 0x21, .revision = 0x10002, .station_alias = 0x1234, .name = "arm <1>"};

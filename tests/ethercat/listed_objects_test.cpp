@@ -2,8 +2,8 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include "support/simulated_link.hpp"
-#include <jauscat/ethercat/delivery.hpp>
-#include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/bridge/delivery.hpp>
+#include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/ethercat/master.hpp>
 #include <jauscat/ethercat/slave.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
@@ -41,16 +41,16 @@ struct application {
 
 template <class Table>
 constexpr std::array arm_objects{
-    translate::object_list<Table, 33, jaus::set_wrench_effort, jaus::report_wrench_effort>::description,
-    translate::object_list<Table, 255, jaus::set_wrench_effort>::description};
+    bridge::object_list<Table, 33, jaus::set_wrench_effort, jaus::report_wrench_effort>::description,
+    bridge::object_list<Table, 255, jaus::set_wrench_effort>::description};
 using fixed_table =
     translate::fixed_length<translation::seed_table, jaus::set_wrench_effort, jaus::report_wrench_effort>;
 
 template <class Table = translation::seed_table> struct dictionary {
     application behind{};
-    ethercat::listed_objects objects;
+    bridge::listed_objects objects;
 
-    explicit dictionary(ethercat::size_rule sizes = ethercat::size_rule::up_to_largest)
+    explicit dictionary(bridge::size_rule sizes = bridge::size_rule::up_to_largest)
         : objects{arm_objects<Table>, behind, sizes} {}
 
     abort_code write(std::uint16_t index, std::uint8_t subindex, std::size_t size) {
@@ -88,10 +88,10 @@ TEST_CASE("commands are written only, reports are read and written") {
     CHECK(d.read(6933, 121, 10) == abort_code::none);
     CHECK(d.write(6933, 121, 10) == abort_code::none);
 
-    constexpr translate::sub_object read_only[]{{.subindex = 1, .max_size = 4, .readable = true}};
-    const translate::object_description object{.index = 0x2000, .entries = read_only};
+    constexpr bridge::sub_object read_only[]{{.subindex = 1, .max_size = 4, .readable = true}};
+    const bridge::object_description object{.index = 0x2000, .entries = read_only};
     application behind;
-    ethercat::listed_objects objects{{&object, 1}, behind};
+    bridge::listed_objects objects{{&object, 1}, behind};
     CHECK(objects.write(0x2000, 1, from_hex("00")) == abort_code::read_only);
     CHECK(behind.writes == 0);
 }
@@ -122,7 +122,7 @@ TEST_CASE("a message may be shorter than the largest, and no longer") {
 }
 
 TEST_CASE("a strict slave takes and gives exact sizes only") {
-    dictionary<> d{ethercat::size_rule::exact};
+    dictionary<> d{bridge::size_rule::exact};
     CHECK(d.write(6933, 26, 28) == abort_code::none);
     for (const std::size_t size : {0u, 10u, 27u, 29u, 30u})
         CHECK(d.write(6933, 26, size) == abort_code::length_mismatch);
@@ -132,7 +132,7 @@ TEST_CASE("a strict slave takes and gives exact sizes only") {
 }
 
 TEST_CASE("objects of a table with fixed lengths are exact whether the slave is strict or not") {
-    for (const auto rule : {ethercat::size_rule::up_to_largest, ethercat::size_rule::exact}) {
+    for (const auto rule : {bridge::size_rule::up_to_largest, bridge::size_rule::exact}) {
         dictionary<fixed_table> d{rule};
         CHECK(d.write(6933, 26, 30) == abort_code::none);
         CHECK(d.write(6933, 26, 28) == abort_code::length_mismatch);
@@ -146,12 +146,12 @@ namespace {
 /// A message from a master to a strict slave over the wire, under `Table`.
 template <class Table> struct strict_robot {
     application behind{};
-    ethercat::listed_objects objects{arm_objects<Table>, behind, ethercat::size_rule::exact};
+    bridge::listed_objects objects{arm_objects<Table>, behind, bridge::size_rule::exact};
     std::array<ethercat::slave, 1> devices{ethercat::slave{{.vendor = 1}, objects}};
     test::simulated_link link{devices};
     ethercat::master master{};
 
-    using delivery = ethercat::delivery<Table>;
+    using delivery = bridge::delivery<Table>;
 
     void bring_up() {
         REQUIRE(master.bring_up(0, 2));

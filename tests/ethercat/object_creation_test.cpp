@@ -1,7 +1,7 @@
 // The packets that create a component's objects in a Hilscher slave, byte by byte.
 #include "support/catch.hpp"
 #include "support/hex.hpp"
-#include <jauscat/ethercat/object_creation.hpp>
+#include <jauscat/bridge/object_creation.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/translate/fixed_length.hpp>
@@ -15,15 +15,15 @@ using jauscat::test::to_hex;
 
 namespace {
 
-using ethercat::creation_errc;
-using ethercat::object_creation;
+using bridge::creation_errc;
+using bridge::object_creation;
 
-constexpr auto& arm = translate::object_list<translation::seed_table, 33, jaus::set_wrench_effort,
-                                             jaus::report_wrench_effort>::description;
+constexpr auto& arm =
+    bridge::object_list<translation::seed_table, 33, jaus::set_wrench_effort, jaus::report_wrench_effort>::description;
 using fixed_table =
     translate::fixed_length<translation::seed_table, jaus::set_wrench_effort, jaus::report_wrench_effort>;
 constexpr auto& strict_arm =
-    translate::object_list<fixed_table, 33, jaus::set_wrench_effort, jaus::report_wrench_effort>::description;
+    bridge::object_list<fixed_table, 33, jaus::set_wrench_effort, jaus::report_wrench_effort>::description;
 
 std::vector<std::byte> packet_of(const object_creation& creation, std::size_t number) {
     std::vector<std::byte> out(200);

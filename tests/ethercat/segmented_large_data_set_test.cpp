@@ -1,7 +1,7 @@
 // A JAUS message too large for one packet and for the slave's mailbox: assembled, translated, delivered in segments.
 #include "ethercat/segmented_bench.hpp"
-#include <jauscat/ethercat/delivery.hpp>
-#include <jauscat/ethercat/message_assembly.hpp>
+#include <jauscat/bridge/delivery.hpp>
+#include <jauscat/bridge/message_assembly.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 
@@ -44,7 +44,7 @@ packets large_data_set(const bytes& body, std::size_t share) {
 
 // What an assembly makes of packets, and what became of the last of them.
 template <class Table> struct assembled {
-    ethercat::message_assembly<translate::translator<Table>::max_body> assembly{5s};
+    bridge::message_assembly<translate::translator<Table>::max_body> assembly{5s};
     packets taken{};
     std::chrono::nanoseconds now{};
 
@@ -56,7 +56,7 @@ template <class Table> struct assembled {
 };
 
 template <class Table> void delivers(std::size_t largest) {
-    using delivery = ethercat::delivery<Table>;
+    using delivery = bridge::delivery<Table>;
     assembled<Table> a;
     const auto body = counting(largest);
     auto parts = large_data_set(body, 500);

@@ -3,7 +3,7 @@
 #include "ethercat/described_objects.hpp"
 #include "ethercat/objects.hpp"
 #include "ethercat/slave_bench.hpp"
-#include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/ethercat/standard_objects.hpp>
 
 using namespace jauscat::ethercat;
@@ -222,12 +222,12 @@ TEST_CASE("complete access goes in segments through a small mailbox") {
 }
 
 TEST_CASE("objects of JAUS messages describe themselves as a record of octet strings") {
-    using jauscat::translate::sub_object;
+    using jauscat::bridge::sub_object;
     constexpr std::array entries{sub_object{26, 0x0405, "set_wrench_effort", 28, false, true},
                                  sub_object{121, 0x4405, "report_wrench_effort", 28, true, true}};
-    const std::array list{jauscat::translate::object_description{0x1B15, 33, "component 33", true, entries}};
+    const std::array list{jauscat::bridge::object_description{0x1B15, 33, "component 33", true, entries}};
     test::objects behind;
-    const listed_objects objects{list, behind};
+    const jauscat::bridge::listed_objects objects{list, behind};
     CHECK(objects.next_index(0) == 0x1B15);
     CHECK(objects.next_index(0x1B15) == 0);
     const auto object = objects.describe(0x1B15);

@@ -3,7 +3,7 @@
 #include "ethercat/described_objects.hpp"
 #include "ethercat/objects.hpp"
 #include "ethercat/slave_bench.hpp"
-#include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/ethercat/standard_objects.hpp>
 
 using namespace jauscat::ethercat;
@@ -99,11 +99,11 @@ TEST_CASE("chosen objects are aborted with chosen codes, up and down") {
 TEST_CASE("the rule of subindex 0 leaves read-only mapping objects as they are") {
     constexpr std::array outputs{pdo_entry{0x7000, 1, 16, 6, "x"}, pdo_entry{0x7000, 2, 16, 6, "y"}};
     const slave_description description{.outputs = outputs};
-    constexpr std::array entries{jauscat::translate::sub_object{26, 0x0405, "set_wrench_effort", 28, false, true}};
-    const std::array list{jauscat::translate::object_description{0x1B15, 33, "component 33", true, entries}};
+    constexpr std::array entries{jauscat::bridge::sub_object{26, 0x0405, "set_wrench_effort", 28, false, true}};
+    const std::array list{jauscat::bridge::object_description{0x1B15, 33, "component 33", true, entries}};
     test::objects behind;
     behind.add(0x1B15, 26, 28);
-    listed_objects listed{list, behind};
+    jauscat::bridge::listed_objects listed{list, behind};
     standard_objects dictionary{description, listed};
     slave device{description, dictionary, {.subindex_0_rule = true}};
     test::slave_bench b;

@@ -2,8 +2,8 @@
 #include "ethercat/objects.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
+#include <jauscat/bridge/image_exchange.hpp>
 #include <jauscat/ethercat/image_entries.hpp>
-#include <jauscat/ethercat/image_exchange.hpp>
 #include <jauscat/ethercat/slave.hpp>
 #include <jauscat/ethercat/standard_objects.hpp>
 #include <jauscat/net/run_cycle.hpp>
@@ -95,7 +95,7 @@ const auto nothing = [](auto&&...) {};
 
 TEST_CASE("a JAUS command is in the slave's outputs one cycle after it came, and its report in the inputs") {
     using exchange =
-        ethercat::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
+        bridge::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
     robot r;
     exchange jaus{{.subsystem = 2, .station = station}, 33};
     const auto outputs = [&] { return r.data.outputs(r.record()); };

@@ -6,8 +6,8 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include "support/simulated_link.hpp"
-#include <jauscat/ethercat/image_exchange.hpp>
-#include <jauscat/ethercat/listed_objects.hpp>
+#include <jauscat/bridge/image_exchange.hpp>
+#include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/ethercat/mapped_objects.hpp>
 #include <jauscat/ethercat/process_data.hpp>
 #include <jauscat/ethercat/standard_objects.hpp>
@@ -30,7 +30,7 @@ struct robot {
     example::arm arm{[this](const std::string& line) { said.push_back(line); }, [] {}};
     std::uint16_t at; // its station address
     example::arm_application<table> application;
-    ethercat::listed_objects objects{application.objects, application};
+    bridge::listed_objects objects{application.objects, application};
     ethercat::mapped_objects mapped{example::arm_slave, objects};
     ethercat::standard_objects dictionary{example::arm_slave, mapped};
     ethercat::slave slave{example::arm_slave, dictionary};
@@ -63,7 +63,7 @@ struct robot {
     }
     /// Writes a message to the arm's object.
     ethercat::outcome send(const auto& message) {
-        using delivery = ethercat::delivery<table>;
+        using delivery = bridge::delivery<table>;
         std::array<std::byte, 64> bytes{};
         std::array<std::byte, delivery::translator::max_packet_size> packet{};
         constexpr jaus::address self{1, 33, station, 2};
@@ -207,7 +207,7 @@ TEST_CASE("in an emergency the arm aborts what moves, and obeys what brings it t
 
 TEST_CASE("a command that process data bring in an emergency is not taken, then or later") {
     using exchange =
-        ethercat::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
+        bridge::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
     robot r;
     REQUIRE(r.send(emergency()));
     auto data = r.to_op();

@@ -47,7 +47,7 @@ ethercat::object_read arm_unit::read(std::uint16_t index, std::uint8_t subindex,
 
 void arm_unit::note_emergency(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept {
     std::array<std::byte, delivery::translator::max_message_size> message{};
-    const ethercat::slave_identity self{.subsystem = subsystem, .station = slave_.station_address()};
+    const bridge::slave_identity self{.subsystem = subsystem, .station = slave_.station_address()};
     const auto size = delivery::message_of({self.station, index, subindex, data}, self, message);
     if (!size) return;
     const auto code = jaus::split(bytes{message}.first(size.size())).header.command_code;

@@ -34,7 +34,7 @@ struct bridge_program::unit {
         node.add(watched, nothing_more);
     }
 
-    ethercat::slave_identity identity;
+    bridge::slave_identity identity;
     bridge::exchange_under<bridge_table> exchange{identity};
     bridge::order_memory<16, 256> orders{};
     bridge::slave_front front;

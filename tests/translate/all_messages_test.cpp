@@ -4,7 +4,7 @@
 #include "plain_translator.hpp"
 #include "samples.hpp"
 #include "support/catch.hpp"
-#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/bridge/delivery.hpp>
 
 #include <set>
 
@@ -156,7 +156,7 @@ TEMPLATE_TEST_CASE("every message with any header and body translates as plain l
 }
 
 TEST_CASE("delivery refuses parts of a large data set and broadcasts that name no slave, whatever the message") {
-    using delivery = ethercat::delivery<translation::seed_table>;
+    using delivery = bridge::delivery<translation::seed_table>;
     for (const auto& type : messages::all())
         for (const auto& [flag, ul_ext] : plain::flags)
             for (const unsigned node : {0u, 1u, 254u, 255u}) {

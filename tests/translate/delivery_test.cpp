@@ -1,7 +1,7 @@
 // What crosses the EtherCAT wire of a message, and the message that a slave makes of it.
 #include "samples.hpp"
 #include "support/catch.hpp"
-#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/bridge/delivery.hpp>
 
 using namespace jauscat;
 using namespace jauscat::test;
@@ -9,20 +9,19 @@ using translate::errc;
 
 namespace {
 
-using seed_delivery = ethercat::delivery<translation::seed_table>;
-using self_contained_delivery = ethercat::delivery<translation::self_contained_table>;
+using seed_delivery = bridge::delivery<translation::seed_table>;
+using self_contained_delivery = bridge::delivery<translation::self_contained_table>;
 
 /// Who the sample's slave is, and somebody else at the same station.
-constexpr ethercat::slave_identity addressee{.subsystem = 1, .station = 2, .instance = 5};
-constexpr ethercat::slave_identity stranger{.subsystem = 200, .station = 2, .instance = 100};
+constexpr bridge::slave_identity addressee{.subsystem = 1, .station = 2, .instance = 5};
+constexpr bridge::slave_identity stranger{.subsystem = 200, .station = 2, .instance = 100};
 
-template <class Delivery>
-outcome message_of(const ethercat::object_access& object, const ethercat::slave_identity& self) {
+template <class Delivery> outcome message_of(const bridge::object_access& object, const bridge::slave_identity& self) {
     std::vector<std::byte> out(Delivery::translator::max_message_size);
     const auto result = Delivery::message_of(object, self, out);
     return outcome_of(result, std::move(out));
 }
-template <class Delivery> outcome delivered(std::span<const std::byte> message, const ethercat::slave_identity& self) {
+template <class Delivery> outcome delivered(std::span<const std::byte> message, const bridge::slave_identity& self) {
     const auto packet = forth<typename Delivery::translator>(message).bytes;
     return message_of<Delivery>(Delivery::object_of(packet), self);
 }
@@ -80,7 +79,7 @@ TEST_CASE("under the seed table the data flag does not cross the wire, so such a
 
 TEST_CASE("under the self-contained table every slave restores every message") {
     for (const unsigned flag : {0u, 1u, 2u, 4u, 8u})
-        for (const auto& self : {addressee, stranger, ethercat::slave_identity{}}) {
+        for (const auto& self : {addressee, stranger, bridge::slave_identity{}}) {
             const auto message = with_flag(flag);
             CHECK(to_hex(delivered<self_contained_delivery>(message, self).bytes) == to_hex(message));
         }

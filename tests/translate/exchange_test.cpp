@@ -1,7 +1,7 @@
 // The exchange of packets around one message: confirmations, a query's report, acknowledgements.
 #include "samples.hpp"
 #include "support/catch.hpp"
-#include <jauscat/ethercat/packet_exchange.hpp>
+#include <jauscat/bridge/packet_exchange.hpp>
 #include <jauscat/text/packet_status.hpp>
 
 #include <random>
@@ -9,7 +9,7 @@
 
 using namespace jauscat;
 using namespace jauscat::test;
-using ethercat::exchange_progress;
+using bridge::exchange_progress;
 using hilscher::packet_status;
 using translate::errc;
 
@@ -17,7 +17,7 @@ namespace {
 
 using bytes = std::vector<std::byte>;
 
-constexpr ethercat::slave_identity arm{.subsystem = 1, .station = 2, .instance = 5};
+constexpr bridge::slave_identity arm{.subsystem = 1, .station = 2, .instance = 5};
 
 /// What a step led to, and the bytes it made.
 struct step {
@@ -27,10 +27,10 @@ struct step {
 
 /// An exchange with its buffer.
 template <class Table> struct conversation {
-    ethercat::packet_exchange<Table> exchange{arm};
-    bytes buffer = bytes(ethercat::packet_exchange<Table>::buffer_size);
+    bridge::packet_exchange<Table> exchange{arm};
+    bytes buffer = bytes(bridge::packet_exchange<Table>::buffer_size);
 
-    step made(ethercat::exchange_step s) {
+    step made(bridge::exchange_step s) {
         return {s.what, {buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(s.size)}};
     }
     step begin(std::span<const std::byte> message, const packet& given = {}) {

@@ -3,7 +3,7 @@
 #include "plain_translator.hpp"
 #include "samples.hpp"
 #include "support/catch.hpp"
-#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/bridge/delivery.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 
 #include <map>
@@ -229,7 +229,7 @@ TEMPLATE_TEST_CASE("every valid message fits its fixed object unless no packet c
 }
 
 TEST_CASE("a slave restores the message from a fixed object") {
-    using delivery = ethercat::delivery<fixed_seed_table>;
+    using delivery = bridge::delivery<fixed_seed_table>;
     const auto object = delivery::object_of(one_effort_seed);
     CHECK(object.index == 6933);
     CHECK(object.subindex == 26);

@@ -1,7 +1,7 @@
 // JAUS on the cyclic path: the outputs and inputs of one slave, and what the asker gets to hear.
 #include "image_samples.hpp"
+#include <jauscat/bridge/image_exchange.hpp>
 #include <jauscat/ethercat/image_entries.hpp>
-#include <jauscat/ethercat/image_exchange.hpp>
 
 using namespace jauscat;
 using namespace jauscat::test;
@@ -9,8 +9,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-using exchange =
-    ethercat::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
+using exchange = bridge::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
 
 struct robot {
     exchange mine{{.subsystem = 2, .station = 7}, 33, 10ms};

@@ -1,17 +1,17 @@
 // Object lists made of message types.
 #include "samples.hpp"
 #include "support/catch.hpp"
+#include <jauscat/bridge/object_list.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/translate/fixed_length.hpp>
-#include <jauscat/translate/object_list.hpp>
 
 #include <set>
 
 using namespace jauscat;
 using namespace jauscat::test;
-using translate::object_list;
-using translate::sub_object;
+using bridge::object_list;
+using bridge::sub_object;
 
 namespace {
 
@@ -92,7 +92,7 @@ TEST_CASE("a list may be given message by message, and be empty") {
 }
 
 TEST_CASE("the description says the same without a type, and finds a subobject") {
-    const translate::object_description& object = object_list<translation::seed_table, 33, wrench_efforts>::description;
+    const bridge::object_description& object = object_list<translation::seed_table, 33, wrench_efforts>::description;
     CHECK(object.index == 6933);
     CHECK(object.component == 33);
     CHECK(object.name == "component 33");

@@ -1,22 +1,21 @@
 // An exchange of packets under a translation table that is chosen when a program starts.
 #pragma once
-#include <jauscat/ethercat/packet_exchange.hpp>
+#include <jauscat/bridge/packet_exchange.hpp>
 
 #include <cstddef>
 #include <span>
 
 namespace jauscat::bridge {
 
-/// See ethercat::packet_exchange. A ring is compiled once for all tables.
+/// See packet_exchange. A ring is compiled once for all tables.
 class any_exchange {
   public:
     /// Bytes of buffer that do for every table.
     static constexpr std::size_t buffer_size = 2048;
 
     virtual ~any_exchange() = default;
-    virtual ethercat::exchange_step begin(std::span<const std::byte> message, std::span<std::byte> buffer) = 0;
-    virtual ethercat::exchange_step on_confirmation(std::span<const std::byte> confirmation,
-                                                    std::span<std::byte> buffer) = 0;
+    virtual exchange_step begin(std::span<const std::byte> message, std::span<std::byte> buffer) = 0;
+    virtual exchange_step on_confirmation(std::span<const std::byte> confirmation, std::span<std::byte> buffer) = 0;
     [[nodiscard]] virtual hilscher::packet_status status() const = 0;
     [[nodiscard]] virtual translate::errc error() const = 0;
 };
@@ -24,20 +23,19 @@ class any_exchange {
 /// The exchange under one table.
 template <class Table> class exchange_under final : public any_exchange {
   public:
-    explicit exchange_under(const ethercat::slave_identity& slave) : exchange_{slave} {}
+    explicit exchange_under(const slave_identity& slave) : exchange_{slave} {}
 
-    ethercat::exchange_step begin(std::span<const std::byte> message, std::span<std::byte> buffer) override {
+    exchange_step begin(std::span<const std::byte> message, std::span<std::byte> buffer) override {
         return exchange_.begin(message, buffer);
     }
-    ethercat::exchange_step on_confirmation(std::span<const std::byte> confirmation,
-                                            std::span<std::byte> buffer) override {
+    exchange_step on_confirmation(std::span<const std::byte> confirmation, std::span<std::byte> buffer) override {
         return exchange_.on_confirmation(confirmation, buffer);
     }
     [[nodiscard]] hilscher::packet_status status() const override { return exchange_.status(); }
     [[nodiscard]] translate::errc error() const override { return exchange_.error(); }
 
   private:
-    using packet_exchange = ethercat::packet_exchange<Table>;
+    using packet_exchange = bridge::packet_exchange<Table>;
     static_assert(packet_exchange::buffer_size <= buffer_size);
     packet_exchange exchange_;
 };

@@ -1,7 +1,7 @@
 // How a bridge works with the slaves of one link.
 #pragma once
+#include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/activity.hpp>
-#include <jauscat/ethercat/delivery.hpp>
 #include <jauscat/ethercat/sdo_options.hpp>
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace jauscat::bridge {
 
 /// A slave that components stand in front of.
 struct slave_options {
-    std::uint16_t position{};            ///< in the ring, from 0
-    ethercat::slave_identity identity{}; ///< subsystem, station address = JAUS node, instance
-    bool cyclic{};                       ///< runs in OP: what fits its process data goes by them
+    std::uint16_t position{};  ///< in the ring, from 0
+    slave_identity identity{}; ///< subsystem, station address = JAUS node, instance
+    bool cyclic{};             ///< runs in OP: what fits its process data goes by them
 };
 
 /// The times of a bridge. `at_rest_within` derives them from the one that counts.

@@ -1,6 +1,6 @@
 // JAUS by process data: the commands and queries of one component that travel in a slave's outputs and inputs.
 #pragma once
-#include <jauscat/ethercat/image_exchange.hpp>
+#include <jauscat/bridge/image_exchange.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 
 namespace jauscat::bridge {

@@ -119,7 +119,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
 
   private:
-    using image_type = ethercat::image_exchange<typename Image::command_table, typename Image::report_table>;
+    using image_type = image_exchange<typename Image::command_table, typename Image::report_table>;
     static constexpr std::size_t message_size = jaus::header_size + jaus::max_body_size;
     static constexpr std::size_t waiting_capacity = 16;
 
@@ -283,8 +283,8 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     [[nodiscard]] any_exchange& exchange() const noexcept { return served_->front->exchange(); }
     // A request packet is executed by the master; any other step ends the exchange.
-    void take_step(const ethercat::exchange_step& step, time now, jaus::message_sink out) {
-        if (step.what != ethercat::exchange_progress::request) return end_message(step, now, out);
+    void take_step(const exchange_step& step, time now, jaus::message_sink out) {
+        if (step.what != exchange_progress::request) return end_message(step, now, out);
         const auto packet = std::span{packet_}.first(step.size);
         tell_packet(packet);
         job_.emplace(packet, confirmation_, ethercat::packet_options{.download = options_.download});
@@ -365,10 +365,10 @@ template <class Image = wrench_effort_path> class basic_ring {
         master_.clear_emergencies(at.front->station());
     }
 
-    void end_message(const ethercat::exchange_step& step, time now, jaus::message_sink out) {
+    void end_message(const exchange_step& step, time now, jaus::message_sink out) {
         work_ = work::none;
         place& at = *served_;
-        const bool was_executed = step.what == ethercat::exchange_progress::done;
+        const bool was_executed = step.what == exchange_progress::done;
         const auto result = job_ ? job_->result() : ethercat::outcome{};
         const refusal_reason why{.why = exchange().error() != translate::errc::ok ? refusal::not_translated
                                                                                   : refusal::by_slave,

@@ -1,12 +1,12 @@
 // An emulated slave from an ESI description alone: its identity and SII, and the objects that it has.
 #pragma once
 
+#include <jauscat/bridge/object_list.hpp>
 #include <jauscat/esi/device.hpp>
 #include <jauscat/esi/make_device.hpp>
 #include <jauscat/esi/text_values.hpp>
 #include <jauscat/ethercat/sii_image.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
-#include <jauscat/translate/object_list.hpp>
 #include <jauscat/wire/decode.hpp>
 
 #include <algorithm>
@@ -22,10 +22,10 @@
 namespace jauscat::esi {
 
 /// What a description says, in the form that `ethercat::slave`, `ethercat::standard_objects`,
-/// `ethercat::mapped_objects` and `ethercat::listed_objects` take. Must outlive them.
+/// `ethercat::mapped_objects` and `bridge::listed_objects` take. Must outlive them.
 ///
 ///     esi::emulated_device device{esi::read_esi("arm.xml")};
-///     ethercat::listed_objects listed{device.components(), application};
+///     bridge::listed_objects listed{device.components(), application};
 ///     ethercat::mapped_objects mapped{device.description(), listed};
 ///     ethercat::standard_objects objects{device.description(), mapped};
 ///     std::vector<std::byte> memory(device.transfer_size());
@@ -68,10 +68,10 @@ class emulated_device {
     /// What an emulated slave is made of: identity, mailbox, process data.
     [[nodiscard]] const ethercat::slave_description& description() const noexcept { return description_; }
     /// The objects of JAUS components.
-    [[nodiscard]] std::span<const translate::object_description> components() const noexcept { return components_; }
+    [[nodiscard]] std::span<const bridge::object_description> components() const noexcept { return components_; }
     /// Bytes of the largest object, for transfers in segments; 0 for a device without them.
     [[nodiscard]] std::size_t transfer_size() const noexcept {
-        return device_.coe.segmented_sdo ? translate::largest_subobject(components_) : 0;
+        return device_.coe.segmented_sdo ? bridge::largest_subobject(components_) : 0;
     }
 
   private:
@@ -166,8 +166,8 @@ class emulated_device {
     std::vector<ethercat::pdo_entry> outputs_{}, inputs_{};
     std::string hardware_{}, software_{};
     ethercat::slave_description description_{};
-    std::deque<std::vector<translate::sub_object>> entries_{}; // components_ refers to them
-    std::vector<translate::object_description> components_{};
+    std::deque<std::vector<bridge::sub_object>> entries_{}; // components_ refers to them
+    std::vector<bridge::object_description> components_{};
 };
 
 } // namespace jauscat::esi

@@ -2,12 +2,12 @@
 // are written to.
 #pragma once
 
+#include <jauscat/bridge/object_list.hpp>
 #include <jauscat/esi/device.hpp>
 #include <jauscat/esi/text_values.hpp>
 #include <jauscat/ethercat/mapped_objects.hpp>
 #include <jauscat/ethercat/sii_image.hpp>
 #include <jauscat/ethercat/standard_objects.hpp>
-#include <jauscat/translate/object_list.hpp>
 
 #include <array>
 #include <cstddef>
@@ -110,7 +110,7 @@ inline std::vector<pdo> describe_pdo(std::uint16_t index, const char* name, std:
     return {made};
 }
 
-inline object describe_component(const translate::object_description& component) {
+inline object describe_component(const bridge::object_description& component) {
     object made{.index = component.index, .name = std::string{component.name}, .code = object_code::record};
     made.properties.push_back({std::string{property_names::component}, std::to_string(component.component)});
     if (component.exact_size) made.properties.push_back({std::string{property_names::exact_size}, "true"});
@@ -158,7 +158,7 @@ inline void describe_process_data(device& made, const ethercat::slave_descriptio
 /// Describes the emulated slave of that description, with standard_objects in front of the objects in `components`.
 /// `segmented_sdo`: it has memory for transfers in segments (`coe_options::transfer_memory`).
 inline device make_device(const ethercat::slave_description& slave, const device_texts& texts,
-                          std::span<const translate::object_description> components, bool segmented_sdo) {
+                          std::span<const bridge::object_description> components, bool segmented_sdo) {
     // What the objects are, both kinds say themselves.
     const auto image = ethercat::make_sii_image(slave, {.sdo_information = true, .complete_access = true});
     device made{.vendor_id = slave.vendor,

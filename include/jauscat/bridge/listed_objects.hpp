@@ -1,8 +1,8 @@
 // A slave's object dictionary made of object lists: which objects there are, how large, who may read and write them.
 // What is behind them is the application's.
 #pragma once
+#include <jauscat/bridge/object_list.hpp>
 #include <jauscat/ethercat/object_dictionary.hpp>
-#include <jauscat/translate/object_list.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-namespace jauscat::ethercat {
+namespace jauscat::bridge {
 
 /// Which sizes an object takes and gives.
 enum class size_rule : std::uint8_t {
@@ -25,39 +25,39 @@ class listed_objects {
   public:
     /// `objects` and what `application` refers to must outlive this. The application sees indices and subindices of the
     /// list only, other than 0, with data of the sizes that `sizes` allows.
-    constexpr listed_objects(std::span<const translate::object_description> objects, object_dictionary application,
+    constexpr listed_objects(std::span<const object_description> objects, ethercat::object_dictionary application,
                              size_rule sizes = size_rule::up_to_largest) noexcept
         : objects_{objects}, application_{application}, sizes_{sizes} {}
 
     /// Aborts: no_object, no_subindex, write_only, length_mismatch, those of the application.
-    object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
+    ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
         const auto* const object = find(index);
-        if (object == nullptr) return {.error = abort_code::no_object};
+        if (object == nullptr) return {.error = ethercat::abort_code::no_object};
         if (subindex == 0) {
-            if (out.empty()) return {.error = abort_code::exceeds_mailbox};
+            if (out.empty()) return {.error = ethercat::abort_code::exceeds_mailbox};
             out.front() = static_cast<std::byte>(object->highest_subindex());
             return {.size = 1};
         }
         const auto* const entry = object->find(subindex);
-        if (entry == nullptr) return {.error = abort_code::no_subindex};
-        if (!entry->readable) return {.error = abort_code::write_only};
+        if (entry == nullptr) return {.error = ethercat::abort_code::no_subindex};
+        if (!entry->readable) return {.error = ethercat::abort_code::write_only};
         const auto got = application_.read(index, subindex, out);
-        if (got.error != abort_code::none) return got;
-        if (!allows(*object, *entry, got.size)) return {.error = abort_code::length_mismatch};
+        if (got.error != ethercat::abort_code::none) return got;
+        if (!allows(*object, *entry, got.size)) return {.error = ethercat::abort_code::length_mismatch};
         return got;
     }
 
     /// Aborts: no_object, no_subindex, read_only, length_mismatch (exact sizes), length_too_high, those of the
     /// application.
-    abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
+    ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
         const auto* const object = find(index);
-        if (object == nullptr) return abort_code::no_object;
-        if (subindex == 0) return abort_code::read_only;
+        if (object == nullptr) return ethercat::abort_code::no_object;
+        if (subindex == 0) return ethercat::abort_code::read_only;
         const auto* const entry = object->find(subindex);
-        if (entry == nullptr) return abort_code::no_subindex;
-        if (!entry->writable) return abort_code::read_only;
+        if (entry == nullptr) return ethercat::abort_code::no_subindex;
+        if (!entry->writable) return ethercat::abort_code::read_only;
         if (!allows(*object, *entry, data.size()))
-            return is_exact(*object) ? abort_code::length_mismatch : abort_code::length_too_high;
+            return is_exact(*object) ? ethercat::abort_code::length_mismatch : ethercat::abort_code::length_too_high;
         return application_.write(index, subindex, data);
     }
 
@@ -68,49 +68,50 @@ class listed_objects {
         return next;
     }
     /// A record of octet strings.
-    [[nodiscard]] std::optional<object_info> describe(std::uint16_t index) const noexcept {
+    [[nodiscard]] std::optional<ethercat::object_info> describe(std::uint16_t index) const noexcept {
         const auto* const object = find(index);
         if (object == nullptr) return {};
         // Subindices are ranks: most are missing, and the entries cannot be read together.
         const bool all = object->entries.size() == object->highest_subindex() && is_exact(*object);
-        return object_info{.highest_subindex = object->highest_subindex(),
-                           .code = object_code::record,
-                           .name = object->name,
-                           .complete_access = all};
+        return ethercat::object_info{.highest_subindex = object->highest_subindex(),
+                                     .code = ethercat::object_code::record,
+                                     .name = object->name,
+                                     .complete_access = all};
     }
-    [[nodiscard]] std::optional<entry_info> describe(std::uint16_t index, std::uint8_t subindex) const noexcept {
+    [[nodiscard]] std::optional<ethercat::entry_info> describe(std::uint16_t index,
+                                                               std::uint8_t subindex) const noexcept {
         const auto* const object = find(index);
         if (object == nullptr) return {};
-        if (subindex == 0) return highest_subindex_info;
+        if (subindex == 0) return ethercat::highest_subindex_info;
         const auto* const entry = object->find(subindex);
         if (entry == nullptr) return {};
         const auto bits = std::min<std::size_t>(entry->max_size * std::size_t{8}, 0xFFFF);
         const auto both = entry->readable && entry->writable;
-        return entry_info{.data_type = translate::octet_string_type,
-                          .bits = static_cast<std::uint16_t>(bits),
-                          .access = both              ? accessible_always
-                                    : entry->readable ? readable_always
-                                    : entry->writable ? writable_always
-                                                      : entry_access{},
-                          .name = entry->name};
+        return ethercat::entry_info{.data_type = octet_string_type,
+                                    .bits = static_cast<std::uint16_t>(bits),
+                                    .access = both              ? ethercat::accessible_always
+                                              : entry->readable ? ethercat::readable_always
+                                              : entry->writable ? ethercat::writable_always
+                                                                : ethercat::entry_access{},
+                                    .name = entry->name};
     }
 
   private:
-    [[nodiscard]] const translate::object_description* find(std::uint16_t index) const noexcept {
-        const auto found = std::ranges::find(objects_, index, &translate::object_description::index);
+    [[nodiscard]] const object_description* find(std::uint16_t index) const noexcept {
+        const auto found = std::ranges::find(objects_, index, &object_description::index);
         return found != objects_.end() ? &*found : nullptr;
     }
-    [[nodiscard]] bool is_exact(const translate::object_description& object) const noexcept {
+    [[nodiscard]] bool is_exact(const object_description& object) const noexcept {
         return object.exact_size || sizes_ == size_rule::exact;
     }
-    [[nodiscard]] bool allows(const translate::object_description& object, const translate::sub_object& entry,
+    [[nodiscard]] bool allows(const object_description& object, const sub_object& entry,
                               std::size_t size) const noexcept {
         return is_exact(object) ? size == entry.max_size : size <= entry.max_size;
     }
 
-    std::span<const translate::object_description> objects_;
-    object_dictionary application_;
+    std::span<const object_description> objects_;
+    ethercat::object_dictionary application_;
     size_rule sizes_;
 };
 
-} // namespace jauscat::ethercat
+} // namespace jauscat::bridge

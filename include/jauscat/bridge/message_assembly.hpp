@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <span>
 
-namespace jauscat::ethercat {
+namespace jauscat::bridge {
 
 /// Puts large data sets together, `Places` at a time and each of at most `MaxBody` bytes of body: a translator's
 /// `max_body`, under the seed table 1532, or hilscher::max_sdo_data, which none exceeds. Holds its own memory, about 14
@@ -54,4 +54,4 @@ template <std::size_t MaxBody, std::size_t Places = 4> class message_assembly {
     jaus::reassembler large_;
 };
 
-} // namespace jauscat::ethercat
+} // namespace jauscat::bridge

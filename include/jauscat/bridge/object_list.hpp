@@ -12,7 +12,7 @@
 #include <span>
 #include <string_view>
 
-namespace jauscat::translate {
+namespace jauscat::bridge {
 
 /// ETG data type of every subobject: OCTET_STRING.
 inline constexpr std::uint16_t octet_string_type = 0x000A;
@@ -62,7 +62,7 @@ template <class Table, class Row> constexpr std::uint32_t number_of(auto value) 
     typename Table::header_type header{};
     typename Table::packet_type packet{};
     Row::from::of(header) = value;
-    return Row::forth(header, packet, {}) == errc::ok ? Row::to::of(packet) : 0;
+    return Row::forth(header, packet, {}) == translate::errc::ok ? Row::to::of(packet) : 0;
 }
 
 // RA 3.3 part 2, command codes: below 2000h commands, below 4000h queries, below 6000h informs. A command or query is
@@ -74,7 +74,7 @@ template <class Table, class T> constexpr sub_object sub_object_of() noexcept {
     return {.subindex = static_cast<std::uint8_t>(number_of<Table, typename Table::subindex_row>(T::command_code)),
             .command_code = T::command_code,
             .name = wire::type_name<T>(),
-            .max_size = static_cast<std::uint16_t>(largest_data<T, Table::overhead, Table::max_data>),
+            .max_size = static_cast<std::uint16_t>(translate::largest_data<T, Table::overhead, Table::max_data>),
             .readable = is_readable(T::command_code),
             .writable = true};
 }
@@ -107,7 +107,7 @@ template <class Table, std::uint8_t Component, class... Messages> struct object_
     static constexpr std::string_view name{detail::component_name<Component>.data(),
                                            detail::component_name<Component>.size()};
     /// Every access carries the subobject's `max_size` bytes: the table has fixed lengths.
-    static constexpr bool exact_size = has_fixed_length<Table>;
+    static constexpr bool exact_size = translate::has_fixed_length<Table>;
     /// By ascending subindex.
     static constexpr std::array<sub_object, sizeof...(Messages)> entries = [] {
         std::array<sub_object, sizeof...(Messages)> made{detail::sub_object_of<Table, Messages>()...};
@@ -128,4 +128,4 @@ requires(!wire::message<List<Messages...>>) struct object_list<Table, Component,
     : object_list<Table, Component, Messages...> {
 };
 
-} // namespace jauscat::translate
+} // namespace jauscat::bridge

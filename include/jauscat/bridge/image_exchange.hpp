@@ -5,8 +5,8 @@
 // proof that a command has arrived: a frame that comes back says that the outputs were written, not that the slave has
 // looked at them. Until then the next command is merged with the one before.
 #pragma once
+#include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/activity.hpp>
-#include <jauscat/ethercat/delivery.hpp>
 #include <jauscat/jaus/requested_fields.hpp>
 #include <jauscat/translate/image_translator.hpp>
 
@@ -18,7 +18,7 @@
 #include <limits>
 #include <span>
 
-namespace jauscat::ethercat {
+namespace jauscat::bridge {
 
 /// One component of a slave with `CommandTable`, an image_table into its outputs that counts commands, and
 /// `ReportTable`, one for its inputs, whose field at `CountIn` repeats the counter; by default the same as in the
@@ -67,7 +67,7 @@ class image_exchange {
     /// too_large where `capacity` commands wait for their acknowledgement already; the outputs are then unchanged.
     constexpr translate::errc on_command(const jaus::header& head, std::span<const std::byte> body,
                                          std::span<std::byte> outputs, std::span<const std::byte> inputs,
-                                         time_point now) noexcept {
+                                         ethercat::time_point now) noexcept {
         const bool wanted = head.ack_nak == jaus::ack_nak::request;
         if (wanted && waiting_ == capacity) return translate::errc::too_large;
         const bool seen = given(outputs) == taken(inputs);
@@ -97,7 +97,7 @@ class image_exchange {
 
     /// After each cycle, until it returns 0: writes the next acknowledgement to `out`, which holds 16 bytes. ACK for a
     /// command that the slave says it has taken, NAK for one that it has not in time.
-    constexpr std::size_t acknowledgement(std::span<const std::byte> inputs, time_point now,
+    constexpr std::size_t acknowledgement(std::span<const std::byte> inputs, ethercat::time_point now,
                                           std::span<std::byte> out) noexcept {
         const auto last = taken(inputs);
         const auto waits = std::span{wait_}.first(waiting_);
@@ -135,7 +135,7 @@ class image_exchange {
 
     struct waiting {
         jaus::header head{};
-        time_point deadline{};
+        ethercat::time_point deadline{};
         counter count{};
     };
 
@@ -151,4 +151,4 @@ class image_exchange {
     std::size_t waiting_{};
 };
 
-} // namespace jauscat::ethercat
+} // namespace jauscat::bridge

@@ -2,7 +2,7 @@
 // packets out: who executes them, a card or our master (packet_job.hpp), is the caller's affair.
 #pragma once
 
-#include <jauscat/ethercat/delivery.hpp>
+#include <jauscat/bridge/delivery.hpp>
 #include <jauscat/jaus/message.hpp>
 #include <jauscat/schema/ethercat/hilscher.hpp>
 
@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-namespace jauscat::ethercat {
+namespace jauscat::bridge {
 
 /// Where an exchange stands after a step.
 enum class exchange_progress : std::uint8_t {
@@ -40,7 +40,7 @@ struct exchange_step {
 /// what is asked for; the slave prepares the report, which an SDO upload of the report's subindex then fetches.
 template <class Table> class packet_exchange {
   public:
-    using delivery = ethercat::delivery<Table>;
+    using delivery = bridge::delivery<Table>;
     using translator = typename delivery::translator;
     using packet = typename delivery::packet;
     /// Bytes of buffer that every step can do with: the largest packet or message.
@@ -173,4 +173,4 @@ template <class Table> class packet_exchange {
     exchange_progress end_{}; // done or failed, once it is
 };
 
-} // namespace jauscat::ethercat
+} // namespace jauscat::bridge

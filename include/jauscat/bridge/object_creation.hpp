@@ -1,8 +1,9 @@
 // The packets that create an object list in a Hilscher slave: the object, then its subobjects, one packet after the
 // other. Each is sent when the one before it has been confirmed.
 #pragma once
+#include <jauscat/bridge/object_list.hpp>
+#include <jauscat/ethercat/od_status.hpp>
 #include <jauscat/schema/ethercat/hilscher_od.hpp>
-#include <jauscat/translate/object_list.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>
 
@@ -11,26 +12,7 @@
 #include <span>
 #include <string_view>
 
-namespace jauscat::hilscher {
-
-/// Unknown codes have a text too: print the number beside it.
-[[nodiscard]] constexpr std::string_view describe(od_status status) noexcept {
-    switch (status) {
-    case od_status::ok: return "ok";
-    case od_status::application_not_registered: return "the application is not registered at the slave";
-    case od_status::object_exists: return "the object exists already";
-    case od_status::subobject_exists: return "the subobject exists already";
-    case od_status::not_owner: return "the object belongs to another application";
-    case od_status::too_many_subobjects: return "the object has room for fewer subobjects";
-    case od_status::creation_incomplete: return "the object is not created completely";
-    case od_status::wrong_total_data_bytes: return "ulTotalDataBytes and ulLen disagree";
-    }
-    return "unknown status";
-}
-
-} // namespace jauscat::hilscher
-
-namespace jauscat::ethercat {
+namespace jauscat::bridge {
 
 /// What a confirmation says of the packet it answers.
 enum class creation_errc : std::uint8_t {
@@ -67,7 +49,7 @@ class object_creation {
   public:
     /// `given` is what the caller's packets have in common: ulDest (0x20: the channel in use), ulSrc, ulSrcId, and the
     /// ulId of the first packet, from which the others count up. `object` must outlive this.
-    constexpr explicit object_creation(const translate::object_description& object,
+    constexpr explicit object_creation(const object_description& object,
                                        const hilscher::packet_header& given = {.ul_dest = 0x20}) noexcept
         : object_{object}, given_{given} {}
 
@@ -143,7 +125,7 @@ class object_creation {
         if (!wire::decode_prefix(c, bytes)) return creation_errc::truncated;
         return c.us_index == object_.index ? creation_errc::ok : creation_errc::not_an_answer;
     }
-    [[nodiscard]] constexpr creation_errc confirmed(const translate::sub_object& entry,
+    [[nodiscard]] constexpr creation_errc confirmed(const sub_object& entry,
                                                     std::span<const std::byte> bytes) const noexcept {
         hilscher::od_create_subobject_confirmation c{};
         if (!wire::decode_prefix(c, bytes)) return creation_errc::truncated;
@@ -154,8 +136,8 @@ class object_creation {
         return given_.ul_id + static_cast<std::uint32_t>(number);
     }
 
-    translate::object_description object_;
+    object_description object_;
     hilscher::packet_header given_;
 };
 
-} // namespace jauscat::ethercat
+} // namespace jauscat::bridge

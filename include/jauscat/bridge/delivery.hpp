@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace jauscat::ethercat {
+namespace jauscat::bridge {
 
 /// Who a slave is in JAUS terms: what a table leaves out of the data, the slave fills in from here.
 struct slave_identity {
@@ -80,4 +80,4 @@ template <class Table> struct delivery {
     }
 };
 
-} // namespace jauscat::ethercat
+} // namespace jauscat::bridge
