@@ -2,8 +2,8 @@
 // through loopback sockets against the same sockets without the work between them.
 #include "pair.hpp"
 #include <jauscat/bridge/delivery.hpp>
-#include <jauscat/ethercat/loopback_link.hpp>
-#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/jaus/framing.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>

@@ -1,8 +1,8 @@
 // The robot arm's process data: efforts commanded every cycle, and the efforts in force the way back.
 #pragma once
 #include "arm_application.hpp"
-#include <jauscat/ethercat/image_entries.hpp>
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/slave/image_entries.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 #include <jauscat/translate/image_translator.hpp>
 

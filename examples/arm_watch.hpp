@@ -1,7 +1,7 @@
 // Brings the robot arm to rest when nobody commands it any more.
 #pragma once
 #include "arm_application.hpp"
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/text/value.hpp>
 
 #include <chrono>

@@ -1,9 +1,9 @@
 // Code made for a Hilscher EtherCAT master card (netX, cifX) on a plain network interface: it sends packets and takes
 // their confirmations, as it would through the card's driver. Without an argument the slaves are emulated in this
 // process; with one, "card_packets eth0", they are those on that interface.
-#include <jauscat/ethercat/loopback_link.hpp>
-#include <jauscat/ethercat/packet_job.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/hilscher/packet_job.hpp>
+#include <jauscat/ethercat/slave/loopback_link.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/raw_link.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/schema/ethercat/hilscher_info.hpp>

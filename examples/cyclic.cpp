@@ -2,7 +2,7 @@
 // what was lost, whether each slave stayed in OP, and that mailbox traffic does not disturb them.
 #include "support/explain.hpp"
 #include "support/link_options.hpp"
-#include <jauscat/ethercat/process_data.hpp>
+#include <jauscat/ethercat/master/process_data.hpp>
 #include <jauscat/net/latency_histogram.hpp>
 #include <jauscat/net/run_cycle.hpp>
 #include <jauscat/net/run_master.hpp>

@@ -3,8 +3,8 @@
 #include "support/say.hpp"
 #include "support/stored_objects.hpp"
 #include <jauscat/ethercat/describe.hpp>
-#include <jauscat/ethercat/slave.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/value.hpp>
 

@@ -1,8 +1,8 @@
 // A message of one's own over EtherCAT: written are the message, its layout, its place in the list of codes, and what a
 // slave does with it. Translation and delivery know nothing of it.
 #include <jauscat/bridge/packet_exchange.hpp>
-#include <jauscat/ethercat/loopback_link.hpp>
-#include <jauscat/ethercat/packet_job.hpp>
+#include <jauscat/ethercat/hilscher/packet_job.hpp>
+#include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/schema/jaus/types.hpp>

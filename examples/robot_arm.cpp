@@ -7,9 +7,9 @@
 #include "support/mailbox_option.hpp"
 #include "support/say.hpp"
 #include <jauscat/bridge/listed_objects.hpp>
-#include <jauscat/ethercat/mapped_objects.hpp>
-#include <jauscat/ethercat/slave.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/slave/mapped_objects.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 
 #include <cmath>
 #include <iomanip>

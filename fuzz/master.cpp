@@ -2,8 +2,8 @@
 #include "support/objects.hpp"
 #include "support/steps.hpp"
 #include "support/timed_master.hpp"
-#include <jauscat/ethercat/process_data.hpp>
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/master/process_data.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 
 using namespace fuzz;
 using namespace jauscat;

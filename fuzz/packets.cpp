@@ -2,9 +2,9 @@
 // in the room that there is, and after a bounded number of frames.
 #include "support/objects.hpp"
 #include "support/timed_master.hpp"
-#include <jauscat/ethercat/packet_job.hpp>
-#include <jauscat/ethercat/slave.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/hilscher/packet_job.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 
 #include <array>
 

@@ -1,7 +1,7 @@
 // Any frames through an emulated slave: what does not parse changes nothing, and the rest only what it may.
 #include "support/described_objects.hpp"
 #include "support/steps.hpp"
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 
 #include <array>
 #include <chrono>

@@ -4,7 +4,7 @@
 
 #include "slave_end.hpp"
 #include <jauscat/bridge/delivery.hpp>
-#include <jauscat/ethercat/packet_job.hpp>
+#include <jauscat/ethercat/hilscher/packet_job.hpp>
 #include <jauscat/net/run_cycle.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/net/run_until.hpp>

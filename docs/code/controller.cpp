@@ -3,10 +3,10 @@
 #include "driver.hpp"
 #include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/bridge/packet_exchange.hpp>
-#include <jauscat/ethercat/loopback_link.hpp>
-#include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/packet_job.hpp>
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/hilscher/packet_job.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/slave/loopback_link.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/text/jaus.hpp>
 #include <jauscat/text/packet_status.hpp>

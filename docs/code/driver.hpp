@@ -3,7 +3,7 @@
 // [includes]
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/bridge/object_list.hpp>
-#include <jauscat/ethercat/object_dictionary.hpp>
+#include <jauscat/ethercat/slave/object_dictionary.hpp>
 #include <jauscat/jaus/copy_present.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/jaus/requested_fields.hpp>

@@ -1,7 +1,7 @@
 // mapping-table.md: a message into a slave's process data.
 //     docs_image
 // [includes]
-#include <jauscat/ethercat/image_entries.hpp>
+#include <jauscat/ethercat/slave/image_entries.hpp>
 #include <jauscat/text/annotate.hpp>
 #include <jauscat/translate/image_translator.hpp>
 

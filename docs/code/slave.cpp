@@ -2,10 +2,10 @@
 // [includes]
 #include "driver.hpp"
 #include <jauscat/bridge/listed_objects.hpp>
-#include <jauscat/ethercat/loopback_link.hpp>
-#include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/slave.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/slave/loopback_link.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/run_master.hpp>
 
 #include <iostream>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <jauscat/bridge/delivery.hpp>
-#include <jauscat/ethercat/loopback_link.hpp>
-#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/net/run_master.hpp>
 
 #include <algorithm>

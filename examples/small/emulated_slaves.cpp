@@ -2,8 +2,8 @@
 //     emulated_slaves
 //     emulated_slaves eth1
 #include <jauscat/ethercat/link.hpp>
-#include <jauscat/ethercat/slave.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/limited_log.hpp>
 #include <jauscat/net/raw_link.hpp>
 #include <jauscat/net/udp_link.hpp>

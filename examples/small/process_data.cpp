@@ -1,8 +1,8 @@
 // Cyclic exchange: outputs to a slave and its inputs back, a frame every millisecond. The slave is emulated in this
 // process; over a raw_link the same code runs on a wire.
 //     process_data
-#include <jauscat/ethercat/loopback_link.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/slave/loopback_link.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/run_cycle.hpp>
 #include <jauscat/net/run_master.hpp>
 

@@ -2,7 +2,7 @@
 // interface is EtherCAT in UDP on this machine, where emulated_slaves may be.
 //     sdo_download eth0 2000 0 01 02 03 04
 //     sdo_download udp 2000 0 01 02 03 04
-#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/net/raw_link.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/net/udp_link.hpp>

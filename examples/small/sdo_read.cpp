@@ -3,7 +3,7 @@
 // information says how many bytes the object has: data of another size are not used.
 //     sdo_read eth0 1018 1
 //     sdo_read udp 1018 1
-#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/net/raw_link.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/net/udp_link.hpp>

@@ -1,7 +1,7 @@
 // What the robot arm's slave says of itself, for the arm and for its ESI file.
 #pragma once
 #include "arm_process_data.hpp"
-#include <jauscat/ethercat/slave_description.hpp>
+#include <jauscat/ethercat/slave/slave_description.hpp>
 
 namespace example {
 

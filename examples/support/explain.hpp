@@ -1,7 +1,7 @@
 // How a master's job ended, for a log.
 #pragma once
 #include <jauscat/ethercat/describe.hpp>
-#include <jauscat/ethercat/master_errc.hpp>
+#include <jauscat/ethercat/master/master_errc.hpp>
 #include <jauscat/text/hex.hpp>
 
 #include <stdexcept>

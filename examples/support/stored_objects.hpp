@@ -1,7 +1,7 @@
 // Objects of an emulated slave that hold what a master writes to them.
 #pragma once
-#include <jauscat/ethercat/object_dictionary.hpp>
-#include <jauscat/ethercat/pdo_entry.hpp>
+#include <jauscat/ethercat/slave/object_dictionary.hpp>
+#include <jauscat/ethercat/slave/pdo_entry.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 // mapping object.
 #pragma once
 #include "objects.hpp"
-#include <jauscat/ethercat/object_dictionary.hpp>
+#include <jauscat/ethercat/slave/object_dictionary.hpp>
 
 #include <algorithm>
 #include <array>

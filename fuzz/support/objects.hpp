@@ -1,8 +1,8 @@
 // An object dictionary for fuzzing: reads of many sizes, refusals of several kinds, and a record of what was written.
 #pragma once
 #include "target.hpp"
-#include <jauscat/ethercat/object_dictionary.hpp>
-#include <jauscat/ethercat/sii_image.hpp>
+#include <jauscat/ethercat/slave/object_dictionary.hpp>
+#include <jauscat/ethercat/slave/sii_image.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 
 #include <array>

@@ -1,7 +1,7 @@
 // A master for fuzzing and its time, which passes as fast as the master lets it.
 #pragma once
 #include "target.hpp"
-#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/master/master.hpp>
 
 #include <chrono>
 

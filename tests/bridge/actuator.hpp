@@ -3,9 +3,9 @@
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/bridge/listed_objects.hpp>
 #include <jauscat/bridge/object_list.hpp>
-#include <jauscat/ethercat/image_entries.hpp>
-#include <jauscat/ethercat/slave.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/slave/image_entries.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/jaus/copy_present.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>

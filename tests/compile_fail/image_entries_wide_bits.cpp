@@ -1,5 +1,5 @@
 // expect: image_entries: a field of bits has 8 at most, BIT1 to BIT8; declare it as a number
-#include <jauscat/ethercat/image_entries.hpp>
+#include <jauscat/ethercat/slave/image_entries.hpp>
 
 #include <cstdint>
 

@@ -9,10 +9,10 @@
 #include <jauscat/esi/read_esi.hpp>
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
-#include <jauscat/ethercat/loopback_link.hpp>
-#include <jauscat/ethercat/mapped_objects.hpp>
-#include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/slave/loopback_link.hpp>
+#include <jauscat/ethercat/slave/mapped_objects.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/translate/fixed_length.hpp>
 

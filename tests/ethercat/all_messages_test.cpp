@@ -4,8 +4,8 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include <jauscat/bridge/packet_exchange.hpp>
-#include <jauscat/ethercat/loopback_link.hpp>
-#include <jauscat/ethercat/packet_job.hpp>
+#include <jauscat/ethercat/hilscher/packet_job.hpp>
+#include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 

@@ -1,7 +1,7 @@
 // Objects that describe themselves, for the slaves of these tests.
 #pragma once
 
-#include <jauscat/ethercat/object_dictionary.hpp>
+#include <jauscat/ethercat/slave/object_dictionary.hpp>
 
 #include <algorithm>
 #include <array>

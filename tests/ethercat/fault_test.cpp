@@ -3,9 +3,9 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include "support/simulated_link.hpp"
-#include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/packet_status.hpp>
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/hilscher/packet_status.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 
 #include <array>
 #include <functional>

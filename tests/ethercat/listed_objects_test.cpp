@@ -4,8 +4,8 @@
 #include "support/simulated_link.hpp"
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/bridge/listed_objects.hpp>
-#include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/translate/fixed_length.hpp>

@@ -3,8 +3,8 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include "support/simulated_link.hpp"
-#include <jauscat/ethercat/loopback_link.hpp>
-#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/net/run_master.hpp>
 
 #include <array>

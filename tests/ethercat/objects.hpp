@@ -1,7 +1,7 @@
 // Objects for the slaves of these tests: sizes are exact, and any object can be given an abort code. And data for them.
 #pragma once
 
-#include <jauscat/ethercat/object_dictionary.hpp>
+#include <jauscat/ethercat/slave/object_dictionary.hpp>
 
 #include <algorithm>
 #include <map>

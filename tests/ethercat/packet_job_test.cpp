@@ -2,8 +2,8 @@
 #include "ethercat/objects.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
-#include <jauscat/ethercat/loopback_link.hpp>
-#include <jauscat/ethercat/packet_job.hpp>
+#include <jauscat/ethercat/hilscher/packet_job.hpp>
+#include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/net/run_master.hpp>
 
 #include <array>

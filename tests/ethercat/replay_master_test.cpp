@@ -4,7 +4,7 @@
 #include "support/pcap.hpp"
 #include "support/simulated_link.hpp"
 #include <jauscat/ethercat/frame_view.hpp>
-#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/master/master.hpp>
 
 #include <array>
 #include <map>

@@ -4,7 +4,7 @@
 #include "support/hex.hpp"
 #include "support/pcap.hpp"
 #include <jauscat/ethercat/frame_view.hpp>
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 
 #include <string>
 #include <vector>

@@ -3,9 +3,9 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include "support/simulated_link.hpp"
-#include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/process_data.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/master/process_data.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 
 #include <algorithm>
 #include <array>

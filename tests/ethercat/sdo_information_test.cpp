@@ -3,9 +3,9 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include "support/simulated_link.hpp"
-#include <jauscat/ethercat/sdo_information.hpp>
-#include <jauscat/ethercat/sdo_transfer.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/master/sdo_information.hpp>
+#include <jauscat/ethercat/master/sdo_transfer.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 
 #include <string>
 #include <vector>

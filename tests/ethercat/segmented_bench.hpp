@@ -5,8 +5,8 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include "support/simulated_link.hpp"
-#include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 
 #include <functional>
 #include <string>

@@ -5,7 +5,7 @@
 #include "support/hex.hpp"
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 // frame as any master's.
 #include "ethercat/objects.hpp"
 #include "ethercat/slave_bench.hpp"
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 
 #include <chrono>
 #include <deque>

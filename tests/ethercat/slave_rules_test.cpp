@@ -4,7 +4,7 @@
 #include "ethercat/objects.hpp"
 #include "ethercat/slave_bench.hpp"
 #include <jauscat/bridge/listed_objects.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 
 using namespace jauscat::ethercat;
 using jauscat::test::from_hex;

@@ -1,7 +1,7 @@
 // A slave in EtherCAT in UDP whose SDO information says 8 bytes of 2000h:0 and 4 of 2001h:0; it sends 4 of both.
 #include "ethercat/described_objects.hpp"
-#include <jauscat/ethercat/slave.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/udp_link.hpp>
 
 #include <array>

@@ -5,7 +5,7 @@
 #include "support/catch.hpp"
 #include "support/interfaces.hpp"
 #include "support/slave_thread.hpp"
-#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/net/raw_link.hpp>
 #include <jauscat/net/run_master.hpp>
 

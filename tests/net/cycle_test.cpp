@@ -3,9 +3,9 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include <jauscat/bridge/image_exchange.hpp>
-#include <jauscat/ethercat/image_entries.hpp>
-#include <jauscat/ethercat/slave.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/slave/image_entries.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/run_cycle.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>

@@ -8,9 +8,9 @@
 #include "support/simulated_link.hpp"
 #include <jauscat/bridge/image_exchange.hpp>
 #include <jauscat/bridge/listed_objects.hpp>
-#include <jauscat/ethercat/mapped_objects.hpp>
-#include <jauscat/ethercat/process_data.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/master/process_data.hpp>
+#include <jauscat/ethercat/slave/mapped_objects.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 
 #include <string>

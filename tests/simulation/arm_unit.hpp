@@ -8,7 +8,7 @@
 #include "simulation/messages.hpp"
 #include "support/arm_slave.hpp"
 #include <jauscat/bridge/listed_objects.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 
 #include <functional>

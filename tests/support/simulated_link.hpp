@@ -1,8 +1,8 @@
 // A link in simulated time between a master and emulated slaves, with faults on the way out and on the way back.
 #pragma once
 
-#include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 // Emulated slaves at the other end of a cable: a thread that passes the frames of an interface through them.
 #pragma once
 
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/net/raw_link.hpp>
 
 #include <array>

@@ -4,8 +4,8 @@
 #include "support/catch.hpp"
 #include "support/random_message.hpp"
 #include "support/until.hpp"
-#include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/slave.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/jaus/dispatcher.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/net/udp_link.hpp>

@@ -1,7 +1,7 @@
 // JAUS on the cyclic path: the outputs and inputs of one slave, and what the asker gets to hear.
 #include "image_samples.hpp"
 #include <jauscat/bridge/image_exchange.hpp>
-#include <jauscat/ethercat/image_entries.hpp>
+#include <jauscat/ethercat/slave/image_entries.hpp>
 
 using namespace jauscat;
 using namespace jauscat::test;

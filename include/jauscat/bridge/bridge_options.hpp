@@ -1,8 +1,8 @@
 // How a bridge works with the slaves of one link.
 #pragma once
 #include <jauscat/bridge/delivery.hpp>
-#include <jauscat/ethercat/activity.hpp>
-#include <jauscat/ethercat/sdo_options.hpp>
+#include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/ethercat/master/sdo_options.hpp>
 
 #include <algorithm>
 #include <chrono>

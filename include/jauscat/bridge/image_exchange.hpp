@@ -6,7 +6,7 @@
 // looked at them. Until then the next command is merged with the one before.
 #pragma once
 #include <jauscat/bridge/delivery.hpp>
-#include <jauscat/ethercat/activity.hpp>
+#include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/jaus/requested_fields.hpp>
 #include <jauscat/translate/image_translator.hpp>
 

@@ -2,7 +2,7 @@
 // What is behind them is the application's.
 #pragma once
 #include <jauscat/bridge/object_list.hpp>
-#include <jauscat/ethercat/object_dictionary.hpp>
+#include <jauscat/ethercat/slave/object_dictionary.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 // other. Each is sent when the one before it has been confirmed.
 #pragma once
 #include <jauscat/bridge/object_list.hpp>
-#include <jauscat/ethercat/od_status.hpp>
+#include <jauscat/ethercat/hilscher/od_status.hpp>
 #include <jauscat/schema/ethercat/hilscher_od.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>

@@ -1,8 +1,8 @@
 // What a bridge tells of its work: for logs, traces and displays.
 #pragma once
 #include <jauscat/bridge/stop_debt.hpp>
-#include <jauscat/ethercat/master_errc.hpp>
-#include <jauscat/ethercat/slave_record.hpp>
+#include <jauscat/ethercat/master/master_errc.hpp>
+#include <jauscat/ethercat/master/slave_record.hpp>
 #include <jauscat/jaus/component_control.hpp>
 #include <jauscat/jaus/component_state.hpp>
 #include <jauscat/jaus/message.hpp>

@@ -3,9 +3,9 @@
 #pragma once
 #include <jauscat/bridge/component.hpp>
 #include <jauscat/bridge/image_path.hpp>
-#include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/packet_job.hpp>
-#include <jauscat/ethercat/process_data.hpp>
+#include <jauscat/ethercat/hilscher/packet_job.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/master/process_data.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 
 #include <algorithm>

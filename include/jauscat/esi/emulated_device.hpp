@@ -5,7 +5,7 @@
 #include <jauscat/esi/device.hpp>
 #include <jauscat/esi/make_device.hpp>
 #include <jauscat/esi/text_values.hpp>
-#include <jauscat/ethercat/sii_image.hpp>
+#include <jauscat/ethercat/slave/sii_image.hpp>
 #include <jauscat/schema/ethercat/sii.hpp>
 #include <jauscat/wire/decode.hpp>
 

@@ -5,9 +5,9 @@
 #include <jauscat/bridge/object_list.hpp>
 #include <jauscat/esi/device.hpp>
 #include <jauscat/esi/text_values.hpp>
-#include <jauscat/ethercat/mapped_objects.hpp>
-#include <jauscat/ethercat/sii_image.hpp>
-#include <jauscat/ethercat/standard_objects.hpp>
+#include <jauscat/ethercat/slave/mapped_objects.hpp>
+#include <jauscat/ethercat/slave/sii_image.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
 
 #include <array>
 #include <cstddef>

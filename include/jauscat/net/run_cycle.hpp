@@ -3,8 +3,8 @@
 #pragma once
 
 #include <jauscat/ethercat/link.hpp>
-#include <jauscat/ethercat/master.hpp>
-#include <jauscat/ethercat/process_data.hpp>
+#include <jauscat/ethercat/master/master.hpp>
+#include <jauscat/ethercat/master/process_data.hpp>
 #include <jauscat/jaus/later.hpp>
 #include <jauscat/net/cycle_timer.hpp>
 

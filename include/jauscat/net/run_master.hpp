@@ -2,7 +2,7 @@
 #pragma once
 
 #include <jauscat/ethercat/link.hpp>
-#include <jauscat/ethercat/master.hpp>
+#include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/jaus/later.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // What a confirmation packet says, as a line for people.
 #pragma once
-#include <jauscat/ethercat/packet_status.hpp>
+#include <jauscat/ethercat/hilscher/packet_status.hpp>
 #include <jauscat/text/hex.hpp>
 
 namespace jauscat::text {

@@ -1,0 +1,161 @@
+// One request packet executed by the master instead of by the card that the packet is made for.
+#pragma once
+
+#include <jauscat/ethercat/hilscher/packet_emergencies.hpp>
+#include <jauscat/ethercat/hilscher/packet_info.hpp>
+#include <jauscat/ethercat/hilscher/packet_scan.hpp>
+#include <jauscat/ethercat/hilscher/packet_sdo.hpp>
+#include <jauscat/ethercat/hilscher/packet_state.hpp>
+
+#include <variant>
+
+namespace jauscat::ethercat {
+
+/// A packet in, its confirmation out. Both spans and the job itself stay in place until `finish`, and do not overlap.
+///
+///     packet_job job{request, confirmation};
+///     for (bool runs = job.start(master); runs; runs = job.next(master)) ...; // drive the master until it is idle
+///     const auto size = job.finish(master.result());
+///
+/// Services: SDO download and upload, OD list, object and entry description, get and set state, bus scan and its
+/// results, slave handles and emergencies. Any other command is confirmed with unknown_command.
+class packet_job {
+  public:
+    /// Bytes of confirmation that any request can do with.
+    static constexpr std::size_t confirmation_size =
+        wire::max_size<hilscher::packet_header> + hilscher::max_packet_body;
+
+    /// Executes `request`; the answer is written to `confirmation`. Both must outlive this.
+    packet_job(std::span<const std::byte> request, std::span<std::byte> confirmation,
+               const packet_options& options = {}) noexcept
+        : io_{request, confirmation.first(std::min(confirmation.size(), confirmation_size)), options} {}
+
+    /// Starts what the request asks for. False if no job of the master runs: `finish` then.
+    bool start(master& m) noexcept {
+        if (!wire::decode_prefix(head_, io_.request) || is_answer(head_)) return false;
+        status_ = check_header();
+        if (status_ != packet_status::ok) return false;
+        switch (head_.ul_cmd) {
+        case packet_command::sdo_download_req: return begin<packet_download>(m);
+        case packet_command::sdo_upload_req: return begin<packet_upload>(m);
+        case packet_command::get_od_list_req: return begin<packet_od_list>(m);
+        case packet_command::get_object_description_req: return begin<packet_object>(m);
+        case packet_command::get_entry_description_req: return begin<packet_entry>(m);
+        case packet_command::get_state_req: return begin<packet_get_state>(m);
+        case packet_command::set_state_req: return begin<packet_set_state>(m);
+        case packet_command::start_bus_scan_req: return begin<packet_start_scan>(m);
+        case packet_command::get_bus_scan_info_req: return begin<packet_scan_info>(m);
+        case packet_command::get_slave_handles_req: return begin<packet_slave_handles>(m);
+        case packet_command::read_emergencies_req: return begin<packet_emergencies>(m);
+        default: status_ = packet_status::unknown_command; return false;
+        }
+    }
+
+    /// The master's job has ended. True if another one runs now.
+    bool next(master& m) noexcept {
+        if (!runs_) return false;
+        if (result_) result_ = m.result();
+        return std::visit([&](auto& service) { return take(next_of(service, m)); }, service_);
+    }
+
+    /// Writes the confirmation and returns its size, 40 to 1596 bytes; 0 where the request is no request packet or the
+    /// confirmation has no room. `result` is how the master's last job ended, or why none could be started. A service
+    /// of several jobs that `next` has not seen through has failed.
+    std::size_t finish(const outcome& result) noexcept {
+        if (!wire::decode_prefix(head_, io_.request) || is_answer(head_)) return 0;
+        head_.ul_cmd = static_cast<packet_command>(static_cast<std::uint32_t>(head_.ul_cmd) + 1);
+        if (status_ == packet_status::ok) status_ = hilscher::status_of(result);
+        return std::visit([&](auto& service) { return confirm(service, result); }, service_);
+    }
+
+    /// The first of the master's jobs that failed, or the last one, as `next` has been told: a status says less.
+    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+
+  private:
+    using packet_status = hilscher::packet_status;
+    using packet_command = hilscher::packet_command;
+    static constexpr std::size_t head_size = wire::max_size<hilscher::packet_header>;
+
+    [[nodiscard]] static bool is_answer(const hilscher::packet_header& head) noexcept {
+        return (static_cast<std::uint32_t>(head.ul_cmd) & 1u) != 0;
+    }
+
+    [[nodiscard]] packet_status check_header() const noexcept {
+        if (head_.ul_len > io_.request.size() - head_size) return packet_status::invalid_packet_length;
+        if (!io_.options.check_header) return packet_status::ok;
+        if (head_.ul_dest != channel_in_use && (head_.ul_dest == 0 || head_.ul_dest > last_channel))
+            return packet_status::unknown_destination;
+        if (head_.ul_dest_id != 0) return packet_status::unknown_destination_id;
+        return (head_.ul_ext & sequence_bits) != 0 ? packet_status::invalid_extension : packet_status::ok;
+    }
+
+    template <class Service> bool begin(master& m) noexcept {
+        auto& service = service_.emplace<Service>();
+        const auto fields = wire::decode_prefix(service.asked, io_.request);
+        if (head_.ul_len < Service::least_length || (!fields && Service::least_length != 0))
+            status_ = packet_status::invalid_packet_length;
+        else if (io_.confirmation.size() < Service::fields_size)
+            status_ = packet_status::out_of_memory;
+        else
+            return take(service.begin(m, io_));
+        return false;
+    }
+
+    bool take(const service_step& step) noexcept {
+        runs_ = step.runs;
+        status_ = step.status;
+        return runs_;
+    }
+
+    template <class Service> service_step next_of(Service& service, master& m) noexcept {
+        if constexpr (std::is_same_v<Service, std::monostate>)
+            return {};
+        else
+            return service.next(m, m.result(), io_);
+    }
+
+    template <class Service> std::size_t confirm(Service& service, const outcome& result) noexcept {
+        if constexpr (std::is_same_v<Service, std::monostate>) {
+            return refuse(0);
+        } else {
+            if (runs_ && !Service::one_job && status_ == packet_status::ok)
+                status_ = packet_status::fail; // not driven on
+            if (status_ != packet_status::ok) return refuse(Service::repeated);
+            typename Service::confirmation out{};
+            const auto answer = service.answer(out, result, io_);
+            status_ = answer.status;
+            if (status_ != packet_status::ok) return refuse(Service::repeated);
+            out.head = head_;
+            out.head.ul_sta = status_;
+            out.head.ul_len = static_cast<std::uint32_t>(Service::fields_size - head_size + answer.size);
+            return wire::encode(out, io_.confirmation).size() + answer.size;
+        }
+    }
+
+    // A confirmation with an error: the header and the front of the request's body, zeros where the request has none.
+    std::size_t refuse(std::size_t repeated) noexcept {
+        if (io_.confirmation.size() < head_size + repeated) return 0;
+        head_.ul_sta = status_;
+        head_.ul_len = static_cast<std::uint32_t>(repeated);
+        static_cast<void>(wire::encode(head_, io_.confirmation));
+        const auto body = io_.request.subspan(head_size);
+        const auto out = io_.confirmation.subspan(head_size, repeated);
+        std::ranges::fill(out, std::byte{});
+        std::ranges::copy(body.first(std::min(body.size(), repeated)), out.begin());
+        return head_size + repeated;
+    }
+
+    static constexpr std::uint32_t channel_in_use = 0x20, last_channel = 4, sequence_bits = 0xC0;
+
+    packet_io io_;
+    hilscher::packet_header head_{};
+    std::variant<std::monostate, packet_download, packet_upload, packet_od_list, packet_object, packet_entry,
+                 packet_get_state, packet_set_state, packet_start_scan, packet_scan_info, packet_slave_handles,
+                 packet_emergencies>
+        service_{};
+    packet_status status_{};
+    outcome result_{};
+    bool runs_{}; // a job of the master whose end `next` has not been told
+};
+
+} // namespace jauscat::ethercat

@@ -1,0 +1,140 @@
+// Packets that ask for the state of the bus and set it.
+#pragma once
+
+#include <jauscat/ethercat/hilscher/packet_service.hpp>
+#include <jauscat/schema/ethercat/al_state.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+#include <jauscat/schema/ethercat/hilscher_state.hpp>
+
+#include <array>
+
+namespace jauscat::ethercat {
+
+/// The lowest state of all slaves in the ring, read at once.
+class packet_get_state : public packet_service<hilscher::get_state_request, hilscher::get_state_confirmation> {
+  public:
+    service_step begin(master& m, const packet_io&) noexcept {
+        return service_step::started(m.exchange(command::brd, 0, esc_registers::al_status.address, read_));
+    }
+    service_answer answer(confirmation& out, const outcome&, const packet_io&) const noexcept {
+        al_status all{}; // of all slaves, or-ed
+        static_cast<void>(wire::decode(all, read_));
+        const auto bits = static_cast<unsigned>(all.state);
+        out.us_current_ec_state = static_cast<hilscher::bus_state>(bits & (~bits + 1)); // the lowest bit
+        return {};
+    }
+
+  private:
+    std::array<std::byte, wire::max_size<al_status>> read_{};
+};
+
+/// Takes every slave of the bus to a state: those that are in INIT or were lost are brought up, those above it go down
+/// at once, and all the others go up together, one state after the other. A slave that refuses ends it.
+class packet_set_state : public packet_service<hilscher::set_state_request, hilscher::set_state_confirmation> {
+  public:
+    static constexpr bool one_job = false;
+    service_step begin(master& m, const packet_io& io) noexcept {
+        using hilscher::bus_state, hilscher::packet_status;
+        switch (asked.us_new_ec_state) {
+        case bus_state::init:
+        case bus_state::pre_op:
+        case bus_state::safe_op:
+        case bus_state::op: break;
+        default: return service_step::done(packet_status::invalid_target_phase);
+        }
+        goal_ = static_cast<al_state>(asked.us_new_ec_state);
+        if (!m.idle()) return service_step::done(packet_status::state_change_busy);
+        if (io.options.slaves.size() > bus_.size()) return service_step::done(packet_status::coe_no_resource);
+        for (const auto& slave : io.options.slaves) bus_[count_++].slave = slave;
+        if (count_ == 0)
+            for (const auto& known : m.slaves()) bus_[count_++].slave = {known.position, known.station, {}};
+        if (count_ == 0) return service_step::done(packet_status::wrong_internal_state);
+        return advance(m);
+    }
+
+    service_step next(master& m, const outcome& result, const packet_io&) noexcept {
+        if (!result) return service_step::done(status_of(result));
+        auto& member = bus_[place_];
+        switch (stage_) {
+        case stage::clear: // the slaves are in INIT, and the master has forgotten them
+            place_ = count_;
+            break;
+        case stage::look:
+            if (result.detail != 0) static_cast<void>(wire::decode(member.status, read_));
+            break;
+        case stage::bring_up: member.status = {.state = al_state::pre_op}; break;
+        case stage::lower: member.status = {.state = goal_}; break;
+        case stage::configure: break;
+        case stage::safe_op: member.status = {.state = al_state::safe_op}; break;
+        case stage::op: break;
+        }
+        ++place_;
+        return advance(m);
+    }
+
+    static service_answer answer(confirmation&, const outcome&, const packet_io&) noexcept { return {}; }
+
+  private:
+    enum class stage : std::uint8_t { clear, look, bring_up, lower, configure, safe_op, op };
+    struct participant {
+        bus_slave slave{};
+        al_status status{}; ///< state 0: the slave is lost, or was never brought up
+    };
+
+    // What a slave says of a refused state has statuses of its own, but how they are numbered is not documented.
+    [[nodiscard]] static hilscher::packet_status status_of(const outcome& result) noexcept {
+        if (result.error == master_errc::al_error || result.error == master_errc::state_timeout)
+            return hilscher::packet_status::fail;
+        return hilscher::status_of(result);
+    }
+
+    // Starts the next job that is due.
+    service_step advance(master& m) noexcept {
+        for (; stage_ <= stage::op; stage_ = static_cast<stage>(static_cast<unsigned>(stage_) + 1), place_ = 0)
+            for (; place_ < count_; ++place_)
+                if (is_due(m, bus_[place_])) return service_step::started(start(m, bus_[place_].slave));
+        return service_step::done();
+    }
+
+    [[nodiscard]] bool is_due(const master& m, const participant& member) const noexcept {
+        const auto state = member.status.state;
+        const bool error = member.status.error;
+        switch (stage_) {
+        case stage::clear: return goal_ == al_state::init && !is_known(m, member.slave);
+        case stage::look: return is_known(m, member.slave);
+        case stage::bring_up:
+            return goal_ != al_state::init &&
+                   (!ethercat::is_known(state) || state == al_state::init || state == al_state::boot);
+        case stage::lower: return state > goal_ || (state == goal_ && error);
+        case stage::configure:
+        case stage::safe_op: return goal_ > al_state::pre_op && state == al_state::pre_op;
+        default: return goal_ == al_state::op && state != al_state::op;
+        }
+    }
+
+    [[nodiscard]] static bool is_known(const master& m, const bus_slave& slave) noexcept {
+        const auto* record = m.find(slave.station);
+        return record != nullptr && record->position == slave.position && slave.identity.accepts(record->identity);
+    }
+
+    bool start(master& m, const bus_slave& slave) noexcept {
+        switch (stage_) {
+        case stage::clear: return m.scan();
+        case stage::look: return m.exchange(command::fprd, slave.station, esc_registers::al_status.address, read_);
+        case stage::bring_up: return m.bring_up(slave.position, slave.station, slave.identity);
+        case stage::lower: return m.change_state(slave.station, goal_);
+        case stage::configure: return m.configure(slave.station);
+        case stage::safe_op: return m.change_state(slave.station, al_state::safe_op);
+        default: return m.change_state(slave.station, al_state::op);
+        }
+    }
+
+    al_state goal_{};
+    std::array<participant, slave_capacity> bus_{};
+    std::size_t count_{};
+    stage stage_{};
+    std::size_t place_{};
+    std::array<std::byte, wire::max_size<al_status>> read_{};
+};
+
+} // namespace jauscat::ethercat

@@ -1,0 +1,73 @@
+// What the master's state machines share: times, and results of a step.
+#pragma once
+
+#include <jauscat/ethercat/frame_view.hpp>
+#include <jauscat/ethercat/master/master_errc.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// Time since any epoch, as the caller counts it.
+using time_point = std::chrono::nanoseconds;
+
+/// How long a master waits, and how often it tries.
+struct master_config {
+    /// A frame that is not back by now is lost, and asked for again.
+    std::chrono::nanoseconds frame_timeout{std::chrono::milliseconds{20}};
+    /// The longest time that a frame can be under way. After a frame was lost, something else is sent only when it
+    /// cannot arrive any more: a slave that gets a mailbox message after its successor executes it again, because it
+    /// compares only with the last counter.
+    std::chrono::nanoseconds frame_lifetime{std::chrono::milliseconds{20}};
+    /// The link may deliver a frame twice, as an IP network may. Each frame is then given its lifetime, answered or
+    /// not, which makes a transfer slow: leave it off on a wire.
+    bool frames_may_be_copied{};
+    /// How often a lost frame is repeated. With the default, a slave that is a process may be kept waiting for 0.2 s.
+    unsigned retries{9};
+    std::chrono::nanoseconds poll_interval{std::chrono::microseconds{50}}; ///< between two looks at what is not ready
+    std::chrono::nanoseconds sii_timeout{std::chrono::milliseconds{100}};  ///< for one read of the SII
+    std::chrono::nanoseconds state_timeout{std::chrono::seconds{5}};       ///< for one change of state
+    std::chrono::nanoseconds mailbox_timeout{std::chrono::seconds{1}};     ///< for one mailbox request and its answer
+    std::uint32_t logical_base{}; ///< where the process image begins; give the same to process_data
+};
+
+/// How a state machine goes on after a reply.
+enum class progress : std::uint8_t {
+    send, ///< the next frame at once
+    wait, ///< the next frame after the poll interval
+    done, ///< finished: see the outcome
+};
+
+/// The datagrams of a reply, in the order they were sent.
+using replies = std::span<const datagram_view>;
+
+/// Whether one slave has executed each of them, as commands to a station address want it. Errors: duplicate_station,
+/// working_counter.
+[[nodiscard]] constexpr outcome executed_by_one(replies datagrams) noexcept {
+    for (const auto& datagram : datagrams) {
+        if (datagram.working_counter > 1)
+            return {.error = master_errc::duplicate_station, .detail = datagram.working_counter};
+        if (datagram.working_counter == 0) return {.error = master_errc::working_counter};
+    }
+    return {};
+}
+
+/// Limits how long a state machine polls for one thing.
+class patience {
+  public:
+    /// Starts over: something else is waited for.
+    constexpr void renew() noexcept { since_.reset(); }
+    /// True once `limit` has passed since the first call after `renew`.
+    constexpr bool exhausted(time_point now, std::chrono::nanoseconds limit) noexcept {
+        if (!since_) since_ = now;
+        return now - *since_ >= limit;
+    }
+
+  private:
+    std::optional<time_point> since_{};
+};
+
+} // namespace jauscat::ethercat

@@ -1,0 +1,40 @@
+// One datagram of the caller's choice: a register, some memory, a broadcast.
+#pragma once
+
+#include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/master/activity.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// State machine of one step: the data go out and come back into the same place, which stays until it is done.
+class datagram_exchange {
+  public:
+    datagram_exchange() noexcept = default;
+    /// One datagram; `data` is what is sent, and is overwritten by what comes back.
+    datagram_exchange(command cmd, std::uint16_t adp, std::uint16_t ado, std::span<std::byte> data) noexcept
+        : cmd_{cmd}, adp_{adp}, ado_{ado}, data_{data} {}
+
+    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+
+    void request(frame_builder& frame) const noexcept {
+        frame.add(cmd_, adp_, ado_, std::span<const std::byte>{data_});
+    }
+    progress reply(replies datagrams, time_point, const master_config&) noexcept {
+        const auto& back = datagrams.front();
+        std::ranges::copy(back.data, data_.begin());
+        result_ = {.detail = back.working_counter, .size = back.data.size()};
+        return progress::done;
+    }
+
+  private:
+    command cmd_{};
+    std::uint16_t adp_{}, ado_{};
+    std::span<std::byte> data_{};
+    outcome result_{};
+};
+
+} // namespace jauscat::ethercat

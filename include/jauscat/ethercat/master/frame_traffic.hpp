@@ -1,0 +1,115 @@
+// The frames of a master, one under way at a time: when the next one may go, whether what arrives is its reply, when it
+// is lost, and the counts of all that.
+#pragma once
+
+#include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/ethercat/master/outstanding_frame.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// What a master has seen on its link, in frames.
+struct master_statistics {
+    std::uint64_t sent{};
+    std::uint64_t received{};   ///< replies that were waited for
+    std::uint64_t lost{};       ///< replies that did not come in time
+    std::uint64_t ignored{};    ///< late, duplicate and foreign frames
+    std::uint64_t foreign{};    ///< of those: never sent here. Another master uses this wire.
+    std::uint64_t circulated{}; ///< replies that a slave without a link to the master has marked: the ring is broken
+};
+
+/// Knows nothing of what is in the frames: a master asks it before it sends, and tells it what it has sent.
+class frame_traffic {
+  public:
+    /// With the times and the retries of `config`.
+    explicit frame_traffic(const master_config& config) noexcept : config_{config} {}
+
+    /// What it was made with.
+    [[nodiscard]] const master_config& config() const noexcept { return config_; }
+    [[nodiscard]] const master_statistics& statistics() const noexcept { return statistics_; }
+
+    /// Another job begins: nothing was lost in it yet.
+    void begin() noexcept {
+        losses_ = 0;
+        repeats_ = false;
+        not_before_ = time_point::min();
+    }
+
+    /// Whether a frame may go now.
+    [[nodiscard]] bool may_send(time_point now) const noexcept { return !outstanding_.waits() && now >= next_send(); }
+    /// The tag for the datagrams of the next frame.
+    std::uint8_t next_index() noexcept { return ++index_; }
+    /// `frame` is on its way.
+    void sent(std::span<const std::byte> frame, time_point now) noexcept {
+        outstanding_.sent(frame, now);
+        ++statistics_.sent;
+    }
+    /// The next frame goes at `time`, not before.
+    void wait_until(time_point time) noexcept { not_before_ = time; }
+
+    /// The datagrams of `frame` if it is the reply that is waited for, else none. They are views of `frame` and are
+    /// kept here until the next call. The last frame `was_refused`: a copy of it counts, too, that a slave has
+    /// executed.
+    replies take(std::span<const std::byte> frame, bool was_refused = false) noexcept {
+        frame_view view;
+        const bool parsed = static_cast<bool>(view.parse(frame));
+        const bool is_first = outstanding_.waits();
+        auto datagrams = (is_first || was_refused) && parsed ? outstanding_.match(view) : replies{};
+        if (!is_first && !datagrams.empty() && datagrams.front().working_counter == 0) datagrams = {};
+        if (datagrams.empty()) {
+            ++statistics_.ignored;
+            if (parsed && !outstanding_.claim(view)) ++statistics_.foreign;
+            return {};
+        }
+        ++statistics_.received;
+        if (datagrams.front().header.circulating) ++statistics_.circulated;
+        if (config_.frames_may_be_copied) unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
+        losses_ = 0;
+        repeats_ = false;
+        return datagrams;
+    }
+
+    /// Whether the reply should have come by now.
+    [[nodiscard]] bool is_late(time_point now) const noexcept {
+        return outstanding_.waits() && now - outstanding_.sent_at() >= config_.frame_timeout;
+    }
+    /// The reply that is late is lost. What is asked next goes at once if it `repeats` what was asked and does no harm
+    /// twice; all else waits until the lost frame cannot arrive. False where too many were lost in a row.
+    bool lose(bool repeats) noexcept {
+        ++statistics_.lost;
+        give_up();
+        repeats_ = repeats;
+        return ++losses_ <= config_.retries;
+    }
+    /// The reply, if there is one to come, is not wanted any more, and may arrive all the same.
+    void give_up() noexcept {
+        if (!outstanding_.waits()) return;
+        unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;
+        outstanding_.forget();
+    }
+
+    /// When `is_late` or `may_send` will be true, if no frame arrives first.
+    [[nodiscard]] time_point next_event() const noexcept {
+        return outstanding_.waits() ? outstanding_.sent_at() + config_.frame_timeout : next_send();
+    }
+
+  private:
+    [[nodiscard]] time_point next_send() const noexcept {
+        return repeats_ ? not_before_ : std::max(not_before_, unsettled_until_);
+    }
+
+    master_config config_;
+    outstanding_frame<15> outstanding_{};
+    std::uint8_t index_{};
+    unsigned losses_{}; // in a row
+    bool repeats_{};    // the next frame asks again what the lost one asked
+    time_point not_before_ = time_point::min();
+    time_point unsettled_until_ = time_point::min(); // a lost frame may arrive until then
+    master_statistics statistics_{};
+};
+
+} // namespace jauscat::ethercat

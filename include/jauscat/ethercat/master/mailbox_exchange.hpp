@@ -1,0 +1,276 @@
+// Carries one request to a slave's mailbox and waits for its answer, if it has one: counter, full mailbox, polling,
+// lost frames. The read of the reply mailbox is its own poll: a working counter of 0 says that nothing is there yet, so
+// that an exchange with a slave that is quick takes two frames.
+#pragma once
+
+#include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/ethercat/master/mail.hpp>
+#include <jauscat/ethercat/master/slave_record.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+#include <jauscat/schema/ethercat/mailbox.hpp>
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// A protocol whose messages go through a mailbox: sdo_transfer, sdo_information.
+template <class T>
+concept mailbox_protocol = requires(T& protocol, std::span<std::byte> out, std::span<const std::byte> message) {
+    protocol.size();
+    protocol.encode(out);
+    { protocol.expects_answer() } -> std::same_as<bool>;
+    { protocol.take(message) } -> std::same_as<mail>;
+    protocol.unexpected();
+    protocol.result();
+};
+
+/// State machine: `request` adds the datagram of the present step, `reply` takes its return, `lost` its absence.
+class mailbox_exchange {
+  public:
+    mailbox_exchange() noexcept = default;
+    /// Starts a message with the slave's next counter. After a request that was given up it is the one after the next:
+    /// a slave that counts its own messages may be one behind, and each of its answers would be taken for the late one.
+    explicit mailbox_exchange(slave_record& slave) noexcept
+        : step_{slave.abandoned_counter != 0 ? step::look_taken
+                : slave.drained              ? step::write
+                                             : step::drain},
+          may_write_{slave.abandoned_counter == 0} {
+        slave.last_counter = after(slave.last_counter);
+        if (slave.abandoned_counter != 0) slave.last_counter = after(slave.last_counter);
+    }
+
+    /// Sends nothing: takes what waits in the slave's mailbox, and keeps its emergencies.
+    static mailbox_exchange collect() noexcept {
+        mailbox_exchange exchange;
+        exchange.step_ = exchange.resume_ = step::collect;
+        exchange.asks_ = false;
+        return exchange;
+    }
+
+    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    /// The request of the present step changes nothing if the slave gets it twice.
+    [[nodiscard]] bool is_repeatable() const noexcept {
+        return step_ != step::drain && step_ != step::collect && step_ != step::read;
+    }
+
+    /// The slave has not executed the last frame: the mailbox was full, or empty. Where a network copies frames, it may
+    /// have executed another copy before, which comes back later.
+    [[nodiscard]] bool was_refused() const noexcept { return was_refused_; }
+
+    void request(frame_builder& frame, const slave_record& slave, const mailbox_protocol auto& protocol) noexcept {
+        asked_ = step_;
+        was_refused_ = false;
+        const auto read = [&](std::uint16_t address, std::size_t size) {
+            frame.add(command::fprd, slave.station, address, size);
+        };
+        switch (step_) {
+        case step::drain:
+        case step::collect:
+        case step::read: read(slave.mailbox.send_offset, slave.mailbox.send_size); break;
+        case step::write: {
+            const auto out =
+                frame.add(command::fpwr, slave.station, slave.mailbox.receive_offset, slave.mailbox.receive_size);
+            if (out.empty()) return;
+            const mailbox_header header{.length = static_cast<std::uint16_t>(protocol.size()),
+                                        .type = mailbox_type::coe,
+                                        .counter = slave.last_counter};
+            protocol.encode(out.subspan(wire::encode(header, out).size()));
+            break;
+        }
+        case step::look_taken:
+        case step::look_room: read(sync_manager_handshake_of(0).address, wire::max_size<sync_manager_handshake>); break;
+        case step::look:
+        case step::wait_repeat:
+            read(sync_manager_handshake_of(1).address, wire::max_size<sync_manager_handshake>);
+            break;
+        case step::ask_repeat:
+            frame.add(command::fpwr, slave.station,
+                      static_cast<std::uint16_t>(sync_manager_handshake_of(1).address + 1),
+                      sync_manager_activate{.enable = true, .repeat_request = repeat_});
+            break;
+        }
+    }
+
+    progress reply(const datagram_view& datagram, time_point now, const master_config& config, slave_record& slave,
+                   mailbox_protocol auto& protocol) noexcept {
+        if (was_refused_) step_ = asked_; // another copy
+        const auto next = advance(datagram, slave, protocol);
+        if (was_refused_ && asked_ == step::write && config.frames_may_be_copied) unsure_ = true; // a copy may be taken
+        if (next == progress::done || !patience_.exhausted(now, config.mailbox_timeout)) return next;
+        if (!accepted_) return fail(master_errc::mailbox_full, slave);
+        if (const auto specifier = protocol.unexpected())
+            return fail(master_errc::unexpected_reply, slave, static_cast<std::uint32_t>(*specifier));
+        return fail(master_errc::mailbox_timeout, slave);
+    }
+
+    /// The reply to the last request did not come. What was asked is asked again, except a read: the slave may have
+    /// given its message away and has to be asked for it again.
+    void lost(slave_record& slave) noexcept {
+        slave.drained = false;
+        if (step_ == step::write) unsure_ = true;
+        if (is_repeatable()) return;
+        resume_ = step_;
+        step_ = step::look;
+    }
+
+    /// The request is given up; its answer may still come and is not to be taken for another's.
+    void abandon(slave_record& slave) const noexcept {
+        slave.drained = false;
+        if (asks_) slave.abandoned_counter = slave.last_counter;
+    }
+
+  private:
+    enum class step : std::uint8_t {
+        look_taken,  // a request was given up: has the slave taken it? Its answer has to come before the next request
+        drain,       // empties the reply mailbox before the first request
+        collect,     // empties it, and that is all
+        write,       // posts the request
+        look_room,   // it was refused: is the mailbox full?
+        read,        // fetches the reply, or what keeps a slave from taking the request
+        look,        // a read was lost: how does the repeat request stand?
+        ask_repeat,  // toggles it
+        wait_repeat, // until the slave has toggled its acknowledgement
+    };
+
+    progress advance(const datagram_view& datagram, slave_record& slave, mailbox_protocol auto& protocol) noexcept {
+        const bool executed = datagram.working_counter != 0;
+        was_refused_ = !executed && (step_ == step::read || step_ == step::write || step_ == step::drain);
+        sync_manager_handshake mailbox{};
+        switch (step_) {
+        case step::drain:
+        case step::collect:
+            if (executed) {
+                const auto before = slave.last_reply_mark;
+                const auto letter = open(datagram.data, slave);
+                if (!repeated_ || slave.last_reply_mark != before) note_emergency(letter, slave);
+                return progress::send;
+            }
+            if (!may_write_) {
+                step_ = step::look_taken;
+                return progress::wait;
+            }
+            slave.drained = true;
+            return step_ == step::collect ? progress::done : go(step::write);
+        case step::write:
+            accepted_ = executed;
+            if (executed && !protocol.expects_answer()) return progress::done;
+            return go(executed ? step::read : step::look_room);
+        case step::read:
+            if (executed) return take(datagram.data, slave, protocol);
+            if (!accepted_) step_ = step::write;
+            return progress::wait;
+        case step::ask_repeat: return executed ? go(step::wait_repeat) : fail(master_errc::working_counter, slave);
+        case step::look_taken:
+        case step::look_room:
+        case step::look:
+        case step::wait_repeat: break;
+        }
+        if (!executed) return fail(master_errc::working_counter, slave);
+        static_cast<void>(wire::decode(mailbox, datagram.data));
+        // A slave may hold a request back because its reply mailbox is full.
+        if (step_ == step::look_taken) {
+            may_write_ = !mailbox.full;
+            return go(step::drain);
+        }
+        if (step_ == step::look_room) return go(mailbox.full ? step::read : step::write);
+        if (step_ == step::wait_repeat) return mailbox.repeat_acknowledge == repeat_ ? go(resume_) : progress::wait;
+        // Even if there is a message: it may be the next one already. An older one that comes again is passed over.
+        repeat_ = !mailbox.repeat_request;
+        repeated_ = true;
+        return go(step::ask_repeat);
+    }
+
+    static constexpr std::uint8_t after(std::uint8_t counter) noexcept {
+        return static_cast<std::uint8_t>(counter % 7 + 1);
+    }
+    progress go(step next) noexcept {
+        step_ = next;
+        return progress::send;
+    }
+
+    progress fail(master_errc error, slave_record& slave, std::uint32_t detail = 0) noexcept {
+        abandon(slave);
+        result_ = {.error = error, .detail = detail};
+        return progress::done;
+    }
+
+    struct envelope {
+        mailbox_header header{};
+        std::span<const std::byte> message{}; // empty where its length is not true
+    };
+
+    // A message from the reply mailbox.
+    static envelope open(std::span<const std::byte> data, slave_record& slave) noexcept {
+        envelope letter{};
+        static_cast<void>(wire::decode_prefix(letter.header, data));
+        const auto body = data.subspan(wire::max_size<mailbox_header>);
+        if (letter.header.length <= body.size()) letter.message = body.first(letter.header.length);
+        slave.last_reply_mark = mark_of(letter);
+        return letter;
+    }
+
+    // Counter, length and the bytes in which messages differ that follow each other: fragments have the same counter.
+    static std::uint32_t mark_of(const envelope& letter) noexcept {
+        constexpr std::size_t telling = 16;
+        std::uint32_t mark = letter.header.counter * 65'536u + letter.header.length;
+        for (const std::byte byte : letter.message.first(std::min(telling, letter.message.size())))
+            mark = mark * 31u + std::to_integer<std::uint32_t>(byte);
+        return mark;
+    }
+
+    static void note_emergency(const envelope& letter, slave_record& slave) noexcept {
+        coe_header coe{};
+        const auto used = wire::decode_prefix(coe, letter.message);
+        coe_emergency emergency{};
+        if (letter.header.type == mailbox_type::coe && used && coe.service == coe_service::emergency &&
+            wire::decode_prefix(emergency, letter.message.subspan(used.size())))
+            slave.emergencies.note(emergency);
+    }
+
+    // A message in the reply mailbox: the answer, or something to pass over.
+    progress take(std::span<const std::byte> data, slave_record& slave, mailbox_protocol auto& protocol) noexcept {
+        const auto before = slave.last_reply_mark;
+        const auto letter = open(data, slave);
+        const auto& header = letter.header;
+        // Slaves may count on their own, so only two counters say for sure that a message is an old one.
+        const bool again = repeated_ && slave.last_reply_mark == before;
+        const bool abandoned = header.counter == slave.abandoned_counter && header.counter != slave.last_counter;
+        if (header.counter != 0 && again) return progress::send;
+        note_emergency(letter, slave);
+        if (header.counter != 0 && abandoned) return progress::send;
+        if (!accepted_ && !unsure_) return progress::send; // nothing was asked yet
+
+        if (header.type == mailbox_type::error) {
+            mailbox_error_reply error{};
+            if (!wire::decode_prefix(error, letter.message)) return progress::send;
+            return fail(master_errc::mailbox_error, slave, static_cast<std::uint32_t>(error.code));
+        }
+        const auto meaning = header.type == mailbox_type::coe ? protocol.take(letter.message) : mail::other;
+        if (meaning == mail::other) return progress::send;
+        slave.abandoned_counter = 0; // a slave answers in order: what was given up cannot come any more
+        patience_.renew();
+        if (meaning == mail::more) return progress::send;
+        result_ = protocol.result(); // ok where another request follows
+        return progress::done;
+    }
+
+    step step_{};
+    step resume_{}; // the read that was lost
+    bool asks_{true};
+    bool may_write_{true}; // no request that was given up waits in the slave's mailbox
+    bool accepted_{};      // the slave has taken the request
+    bool unsure_{};        // the slave may have taken it: the reply to a write was lost
+    bool repeat_{};        // the repeat request bit that was sent
+    step asked_{};         // the step of the last frame
+    bool was_refused_{};   // it came back without being executed
+    bool repeated_{};      // a repeat was asked for: the message before may come again
+    patience patience_{};
+    outcome result_{};
+};
+
+} // namespace jauscat::ethercat

@@ -1,0 +1,283 @@
+// Finds out what process data a slave has, and sets its SyncManagers, FMMUs and watchdog up for them. Where the slave
+// says so over CoE (PDO assignment 1C10h + SyncManager, PDO mapping objects) that counts, else its SII.
+#pragma once
+
+#include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/ethercat/master/process_image.hpp>
+#include <jauscat/ethercat/master/sdo_transfer.hpp>
+#include <jauscat/ethercat/master/sii_survey.hpp>
+#include <jauscat/ethercat/master/slave_record.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+#include <jauscat/schema/ethercat/watchdog.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// State machine: while `wants_upload`, run `upload()` and pass its outcome to `uploaded`; else `request` adds the
+/// datagrams of the present step and `reply` takes their return. Stays in place while it runs.
+class process_setup {
+  public:
+    process_setup() noexcept = default;
+    /// `slave` is in PRE-OP. `image` is that of all other slaves: this one's place follows.
+    process_setup(const slave_record& slave, const process_image& image, std::chrono::nanoseconds watchdog,
+                  std::uint32_t logical_base = 0) noexcept
+        : station_{slave.station},
+          coe_{slave.mailbox.coe && slave.mailbox.receive_size != 0},
+          before_{slave.process_data},
+          image_{image},
+          watchdog_units_{watchdog_units(watchdog)},
+          logical_base_{logical_base} {}
+
+    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    /// Where the slave's process data are; once it is done.
+    [[nodiscard]] const process_place& place() const noexcept { return place_; }
+    /// What its watchdog waits.
+    [[nodiscard]] std::chrono::nanoseconds watchdog() const noexcept {
+        return watchdog_time(default_watchdog_divider, watchdog_units_);
+    }
+
+    [[nodiscard]] bool wants_upload() const noexcept { return step_ == step::assignment || step_ == step::mapping; }
+    /// The upload that it waits for.
+    [[nodiscard]] sdo_transfer upload() noexcept {
+        if (step_ == step::assignment)
+            return sdo_transfer::upload(static_cast<std::uint16_t>(0x1C10 + managed().number),
+                                        static_cast<std::uint8_t>(pdo_), room(pdo_));
+        return sdo_transfer::upload(mapping_, static_cast<std::uint8_t>(entry_), room(entry_));
+    }
+    /// Goes on after that upload.
+    progress uploaded(const outcome& upload) noexcept {
+        // Without assignment objects the SII counts, as for a slave without CoE.
+        if (upload.error == master_errc::sdo_abort && step_ == step::assignment && pdo_ == 0) return survey(true);
+        if (!upload) return fail(upload.error, upload.detail);
+        if (step_ == step::assignment) return assigned(number_of(upload.size));
+        return mapped(number_of(upload.size));
+    }
+
+    void request(frame_builder& frame) noexcept {
+        const auto write = [&](esc_register r, const auto& value) {
+            frame.add(command::fpwr, station_, r.address, value);
+        };
+        switch (step_) {
+        case step::describe:
+            frame.add(command::fprd, station_, esc_registers::type.address, wire::max_size<esc_description>);
+            break;
+        case step::take_sii: // by force, then without
+            write(esc_registers::sii_owner, sii_owner{.force = true});
+            write(esc_registers::sii_owner, sii_owner{});
+            break;
+        case step::give_sii: write(esc_registers::sii_owner, sii_owner{.pdi = true}); break;
+        case step::set_up: set_up(frame); break;
+        case step::set_watchdog:
+            write(esc_registers::watchdog_divider, esc_word{default_watchdog_divider});
+            write(esc_registers::process_data_watchdog, esc_word{watchdog_units_});
+            break;
+        case step::check_watchdog: read_watchdog(frame); break;
+        default: survey_.request(frame, station_);
+        }
+    }
+
+    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
+        if (result_ = executed_by_one(datagrams); !result_) return progress::done;
+        switch (step_) {
+        case step::describe: {
+            esc_description controller{};
+            static_cast<void>(wire::decode(controller, datagrams.front().data));
+            fmmus_ = controller.fmmus;
+            place_.no_lrw = controller.no_lrw;
+            return go(step::take_sii);
+        }
+        case step::take_sii: return survey(!coe_);
+        case step::give_sii: return lay_out();
+        case step::set_up: return place_.output_size != 0 ? go(step::set_watchdog) : progress::done;
+        case step::set_watchdog: return go(step::check_watchdog);
+        case step::check_watchdog: return check_watchdog(datagrams);
+        default: break;
+        }
+        const auto after = survey_.reply(datagrams.front(), now, config);
+        if (after != progress::done) return after;
+        if (result_ = survey_.result(); !result_) return progress::done;
+        return by_coe_ ? next_manager() : go(step::give_sii);
+    }
+
+  private:
+    enum class step : std::uint8_t {
+        describe,
+        take_sii,
+        survey,
+        assignment, // CoE: which PDOs a SyncManager carries
+        mapping,    // CoE: what a PDO is made of
+        give_sii,
+        set_up,
+        set_watchdog,
+        check_watchdog,
+    };
+    static constexpr std::size_t max_fmmus = 16;
+
+    progress go(step next) noexcept {
+        step_ = next;
+        return progress::send;
+    }
+    progress fail(master_errc error, std::uint32_t detail = 0) noexcept {
+        result_ = {.error = error, .detail = detail};
+        return progress::done;
+    }
+    progress survey(bool sizes) noexcept {
+        by_coe_ = !sizes;
+        survey_ = sii_survey{sizes};
+        survey_.begin();
+        return go(step::survey);
+    }
+
+    // CoE: every PDO of every SyncManager, and every entry of every PDO.
+    progress next_manager() noexcept {
+        if (manager_ == survey_.managers().size()) return go(step::give_sii);
+        managed().bits = 0;
+        pdo_ = 0;
+        return go(step::assignment);
+    }
+    [[nodiscard]] process_manager& managed() noexcept { return survey_.managers()[manager_]; }
+    progress assigned(std::uint32_t value) noexcept {
+        if (pdo_ == 0) {
+            pdos_left_ = value;
+        } else {
+            mapping_ = static_cast<std::uint16_t>(value);
+            entry_ = 0;
+            if (mapping_ != 0) return go(step::mapping); // 0: a place that is not used
+        }
+        return next_pdo();
+    }
+    progress next_pdo() noexcept {
+        if (pdo_++ != pdos_left_) return go(step::assignment);
+        ++manager_;
+        return next_manager();
+    }
+    progress mapped(std::uint32_t value) noexcept {
+        if (entry_ == 0)
+            entries_left_ = value;
+        else
+            managed().bits += value & 0xFF; // index, subindex and, in the low byte, bits
+        if (entry_++ != entries_left_) return go(step::mapping);
+        return next_pdo();
+    }
+    // Subindex 0 counts the others in one byte.
+    [[nodiscard]] std::span<std::byte> room(std::uint32_t subindex) noexcept {
+        return std::span{value_}.first(subindex == 0 ? 1 : value_.size());
+    }
+    [[nodiscard]] std::uint32_t number_of(std::size_t size) const noexcept {
+        std::uint32_t number = 0;
+        for (std::size_t i = std::min(size, value_.size()); i-- != 0;)
+            number = number << 8 | std::to_integer<std::uint32_t>(value_[i]);
+        return number;
+    }
+
+    progress lay_out() noexcept {
+        std::uint32_t outputs = 0, inputs = 0, used = 0;
+        for (const auto& each : survey_.managers()) {
+            if (each.bits == 0) continue;
+            (each.is_output() ? outputs : inputs) += each.bytes();
+            ++(each.is_output() ? place_.output_managers : place_.input_managers);
+            ++used;
+        }
+        if (used > fmmus_) return fail(master_errc::no_fmmu, used);
+        // A slave that comes back keeps its place.
+        const bool same = outputs == before_.output_size && inputs == before_.input_size && before_.size() != 0;
+        place_.output_address = same ? before_.output_address : static_cast<std::uint32_t>(image_.size);
+        const bool two_datagrams = place_.no_lrw || image_.no_lrw;
+        const std::size_t end =
+            std::max<std::size_t>(image_.size, std::size_t{place_.output_address} + outputs + inputs);
+        if (end > (two_datagrams ? max_process_image_without_lrw : max_process_image))
+            return fail(master_errc::image_full, outputs + inputs);
+        place_.input_address = place_.output_address + outputs;
+        place_.output_size = static_cast<std::uint16_t>(outputs);
+        place_.input_size = static_cast<std::uint16_t>(inputs);
+        return fmmus_ == 0 && survey_.managers().empty() ? progress::done : go(step::set_up);
+    }
+
+    static constexpr std::uint16_t register_of(esc_register first, std::size_t n) noexcept {
+        return static_cast<std::uint16_t>(first.address + n * first.size);
+    }
+
+    // All in one frame. A SyncManager can be changed only while it is off.
+    void set_up(frame_builder& frame) const noexcept {
+        auto output = place_.output_address, input = place_.input_address;
+        std::size_t fmmus = 0;
+        // None is left from before.
+        if (fmmus_ != 0)
+            frame.add(command::fpwr, station_, esc_registers::fmmu.address,
+                      std::min<std::size_t>(fmmus_, max_fmmus) * esc_registers::fmmu.size);
+        for (const auto& each : survey_.managers()) {
+            // The SII has the register's control byte, which is its fifth.
+            std::array<std::byte, wire::max_size<sync_manager>> bytes{};
+            bytes[4] = static_cast<std::byte>(each.description.control);
+            sync_manager settings{};
+            static_cast<void>(wire::decode(settings, bytes));
+            settings.start = each.description.start;
+            settings.length = static_cast<std::uint16_t>(each.bytes()); // fits: see lay_out
+            settings.watchdog = settings.watchdog || each.is_output();  // whatever the SII says
+            const auto at = register_of(esc_registers::sync_manager, each.number);
+            frame.add(command::fpwr, station_, at, settings);
+            settings.enable = each.bits != 0;
+            if (!settings.enable) continue;
+            frame.add(command::fpwr, station_, at, settings);
+            auto& address = each.is_output() ? output : input;
+            frame.add(command::fpwr, station_, register_of(esc_registers::fmmu, fmmus++),
+                      fmmu{.logical_start = logical_base_ + address,
+                           .length = settings.length,
+                           .last_bit = 7,
+                           .physical_start = each.description.start,
+                           .read = !each.is_output(),
+                           .write = each.is_output(),
+                           .enable = true});
+            address += settings.length;
+        }
+    }
+
+    // An earlier tool may have left any value in these registers, and registers may be missing.
+    void read_watchdog(frame_builder& frame) const noexcept {
+        frame.add(command::fprd, station_, esc_registers::watchdog_divider.address, wire::max_size<esc_word>);
+        frame.add(command::fprd, station_, esc_registers::process_data_watchdog.address, wire::max_size<esc_word>);
+        for (const auto& each : survey_.managers())
+            if (each.is_output() && each.bits != 0)
+                frame.add(command::fprd, station_, register_of(esc_registers::sync_manager, each.number),
+                          wire::max_size<sync_manager>);
+    }
+    progress check_watchdog(replies datagrams) noexcept {
+        esc_word divider{}, units{};
+        static_cast<void>(wire::decode(divider, datagrams[0].data));
+        static_cast<void>(wire::decode(units, datagrams[1].data));
+        const bool triggered = std::ranges::all_of(datagrams.subspan(2), [](const datagram_view& datagram) {
+            sync_manager settings{};
+            return wire::decode(settings, datagram.data) && settings.watchdog && settings.enable;
+        });
+        if (triggered && divider.value == default_watchdog_divider && units.value == watchdog_units_)
+            return progress::done;
+        return fail(master_errc::watchdog_not_kept, divider.value | std::uint32_t{units.value} << 16);
+    }
+
+    std::uint16_t station_{};
+    bool coe_{};
+    process_place before_{}, place_{};
+    process_image image_{};
+    std::uint16_t watchdog_units_{};
+    std::uint32_t logical_base_{};
+    std::uint8_t fmmus_{};
+    step step_{};
+
+    sii_survey survey_{};
+    bool by_coe_{};         // the slave's objects say how many bits there are, not the SII
+    std::size_t manager_{}; // whose assignment is read
+
+    std::array<std::byte, 4> value_{}; // of an object
+    std::uint32_t pdo_{}, pdos_left_{}, entry_{}, entries_left_{};
+    std::uint16_t mapping_{};
+    outcome result_{};
+};
+
+} // namespace jauscat::ethercat

@@ -1,0 +1,79 @@
+// Counts the slaves of a ring and takes away what an earlier master has left in them.
+#pragma once
+
+#include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/schema/ethercat/al_state.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace jauscat::ethercat {
+
+/// State machine: `request` adds the datagrams of the present step, `reply` takes their return. Three frames and a few
+/// polls, however many slaves there are.
+class ring_scan {
+  public:
+    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+
+    void request(frame_builder& frame) const noexcept {
+        switch (step_) {
+        case step::count: frame.add(command::brd, 0, esc_registers::type.address, std::size_t{1}); break;
+        case step::clear: // what a slave does not have, it leaves alone
+            frame.add(command::bwr, 0, esc_registers::al_control.address,
+                      al_control{.state = al_state::init, .acknowledge = true});
+            frame.add(command::bwr, 0, esc_registers::dl_control.address + 1,
+                      std::size_t{1}); // ports open by themselves
+            frame.add(command::bwr, 0, esc_registers::station_address.address, esc_word{});
+            frame.add(command::bwr, 0, esc_registers::fmmu.address, fmmus_cleared * esc_registers::fmmu.size);
+            frame.add(command::bwr, 0, esc_registers::sync_manager.address,
+                      managers_cleared * esc_registers::sync_manager.size);
+            frame.add(command::bwr, 0, esc_registers::dc_activation.address,
+                      std::size_t{esc_registers::dc_activation.size});
+            break;
+        case step::wait_init: frame.add(command::brd, 0, esc_registers::al_status.address, wire::max_size<al_status>);
+        }
+    }
+
+    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
+        const auto& first = datagrams.front();
+        if (step_ == step::count) {
+            slaves_ = first.working_counter;
+            if (slaves_ == 0) return progress::done;
+            step_ = step::clear;
+            return progress::send;
+        }
+        if (first.working_counter != slaves_) { // one came or went
+            result_ = {.error = master_errc::working_counter, .detail = first.working_counter};
+            return progress::done;
+        }
+        if (step_ == step::clear) {
+            step_ = step::wait_init;
+            return progress::send;
+        }
+        al_status all{}; // the states of all slaves, or-ed
+        static_cast<void>(wire::decode(all, first.data));
+        if (all.state == al_state::init && !all.error) {
+            result_ = {.size = slaves_};
+            return progress::done;
+        }
+        if (!patience_.exhausted(now, config.state_timeout)) {
+            if (all.error) step_ = step::clear; // one that came up since
+            return progress::wait;
+        }
+        result_ = {.error = master_errc::state_timeout, .detail = static_cast<std::uint32_t>(all.state)};
+        return progress::done;
+    }
+
+  private:
+    enum class step : std::uint8_t { count, clear, wait_init };
+    static constexpr std::size_t fmmus_cleared = 8, managers_cleared = 8; // as the largest controllers have
+
+    step step_{};
+    std::uint16_t slaves_{};
+    patience patience_{};
+    outcome result_{};
+};
+
+} // namespace jauscat::ethercat

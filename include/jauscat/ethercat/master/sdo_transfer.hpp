@@ -1,0 +1,260 @@
+// One SDO download or upload as the master sees it: requests out, answers in, one after the other where the data need
+// several messages. The mailbox around it is mailbox_exchange's.
+#pragma once
+
+#include <jauscat/ethercat/master/mail.hpp>
+#include <jauscat/ethercat/master/sdo_options.hpp>
+#include <jauscat/ethercat/sdo_segment.hpp>
+#include <jauscat/schema/ethercat/mailbox.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// Transfer of one object: expedited, normal or in segments, as size and mailbox require. The data stay the caller's
+/// until the transfer is done; what an upload that fails leaves in its buffer is not to be used.
+class sdo_transfer {
+  public:
+    sdo_transfer() noexcept = default;
+
+    /// Writes `data` into an entry, in as many segments as it takes. They must outlive the transfer.
+    static sdo_transfer download(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data,
+                                 const download_options& options = {}) noexcept {
+        sdo_transfer transfer{sdo_specifier::download_request, index, subindex};
+        transfer.data_ = data;
+        transfer.empty_start_ = options.empty_start;
+        transfer.complete_access_ = options.complete_access;
+        if (options.clear_subindex_0 && subindex != 0) transfer.phase_ = phase::clear;
+        return transfer;
+    }
+    /// Reads an entry `into` a buffer, in as many segments as it takes. It must outlive the transfer.
+    static sdo_transfer upload(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> into,
+                               const upload_options& options = {}) noexcept {
+        sdo_transfer transfer{sdo_specifier::upload_request, index, subindex};
+        transfer.into_ = into;
+        transfer.complete_access_ = options.complete_access;
+        transfer.expected_size_ = options.size;
+        return transfer;
+    }
+    /// The message that tells a slave that a transfer will not be completed. Nothing answers it.
+    static sdo_transfer abort(const sdo_abort& message) noexcept {
+        sdo_transfer transfer{sdo_specifier::abort, message.header.index, message.header.subindex};
+        transfer.code_ = message.code;
+        return transfer;
+    }
+
+    /// The slave's mailbox takes messages of `size` bytes, mailbox header included: at least 24.
+    void use_mailbox(std::size_t size) noexcept { room_ = size - wire::max_size<mailbox_header>; }
+
+    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    /// The last answer has come; else the next request is due.
+    [[nodiscard]] bool finished() const noexcept { return finished_; }
+    [[nodiscard]] bool expects_answer() const noexcept { return request_ != sdo_specifier::abort; }
+    /// The slave waits for more, or may do so: a transfer that is given up now has to be aborted.
+    [[nodiscard]] bool is_open() const noexcept {
+        const bool may_be_open = is_download() ? initial_data().size() < data_.size() : expects_answer();
+        return open_ || (phase_ == phase::initiate && !finished_ && may_be_open);
+    }
+    /// That abort.
+    [[nodiscard]] sdo_abort abort_message() const noexcept {
+        const auto code = result_.error == master_errc::toggle_bit      ? abort_code::toggle_bit
+                          : result_.error == master_errc::size_mismatch ? abort_code::length_mismatch
+                          : result_.error == master_errc::data_too_long ? abort_code::out_of_memory
+                                                                        : abort_code::timeout;
+        return {{.specifier = sdo_specifier::abort, .index = index_, .subindex = subindex_}, code};
+    }
+    /// The command specifier of an answer to this object that did not answer the last request.
+    [[nodiscard]] const std::optional<sdo_specifier>& unexpected() const noexcept { return unexpected_; }
+
+    /// Bytes that `encode` writes.
+    [[nodiscard]] std::size_t size() const noexcept {
+        if (phase_ == phase::segments) return wire::max_size<coe_header> + segment_size(next_segment().size());
+        return initiate_overhead + (is_expedited() ? 0 : initial_data().size());
+    }
+
+    /// Writes the request, CoE header on, to the front of `out`, which holds at least `size()` bytes.
+    void encode(std::span<std::byte> out) const noexcept {
+        out = out.subspan(wire::encode(coe_header{.service = coe_service::sdo_request}, out).size());
+        const auto data = initial_data();
+        sdo_header header{.specifier = request_, .index = index_, .subindex = subindex()};
+        header.size_indicated = is_download();
+        header.complete_access = complete_access_ && phase_ == phase::initiate;
+        if (phase_ == phase::segments) {
+            static_cast<void>(encode_segment(segment_header(), next_segment(), out));
+        } else if (!expects_answer()) {
+            static_cast<void>(wire::encode(sdo_abort{header, code_}, out));
+        } else if (is_expedited()) {
+            sdo_expedited sdo{.header = header};
+            sdo.header.expedited = true;
+            sdo.header.unused = static_cast<std::uint8_t>(sdo.data.size() - data.size());
+            std::ranges::copy(data, sdo.data.begin());
+            static_cast<void>(wire::encode(sdo, out));
+        } else {
+            const auto used = wire::encode(sdo_normal{header, static_cast<std::uint32_t>(data_.size())}, out);
+            std::ranges::copy(data, out.subspan(used.size()).begin());
+        }
+    }
+
+    /// Takes a CoE message, CoE header on.
+    mail take(std::span<const std::byte> message) noexcept {
+        coe_header coe{};
+        const auto sdo = message.subspan(wire::decode_prefix(coe, message).size());
+        sdo_segment_header segment{}; // its specifier is where the one of any SDO message is
+        const bool is_sdo = coe.service == coe_service::sdo_response || coe.service == coe_service::sdo_request;
+        if (!expects_answer() || !is_sdo || !wire::decode_prefix(segment, sdo)) return mail::other;
+        const bool is_response = coe.service == coe_service::sdo_response && segment.specifier == expected_response();
+        if (phase_ == phase::segments && is_response) return take_segment(segment, sdo);
+
+        sdo_header header{};
+        const bool names_object = static_cast<bool>(wire::decode_prefix(header, sdo));
+        const bool is_ours = header.index == index_ && (header.subindex == subindex() || complete_access_);
+        sdo_abort abort{};
+        const bool is_whole = static_cast<bool>(wire::decode_prefix(abort, sdo));
+        // Slaves abort with the service of a request or of a response, and leave other bits of the command as they are.
+        if (segment.specifier == sdo_specifier::abort) {
+            // In an answer to a segment, where requests name no object, some slaves' aborts do not name it either.
+            if (names_object && !is_ours && phase_ != phase::segments) return mail::other;
+            return aborted(is_whole ? abort.code : abort_code::none);
+        }
+        if (!is_whole || !is_ours) return mail::other;
+        if (is_response) return is_download() ? go_on(phase_ == phase::clear) : take_upload(header, sdo);
+        unexpected_ = header.specifier;
+        return mail::other;
+    }
+
+  private:
+    enum class phase : std::uint8_t { initiate, clear, segments };
+
+    static constexpr std::size_t initiate_overhead = wire::max_size<coe_header> + wire::max_size<sdo_normal>;
+    static constexpr std::array<std::byte, 1> zero{};
+    static constexpr std::size_t longest_unused = 65'536; // bytes of an object that are read only to reach its end
+
+    sdo_transfer(sdo_specifier request, std::uint16_t index, std::uint8_t subindex) noexcept
+        : request_{request}, index_{index}, subindex_{subindex} {}
+
+    [[nodiscard]] bool is_download() const noexcept { return request_ == sdo_specifier::download_request; }
+    [[nodiscard]] std::uint8_t subindex() const noexcept { return phase_ == phase::clear ? 0 : subindex_; }
+
+    // What an initiate message carries.
+    [[nodiscard]] std::span<const std::byte> initial_data() const noexcept {
+        if (phase_ == phase::clear) return zero;
+        const std::size_t fits = room_ - initiate_overhead;
+        if (data_.size() <= fits) return data_;
+        return data_.first(empty_start_ ? 0 : fits);
+    }
+    [[nodiscard]] bool is_expedited() const noexcept {
+        const auto data = initial_data();
+        return is_download() && !data.empty() &&
+               data.size() <= wire::max_size<sdo_expedited> - wire::max_size<sdo_header>;
+    }
+    [[nodiscard]] std::span<const std::byte> next_segment() const noexcept {
+        const auto left = data_.subspan(std::min(done_, data_.size()));
+        return left.first(std::min(left.size(), room_ - wire::max_size<coe_header> - segment_overhead));
+    }
+    [[nodiscard]] sdo_segment_header segment_header() const noexcept {
+        if (!is_download()) return {.toggle = toggle_, .specifier = sdo_specifier::upload_segment_request};
+        return {.last = done_ + next_segment().size() == data_.size(),
+                .toggle = toggle_,
+                .specifier = sdo_specifier::download_segment_request};
+    }
+    [[nodiscard]] sdo_specifier expected_response() const noexcept {
+        if (phase_ == phase::segments)
+            return is_download() ? sdo_specifier::download_segment_response : sdo_specifier::upload_segment_response;
+        return is_download() ? sdo_specifier::download_response : sdo_specifier::upload_response;
+    }
+
+    mail finish(const outcome& result) noexcept {
+        result_ = result;
+        finished_ = true;
+        return mail::final;
+    }
+    mail aborted(abort_code code) noexcept {
+        open_ = false;
+        if (!spoilt_) return finish(spoilt_);
+        const auto error = phase_ == phase::clear ? master_errc::clear_refused : master_errc::sdo_abort;
+        return finish({.error = error, .detail = static_cast<std::uint32_t>(code)});
+    }
+    mail next_request(phase next) noexcept {
+        phase_ = next;
+        unexpected_.reset();
+        return mail::next;
+    }
+
+    // The slave has confirmed what a download sent last.
+    mail go_on(bool cleared) noexcept {
+        if (cleared) return next_request(phase::initiate);
+        done_ += phase_ == phase::segments ? next_segment().size() : initial_data().size();
+        open_ = done_ != data_.size();
+        return open_ ? next_request(phase::segments) : finish({});
+    }
+
+    mail take_upload(const sdo_header& header, std::span<const std::byte> sdo) noexcept {
+        if (header.expedited) {
+            sdo_expedited expedited{};
+            static_cast<void>(wire::decode_prefix(expedited, sdo));
+            const std::size_t unused = header.size_indicated ? header.unused : 0u;
+            return keep(std::span{expedited.data}.first(expedited.data.size() - unused), false);
+        }
+        sdo_normal normal{};
+        const auto data = sdo.subspan(wire::decode_prefix(normal, sdo).size());
+        announced_ = normal.size;
+        if (normal.size < data.size() && header.size_indicated) return mismatch();
+        return keep(data, normal.size > data.size());
+    }
+
+    mail take_segment(const sdo_segment_header& segment, std::span<const std::byte> sdo) noexcept {
+        if (segment.toggle != toggle_) return finish({.error = master_errc::toggle_bit});
+        toggle_ = !toggle_;
+        if (is_download()) return go_on(false);
+        const auto data = segment_data(segment, sdo);
+        open_ = !segment.last;
+        const std::size_t left = announced_ - done_;
+        // A segment without data would never come to an end.
+        if (data.size() > left || (segment.last ? data.size() != left : data.empty())) return mismatch();
+        return keep(data, !segment.last);
+    }
+
+    mail mismatch() noexcept { return finish({.error = master_errc::size_mismatch, .detail = announced_}); }
+
+    // Data of an upload, all of it or with more to follow. What is of no use is read to its end all the same: some
+    // slaves serve nothing else before that, whatever they are told.
+    mail keep(std::span<const std::byte> data, bool more) noexcept {
+        open_ = more;
+        const std::size_t size = std::max<std::size_t>(more ? announced_ : 0, done_ + data.size());
+        if (size > into_.size())
+            spoilt_ = {.error = master_errc::data_too_long, .detail = static_cast<std::uint32_t>(into_.size())};
+        else if (expected_size_ && size != *expected_size_)
+            spoilt_ = {.error = master_errc::size_mismatch, .detail = static_cast<std::uint32_t>(size)};
+        if (spoilt_) std::ranges::copy(data, into_.subspan(done_).begin());
+        done_ += data.size();
+        if (more && (spoilt_ || size <= longest_unused)) return next_request(phase::segments);
+        return finish(spoilt_ ? outcome{.size = done_} : spoilt_);
+    }
+
+    sdo_specifier request_{};
+    std::uint16_t index_{};
+    std::uint8_t subindex_{};
+    bool empty_start_{};
+    bool complete_access_{};
+    abort_code code_{}; // of a request to abort
+    std::span<const std::byte> data_{};
+    std::span<std::byte> into_{};
+    std::size_t room_ = max_mailbox_size - wire::max_size<mailbox_header>; // of a message, CoE header on
+
+    phase phase_{};
+    bool open_{}, finished_{};
+    bool toggle_{};                              // of the next segment
+    std::size_t done_{};                         // bytes of data that have been confirmed or received
+    std::uint32_t announced_{};                  // by the slave: bytes of an upload in segments
+    std::optional<std::size_t> expected_size_{}; // of an upload
+    outcome spoilt_{};                           // ok, or why an upload is of no use
+    std::optional<sdo_specifier> unexpected_{};
+    outcome result_{};
+};
+
+} // namespace jauscat::ethercat

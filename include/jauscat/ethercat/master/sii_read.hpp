@@ -1,0 +1,66 @@
+// Reads some words of a slave's SII memory, 4 or 8 bytes at a time as the slave gives them. Taking the memory from the
+// slave's application before, and giving it back, is the caller's.
+#pragma once
+
+#include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// State machine: `request` adds the datagram of the present step, `reply` takes its return. Two frames for each read.
+class sii_read {
+  public:
+    sii_read() noexcept = default;
+    /// `into.size()` bytes from the word `address` on. `into` stays in place until the read is done.
+    sii_read(std::uint32_t address, std::span<std::byte> into) noexcept : word_{address}, rest_{into} {}
+
+    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+
+    void request(frame_builder& frame, std::uint16_t station) const noexcept {
+        if (started_)
+            frame.add(command::fprd, station, esc_registers::sii_control.address, wire::max_size<sii_access>);
+        else
+            frame.add(command::fpwr, station, esc_registers::sii_control.address,
+                      sii_request{.cmd = sii_command::read, .address = word_});
+    }
+
+    /// `datagram` was executed.
+    progress reply(const datagram_view& datagram, time_point now, const master_config& config) noexcept {
+        if (!started_) {
+            started_ = true;
+            patience_.renew();
+            return progress::send;
+        }
+        sii_access access{};
+        static_cast<void>(wire::decode(access, datagram.data));
+        if (access.request.busy)
+            return patience_.exhausted(now, config.sii_timeout) ? fail(master_errc::sii_busy) : progress::wait;
+        if (access.request.command_error) return fail(master_errc::sii_error, word_);
+        const std::size_t count = std::min<std::size_t>(access.request.eight_byte_reads ? 8 : 4, rest_.size());
+        std::ranges::copy(std::span{access.data}.first(count), rest_.begin());
+        rest_ = rest_.subspan(count);
+        word_ += static_cast<std::uint32_t>(count / 2);
+        started_ = false;
+        return rest_.empty() ? progress::done : progress::send;
+    }
+
+  private:
+    progress fail(master_errc error, std::uint32_t detail = 0) noexcept {
+        result_ = {.error = error, .detail = detail};
+        return progress::done;
+    }
+
+    std::uint32_t word_{}; // to be read next
+    std::span<std::byte> rest_{};
+    bool started_{};
+    patience patience_{};
+    outcome result_{};
+};
+
+} // namespace jauscat::ethercat

@@ -1,0 +1,47 @@
+// Asks one slave for its AL status and whether mail waits.
+#pragma once
+
+#include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/ethercat/master/slave_record.hpp>
+#include <jauscat/schema/ethercat/al_state.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+
+#include <cstdint>
+
+namespace jauscat::ethercat {
+
+/// State machine of one step.
+class slave_check {
+  public:
+    slave_check() noexcept = default;
+    explicit slave_check(const slave_record& slave) noexcept
+        : station_{slave.station}, has_mailbox_{slave.mailbox.send_size != 0} {}
+
+    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    [[nodiscard]] const al_status& al() const noexcept { return al_; }
+    [[nodiscard]] bool mail_waits() const noexcept { return mailbox_.enable && mailbox_.full; }
+
+    void request(frame_builder& frame) const noexcept {
+        frame.add(command::fprd, station_, esc_registers::al_status.address, wire::max_size<al_status>);
+        if (has_mailbox_)
+            frame.add(command::fprd, station_, sync_manager_handshake_of(1).address,
+                      wire::max_size<sync_manager_handshake>);
+    }
+    progress reply(replies datagrams, time_point, const master_config&) noexcept {
+        result_ = executed_by_one(datagrams);
+        if (!result_) return progress::done;
+        static_cast<void>(wire::decode(al_, datagrams.front().data));
+        if (has_mailbox_) static_cast<void>(wire::decode(mailbox_, datagrams.back().data));
+        return progress::done;
+    }
+
+  private:
+    std::uint16_t station_{};
+    bool has_mailbox_{};
+    al_status al_{};
+    sync_manager_handshake mailbox_{};
+    outcome result_{};
+};
+
+} // namespace jauscat::ethercat

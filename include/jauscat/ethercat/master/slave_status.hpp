@@ -1,0 +1,69 @@
+// What the cyclic exchange says of one slave: whether it runs, and why not.
+#pragma once
+
+#include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/schema/ethercat/al_state.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace jauscat::ethercat {
+
+/// Whether a slave runs; if not, why.
+enum class slave_condition : std::uint8_t {
+    silent,     ///< no frame came back
+    running,    ///< in OP, and its process data were exchanged
+    incomplete, ///< in OP, but its process data were not exchanged
+    not_in_op,  ///< in another state, or in one that is not known: see slave_status::al
+    absent,     ///< no slave answered to its station address
+    duplicate,  ///< several slaves answered to its station address
+};
+
+/// The condition in one line: what happened and what to do.
+[[nodiscard]] constexpr std::string_view describe(slave_condition condition) noexcept {
+    switch (condition) {
+    case slave_condition::silent: return "frames do not come back: check cable, interface and that a slave is running";
+    case slave_condition::running: return "in OP, process data exchanged";
+    case slave_condition::incomplete: return "in OP, process data not exchanged: configure the slave again";
+    case slave_condition::not_in_op: return "not in OP: see its AL status code";
+    case slave_condition::absent: return "no slave has its station address: it was reset, bring it up again";
+    case slave_condition::duplicate: return "several slaves answer to its station address: choose another one";
+    }
+    return "unknown condition";
+}
+
+/// Of one slave. Each time is the one at which a frame was sent: what the frame says is not older, however late it was
+/// received.
+struct slave_status {
+    slave_condition condition{}; ///< in the last frame that came back
+    al_status al{};              ///< as the slave reported it last
+    bool mail_waits{};           ///< its reply mailbox was full: unless a transfer runs, collect its emergencies
+    std::optional<time_point> last_frame{};   ///< that came back
+    std::optional<time_point> last_running{}; ///< frame that found it running
+    std::optional<time_point> last_inputs{};  ///< frame that brought its inputs
+
+    /// Whether it was running at some instant of the last `limit`.
+    [[nodiscard]] constexpr bool ran_within(std::chrono::nanoseconds limit, time_point now) const noexcept {
+        return is_within(last_running, limit, now);
+    }
+    /// Whether its inputs are at most `limit` old.
+    [[nodiscard]] constexpr bool has_inputs_within(std::chrono::nanoseconds limit, time_point now) const noexcept {
+        return is_within(last_inputs, limit, now);
+    }
+    /// What to say of it: running if it was so within `limit`, silent if no frame has come back for as long.
+    [[nodiscard]] constexpr slave_condition condition_within(std::chrono::nanoseconds limit,
+                                                             time_point now) const noexcept {
+        if (ran_within(limit, now)) return slave_condition::running;
+        return is_within(last_frame, limit, now) ? condition : slave_condition::silent;
+    }
+
+  private:
+    static constexpr bool is_within(const std::optional<time_point>& at, std::chrono::nanoseconds limit,
+                                    time_point now) noexcept {
+        return at && now - *at <= limit;
+    }
+};
+
+} // namespace jauscat::ethercat

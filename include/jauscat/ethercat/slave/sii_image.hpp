@@ -1,0 +1,224 @@
+// Makes the contents of a slave's SII memory from a short description.
+#pragma once
+
+#include <jauscat/ethercat/slave/slave_description.hpp>
+#include <jauscat/schema/ethercat/sii.hpp>
+#include <jauscat/wire/encode.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace jauscat::ethercat {
+
+/// What an emulated slave controller says of the interface to its application: on-chip bus.
+inline constexpr std::uint16_t sii_pdi_control = 0x0080;
+
+/// CRC-8 of the SII's first words: polynomial 0x07, start value 0xFF.
+[[nodiscard]] constexpr std::uint8_t sii_checksum(std::span<const std::byte> bytes) noexcept {
+    unsigned crc = 0xFF;
+    for (const std::byte byte : bytes) {
+        crc ^= std::to_integer<unsigned>(byte);
+        for (int bit = 0; bit != 8; ++bit) crc = ((crc & 0x80) != 0 ? crc << 1 ^ 0x07 : crc << 1) & 0xFF;
+    }
+    return static_cast<std::uint8_t>(crc);
+}
+
+/// A memory of 4, 8, 16 or 32 Kibit: the smallest that holds what a slave has to say. 512 bytes without process data.
+class sii_image {
+  public:
+    static constexpr std::size_t max_size = 4096; ///< bytes
+
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] constexpr const std::byte* data() const noexcept { return bytes_.data(); }
+    [[nodiscard]] constexpr const std::byte* begin() const noexcept { return data(); }
+    [[nodiscard]] constexpr const std::byte* end() const noexcept { return data() + size_; }
+    /// The byte at a place below `size()`.
+    [[nodiscard]] constexpr std::byte operator[](std::size_t at) const noexcept { return bytes_[at]; }
+    /// All of the largest memory, to be written.
+    [[nodiscard]] constexpr std::span<std::byte> whole() noexcept { return bytes_; }
+    /// As many bytes as a memory needs that holds `used` of them.
+    constexpr void fit(std::size_t used) noexcept {
+        while (size_ < used) size_ *= 2;
+    }
+
+  private:
+    std::array<std::byte, max_size> bytes_{};
+    std::size_t size_{512};
+};
+
+/// What a slave can do with its objects besides SDO transfers.
+struct sii_coe_features {
+    bool sdo_information{}; ///< the slave answers SDO information
+    bool complete_access{}; ///< the slave takes whole objects
+};
+
+namespace detail {
+
+/// Writes the categories of one slave. Whatever the description, they fit: names that do not are left out.
+class sii_writer {
+  public:
+    constexpr sii_writer(const slave_description& slave, const sii_coe_features& coe,
+                         std::span<std::byte> room) noexcept
+        : slave_{slave}, coe_{coe}, room_{room}, rest_{room} {}
+
+    /// Returns how many bytes they take.
+    constexpr std::size_t write() noexcept {
+        write_strings();
+        put(sii_category_header{sii_category::general, wire::max_size<sii_general> / 2});
+        put(sii_general{.order = 1,
+                        .name = 1,
+                        .sdo = true,
+                        .sdo_information = coe_.sdo_information,
+                        .complete_access = coe_.complete_access,
+                        .ports = 0x0011});
+        put(sii_category_header{sii_category::fmmu, 1});
+        const auto outputs = slave_.outputs.empty() ? sii_fmmu_use::none : sii_fmmu_use::outputs;
+        const auto inputs = slave_.inputs.empty() ? sii_fmmu_use::none : sii_fmmu_use::inputs;
+        put_byte(static_cast<std::size_t>(outputs));
+        put_byte(static_cast<std::size_t>(inputs));
+        write_sync_managers();
+        std::size_t name = 4; // after the device's and the PDOs'
+        write_pdo(sii_category::tx_pdo, pdo_indices::inputs, manager_numbers::inputs, slave_.inputs, 3,
+                  name + pdo_contents(slave_.outputs).size());
+        write_pdo(sii_category::rx_pdo, pdo_indices::outputs, manager_numbers::outputs, slave_.outputs, 2, name);
+        put(sii_category_header{sii_category::end, 0});
+        return room_.size() - rest_.size();
+    }
+
+  private:
+    constexpr void put(const auto& message) noexcept { rest_ = rest_.subspan(wire::encode(message, rest_).size()); }
+    constexpr void put_byte(std::size_t value) noexcept {
+        rest_.front() = static_cast<std::byte>(value);
+        rest_ = rest_.subspan(1);
+    }
+    constexpr void put_string(std::string_view text) noexcept {
+        put_byte(text.size());
+        for (const char c : text) put_byte(static_cast<unsigned char>(c));
+    }
+
+    static constexpr std::size_t pdo_size(std::size_t entries) noexcept {
+        if (entries == 0) return 0;
+        return wire::max_size<sii_category_header> + wire::max_size<sii_pdo> + entries * wire::max_size<sii_pdo_entry>;
+    }
+
+    // Strings 1: the slave, 2 and 3: its PDOs, then one for each entry, outputs first, as long as there is room.
+    constexpr void write_strings() noexcept {
+        constexpr std::size_t others = 128; // general, FMMU, SyncM, the end, and headers
+        const auto reserved =
+            others + pdo_size(pdo_contents(slave_.outputs).size()) + pdo_size(pdo_contents(slave_.inputs).size());
+        const auto head = rest_.first(wire::max_size<sii_category_header>);
+        rest_ = rest_.subspan(head.size());
+        const auto count = rest_.first(1);
+        const auto start = rest_.size();
+        put_byte(0);
+        const auto add = [&](std::string_view text) {
+            if (names_ == 255 || text.size() > 255 || rest_.size() < reserved + text.size() + 2) return false;
+            put_string(text);
+            ++names_;
+            return true;
+        };
+        add(slave_.name.substr(0, 64));
+        if (slave_.has_process_data()) {
+            bool room = add("Outputs") && add("Inputs");
+            for (const auto entries : {pdo_contents(slave_.outputs), pdo_contents(slave_.inputs)})
+                for (const auto& each : entries) room = room && add(each.name); // an index is an entry's place
+        }
+        count.front() = static_cast<std::byte>(names_);
+        if ((start - rest_.size()) % 2 != 0) put_byte(0);
+        static_cast<void>(wire::encode(
+            sii_category_header{sii_category::strings, static_cast<std::uint16_t>((start - rest_.size()) / 2)}, head));
+    }
+
+    constexpr void write_sync_managers() noexcept {
+        const bool process_data = slave_.has_process_data();
+        const std::size_t bytes = (process_data ? 4 : 2) * wire::max_size<sii_sync_manager>;
+        put(sii_category_header{sii_category::sync_manager, static_cast<std::uint16_t>(bytes / 2)});
+        put(sii_sync_manager{.start = slave_.mailbox_out_offset,
+                             .length = slave_.mailbox_out_size,
+                             .control = manager_controls::mailbox_out,
+                             .enable = 1,
+                             .use = sii_sync_manager_use::mailbox_out});
+        put(sii_sync_manager{.start = slave_.mailbox_in_offset,
+                             .length = slave_.mailbox_in_size,
+                             .control = manager_controls::mailbox_in,
+                             .enable = 1,
+                             .use = sii_sync_manager_use::mailbox_in});
+        if (!process_data) return;
+        const auto put_buffer = [&](std::uint16_t start, std::size_t size, std::uint8_t control,
+                                    sii_sync_manager_use use) {
+            put(sii_sync_manager{.start = start,
+                                 .length = static_cast<std::uint16_t>(size),
+                                 .control = control,
+                                 .enable = static_cast<std::uint8_t>(size != 0 ? 1 : 0),
+                                 .use = use});
+        };
+        put_buffer(process_memory::outputs, slave_.output_size(), manager_controls::outputs,
+                   sii_sync_manager_use::outputs);
+        put_buffer(process_memory::inputs, slave_.input_size(), manager_controls::inputs, sii_sync_manager_use::inputs);
+    }
+
+    constexpr void write_pdo(sii_category category, std::uint16_t index, std::size_t manager,
+                             std::span<const pdo_entry> all, std::size_t name, std::size_t first_name) noexcept {
+        const auto entries = pdo_contents(all);
+        if (entries.empty()) return;
+        put(sii_category_header{category, static_cast<std::uint16_t>(
+                                              (pdo_size(entries.size()) - wire::max_size<sii_category_header>) / 2)});
+        put(sii_pdo{.index = index,
+                    .entries = static_cast<std::uint8_t>(entries.size()),
+                    .sync_manager = static_cast<std::uint8_t>(manager),
+                    .name = string_index(name),
+                    .flags = 0x0011}); // mandatory, and its contents are fixed
+        for (const auto& each : entries)
+            put(sii_pdo_entry{.index = each.index,
+                              .subindex = each.subindex,
+                              .name = string_index(first_name++),
+                              .data_type = each.data_type,
+                              .bits = each.bits});
+    }
+
+    [[nodiscard]] constexpr std::uint8_t string_index(std::size_t wanted) const noexcept {
+        return wanted <= names_ ? static_cast<std::uint8_t>(wanted) : std::uint8_t{};
+    }
+
+    const slave_description& slave_;
+    const sii_coe_features& coe_;
+    std::span<std::byte> room_;
+    std::span<std::byte> rest_;
+    std::size_t names_{};
+};
+
+} // namespace detail
+
+/// The memory's contents: fixed words with checksum, and the categories strings, general, FMMU, SyncM and, with process
+/// data, TxPDO and RxPDO.
+[[nodiscard]] constexpr sii_image make_sii_image(const slave_description& slave,
+                                                 const sii_coe_features& coe = {}) noexcept {
+    sii_image image{};
+    const auto whole = image.whole();
+    const std::size_t categories = sii_words::categories * 2;
+    const auto used = categories + detail::sii_writer{slave, coe, whole.subspan(categories)}.write();
+    image.fit(used);
+    std::ranges::fill(whole.subspan(used), std::byte{0xFF});
+
+    const auto put_at = [&](std::size_t word, const auto& message) {
+        static_cast<void>(wire::encode(message, whole.subspan(word * 2)));
+    };
+    sii_configuration configuration{.pdi_control = sii_pdi_control, .station_alias = slave.station_alias};
+    put_at(sii_words::configuration, configuration);
+    configuration.checksum = sii_checksum(whole.first(sii_configuration_checked));
+    put_at(sii_words::configuration, configuration);
+    put_at(sii_words::identity, sii_identity{slave.vendor, slave.product, slave.revision, slave.serial});
+    put_at(sii_words::mailbox, sii_mailbox{.receive_offset = slave.mailbox_out_offset,
+                                           .receive_size = slave.mailbox_out_size,
+                                           .send_offset = slave.mailbox_in_offset,
+                                           .send_size = slave.mailbox_in_size,
+                                           .coe = true});
+    put_at(sii_words::size, sii_size{.kibit = static_cast<std::uint16_t>(image.size() * 8 / 1024 - 1), .version = 1});
+    return image;
+}
+
+} // namespace jauscat::ethercat

@@ -1,0 +1,158 @@
+// An emulated EtherCAT slave: a slave controller and the application behind it (states, SII, mailbox, CoE, process
+// data). Follows the standard rather than one master's habits, so that any master can bring it up.
+#pragma once
+
+#include <jauscat/ethercat/slave/esc.hpp>
+#include <jauscat/ethercat/slave/object_dictionary.hpp>
+#include <jauscat/ethercat/slave/sii_image.hpp>
+#include <jauscat/ethercat/slave/slave_mailbox.hpp>
+#include <jauscat/ethercat/slave/slave_process_data.hpp>
+#include <jauscat/schema/ethercat/al_state.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+#include <jauscat/schema/ethercat/sii.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::ethercat {
+
+/// A slave with a CoE mailbox and, if its description has any, process data.
+class slave {
+  public:
+    /// `objects`, what `description` refers to, and the memory in `options` must outlive the slave.
+    slave(const slave_description& description, object_dictionary objects, const coe_options& options = {}) noexcept
+        : description_{description},
+          mailbox_{description, objects, options},
+          sii_{make_sii_image(description,
+                              {.sdo_information = objects.is_described(), .complete_access = objects.is_described()})},
+          process_data_{description} {
+        power_on();
+    }
+
+    /// Restarts as after power-on: the station address is gone, the state is INIT.
+    void power_on() noexcept {
+        esc_.reset();
+        esc_.store(esc_registers::pdi_control, esc_word{sii_pdi_control});
+        esc_.store(esc_registers::station_alias, esc_word{description_.station_alias});
+        esc_.store(esc_registers::sii_control, sii_request{.eight_byte_reads = description_.eight_byte_sii_reads,
+                                                           .two_address_bytes = sii_.size() > 2048});
+        mailbox_.power_on(esc_);
+        process_data_.power_on(esc_);
+    }
+    /// Whether another slave is connected behind this one, for masters that look at the wiring. Kept at power-on.
+    void set_downstream(bool connected) noexcept { esc_.set_downstream(connected); }
+
+    /// A frame passes: it is changed in place, then the application works.
+    void process(std::span<std::byte> frame) noexcept {
+        pass(frame);
+        work();
+    }
+
+    /// The controller's part of `process`: the application does not get to run.
+    void pass(std::span<std::byte> frame) noexcept { esc_.pass(frame); }
+
+    /// The application's part of `process`: states, SII, process data and mailbox.
+    void work() noexcept {
+        if (esc_.take_al_control()) change_state();
+        if (esc_.take_sii_command()) access_sii();
+        process_data_.work(esc_, state());
+        if (state() != al_state::init) mailbox_.work(esc_);
+    }
+
+    /// The SyncManager watchdog: a slave in OP that has a master's outputs no longer goes to SAFE-OP with an error
+    /// (001Bh). To be called every few milliseconds; a host that never does has no watchdog. Time is any that does not
+    /// go back.
+    void on_time(std::chrono::nanoseconds now) noexcept {
+        if (state() != al_state::op || !process_data_.expired(esc_, now)) return;
+        const al_status lost{.state = al_state::safe_op, .error = true, .code = al_status_code::sync_manager_watchdog};
+        esc_.store(esc_registers::al_status, lost);
+        mailbox_.set_state(lost.state);
+    }
+
+    /// The outputs that are in force: what a master wrote last in OP. What is safe without a master, the application
+    /// knows: see `state`.
+    [[nodiscard]] std::span<const std::byte> outputs() const noexcept { return process_data_.outputs(); }
+    /// True once after each write of the outputs in OP.
+    bool take_outputs() noexcept { return process_data_.take_outputs(); }
+    /// What a master reads from SAFE-OP on; the application writes it.
+    [[nodiscard]] std::span<std::byte> inputs() noexcept {
+        return esc_.bytes(process_memory::inputs, description_.input_size());
+    }
+
+    [[nodiscard]] al_status status() const noexcept { return esc_.load<al_status>(esc_registers::al_status); }
+    [[nodiscard]] al_state state() const noexcept { return status().state; }
+    /// 0 until a master has given one.
+    [[nodiscard]] std::uint16_t station_address() const noexcept {
+        return esc_.load<esc_word>(esc_registers::station_address).value;
+    }
+
+  private:
+    void change_state() noexcept {
+        const auto control = esc_.load<al_control>(esc_registers::al_control);
+        auto changed = status();
+        const auto before = changed.state;
+        if (changed.error && !control.acknowledge && control.state > changed.state) return;
+        const bool from_init = changed.state == al_state::init;
+        changed.error = false;
+        changed.code = refusal(changed.state, control.state);
+        if (changed.code == al_status_code::none) {
+            changed.state = control.state;
+        } else {
+            changed.error = true;
+        }
+        if (from_init || changed.state == al_state::init) mailbox_.forget(esc_);
+        esc_.store(esc_registers::al_status, changed);
+        if (changed.state != before) enter(changed.state); // a request that changes nothing does not feed the watchdog
+    }
+
+    void enter(al_state state) noexcept {
+        process_data_.enter(esc_, state);
+        mailbox_.set_state(state);
+    }
+
+    // ETG.1000.6, table 106: one step up at a time, any step down.
+    [[nodiscard]] al_status_code refusal(al_state from, al_state to) noexcept {
+        switch (to) {
+        case al_state::init: return al_status_code::none;
+        case al_state::boot: return al_status_code::boot_not_supported;
+        case al_state::pre_op:
+            if (from != al_state::init) return al_status_code::none;
+            return mailbox_.is_configured(esc_) ? al_status_code::none : al_status_code::mailbox_pre_op;
+        case al_state::safe_op:
+            if (from == al_state::init) return al_status_code::invalid_state_change;
+            return from == al_state::op ? al_status_code::none : process_data_.refusal(esc_);
+        case al_state::op:
+            if (from != al_state::safe_op && from != al_state::op) return al_status_code::invalid_state_change;
+            return process_data_.refusal(esc_);
+        }
+        return al_status_code::unknown_state;
+    }
+
+    void access_sii() noexcept {
+        auto access = esc_.load<sii_access>(esc_registers::sii_control);
+        access.request.busy = false;
+        if (access.request.cmd == sii_command::read) {
+            const std::size_t count = description_.eight_byte_sii_reads ? 8 : 4;
+            for (std::size_t i = 0; i != count; ++i) {
+                const std::size_t at = std::size_t{access.request.address} * 2 + i;
+                access.data[i] = at < sii_.size() ? sii_[at] : std::byte{0xFF};
+            }
+        } else {
+            access.request.command_error = true; // this memory is read only
+        }
+        access.request.cmd = sii_command::clear;
+        esc_.store(esc_registers::sii_control, access);
+    }
+
+    slave_description description_;
+    slave_mailbox mailbox_;
+    sii_image sii_;
+    slave_process_data process_data_;
+    esc esc_{};
+};
+
+} // namespace jauscat::ethercat
