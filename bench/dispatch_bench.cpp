@@ -1,7 +1,7 @@
 // The dispatcher with a handler for every message against a switch over all codes, and against a hash map of functions.
 #include "hand_written_dispatch.hpp"
 #include "pair.hpp"
-#include <jauscat/jaus/dispatcher.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
 
 #include <array>
 #include <random>

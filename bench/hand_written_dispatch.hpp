@@ -1,6 +1,6 @@
 // Dispatch by hand: a switch over the command codes of every message, one case each. The floor for the dispatcher.
 #pragma once
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 
 namespace hand_written {

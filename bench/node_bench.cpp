@@ -3,7 +3,7 @@
 // Markdown. scripts/measure-node runs it.
 #include "measuring.hpp"
 #include "node/client.hpp"
-#include <jauscat/jaus/component.hpp>
+#include <jauscat/jaus/component/component.hpp>
 #include <jauscat/net/jaus_node.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

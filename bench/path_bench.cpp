@@ -4,7 +4,7 @@
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/slave/loopback_link.hpp>
-#include <jauscat/jaus/framing.hpp>
+#include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 

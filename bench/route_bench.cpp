@@ -1,7 +1,7 @@
 // Finding the way to a JAUS address among 250 subsystems of 254 nodes: address_map against std::unordered_map, whose
 // keys are packed addresses and which is asked once for each pattern of named levels, as the map does.
 #include "pair.hpp"
-#include <jauscat/jaus/router.hpp>
+#include <jauscat/jaus/routing/router.hpp>
 
 #include <array>
 #include <bit>

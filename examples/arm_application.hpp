@@ -5,9 +5,9 @@
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/bridge/object_list.hpp>
 #include <jauscat/ethercat/slave/object_dictionary.hpp>
-#include <jauscat/jaus/copy_present.hpp>
-#include <jauscat/jaus/dispatcher.hpp>
-#include <jauscat/jaus/requested_fields.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
+#include <jauscat/jaus/message/copy_present.hpp>
+#include <jauscat/jaus/message/requested_fields.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/jaus.hpp>

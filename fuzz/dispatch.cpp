@@ -1,8 +1,8 @@
 // Whole datagrams: header, framing, dispatch and text. What does not decode reaches no handler.
 #include "support/canonical.hpp"
 #include "support/messages.hpp"
-#include <jauscat/jaus/dispatcher.hpp>
-#include <jauscat/jaus/framing.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
+#include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/text/jaus.hpp>
 
 using namespace fuzz;

@@ -1,7 +1,7 @@
 // The asking side of node_bench, component 1.1.32.1: keeps a number of requests on their way and times each answer.
 #pragma once
 
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/net/latency_histogram.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 

@@ -1,6 +1,6 @@
 // The first program of getting-started.md: a JAUS message made, shown and read.
 //     docs_first
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/text/jaus.hpp>
 
 #include <array>

@@ -1,8 +1,8 @@
 // Step 7 of declare-a-message.md: a layout becomes a JAUS message.
 //     docs_own_message
 // [includes]
-#include <jauscat/jaus/dispatcher.hpp>
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/text/jaus.hpp>
 
 #include <array>

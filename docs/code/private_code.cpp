@@ -2,7 +2,7 @@
 //     docs_private_code
 // [includes]
 #include <jauscat/bridge/delivery.hpp>
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/text/hex.hpp>
 

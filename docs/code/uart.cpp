@@ -2,8 +2,8 @@
 // computed in floating point.
 //     docs_uart
 // [includes]
-#include <jauscat/jaus/dispatcher.hpp>
-#include <jauscat/jaus/stream.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
+#include <jauscat/jaus/message/stream.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/wire/raw.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "sdo_frame.hpp"
 #include "svg.hpp"
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/ethercat/datagram.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>

@@ -4,7 +4,7 @@
 #include "sdo_frame.hpp"
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>

@@ -11,7 +11,9 @@ import sys
 
 rooms = { # folder, and its floor
     "include/jauscat/net": 5, "include/jauscat/text": 5, "include/jauscat/esi": 5,
-    "include/jauscat/bridge": 4, "include/jauscat/jaus": 4, "include/jauscat/ethercat": 4,
+    "include/jauscat/bridge": 4,
+    "include/jauscat/jaus/message": 4, "include/jauscat/jaus/large_data": 4, "include/jauscat/jaus/component": 4, "include/jauscat/jaus/events": 4, "include/jauscat/jaus/routing": 4,
+    "include/jauscat/ethercat": 4,
     "include/jauscat/ethercat/master": 4, "include/jauscat/ethercat/slave": 4, "include/jauscat/ethercat/hilscher": 4,
     "schemas/jauscat/schema/jaus": 3, "schemas/jauscat/schema/ethercat": 3, "schemas/jauscat/schema/translation": 3,
     "include/jauscat/translate": 2, "include/jauscat/wire": 1,

@@ -5,7 +5,7 @@
 #include "support/program.hpp"
 #include "support/repeated_lines.hpp"
 #include "support/say.hpp"
-#include <jauscat/jaus/component.hpp>
+#include <jauscat/jaus/component/component.hpp>
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/jaus.hpp>
 

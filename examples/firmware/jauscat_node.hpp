@@ -1,10 +1,10 @@
 // The node, made with JausCat: schemas decode and encode, a table translates, a dispatcher calls.
 #pragma once
 #include "node.hpp"
-#include <jauscat/jaus/copy_present.hpp>
-#include <jauscat/jaus/dispatcher.hpp>
-#include <jauscat/jaus/requested_fields.hpp>
-#include <jauscat/jaus/stream.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
+#include <jauscat/jaus/message/copy_present.hpp>
+#include <jauscat/jaus/message/requested_fields.hpp>
+#include <jauscat/jaus/message/stream.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>

@@ -1,7 +1,7 @@
 #include "dump.hpp"
 
 #include "hex_line.hpp"
-#include <jauscat/jaus/framing.hpp>
+#include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/text/annotate.hpp>
 #include <jauscat/translate/translator.hpp>

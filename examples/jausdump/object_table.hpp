@@ -1,7 +1,7 @@
 // Objects of EtherCAT slaves as JAUS messages, under a translation table.
 #pragma once
 #include "sdo_reader.hpp"
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/translation/index_bases.hpp>
 #include <jauscat/translate/result.hpp>
 

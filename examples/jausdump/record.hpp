@@ -1,6 +1,6 @@
 // What is known of one message, before it is printed.
 #pragma once
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/text/json.hpp>
 
 #include <chrono>

@@ -3,7 +3,7 @@
 #include "message_kinds/message_kinds.hpp"
 #include "operator_unit.hpp"
 #include "support/program.hpp"
-#include <jauscat/jaus/requested_fields.hpp>
+#include <jauscat/jaus/message/requested_fields.hpp>
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/jaus.hpp>
 

@@ -1,9 +1,9 @@
 // The operator's side of a session with one component of a robot: control, commands, questions, heartbeats.
 #pragma once
 #include "support/repeated_lines.hpp"
-#include <jauscat/jaus/component.hpp>
-#include <jauscat/jaus/described_component.hpp>
-#include <jauscat/jaus/held_control.hpp>
+#include <jauscat/jaus/component/component.hpp>
+#include <jauscat/jaus/component/described_component.hpp>
+#include <jauscat/jaus/component/held_control.hpp>
 #include <jauscat/net.hpp>
 
 #include <functional>

@@ -1,7 +1,7 @@
 // From received messages to the handlers of their types, by a table that is made at compile time.
 //     dispatch
-#include <jauscat/jaus/dispatcher.hpp>
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/text/jaus.hpp>

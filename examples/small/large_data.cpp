@@ -1,8 +1,8 @@
 // A message that does not fit one packet: cut into packets by its sender, put together by its receiver. One of them
 // is overtaken by the next, one is lost and sent again.
 //     large_data
-#include <jauscat/jaus/large_data_sender.hpp>
-#include <jauscat/jaus/large_data_set.hpp>
+#include <jauscat/jaus/large_data/large_data_sender.hpp>
+#include <jauscat/jaus/large_data/large_data_set.hpp>
 #include <jauscat/schema/jaus/environment_sensor.hpp>
 #include <jauscat/wire/wire.hpp>
 

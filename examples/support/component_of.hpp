@@ -1,6 +1,6 @@
 // Which component a program is, or talks to, when only a system of the configuration is named.
 #pragma once
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/net/jaus_config.hpp>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include <jauscat/ethercat/slave/image_entries.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
-#include <jauscat/jaus/copy_present.hpp>
+#include <jauscat/jaus/message/copy_present.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>

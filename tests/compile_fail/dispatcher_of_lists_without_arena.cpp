@@ -1,5 +1,5 @@
 // expect: dispatcher: a message has lists; give an arena as the third argument
-#include <jauscat/jaus/dispatcher.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
 
 jauscat::jaus::dispatcher handlers{jauscat::jaus::on<jauscat::jaus::report_services>([](const auto&, const auto&) {})};

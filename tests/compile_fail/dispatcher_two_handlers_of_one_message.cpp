@@ -1,5 +1,5 @@
 // expect: code_index: a code is listed twice
-#include <jauscat/jaus/dispatcher.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
 namespace jaus = jauscat::jaus;

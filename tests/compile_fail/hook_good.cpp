@@ -1,5 +1,5 @@
 // expect: no error
-#include <jauscat/jaus/component_hooks.hpp>
+#include <jauscat/jaus/component/component_hooks.hpp>
 
 namespace jaus = jauscat::jaus;
 

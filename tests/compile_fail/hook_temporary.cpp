@@ -1,5 +1,5 @@
 // expect: hook: the function must outlive the component: give it a name
-#include <jauscat/jaus/component_hooks.hpp>
+#include <jauscat/jaus/component/component_hooks.hpp>
 
 namespace jaus = jauscat::jaus;
 

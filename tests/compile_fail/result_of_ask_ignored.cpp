@@ -1,5 +1,5 @@
 // expect: ignoring return
-#include <jauscat/jaus/service_consumer.hpp>
+#include <jauscat/jaus/events/service_consumer.hpp>
 
 namespace jaus = jauscat::jaus;
 

@@ -1,5 +1,5 @@
 // expect: ignoring return
-#include <jauscat/jaus/component.hpp>
+#include <jauscat/jaus/component/component.hpp>
 
 namespace jaus = jauscat::jaus;
 

@@ -10,7 +10,7 @@ standard = {}
 for message in xml.etree.ElementTree.parse(root / "tests/data/jaus_ra_3_3.xml").getroot().iter("message"):
     if message.get("class") == "command":
         standard[message.get("code")] = message.get("name")
-header = (root / "include/jauscat/jaus/command_rules.hpp").read_text(encoding="utf-8")
+header = (root / "include/jauscat/jaus/component/command_rules.hpp").read_text(encoding="utf-8")
 rules = dict(re.findall(r"\{0x(\w{4}), (\w+)\}", header))
 table = re.findall(r"^\| (\w{4})h \| (.+?) \| (\w+) \| (.+?) \|$", (root / "docs/safety.md").read_text(encoding="utf-8"), re.M)
 

@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include "support/random_message.hpp"
-#include <jauscat/jaus/dispatcher.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/core.hpp>

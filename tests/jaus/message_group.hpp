@@ -2,7 +2,7 @@
 // message_group.cpp.in) keeps compilers within minutes and memory.
 #pragma once
 #include "jaus/messages.hpp"
-#include <jauscat/jaus/answer.hpp>
+#include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/describe.hpp>
 #include <jauscat/wire/view.hpp>

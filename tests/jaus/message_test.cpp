@@ -1,7 +1,7 @@
 // Whole messages put together and taken apart, against literal bytes.
 #include "support/catch.hpp"
 #include "support/hex.hpp"
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

@@ -2,7 +2,7 @@
 // compiled once. What is compiled for each message stands in message_group.hpp.
 #pragma once
 #include "support/random_message.hpp"
-#include <jauscat/jaus/dispatcher.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
 #include <jauscat/text/structure.hpp>
 #include <jauscat/wire/diagnose.hpp>
 

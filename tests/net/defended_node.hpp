@@ -2,8 +2,8 @@
 #pragma once
 
 #include "net/config_text.hpp"
-#include <jauscat/jaus/component.hpp>
-#include <jauscat/jaus/large_data_set.hpp>
+#include <jauscat/jaus/component/component.hpp>
+#include <jauscat/jaus/large_data/large_data_set.hpp>
 #include <jauscat/net/datagram_gate.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

@@ -2,7 +2,7 @@
 #include "net/foreign_node.hpp"
 #include "net/node_program.hpp"
 #include "support/pcap.hpp"
-#include <jauscat/jaus/service_connections.hpp>
+#include <jauscat/jaus/events/service_connections.hpp>
 
 using namespace net_test;
 

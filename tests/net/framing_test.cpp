@@ -1,7 +1,7 @@
 // The eight characters in front of a JAUS message, and their absence.
 #include "support/bytes.hpp"
 #include "support/catch.hpp"
-#include <jauscat/jaus/framing.hpp>
+#include <jauscat/jaus/message/framing.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -4,8 +4,8 @@
 #include "net/config_text.hpp"
 #include "support/free_ports.hpp"
 #include "support/until.hpp"
-#include <jauscat/jaus/component.hpp>
-#include <jauscat/jaus/held_control.hpp>
+#include <jauscat/jaus/component/component.hpp>
+#include <jauscat/jaus/component/held_control.hpp>
 #include <jauscat/net/jaus_node.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

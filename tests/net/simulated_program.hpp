@@ -3,7 +3,7 @@
 
 #include "net/node_program.hpp"
 #include "net/simulated_network.hpp"
-#include <jauscat/jaus/service_connections.hpp>
+#include <jauscat/jaus/events/service_connections.hpp>
 
 namespace net_test {
 

@@ -1,8 +1,8 @@
 // Acknowledged messages: sent again until answered, handed on once.
 #include "node/lossy_channel.hpp"
 #include "support/catch.hpp"
-#include <jauscat/jaus/acknowledged_receiver.hpp>
-#include <jauscat/jaus/acknowledged_sender.hpp>
+#include <jauscat/jaus/component/acknowledged_receiver.hpp>
+#include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
 #include <tuple>

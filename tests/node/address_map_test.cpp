@@ -1,6 +1,6 @@
 // The map from addresses to values against a search through all entries, which is what it replaces.
 #include "support/catch.hpp"
-#include <jauscat/jaus/address_map.hpp>
+#include <jauscat/jaus/routing/address_map.hpp>
 
 #include <random>
 #include <vector>

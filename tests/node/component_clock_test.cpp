@@ -1,7 +1,7 @@
 // A component's clock: set, queried, and right over the ends of months and in leap years.
 #include "node/messages.hpp"
 #include "support/catch.hpp"
-#include <jauscat/jaus/component_clock.hpp>
+#include <jauscat/jaus/component/component_clock.hpp>
 
 #include <ctime>
 

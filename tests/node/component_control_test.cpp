@@ -2,8 +2,8 @@
 // sends.
 #include "node/lossy_channel.hpp"
 #include "support/catch.hpp"
-#include <jauscat/jaus/component_control.hpp>
-#include <jauscat/jaus/held_control.hpp>
+#include <jauscat/jaus/component/component_control.hpp>
+#include <jauscat/jaus/component/held_control.hpp>
 
 namespace {
 

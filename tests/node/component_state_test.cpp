@@ -1,7 +1,7 @@
 // The states of a component: every event in every state, by messages and by the application; who ends an emergency.
 #include "node/messages.hpp"
 #include "support/catch.hpp"
-#include <jauscat/jaus/component_state.hpp>
+#include <jauscat/jaus/component/component_state.hpp>
 
 namespace {
 

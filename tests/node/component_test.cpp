@@ -1,11 +1,11 @@
 // Whole components that talk to each other: control, emergencies, acknowledgement, over a good channel and a bad one.
 #include "node/lossy_channel.hpp"
 #include "support/catch.hpp"
-#include <jauscat/jaus/component.hpp>
-#include <jauscat/jaus/described_component.hpp>
-#include <jauscat/jaus/events.hpp>
-#include <jauscat/jaus/held_control.hpp>
-#include <jauscat/jaus/service_connections.hpp>
+#include <jauscat/jaus/component/component.hpp>
+#include <jauscat/jaus/component/described_component.hpp>
+#include <jauscat/jaus/component/held_control.hpp>
+#include <jauscat/jaus/events/events.hpp>
+#include <jauscat/jaus/events/service_connections.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 
 namespace {

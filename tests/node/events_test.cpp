@@ -2,8 +2,8 @@
 // network that loses some.
 #include "messages.hpp"
 #include "support/hex.hpp"
-#include <jauscat/jaus/event_consumer.hpp>
-#include <jauscat/jaus/events.hpp>
+#include <jauscat/jaus/events/event_consumer.hpp>
+#include <jauscat/jaus/events/events.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Large data sets cut into packets, and a sender and a receiver on a network that loses, repeats and reorders.
 #include "support/catch.hpp"
 #include "support/hex.hpp"
-#include <jauscat/jaus/large_data_sender.hpp>
-#include <jauscat/jaus/large_data_set.hpp>
+#include <jauscat/jaus/large_data/large_data_sender.hpp>
+#include <jauscat/jaus/large_data/large_data_set.hpp>
 
 #include <random>
 #include <vector>

@@ -2,8 +2,8 @@
 #pragma once
 #include "support/catch.hpp"
 #include "support/hex.hpp"
-#include <jauscat/jaus/message.hpp>
-#include <jauscat/jaus/message_sink.hpp>
+#include <jauscat/jaus/message/message.hpp>
+#include <jauscat/jaus/message/message_sink.hpp>
 
 #include <vector>
 

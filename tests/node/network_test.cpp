@@ -1,8 +1,8 @@
 // Networks of nodes that route for each other: whatever they look like, every message arrives once at each addressee
 // and nowhere else, and none circulates.
 #include "support/catch.hpp"
-#include <jauscat/jaus/node_manager.hpp>
-#include <jauscat/jaus/router.hpp>
+#include <jauscat/jaus/routing/node_manager.hpp>
+#include <jauscat/jaus/routing/router.hpp>
 
 #include <deque>
 #include <memory>

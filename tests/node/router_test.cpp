@@ -1,6 +1,6 @@
 // The router of one node: who gets a message, and what is refused.
 #include "support/catch.hpp"
-#include <jauscat/jaus/router.hpp>
+#include <jauscat/jaus/routing/router.hpp>
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // Service connections: the two sides by themselves with literal messages, and together on a network that loses some.
 #include "messages.hpp"
 #include "support/hex.hpp"
-#include <jauscat/jaus/service_connections.hpp>
-#include <jauscat/jaus/service_consumer.hpp>
+#include <jauscat/jaus/events/service_connections.hpp>
+#include <jauscat/jaus/events/service_consumer.hpp>
 
 #include <algorithm>
 #include <random>

@@ -1,7 +1,7 @@
 // What the simulation reads of messages, and the command that each Set Wrench Effort carries.
 #pragma once
 
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/wire/raw.hpp>

@@ -6,8 +6,8 @@
 #include "simulation/messages.hpp"
 #include "simulation/process.hpp"
 #include "simulation/ring.hpp"
-#include <jauscat/jaus/acknowledged_sender.hpp>
-#include <jauscat/jaus/component_options.hpp>
+#include <jauscat/jaus/component/acknowledged_sender.hpp>
+#include <jauscat/jaus/component/component_options.hpp>
 
 #include <array>
 #include <map>

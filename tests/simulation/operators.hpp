@@ -2,8 +2,8 @@
 #pragma once
 
 #include "simulation/node_program.hpp"
-#include <jauscat/jaus/component.hpp>
-#include <jauscat/jaus/held_control.hpp>
+#include <jauscat/jaus/component/component.hpp>
+#include <jauscat/jaus/component/held_control.hpp>
 
 #include <array>
 

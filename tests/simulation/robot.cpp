@@ -1,6 +1,6 @@
 #include "simulation/robot.hpp"
 
-#include <jauscat/jaus/dispatcher.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
 
 namespace simulation {
 

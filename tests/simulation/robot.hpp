@@ -2,8 +2,8 @@
 #pragma once
 
 #include "simulation/node_program.hpp"
-#include <jauscat/jaus/component.hpp>
-#include <jauscat/jaus/service_connections.hpp>
+#include <jauscat/jaus/component/component.hpp>
+#include <jauscat/jaus/events/service_connections.hpp>
 
 #include <array>
 

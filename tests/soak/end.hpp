@@ -2,7 +2,7 @@
 #pragma once
 
 #include "soak/large_traffic.hpp"
-#include <jauscat/jaus/answer.hpp>
+#include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/net/jaus_node.hpp>
 
 #include <boost/asio/post.hpp>

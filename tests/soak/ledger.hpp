@@ -1,7 +1,7 @@
 // What was commanded and what came of it: each effort has a number, which travels in its values.
 #pragma once
 
-#include <jauscat/jaus/acknowledged_sender.hpp>
+#include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 
 #include "soak/end.hpp"
 #include "soak/ledger.hpp"
-#include <jauscat/jaus/component.hpp>
-#include <jauscat/jaus/held_control.hpp>
+#include <jauscat/jaus/component/component.hpp>
+#include <jauscat/jaus/component/held_control.hpp>
 #include <jauscat/net/latency_histogram.hpp>
 
 #include <boost/asio/steady_timer.hpp>

@@ -3,7 +3,7 @@
 
 #include "soak/end.hpp"
 #include "soak/ledger.hpp"
-#include <jauscat/jaus/component.hpp>
+#include <jauscat/jaus/component/component.hpp>
 
 namespace soak {
 

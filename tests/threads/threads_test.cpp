@@ -6,7 +6,7 @@
 #include "support/until.hpp"
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
-#include <jauscat/jaus/dispatcher.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
 #include <jauscat/net/run_master.hpp>
 #include <jauscat/net/udp_link.hpp>
 #include <jauscat/net/udp_transport.hpp>

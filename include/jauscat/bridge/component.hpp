@@ -2,7 +2,7 @@
 // of its messages is the slave's. Stop orders come from here.
 #pragma once
 #include <jauscat/bridge/slave_front.hpp>
-#include <jauscat/jaus/component.hpp>
+#include <jauscat/jaus/component/component.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/wire/visit.hpp>
 

@@ -1,7 +1,7 @@
 // A JAUS message as the object of an EtherCAT slave: what the controller writes, and how the slave makes the message of
 // it.
 #pragma once
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/ethercat/hilscher.hpp>
 #include <jauscat/translate/translator.hpp>
 

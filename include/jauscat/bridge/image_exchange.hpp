@@ -7,7 +7,7 @@
 #pragma once
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
-#include <jauscat/jaus/requested_fields.hpp>
+#include <jauscat/jaus/message/requested_fields.hpp>
 #include <jauscat/translate/image_translator.hpp>
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 #include <jauscat/bridge/stop_debt.hpp>
 #include <jauscat/ethercat/master/master_errc.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
-#include <jauscat/jaus/component_control.hpp>
-#include <jauscat/jaus/component_state.hpp>
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/component/component_control.hpp>
+#include <jauscat/jaus/component/component_state.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/ethercat/coe.hpp>
 #include <jauscat/schema/ethercat/hilscher.hpp>
 #include <jauscat/translate/table.hpp>

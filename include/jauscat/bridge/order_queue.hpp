@@ -1,7 +1,7 @@
 // Messages that wait for their slave: first in, first out; of motion commands only the newest of a sender and code.
 #pragma once
 #include <jauscat/bridge/supersede.hpp>
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 
 #include <algorithm>
 #include <array>

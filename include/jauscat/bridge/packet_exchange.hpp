@@ -3,7 +3,7 @@
 #pragma once
 
 #include <jauscat/bridge/delivery.hpp>
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/ethercat/hilscher.hpp>
 
 #include <algorithm>

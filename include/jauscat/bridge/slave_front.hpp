@@ -4,7 +4,7 @@
 #include <jauscat/bridge/bridge_options.hpp>
 #include <jauscat/bridge/observer.hpp>
 #include <jauscat/bridge/order_queue.hpp>
-#include <jauscat/jaus/callback.hpp>
+#include <jauscat/jaus/message/callback.hpp>
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // What an actuator has to be told until it confirms: stop orders, and the end of an emergency.
 #pragma once
-#include <jauscat/jaus/later.hpp>
+#include <jauscat/jaus/message/later.hpp>
 
 #include <algorithm>
 #include <chrono>

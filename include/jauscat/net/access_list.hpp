@@ -1,7 +1,7 @@
 // From where messages of which JAUS source are taken.
 #pragma once
 
-#include <jauscat/jaus/address_map.hpp>
+#include <jauscat/jaus/routing/address_map.hpp>
 #include <jauscat/net/detail/mapped_address.hpp>
 #include <jauscat/net/jaus_config.hpp>
 #include <jauscat/net/verdict.hpp>

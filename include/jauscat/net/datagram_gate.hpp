@@ -1,7 +1,7 @@
 // What stands between the network and a node: who may send, and how much.
 #pragma once
 
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/net/access_list.hpp>
 #include <jauscat/net/rate_limit.hpp>
 

@@ -1,7 +1,7 @@
 // Which JAUS systems there are, where each listens, and which of them this program is.
 #pragma once
 
-#include <jauscat/jaus/framing.hpp>
+#include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/net/jausip.hpp>
 #include <jauscat/net/rate_limit.hpp>
 #include <jauscat/net/udp_options.hpp>

@@ -1,9 +1,9 @@
 // How a JAUS node behaves, and whom it tells what.
 #pragma once
 
-#include <jauscat/jaus/acknowledged_sender.hpp>
-#include <jauscat/jaus/component_outcome.hpp>
-#include <jauscat/jaus/node_description.hpp>
+#include <jauscat/jaus/component/acknowledged_sender.hpp>
+#include <jauscat/jaus/component/component_outcome.hpp>
+#include <jauscat/jaus/routing/node_description.hpp>
 #include <jauscat/net/access_list.hpp>
 #include <jauscat/net/rate_limit.hpp>
 #include <jauscat/net/udp_options.hpp>

@@ -5,7 +5,7 @@
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
-#include <jauscat/jaus/later.hpp>
+#include <jauscat/jaus/message/later.hpp>
 #include <jauscat/net/cycle_timer.hpp>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/master/master.hpp>
-#include <jauscat/jaus/later.hpp>
+#include <jauscat/jaus/message/later.hpp>
 
 #include <algorithm>
 #include <array>

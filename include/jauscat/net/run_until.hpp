@@ -1,7 +1,7 @@
 // Waiting for an answer in a program that has no main loop of its own.
 #pragma once
 
-#include <jauscat/jaus/later.hpp>
+#include <jauscat/jaus/message/later.hpp>
 
 #include <boost/asio/io_context.hpp>
 

@@ -1,8 +1,8 @@
 // JAUS messages over UDP with Boost.Asio: one socket, one thread, no allocation for a message that goes well.
 #pragma once
 
-#include <jauscat/jaus/framing.hpp>
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/framing.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/net/detail/bind_udp.hpp>
 #include <jauscat/net/detail/handler_memory.hpp>
 #include <jauscat/net/detail/icmp_errors.hpp>

@@ -1,6 +1,6 @@
 // JAUS names and whole messages as text.
 #pragma once
-#include <jauscat/jaus/message.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/annotate.hpp>

@@ -1,9 +1,9 @@
 // A component of any type as its node sees it.
 #pragma once
 
-#include <jauscat/jaus/component_outcome.hpp>
-#include <jauscat/jaus/dispatcher.hpp>
-#include <jauscat/jaus/message_sink.hpp>
+#include <jauscat/jaus/component/component_outcome.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
+#include <jauscat/jaus/message/message_sink.hpp>
 #include <jauscat/net/detail/default_answers.hpp>
 
 #include <chrono>

@@ -1,8 +1,8 @@
 // Events of a node manager: Report Configuration, whenever components of the subsystem come or go.
 #pragma once
 
-#include <jauscat/jaus/events.hpp>
-#include <jauscat/jaus/node_manager.hpp>
+#include <jauscat/jaus/events/events.hpp>
+#include <jauscat/jaus/routing/node_manager.hpp>
 
 #include <array>
 

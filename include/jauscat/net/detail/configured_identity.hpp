@@ -1,7 +1,7 @@
 // What a configuration says that a component is called, as its reports tell it.
 #pragma once
 
-#include <jauscat/jaus/described_component.hpp>
+#include <jauscat/jaus/component/described_component.hpp>
 #include <jauscat/net/jaus_config.hpp>
 
 #include <string_view>

@@ -1,9 +1,9 @@
 // What a component answers where its program does not: others ask each component, and go on asking until they know.
 #pragma once
 
-#include <jauscat/jaus/answer.hpp>
-#include <jauscat/jaus/core_service.hpp>
-#include <jauscat/jaus/described_component.hpp>
+#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/component/core_service.hpp>
+#include <jauscat/jaus/component/described_component.hpp>
 #include <jauscat/net/detail/configured_identity.hpp>
 #include <jauscat/net/detail/offered_messages.hpp>
 #include <jauscat/schema/jaus/core.hpp>

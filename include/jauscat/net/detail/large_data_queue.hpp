@@ -1,10 +1,10 @@
 // Large data sets on their way out, paced so that neither buffers nor a peer's rate limit overflow.
 #pragma once
 
-#include <jauscat/jaus/acknowledged_sender.hpp>
-#include <jauscat/jaus/large_data_sender.hpp>
-#include <jauscat/jaus/later.hpp>
-#include <jauscat/jaus/stands_for.hpp>
+#include <jauscat/jaus/component/acknowledged_sender.hpp>
+#include <jauscat/jaus/large_data/large_data_sender.hpp>
+#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/net/detail/body_digest.hpp>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // The components of one program: messages and large data sets are handed to them, and they are driven.
 #pragma once
 
-#include <jauscat/jaus/answer.hpp>
-#include <jauscat/jaus/later.hpp>
-#include <jauscat/jaus/presence_table.hpp>
+#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/routing/presence_table.hpp>
 #include <jauscat/net/detail/attached_component.hpp>
 #include <jauscat/net/detail/large_data_memory.hpp>
 #include <jauscat/net/detail/large_data_queue.hpp>

@@ -1,8 +1,8 @@
 // The configuration as a router needs it: neighbours with a number, and which addresses lead to whom.
 #pragma once
 
-#include <jauscat/jaus/later.hpp>
-#include <jauscat/jaus/router.hpp>
+#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/routing/router.hpp>
 #include <jauscat/net/access_list.hpp>
 #include <jauscat/net/detail/endpoint_text.hpp>
 #include <jauscat/net/jaus_config.hpp>

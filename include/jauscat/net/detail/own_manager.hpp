@@ -1,8 +1,8 @@
 // The node manager of a node, with what the configuration says of the node and the memory for who is there.
 #pragma once
 
-#include <jauscat/jaus/component.hpp>
-#include <jauscat/jaus/node_manager.hpp>
+#include <jauscat/jaus/component/component.hpp>
+#include <jauscat/jaus/routing/node_manager.hpp>
 #include <jauscat/net/detail/configuration_events.hpp>
 #include <jauscat/net/detail/configured_identity.hpp>
 #include <jauscat/net/detail/presence_changes.hpp>

@@ -1,9 +1,9 @@
 // Liveness of the components that local components depend on, where no node manager hears of them.
 #pragma once
 
-#include <jauscat/jaus/answer.hpp>
-#include <jauscat/jaus/later.hpp>
-#include <jauscat/jaus/stands_for.hpp>
+#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/event.hpp>

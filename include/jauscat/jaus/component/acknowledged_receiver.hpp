@@ -1,0 +1,237 @@
+// Acknowledges messages that ask for it, and hands each on once although its sender repeats it. RA 3.3 part 2, ACK/NAK.
+#pragma once
+#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/schema/jaus/core.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+namespace jauscat::jaus {
+
+/// A message that was acknowledged: a place in the memory of an acknowledged_receiver.
+struct acknowledged_message {
+    address source{};                 ///< who sent it
+    std::uint16_t command_code{};     ///< which message
+    std::uint16_t sequence_number{};  ///< by which a repeat is known
+    std::uint32_t digest{};           ///< of the body
+    ack_nak answer{};                 ///< the one that was given; request: still pending; none: the place is free
+    bool superseded{};                ///< the same message again is a new one
+    std::chrono::nanoseconds until{}; ///< when it is forgotten, unless it is pending
+};
+
+/// What became of a message.
+enum class received : std::uint8_t {
+    handed_on, ///< handed on; acknowledged by the handler's outcome if that was asked for, or by `finish`
+    repeated,  ///< handed on before: acknowledged again as then, and dropped
+    pending,   ///< handed on before and not finished yet: dropped without an answer
+    no_room,   ///< dropped without an answer, for it could not be told from its repeats: the sender will try again
+};
+
+/// Hands messages on and acknowledges them: ACK if the handler has taken one, NAK if not. What asks for no
+/// acknowledgement is handed on without a second look, as are messages to all of a level: they are not acknowledged,
+/// for all their receivers would answer at once.
+///
+/// A repeat has source, command code, sequence number and body of a message that came within `memory`. The RA sets no
+/// time: it must be longer than a sender goes on repeating (a second with acknowledged_sender's defaults) and than
+/// copies are delayed on their way, and shorter than a sender takes to use its 65536 numbers. Within it no message is
+/// handed on twice: when the places are used up, or one source has half of them, its next message is not taken. So
+/// there must be twice as many places as one source sends messages that ask for an acknowledgement within `memory`.
+///
+/// A handler may defer its message: it is then pending, and its repeats are dropped without an answer, until `finish`
+/// acknowledges it. A pending message keeps its place however long that takes.
+///
+/// There are nodes that number all messages 0, and programs that begin again with the same numbers. So the body counts
+/// too, and a number that is used for another message ends what was remembered: of the number 0 for what had it, of
+/// another for all of the source, which must have begun anew. What cannot be told from a repeat is taken for one: an
+/// old command must not move anything again.
+///
+/// Of a source of which only the number 0 is known, whatever happens in between makes the same message a new one:
+/// another command of the source, also one that is not remembered, a command of another source that was obeyed, and
+/// what the component does by itself (`on_change`). Standby after Standby and Resume is no repeat, nor is Resume after
+/// Resume and the loss of what is controlled. If it is not obeyed then, it is not answered: it may be a repeat after
+/// all, of what was executed.
+///
+/// What does no harm when it is done twice is always handed on and never remembered: Set Emergency, for one that is new
+/// must not be taken for the one before, and queries, for the answer may have been lost.
+class acknowledged_receiver {
+  public:
+    /// `places` must outlive this.
+    constexpr acknowledged_receiver(const address& self, std::span<acknowledged_message> places,
+                                    std::chrono::nanoseconds memory = std::chrono::seconds{2}) noexcept
+        : self_{self}, places_{places}, memory_{memory} {}
+
+    /// A message, no acknowledgement itself. `handle()` does what it says and returns a message_outcome; the answer is
+    /// sent after it.
+    constexpr received on_message(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds now,
+                                  message_sink out, auto&& handle) {
+        at_ = now;
+        const bool wants_answer = is_acknowledged(head);
+        const auto obey = [&] {
+            const message_outcome outcome = handle();
+            const bool is_obeyed = outcome == message_outcome::taken || outcome == message_outcome::deferred;
+            if (is_obeyed && is_command(head.command_code))
+                end_unnumbered(now, [&](const address& source) { return source != head.source; });
+            return outcome;
+        };
+        if (!wants_answer || may_be_repeated(head.command_code)) {
+            if (is_command(head.command_code) && head.sequence_number == 0) {
+                const auto is_its = [&](const address& source) { return source == head.source; };
+                wants_answer ? end_zero(is_its) : end_unnumbered(now, is_its);
+            }
+            const message_outcome outcome = obey();
+            if (wants_answer && outcome != message_outcome::deferred) acknowledge(head, self_, answer_of(outcome), out);
+            return received::handed_on;
+        }
+        const acknowledged_message key{head.source, head.command_code, head.sequence_number, digest_of(body)};
+        const search found = find(key, now);
+        if (found.same != nullptr) {
+            if (found.same->answer == ack_nak::request) return received::pending;
+            acknowledge(head, self_, found.same->answer, out);
+            return received::repeated;
+        }
+        if (found.free == nullptr || 2 * found.of_source >= places_.size()) return received::no_room;
+        acknowledged_message& place = *found.free;
+        place = key;
+        place.answer = ack_nak::request; // pending while it is handled
+        place.until = later(now, memory_);
+        knows_unnumbered_ = knows_unnumbered_ || key.sequence_number == 0;
+        const message_outcome outcome = obey();
+        if (outcome == message_outcome::deferred) return received::handed_on;
+        if (found.may_be_done && answer_of(outcome) == ack_nak::nak) { // no answer, and none to the next one
+            place.answer = ack_nak::ack;
+            place.superseded = true;
+        } else {
+            settle(place, head, answer_of(outcome), out);
+        }
+        return received::handed_on;
+    }
+    /// The component has changed by itself, other than by a message: its state, or who controls it.
+    constexpr void on_change() noexcept {
+        end_unnumbered(at_, [](const address&) { return true; });
+    }
+    /// Acknowledges a message that its handler deferred: ACK if it was executed, NAK if not. The answer is remembered
+    /// for `memory` from now on. Several with the same header are finished in the order in which they came. False: the
+    /// message is not pending, or asked for no acknowledgement; nothing is sent.
+    constexpr bool finish(const header& head, bool executed, std::chrono::nanoseconds now, message_sink out) noexcept {
+        if (!is_acknowledged(head)) return false;
+        const ack_nak answer = executed ? ack_nak::ack : ack_nak::nak;
+        if (may_be_repeated(head.command_code)) return acknowledge(head, self_, answer, out);
+        acknowledged_message* const place = first_pending(head);
+        if (place == nullptr) return false;
+        place->until = later(now, memory_);
+        settle(*place, head, answer, out);
+        return true;
+    }
+
+  private:
+    [[nodiscard]] static constexpr bool is_acknowledged(const header& head) noexcept {
+        return head.ack_nak == ack_nak::request && names_one_component(head.destination);
+    }
+    [[nodiscard]] static constexpr ack_nak answer_of(message_outcome outcome) noexcept {
+        return outcome == message_outcome::taken ? ack_nak::ack : ack_nak::nak;
+    }
+    constexpr void settle(acknowledged_message& place, const header& head, ack_nak answer, message_sink out) noexcept {
+        place.answer = answer;
+        acknowledge(head, self_, answer, out);
+    }
+    [[nodiscard]] constexpr acknowledged_message* first_pending(const header& head) const noexcept {
+        acknowledged_message* first = nullptr;
+        for (acknowledged_message& m : places_) {
+            const bool is_it = m.answer == ack_nak::request && m.source == head.source &&
+                               m.command_code == head.command_code && m.sequence_number == head.sequence_number;
+            if (is_it && (first == nullptr || m.until < first->until)) first = &m;
+        }
+        return first;
+    }
+    [[nodiscard]] static constexpr bool may_be_repeated(std::uint16_t command_code) noexcept {
+        return command_code == set_emergency::command_code || report_code_of(command_code) != 0;
+    }
+    [[nodiscard]] static constexpr bool is_command(std::uint16_t command_code) noexcept {
+        return command_code < 0x2000 || command_code >= 0x6000; // or private, and not known to be none
+    }
+    [[nodiscard]] static constexpr bool is_pending(const acknowledged_message& m) noexcept {
+        return m.answer == ack_nak::request;
+    }
+    [[nodiscard]] static constexpr bool is_free(const acknowledged_message& m, std::chrono::nanoseconds now) noexcept {
+        return !is_pending(m) && (m.answer == ack_nak::none || m.superseded || m.until <= now);
+    }
+    struct search {
+        acknowledged_message* same{};
+        acknowledged_message* free{};
+        std::size_t of_source{}; // places that the source has
+        bool may_be_done{};      // or it is new; its number does not tell
+    };
+    [[nodiscard]] constexpr search find(const acknowledged_message& key, std::chrono::nanoseconds now) const noexcept {
+        search found{};
+        bool is_used_again = false;
+        const auto is_over = [&](const acknowledged_message& m) { return !is_pending(m) && m.until <= now; };
+        for (acknowledged_message& m : places_) {
+            const bool is_same_message = m.source == key.source && m.sequence_number == key.sequence_number &&
+                                         m.command_code == key.command_code && m.digest == key.digest;
+            if (is_free(m, now)) {
+                if (found.free == nullptr || !is_over(*found.free)) found.free = &m;
+                const bool was_done = m.superseded && m.answer == ack_nak::ack && !is_over(m);
+                found.may_be_done |= was_done && is_same_message && key.sequence_number == 0;
+            } else if (m.source == key.source) {
+                ++found.of_source;
+                if (m.superseded || m.sequence_number != key.sequence_number) continue;
+                if (is_same_message)
+                    found.same = &m;
+                else
+                    is_used_again = true;
+            }
+        }
+        if (!is_used_again) return found;
+        for (acknowledged_message& m : places_)
+            if (m.source == key.source && (key.sequence_number != 0 || m.sequence_number == 0)) m.superseded = true;
+        return find(key, now);
+    }
+    // Who counts has the number 0 for one command in 65536: another one with it shows that what was before is over.
+    constexpr void end_zero(auto&& concerns) noexcept {
+        for (acknowledged_message& m : places_)
+            if (m.sequence_number == 0 && concerns(m.source)) m.superseded = true;
+    }
+    // Of the sources that number all of their messages 0, and to which `concerns` says yes.
+    constexpr void end_unnumbered(std::chrono::nanoseconds now, auto&& concerns) noexcept {
+        if (!knows_unnumbered_) return;
+        const auto is_known = [&](const acknowledged_message& m) { return !is_free(m, now) && !m.superseded; };
+        knows_unnumbered_ = false;
+        for (acknowledged_message& m : places_) {
+            if (m.sequence_number != 0 || !is_known(m)) continue;
+            const bool counts = std::ranges::any_of(
+                places_, [&](const acknowledged_message& other) { return is_known(other) && shows_count(other, m); });
+            // A sender that counts gives the number 0 to one command only.
+            const bool repeats_zero = std::ranges::any_of(places_, [&](const acknowledged_message& other) {
+                return other.superseded && now < other.until && other.source == m.source && other.sequence_number == 0;
+            });
+            if (concerns(m.source) && (repeats_zero || !counts))
+                m.superseded = true;
+            else
+                knows_unnumbered_ = true;
+        }
+    }
+    // Whether the number 0 of `zero` is one of a sender that counts: others came after it, or the last numbers before
+    // it. What else came before may be of a program that counted and was started again as one that does not; what came
+    // in the same instant, too, for it may have waited in the socket.
+    [[nodiscard]] static constexpr bool shows_count(const acknowledged_message& other,
+                                                    const acknowledged_message& zero) noexcept {
+        if (other.source != zero.source || other.sequence_number == 0) return false;
+        const bool is_next = other.until == zero.until && other.sequence_number <= 0xFF;
+        return is_next || other.sequence_number >= 0xFF00 || other.until > zero.until;
+    }
+    // FNV-1a of 32 bits.
+    [[nodiscard]] static constexpr std::uint32_t digest_of(std::span<const std::byte> body) noexcept {
+        std::uint32_t digest = 0x811C9DC5;
+        for (const std::byte b : body) digest = (digest ^ std::to_integer<std::uint32_t>(b)) * 0x01000193;
+        return digest;
+    }
+
+    address self_;
+    std::span<acknowledged_message> places_;
+    std::chrono::nanoseconds memory_;
+    std::chrono::nanoseconds at_{}; // of the last message
+    bool knows_unnumbered_{};       // a message with the number 0 may be remembered
+};
+
+} // namespace jauscat::jaus

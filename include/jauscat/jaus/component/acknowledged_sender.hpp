@@ -1,0 +1,220 @@
+// Messages that are sent again until they are acknowledged, without anybody waiting: RA 3.3 part 2, ACK/NAK.
+#pragma once
+#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/message/later.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+namespace jauscat::jaus {
+
+/// A message that waits for its acknowledgement: a place in the memory of an acknowledged_sender.
+struct awaited_message {
+    jaus::header header{};            ///< as sent
+    std::size_t size{};               ///< of the message, header included; 0: the place is free
+    unsigned sent{};                  ///< how often
+    std::chrono::nanoseconds due{};   ///< when it is sent again or given up
+    std::chrono::nanoseconds until{}; ///< from then on it is not sent again, however often it was
+};
+
+/// What a sender learns about a message.
+enum class delivered : std::uint8_t {
+    acknowledged, ///< ACK: the receiver has taken it
+    refused,      ///< NAK: the receiver has not done what it says
+    timed_out,    ///< no answer to any copy: it may have arrived all the same
+};
+
+/// The outcome in one line, for logs.
+[[nodiscard]] constexpr std::string_view describe(delivered what) noexcept {
+    switch (what) {
+    case delivered::acknowledged: return "acknowledged";
+    case delivered::refused: return "refused by the receiver (NAK)";
+    case delivered::timed_out: return "no acknowledgement in time";
+    }
+    return "unknown";
+}
+
+/// Why a message was not sent.
+enum class send_errc : std::uint8_t {
+    ok,
+    no_room,         ///< as many messages wait for an acknowledgement as there are places: send it again later
+    too_large,       ///< more bytes than a place holds, or more than one packet
+    not_one_address, ///< an octet of the destination is 0 or 255: it is not known who would have to acknowledge
+    invalid,         ///< not a message, or a value that does not encode
+};
+
+/// The error in one line, for logs.
+[[nodiscard]] constexpr std::string_view describe(send_errc error) noexcept {
+    switch (error) {
+    case send_errc::ok: return "ok";
+    case send_errc::no_room: return "too many messages wait for an acknowledgement";
+    case send_errc::too_large: return "the message is larger than the place for its copy";
+    case send_errc::not_one_address: return "only a message to a single component can be acknowledged";
+    case send_errc::invalid: return "not a message, or a value outside the limits of its field";
+    }
+    return "unknown error";
+}
+
+/// What became of a message to be sent: how it is found again in the outcome, or why it was not sent.
+struct [[nodiscard]] send_result {
+    send_errc error{};               ///< why it was not sent
+    std::uint16_t sequence_number{}; ///< the message's, by which its outcome is told
+    [[nodiscard]] constexpr explicit operator bool() const noexcept { return error == send_errc::ok; }
+};
+
+/// How long and how often.
+struct acknowledgement_options {
+    /// From sending a message to sending it again. The defaults give a message up after one second.
+    std::chrono::nanoseconds timeout{std::chrono::milliseconds{250}};
+    unsigned retries{3}; ///< how often a message is sent again; 0: sent once
+    /// The first sequence number; 1 instead of 0. A program that is started again should not begin where it did before:
+    /// who remembers its messages would take the new ones for repeats. A random number will do.
+    std::uint16_t first_number{};
+    /// After the first time a message is sent again for so long at most. The receiver must remember it for longer.
+    [[nodiscard]] constexpr std::chrono::nanoseconds longest() const noexcept {
+        using std::chrono::nanoseconds;
+        const auto times = std::int64_t{retries} + 1;
+        return timeout > nanoseconds::max() / times ? nanoseconds::max() : timeout * times;
+    }
+};
+
+/// Sends messages that ask for an acknowledgement, keeps a copy of each, and sends it again until the ACK or NAK is
+/// there or the retries are used up. A message is known by its command code, sequence number and destination; sequence
+/// numbers are given here, one after the other and around at 65536, never one that still waits, and never 0: that is
+/// the number of those that do not count, whose repeats a receiver cannot tell from new messages. Each message has one
+/// outcome.
+///
+/// A program that was suspended calls on_time late. What would be sent again after `options.longest()` is given up: its
+/// receiver may have forgotten it, and would do it twice.
+///
+///     std::array<jaus::awaited_message, 16> places{};
+///     std::array<std::byte, 16 * 64> copies{};
+///     jaus::acknowledged_sender commands{places, copies, {.timeout = 100ms}};
+///     commands.send(head, jaus::standby{}, now, out);
+///     commands.on_message(received_header, [&](const jaus::awaited_message& m, jaus::delivered what) { ... });
+class acknowledged_sender {
+  public:
+    /// Each place has an equal share of `copies`, which bounds the size of a message. Both must outlive this. Of the
+    /// places 65534 are used at most: fewer than there are sequence numbers.
+    constexpr acknowledged_sender(std::span<awaited_message> places, std::span<std::byte> copies,
+                                  const acknowledgement_options& options = {}) noexcept
+        : places_{places.first(std::min<std::size_t>(places.size(), 0xFFFE))},
+          copies_{copies},
+          options_{options},
+          next_{counted(options.first_number)} {}
+
+    /// Sends `body` with `head`, whose command code, sequence number and wish for an acknowledgement are filled in.
+    template <coded_message T>
+    constexpr send_result send(const header& head, const T& body, std::chrono::nanoseconds now,
+                               message_sink out) noexcept {
+        return send(head, command_code_of<T>, now, out, [&](const header& numbered, std::span<std::byte> copy) {
+            return make_message(numbered, body, copy);
+        });
+    }
+    /// The same for a message that is whole already; its header is written anew. One of several packets is too large.
+    constexpr send_result send(std::span<const std::byte> message, std::chrono::nanoseconds now,
+                               message_sink out) noexcept {
+        header head{};
+        if (!wire::decode_prefix(head, message) || message.size() != header_size + head.data_size)
+            return {send_errc::invalid};
+        if (head.data_flag != data_flag::only) return {send_errc::too_large};
+        return send(head, head.command_code, now, out,
+                    [&](const header& numbered, std::span<std::byte> copy) -> result {
+                        if (copy.size() < message.size()) return errc::no_space;
+                        std::ranges::copy(message, copy.begin());
+                        if (!wire::encode(numbered, copy)) return errc::invalid_header;
+                        return message.size();
+                    });
+    }
+
+    /// A message that came, body or not. True: it was an ACK or NAK that a message waited for, and
+    /// `tell(const awaited_message&, delivered)` got the outcome. Late and strange acknowledgements are false.
+    constexpr bool on_message(const header& head, auto&& tell) {
+        if (!is_acknowledgement(head)) return false;
+        const auto found = std::ranges::find_if(places_, [&](const awaited_message& m) {
+            return m.size != 0 && m.header.command_code == head.command_code &&
+                   m.header.sequence_number == head.sequence_number && m.header.destination == head.source &&
+                   m.header.source == head.destination;
+        });
+        if (found == places_.end()) return false;
+        const awaited_message m = std::exchange(*found, {}); // free first: `tell` may send the next one
+        tell(m, head.ack_nak == ack_nak::ack ? delivered::acknowledged : delivered::refused);
+        return true;
+    }
+
+    /// Sends again what was not acknowledged within the timeout, and gives up what was sent often enough.
+    constexpr void on_time(std::chrono::nanoseconds now, message_sink out, auto&& tell) {
+        for (awaited_message& place : places_) {
+            if (place.size == 0 || now < place.due) continue;
+            if (place.sent <= options_.retries && now < place.until) {
+                ++place.sent;
+                place.due = later(now, options_.timeout);
+                out(copy_of(place).first(place.size));
+            } else {
+                const awaited_message m = std::exchange(place, {});
+                tell(m, delivered::timed_out);
+            }
+        }
+    }
+    [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
+        std::optional<std::chrono::nanoseconds> first;
+        for (const awaited_message& m : places_)
+            if (m.size != 0 && (!first || m.due < *first)) first = m.due;
+        return first;
+    }
+    /// How many messages wait for their acknowledgement.
+    [[nodiscard]] constexpr std::size_t waiting() const noexcept {
+        return static_cast<std::size_t>(std::ranges::count_if(places_, [](const auto& m) { return m.size != 0; }));
+    }
+
+  private:
+    constexpr send_result send(header head, std::uint16_t command_code, std::chrono::nanoseconds now, message_sink out,
+                               auto&& write) noexcept {
+        if (!names_one_component(head.destination)) return {send_errc::not_one_address};
+        const auto place = std::ranges::find(places_, std::size_t{0}, &awaited_message::size);
+        if (place == places_.end()) return {send_errc::no_room};
+        head.command_code = command_code;
+        head.ack_nak = ack_nak::request;
+        head.sequence_number = free_number(head);
+        const auto copy = copy_of(*place);
+        const result size = write(std::as_const(head), copy);
+        if (!size) {
+            const bool large = size.error() == errc::no_space || size.error() == errc::body_too_large;
+            return {large ? send_errc::too_large : send_errc::invalid};
+        }
+        head.data_size = static_cast<std::uint16_t>(size.size() - header_size);
+        *place = {head, size.size(), 1, later(now, options_.timeout), later(now, options_.longest())};
+        next_ = following(head.sequence_number);
+        out(copy.first(size.size()));
+        return {send_errc::ok, head.sequence_number};
+    }
+    [[nodiscard]] static constexpr std::uint16_t counted(std::uint16_t number) noexcept {
+        return std::max<std::uint16_t>(number, 1);
+    }
+    [[nodiscard]] static constexpr std::uint16_t following(std::uint16_t number) noexcept {
+        return counted(static_cast<std::uint16_t>(number + 1));
+    }
+    // There are fewer places than numbers, so one is free.
+    [[nodiscard]] constexpr std::uint16_t free_number(const header& head) const noexcept {
+        std::uint16_t number = next_;
+        while (std::ranges::any_of(places_, [&](const awaited_message& m) {
+            return m.size != 0 && m.header.sequence_number == number && m.header.command_code == head.command_code &&
+                   m.header.destination == head.destination;
+        }))
+            number = following(number);
+        return number;
+    }
+    [[nodiscard]] constexpr std::span<std::byte> copy_of(const awaited_message& place) const noexcept {
+        const std::size_t share = copies_.size() / places_.size();
+        return copies_.subspan(static_cast<std::size_t>(&place - places_.data()) * share, share);
+    }
+
+    std::span<awaited_message> places_;
+    std::span<std::byte> copies_;
+    acknowledgement_options options_;
+    std::uint16_t next_;
+};
+
+} // namespace jauscat::jaus

@@ -1,0 +1,110 @@
+// What a component's state machines have in common: what they make of a message, and how they answer it.
+#pragma once
+#include <jauscat/jaus/large_data/large_data_sender.hpp>
+#include <jauscat/jaus/message/message.hpp>
+#include <jauscat/jaus/message/message_sink.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace jauscat::jaus {
+
+/// What a state machine made of a message.
+enum class message_outcome : std::uint8_t {
+    not_mine,  ///< another's business: nothing was done
+    taken,     ///< done, and answered where the standard has an answer; an ACK is due if one was asked for
+    refused,   ///< understood, but not done: a NAK is due if an acknowledgement was asked for
+    malformed, ///< its own, but the body does not decode; nothing was done, a NAK is due
+    deferred,  ///< executed later; acknowledged by component::finish
+};
+
+/// The outcome in one line, for logs.
+[[nodiscard]] constexpr std::string_view describe(message_outcome what) noexcept {
+    switch (what) {
+    case message_outcome::not_mine: return "no message that is handled here";
+    case message_outcome::taken: return "taken";
+    case message_outcome::refused: return "refused";
+    case message_outcome::malformed: return "malformed: the body does not decode";
+    case message_outcome::deferred: return "deferred: executed and acknowledged later";
+    }
+    return "unknown";
+}
+
+/// Decodes a body and hands it to `use(const T&)`, which returns a message_outcome or nothing (then it is taken).
+template <coded_message T, class F>
+constexpr message_outcome decode_for(std::span<const std::byte> body, F&& use) noexcept {
+    T message{};
+    if (!wire::decode(message, body)) return message_outcome::malformed;
+    if constexpr (std::same_as<std::invoke_result_t<F&, const T&>, message_outcome>) {
+        return use(std::as_const(message));
+    } else {
+        use(std::as_const(message));
+        return message_outcome::taken;
+    }
+}
+
+namespace detail {
+// Out of line: g++ 12 warns about the room where it sees the size of the body and of the room, but not the check.
+template <coded_message T>
+[[gnu::noinline]] constexpr bool put_in(std::span<std::byte> room, const header& head, const T& body,
+                                        message_sink out) noexcept {
+    const result size = make_message(head, body, room);
+    if (size) out(room.first(size.size()));
+    return static_cast<bool>(size);
+}
+} // namespace detail
+
+/// Hands the message of `head` and `body` to `out`; false, and nothing is sent, where it does not encode or its body
+/// has more than 4080 bytes.
+template <coded_message T>
+[[nodiscard]] constexpr bool put(const header& head, const T& body, message_sink out) noexcept {
+    std::array<std::byte, header_size + std::min(wire::max_size<T>, max_body_size)> bytes{};
+    if constexpr (max_body_size < wire::max_size<T>) return detail::put_in(bytes, head, body, out);
+    const result size = make_message(head, body, bytes);
+    if (!size) return false;
+    out(std::span<const std::byte>{bytes}.first(size.size()));
+    return true;
+}
+/// The same for a body of any size: one of more than 4080 bytes goes as a large data set, all packets of which are
+/// handed to `out` at once. `memory`: header and body of a message must fit; for a large data set also 4096 bytes.
+template <coded_message T>
+[[nodiscard]] constexpr bool put(header head, const T& body, std::span<std::byte> memory, message_sink out) noexcept {
+    constexpr std::size_t packet_size = header_size + max_body_size;
+    if (const result size = make_message(head, body, memory)) {
+        out(std::span<const std::byte>{memory}.first(size.size()));
+        return true;
+    }
+    if (memory.size() <= packet_size) return false;
+    const auto whole = memory.subspan(packet_size);
+    const wire::result size = wire::encode(body, whole);
+    if (!size) return false;
+    head.command_code = command_code_of<T>;
+    large_data_sender packets{head, whole.first(size.size()), memory.first(packet_size)};
+    while (packets.next(out)) {}
+    return packets.error() == errc::ok;
+}
+
+/// Answers `request` from `self`; false, and nothing is sent, where the answer does not encode or its body has more
+/// than 4080 bytes.
+template <coded_message T>
+[[nodiscard]] constexpr bool answer(const header& request, const address& self, const T& body,
+                                    message_sink out) noexcept {
+    return put(answer_to(request, self), body, out);
+}
+/// The same for a body of any size, with the memory that `put` needs.
+template <coded_message T>
+[[nodiscard]] constexpr bool answer(const header& request, const address& self, const T& body,
+                                    std::span<std::byte> memory, message_sink out) noexcept {
+    return put(answer_to(request, self), body, memory, out);
+}
+
+/// Answers `request` with an ACK or a NAK from `self`.
+constexpr bool acknowledge(header request, const address& self, ack_nak how, message_sink out) noexcept {
+    request.destination = self;
+    std::array<std::byte, header_size> bytes{};
+    const result size = make_acknowledgement(request, how, bytes);
+    if (size) out(bytes);
+    return static_cast<bool>(size);
+}
+
+} // namespace jauscat::jaus

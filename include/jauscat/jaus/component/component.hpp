@@ -1,0 +1,251 @@
+// A component's core: state, control, acknowledgement and time, put together in the order in which they look at a
+// message. With a dispatcher for its own messages it is a JAUS component.
+#pragma once
+#include <jauscat/jaus/component/component_clock.hpp>
+#include <jauscat/jaus/component/component_hooks.hpp>
+#include <jauscat/jaus/component/component_options.hpp>
+#include <jauscat/jaus/component/component_outcome.hpp>
+#include <jauscat/jaus/component/dispatcher.hpp>
+#include <jauscat/jaus/message/stands_for.hpp>
+
+#include <tuple>
+#include <utility>
+
+namespace jauscat::jaus {
+
+/// The core of the component `self`. A message goes through it in this order: an acknowledgement ends here; a repeat is
+/// acknowledged again and ends; a command of one that has no control is refused, and one that moves something unless
+/// the state is Ready (see command_rules); then state, control, clock, the parts and the application each get it until
+/// one takes it. ACK or NAK follow when that is done.
+///
+/// A Clear Emergency passes the control check if its sender holds the emergency: else who stopped the machine under
+/// another's control could not let it go on, and the controller may not.
+///
+/// `component_hooks` tell the application what happens, and let it defer commands of the state. `Parts` are further
+/// state machines, such as service_connections, events and held_control: each has on_time and next_event; it is asked
+/// about messages if its on_message returns message_outcome, and hears of lost components if it has `lose(const
+/// address&)`, which gets what on_lost gets.
+///
+/// Messages must be whole (large data sets put together) and meant for this component: the node sees to that.
+///
+///     jaus::component_memory<> memory{};
+///     jaus::component core{self, memory, {.on_state = rest}, {}, connections, events};
+///     jaus::dispatcher own{jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const auto& efforts) { ... })};
+///     core.on_message(head, body, now, out, own);
+template <class... Parts> class component {
+  public:
+    using time = std::chrono::nanoseconds;
+
+    /// With this address. The memory, the parts and what the hooks refer to must outlive it.
+    template <std::size_t Waiting, std::size_t Size, std::size_t Remembered>
+    constexpr component(const address& self, component_memory<Waiting, Size, Remembered>& memory,
+                        const component_hooks& hooks, const component_options& options, Parts&... parts) noexcept
+        : self_{self},
+          hooks_{hooks},
+          obeys_only_when_ready_{options.obeys_only_when_ready},
+          state_{self, options.after},
+          control_{self, options.control},
+          clock_{self},
+          sender_{memory.waiting, memory.copies, options.acknowledgement},
+          receiver_{self, memory.remembered, options.memory},
+          parts_{parts...} {}
+
+    /// `application(head, body)` gets what is not the core's; it returns a message_outcome, or what a dispatcher does.
+    constexpr component_outcome on_message(const header& head, std::span<const std::byte> body, time now,
+                                           message_sink out, auto&& application) {
+        const component_outcome what = take(head, body, now, out, application);
+        ++counts_[static_cast<std::size_t>(what)];
+        return what;
+    }
+    constexpr void on_time(time now, message_sink out) {
+        sender_.on_time(now, out, delivered_hook());
+        control_.on_time(now, out);
+        tell_own_changes();
+        each_part([&](auto& part) { part.on_time(now, out); });
+    }
+    [[nodiscard]] constexpr std::optional<time> next_event() const noexcept {
+        std::optional<time> first;
+        const auto consider = [&](std::optional<time> next) {
+            if (next && (!first || *next < *first)) first = next;
+        };
+        consider(sender_.next_event());
+        consider(control_.next_event());
+        each_part([&](const auto& part) { consider(part.next_event()); });
+        return first;
+    }
+
+    /// Acknowledges a message whose outcome was deferred: `request` is its header, `executed` makes an ACK, otherwise a
+    /// NAK. False: no such message is pending, or no acknowledgement was asked for.
+    constexpr bool finish(const header& request, bool executed, time now, message_sink out) noexcept {
+        return receiver_.finish(request, executed, now, out);
+    }
+    /// Sends a message of the component and repeats it until it is acknowledged; the hook on_delivered gets the
+    /// outcome.
+    template <coded_message T>
+    constexpr send_result send(header head, const T& body, time now, message_sink out) noexcept {
+        head.source = self_;
+        return sender_.send(head, body, now, out);
+    }
+    /// The same for a whole message, whose source is this component.
+    constexpr send_result send(std::span<const std::byte> message, time now, message_sink out) noexcept {
+        header head{};
+        if (!wire::decode_prefix(head, message) || head.source != self_) return {send_errc::invalid};
+        return sender_.send(message, now, out);
+    }
+    /// An event of the application's; see component_state::change.
+    constexpr bool change(state_event event) {
+        const bool changed = state_.change(event);
+        tell_own_changes();
+        return changed;
+    }
+    /// Ends an emergency whoever holds it.
+    constexpr void end_emergency() {
+        state_.end_emergency();
+        tell_own_changes();
+    }
+    /// Takes control back from the controller, which is told.
+    constexpr void reject_control(message_sink out) {
+        control_.reject(out);
+        tell_own_changes();
+    }
+    /// A component has disappeared, or all of a level for which an octet is 255.
+    constexpr void on_lost(const address& who) {
+        const auto gone = [&](const address& one) { return stands_for(who, one); };
+        state_.on_lost(gone);
+        control_.on_lost(gone);
+        tell_own_changes();
+        each_part([&](auto& part) {
+            if constexpr (requires { part.lose(who); }) part.lose(who);
+        });
+    }
+
+    /// Asks the parts that have such a function for the messages that they take and send.
+    constexpr void list_messages(auto&& takes, auto&& sends) const {
+        each_part([&](const auto& part) {
+            if constexpr (requires { part.list_messages(takes, sends); }) part.list_messages(takes, sends);
+        });
+    }
+
+    [[nodiscard]] constexpr const address& self() const noexcept { return self_; }
+    /// Initialize, Ready, Standby, Shutdown, Failure or Emergency.
+    [[nodiscard]] constexpr primary_status_code state() const noexcept { return state_.state(); }
+    /// What Report Component Status says beside the state.
+    constexpr void set_secondary_status(std::uint32_t code) noexcept { state_.secondary_status = code; }
+    /// Who controls the component.
+    [[nodiscard]] constexpr const component_control& control() const noexcept { return control_; }
+    /// The component's time of day.
+    [[nodiscard]] constexpr component_clock& clock() noexcept { return clock_; }
+    /// How many messages wait for their acknowledgement.
+    [[nodiscard]] constexpr std::size_t waiting() const noexcept { return sender_.waiting(); }
+    /// How many messages had this outcome.
+    [[nodiscard]] constexpr std::uint64_t count(component_outcome what) const noexcept {
+        return counts_[static_cast<std::size_t>(what)];
+    }
+
+  private:
+    constexpr component_outcome take(const header& head, std::span<const std::byte> body, time now, message_sink out,
+                                     auto& application) {
+        // A large data set may have waited in the node of its sender: it is no sign of the component's life.
+        if (body.size() <= max_body_size) control_.heard(head.source, now);
+        if (is_acknowledgement(head)) {
+            return sender_.on_message(head, delivered_hook()) ? component_outcome::acknowledgement
+                                                              : component_outcome::not_waited_for;
+        }
+        component_outcome what{};
+        const auto handle = [&] {
+            const message_outcome outcome = decide(head, body, now, out, application, what);
+            tell_changes();
+            return outcome;
+        };
+        switch (receiver_.on_message(head, body, now, out, handle)) {
+        case received::handed_on: break;
+        case received::repeated: what = component_outcome::repeated; break;
+        case received::pending: what = component_outcome::pending; break;
+        case received::no_room: what = component_outcome::no_room; break;
+        }
+        return what;
+    }
+    // `what` tells in more detail what the outcome is.
+    constexpr message_outcome decide(const header& head, std::span<const std::byte> body, time now, message_sink out,
+                                     auto& application, component_outcome& what) {
+        const bool clears_own = head.command_code == clear_emergency::command_code &&
+                                state_.holds_emergency(head.source) && !control_.controls(head.source);
+        if (!clears_own && !control_.admits(head)) {
+            what = component_outcome::not_controller;
+            return message_outcome::refused;
+        }
+        if (obeys_only_when_ready_ && state_.state() != primary_status_code::ready &&
+            control_.rule(head.command_code) == command_rule::moving) {
+            what = component_outcome::not_ready;
+            return message_outcome::refused;
+        }
+        message_outcome outcome = state_.on_message(head, body, now, out);
+        if (outcome == message_outcome::taken && is_state_command(head.command_code)) outcome = tell_command(head);
+        const auto ask = [&](auto& next) {
+            if constexpr (requires {
+                              { next.on_message(head, body, now, out) } -> std::same_as<message_outcome>;
+                          })
+                if (outcome == message_outcome::not_mine) outcome = next.on_message(head, body, now, out);
+        };
+        ask(control_);
+        ask(clock_);
+        each_part(ask);
+        if (outcome == message_outcome::not_mine && control_.takes_pulse(head)) outcome = message_outcome::taken;
+        if (outcome == message_outcome::not_mine) outcome = outcome_of(application(head, body));
+        switch (outcome) {
+        case message_outcome::taken: what = component_outcome::taken; break;
+        case message_outcome::refused: what = component_outcome::refused; break;
+        case message_outcome::malformed: what = component_outcome::malformed; break;
+        case message_outcome::deferred: what = component_outcome::deferred; break;
+        case message_outcome::not_mine: what = component_outcome::unknown; break;
+        }
+        const bool is_obeyed = outcome == message_outcome::taken || outcome == message_outcome::deferred;
+        if (is_obeyed && head.command_code == set_emergency::command_code && !says_emergency(body))
+            what = component_outcome::stopped_anyway;
+        return outcome;
+    }
+
+    constexpr void tell_changes() {
+        if (const auto from = std::exchange(told_state_, state_.state()); from != told_state_)
+            if (hooks_.on_state) hooks_.on_state(from, told_state_);
+        if (const auto before = std::exchange(told_controller_, control_.controller()); before != told_controller_)
+            if (hooks_.on_controller) hooks_.on_controller(control_.controller(), control_.last_change());
+    }
+    // Of changes that no message has made.
+    constexpr void tell_own_changes() {
+        if (told_state_ != state_.state() || told_controller_ != control_.controller()) receiver_.on_change();
+        tell_changes();
+    }
+    constexpr message_outcome tell_command(const header& head) {
+        tell_changes();
+        return hooks_.on_state_command ? hooks_.on_state_command(head) : message_outcome::taken;
+    }
+    constexpr auto delivered_hook() noexcept {
+        return [&hooks = hooks_](const awaited_message& m, delivered what) {
+            if (hooks.on_delivered) hooks.on_delivered(m, what);
+        };
+    }
+    constexpr void each_part(auto&& use) const {
+        std::apply([&](auto&... part) { (use(part), ...); }, parts_);
+    }
+
+    address self_;
+    component_hooks hooks_;
+    bool obeys_only_when_ready_;
+    component_state<> state_;
+    component_control control_;
+    component_clock clock_;
+    acknowledged_sender sender_;
+    acknowledged_receiver receiver_;
+    std::tuple<Parts&...> parts_;
+    primary_status_code told_state_{};
+    std::optional<controller> told_controller_{};
+    std::array<std::uint64_t, component_outcome_count> counts_{};
+};
+
+/// The arguments of the template follow from those of the constructor.
+template <std::size_t Waiting, std::size_t Size, std::size_t Remembered, class... Parts>
+component(const address&, component_memory<Waiting, Size, Remembered>&, const component_hooks&,
+          const component_options&, Parts&...) -> component<Parts...>;
+
+} // namespace jauscat::jaus

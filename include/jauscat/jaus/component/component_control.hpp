@@ -1,0 +1,187 @@
+// Who controls a component: control is asked for, granted, taken over, released, lost; and the commands that a
+// controlled component refuses from others. RA 3.3 part 3, core subgroup, and the notes on authority.
+#pragma once
+#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/component/command_rules.hpp>
+#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/schema/jaus/communications.hpp>
+#include <jauscat/schema/jaus/core.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+namespace jauscat::jaus {
+
+/// Who controls a component.
+struct controller {
+    jaus::address address{};       ///< of the component in control
+    std::uint8_t authority_code{}; ///< 0 lowest to 255 highest, as its request told
+    friend constexpr bool operator==(const controller&, const controller&) = default;
+};
+
+/// Why a component's controller has changed.
+enum class control_change : std::uint8_t {
+    granted,    ///< who asked for control has it, also the controller with another authority
+    taken_over, ///< one of higher authority has it
+    released,   ///< the controller has given it back
+    rejected,   ///< the component has taken it back
+    lost,       ///< the controller has disappeared, or was silent for the timeout
+};
+
+/// How a component lets itself be controlled.
+struct control_options {
+    /// The component's own authority, until Set Component Authority.
+    std::uint8_t authority_code{};
+    /// Codes of the user's own that move nothing: from anybody, in every state. All others of the user's own count as
+    /// moving, see command_rules. Must outlive the component.
+    std::span<const std::uint16_t> harmless{};
+    /// Control is lost when nothing has been heard from the controller for so long. From a quarter of it on the
+    /// controller is asked for its pulse, so one that only holds control need not send anything. 0: never.
+    std::chrono::nanoseconds timeout{std::chrono::milliseconds{500}};
+};
+
+/// The control of one component, on its side. A request of higher authority than the controller's takes control over,
+/// and the old controller gets Reject Component Control; one of equal or lower authority is answered with "control not
+/// accepted". The controller may ask again, also with another authority: that is accepted and counts as life. There is
+/// no queue: who wants control later asks again later.
+class component_control {
+  public:
+    /// Of the component with this address; nobody controls it.
+    constexpr explicit component_control(const address& self, const control_options& options = {}) noexcept
+        : self_{self}, authority_{options.authority_code}, options_{options} {}
+
+    /// Who controls the component, if anybody.
+    [[nodiscard]] constexpr const std::optional<jaus::controller>& controller() const noexcept { return controller_; }
+    /// Why that is so; of no meaning before control was first granted.
+    [[nodiscard]] constexpr control_change last_change() const noexcept { return last_change_; }
+    /// The component's own authority code.
+    [[nodiscard]] constexpr std::uint8_t authority_code() const noexcept { return authority_; }
+    /// Commands that others than the controller sent: how often `admits` said no.
+    [[nodiscard]] constexpr std::uint64_t refused() const noexcept { return refused_; }
+
+    /// From whom, and in which states, a message is obeyed.
+    [[nodiscard]] constexpr command_rule rule(std::uint16_t command_code) const noexcept {
+        const auto& harmless = options_.harmless;
+        const bool is_harmless = std::ranges::find(harmless, command_code) != harmless.end();
+        return is_harmless ? command_rule::open : rule_of(command_code);
+    }
+    /// Whether the message may be taken, to be asked once for each that comes: counts refusals.
+    constexpr bool admits(const header& head) noexcept {
+        if (controls(head.source) || !controller_ || rule(head.command_code) == command_rule::open) return true;
+        ++refused_;
+        return false;
+    }
+    /// Something was heard from a component, to be told of all that comes, also repeats and acknowledgements: from the
+    /// controller it is a sign of life.
+    constexpr void heard(const address& who, std::chrono::nanoseconds now) noexcept {
+        if (!controls(who)) return;
+        heard_ = now;
+        asked_ = 0;
+    }
+    /// Whether this message is the pulse that the controller was asked for: it is nobody else's business.
+    constexpr bool takes_pulse(const header& head) noexcept {
+        const bool is_it =
+            pulses_ != 0 && head.command_code == report_heartbeat_pulse::command_code && controls(head.source);
+        pulses_ = static_cast<std::uint8_t>(pulses_ - is_it);
+        return is_it;
+    }
+    /// Whether it is the one in control.
+    [[nodiscard]] constexpr bool controls(const address& who) const noexcept {
+        return controller_ && controller_->address == who;
+    }
+
+    /// Takes Request and Release Component Control, Set Component Authority, and the queries of authority and control.
+    /// Ask `admits` first. Confirm and Reject Component Control are for the other side: see held_control.
+    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body,
+                                         std::chrono::nanoseconds now, message_sink out) noexcept {
+        switch (head.command_code) {
+        case set_component_authority::command_code:
+            return decode_for<set_component_authority>(body, [&](const auto& m) { authority_ = m.authority_code; });
+        case request_component_control::command_code:
+            return decode_for<request_component_control>(
+                body, [&](const auto& m) { request(head, m.authority_code, now, out); });
+        case release_component_control::command_code:
+            return decode_for<release_component_control>(body, [&](const auto&) {
+                if (controls(head.source)) end(control_change::released);
+            });
+        case query_component_authority::command_code:
+            return decode_for<query_component_authority>(body, [&](const auto&) {
+                static_cast<void>(answer(head, self_, report_component_authority{authority_}, out));
+            });
+        case query_component_control::command_code:
+            return decode_for<query_component_control>(body, [&](const auto&) {
+                const auto [who, code] = controller_.value_or(jaus::controller{});
+                static_cast<void>(
+                    answer(head, self_,
+                           report_component_control{who.subsystem, who.node, who.component, who.instance, code}, out));
+            });
+        default: return message_outcome::not_mine;
+        }
+    }
+
+    /// The component takes control back: the controller, if there is one, gets Reject Component Control.
+    constexpr void reject(message_sink out) noexcept { take_back(control_change::rejected, out); }
+    /// The components that `gone(const address&)` says yes to are no longer there: a controller among them has none any
+    /// more. It is not told, for it would not hear.
+    constexpr void on_lost(auto&& gone) noexcept {
+        if (controller_ && gone(std::as_const(controller_->address))) end(control_change::lost);
+    }
+    /// Asks a silent controller for its pulse, and takes control from one that has been silent for the timeout.
+    constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
+        const auto due = next_event();
+        if (!due || now < *due) return;
+        if (now >= later(heard_, options_.timeout)) return take_back(control_change::lost, out);
+        asked_ = (now - heard_) / quarter();
+        if (pulses_ != 255) ++pulses_;
+        static_cast<void>(put({.destination = controller_->address, .source = self_}, query_heartbeat_pulse{}, out));
+    }
+    [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
+        if (!controller_ || options_.timeout == options_.timeout.zero()) return std::nullopt;
+        return later(heard_, std::min((asked_ + 1) * quarter(), options_.timeout));
+    }
+
+  private:
+    constexpr void request(const header& head, std::uint8_t authority, std::chrono::nanoseconds now,
+                           message_sink out) noexcept {
+        using enum component_control_response;
+        const bool is_controller = controls(head.source);
+        if (controller_ && !is_controller && authority <= controller_->authority_code) {
+            static_cast<void>(answer(head, self_, confirm_component_control{control_not_accepted}, out));
+            return;
+        }
+        const bool is_other = controller_ && !is_controller;
+        if (is_other) take_back(control_change::taken_over, out);
+        last_change_ = is_other ? control_change::taken_over : control_change::granted;
+        if (!is_controller) pulses_ = 0;
+        controller_ = jaus::controller{head.source, authority};
+        heard(head.source, now);
+        static_cast<void>(answer(head, self_, confirm_component_control{control_accepted}, out));
+    }
+
+    [[nodiscard]] constexpr std::chrono::nanoseconds quarter() const noexcept {
+        return std::max(options_.timeout / 4, std::chrono::nanoseconds{1});
+    }
+    constexpr void end(control_change why) noexcept {
+        controller_.reset();
+        last_change_ = why;
+    }
+    // The controller is told.
+    constexpr void take_back(control_change why, message_sink out) noexcept {
+        if (!controller_) return;
+        static_cast<void>(put({.destination = controller_->address, .source = self_}, reject_component_control{}, out));
+        end(why);
+    }
+
+    address self_;
+    std::uint8_t authority_;
+    control_options options_;
+    std::optional<jaus::controller> controller_{};
+    control_change last_change_{};
+    std::chrono::nanoseconds heard_{};
+    std::int64_t asked_{};  // quarters of the timeout that the controller has been silent for, when it was asked last
+    std::uint8_t pulses_{}; // asked for and not yet come
+    std::uint64_t refused_{};
+};
+
+} // namespace jauscat::jaus

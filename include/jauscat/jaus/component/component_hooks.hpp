@@ -1,0 +1,28 @@
+// What a component tells its application: one function for each kind of news, by its name.
+#pragma once
+#include <jauscat/jaus/component/acknowledged_sender.hpp>
+#include <jauscat/jaus/component/component_control.hpp>
+#include <jauscat/jaus/component/component_state.hpp>
+#include <jauscat/jaus/component/hook.hpp>
+
+namespace jauscat::jaus {
+
+/// The functions that a component calls, each before the message that caused it is acknowledged. All may be left out.
+///
+///     const auto rest = [&](jaus::primary_status_code, jaus::primary_status_code to) { ... };
+///     jaus::component core{self, memory, {.on_state = rest}, {}};
+///     jaus::component core{self, memory, {.on_state = jaus::bound<&driver::rest>(*this)}, {}};
+struct component_hooks {
+    /// The state has changed.
+    hook<void(primary_status_code from, primary_status_code to)> on_state{};
+    /// Another controls the component, or nobody does any more; and why that is.
+    hook<void(const std::optional<controller>& now_it_is, control_change why)> on_controller{};
+    /// A message that the component sent was acknowledged, refused or given up.
+    hook<void(const awaited_message& message, delivered outcome)> on_delivered{};
+    /// The state has taken Shutdown, Standby, Resume, Reset, Set or Clear Emergency, also one that has changed nothing;
+    /// on_state has been called if it has. The result is the outcome of the message: taken, refused, or deferred until
+    /// the actuator has obeyed.
+    hook<message_outcome(const header& head)> on_state_command{};
+};
+
+} // namespace jauscat::jaus

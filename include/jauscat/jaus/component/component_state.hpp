@@ -1,0 +1,218 @@
+// The state that a component is in, and who may change it: Shutdown, Standby, Resume, Reset, Set and Clear Emergency,
+// Query Component Status, and the application. RA 3.3 part 3, core subgroup.
+#pragma once
+#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/schema/jaus/core.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+namespace jauscat::jaus {
+
+/// What changes a component's state. The first two come from the application only, the others from it or by a message.
+enum class state_event : std::uint8_t {
+    initialized,       ///< the application has done what it does first
+    failed,            ///< the application cannot go on
+    shutdown,          ///< Shutdown
+    standby,           ///< Standby
+    resume,            ///< Resume
+    reset,             ///< Reset
+    emergency,         ///< Set Emergency
+    emergency_cleared, ///< Clear Emergency with its bit, when nobody is left who holds the emergency
+};
+
+/// The state that follows; empty where the event is refused. The RA names the states, not every way between them: a
+/// component that is shut down stays so (its work is ended, what it held is free), and nothing but Clear Emergency and
+/// Shutdown leads out of an emergency.
+///
+///     state      | initialized failed   shutdown standby  resume reset       emergency emergency_cleared
+///     -----------+--------------------------------------------------------------------------------------
+///     Initialize | Ready       Failure  Shutdown -        -      Initialize  Emergency Initialize
+///     Ready      | Ready       Failure  Shutdown Standby  Ready  Initialize  Emergency Ready
+///     Standby    | -           Failure  Shutdown Standby  Ready  Initialize  Emergency Standby
+///     Shutdown   | -           -        Shutdown -        -      -           Shutdown  Shutdown
+///     Failure    | -           Failure  Shutdown -        -      Initialize  Emergency Failure
+///     Emergency  | *           *        Shutdown -        -      -           Emergency *
+///
+/// * In an emergency initialized and failed change the state that comes after it, see component_state. Set Emergency is
+/// never refused: where there is nothing left to stop it is taken without a change.
+[[nodiscard]] constexpr std::optional<primary_status_code> state_after(primary_status_code from,
+                                                                       state_event event) noexcept {
+    using enum primary_status_code;
+    const bool ended = from == primary_status_code::shutdown;
+    const auto if_possible = [](bool possible, primary_status_code to) {
+        return possible ? std::optional{to} : std::nullopt;
+    };
+    switch (event) {
+    case state_event::initialized: return if_possible(from == initialize || from == ready, ready);
+    case state_event::failed: return if_possible(!ended && from != emergency, failure);
+    case state_event::shutdown: return primary_status_code::shutdown;
+    case state_event::standby:
+        return if_possible(from == ready || from == primary_status_code::standby, primary_status_code::standby);
+    case state_event::resume: return if_possible(from == ready || from == primary_status_code::standby, ready);
+    case state_event::reset: return if_possible(!ended && from != emergency, initialize);
+    case state_event::emergency: return ended ? from : emergency;
+    case state_event::emergency_cleared: return if_possible(from != emergency, from);
+    }
+    return std::nullopt;
+}
+
+/// Whether a component's state takes this command: Shutdown, Standby, Resume, Reset, Set and Clear Emergency.
+[[nodiscard]] constexpr bool is_state_command(std::uint16_t command_code) noexcept {
+    return command_code >= shutdown::command_code && command_code <= clear_emergency::command_code;
+}
+
+/// Whether the body of a Set Emergency says what the message is for. A component stops without it, too: there are nodes
+/// that send the code 0.
+[[nodiscard]] constexpr bool says_emergency(std::span<const std::byte> body) noexcept {
+    set_emergency message{};
+    return wire::decode(message, body) && message.emergency_code.test(set_emergency_code::transition_to_emergency);
+}
+
+/// Where an emergency ends for a component that was ready before.
+enum class after_emergency : std::uint8_t {
+    standby, ///< nothing moves before a Resume: what the RA and its nodes do
+    resume,  ///< back to Ready
+};
+
+/// A component's state, and what it answers to Query Component Status. It begins in Initialize.
+///
+/// An emergency is held by each component that has set it, and by the application if that has. Each takes its own hold
+/// away and no other; the emergency ends with the last one. Who holds nothing cannot clear it, not even a controller,
+/// as long as a holder is there; the hold of one that is gone (on_lost) can be cleared by any that holds none itself.
+/// `Holders`: how many components are remembered; the emergency of one more is in force all the same, and can be
+/// cleared in the same way.
+///
+/// After an emergency the component is in Standby, or in Ready with after_emergency::resume, if it was ready; what was
+/// in another state is in that again: who has not initialised or has failed cannot be made to work by an emergency.
+template <std::size_t Holders = 8> class component_state {
+  public:
+    /// Of the component with this address, which begins in the state Initialize.
+    constexpr explicit component_state(const address& self, after_emergency after = {}) noexcept
+        : self_{self}, after_{after} {}
+
+    /// Initialize, Ready, Standby, Shutdown, Failure or Emergency.
+    [[nodiscard]] constexpr primary_status_code state() const noexcept { return state_; }
+    /// The 32 bits of the component's own meaning in Report Component Status.
+    std::uint32_t secondary_status{};
+
+    /// The application's events. False: refused, see state_after. Of an emergency the application holds its own part.
+    constexpr bool change(state_event event) noexcept {
+        if (event == state_event::emergency && state_ != primary_status_code::shutdown) own_hold_ = true;
+        if (event == state_event::emergency_cleared) {
+            own_hold_ = false;
+            return end_if_unheld();
+        }
+        return apply(event);
+    }
+    /// Ends an emergency whoever holds it: for a person at the machine, when a holder cannot be reached.
+    constexpr void end_emergency() noexcept {
+        held_ = 0;
+        own_hold_ = anyones_hold_ = false;
+        end_if_unheld();
+    }
+
+    /// Takes the messages above; answers Query Component Status. Set Emergency is taken whatever its body is. Refused:
+    /// what the table refuses, and a Clear Emergency from one that holds nothing. A Clear Emergency without its bit is
+    /// taken and changes nothing.
+    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds,
+                                         message_sink out) noexcept {
+        switch (head.command_code) {
+        case shutdown::command_code: return command<shutdown>(body, state_event::shutdown);
+        case standby::command_code: return command<standby>(body, state_event::standby);
+        case resume::command_code: return command<resume>(body, state_event::resume);
+        case reset::command_code: return command<reset>(body, state_event::reset);
+        case set_emergency::command_code: hold(head.source); return message_outcome::taken;
+        case clear_emergency::command_code:
+            return decode_for<clear_emergency>(body, [&](const clear_emergency& m) {
+                return !m.emergency_code.test(clear_emergency_code::clear_emergency) || release(head.source)
+                           ? message_outcome::taken
+                           : message_outcome::refused;
+            });
+        case query_component_status::command_code:
+            return decode_for<query_component_status>(body, [&](const query_component_status&) {
+                static_cast<void>(answer(head, self_, report_component_status{state_, secondary_status}, out));
+            });
+        default: return message_outcome::not_mine;
+        }
+    }
+
+    /// Whether this component has set the emergency that is in force, and so may clear its part.
+    [[nodiscard]] constexpr bool holds_emergency(const address& who) const noexcept {
+        return std::ranges::find(held(), who) != held().end();
+    }
+    /// The components that `gone(const address&)` says yes to are no longer there: any may clear what they have set.
+    constexpr void on_lost(auto&& gone) noexcept {
+        const std::size_t before = held_;
+        drop_holders(gone);
+        if (held_ != before) anyones_hold_ = true;
+    }
+
+  private:
+    [[nodiscard]] constexpr std::span<const address> held() const noexcept { return std::span{holders_}.first(held_); }
+
+    constexpr void drop_holders(auto&& which) noexcept {
+        const auto end = holders_.begin() + static_cast<std::ptrdiff_t>(held_);
+        held_ = static_cast<std::size_t>(std::remove_if(holders_.begin(), end, which) - holders_.begin());
+    }
+
+    template <coded_message T>
+    constexpr message_outcome command(std::span<const std::byte> body, state_event event) noexcept {
+        return decode_for<T>(
+            body, [&](const T&) { return apply(event) ? message_outcome::taken : message_outcome::refused; });
+    }
+
+    constexpr bool apply(state_event event) noexcept {
+        if (state_ == primary_status_code::emergency &&
+            (event == state_event::initialized || event == state_event::failed)) {
+            const auto next = state_after(before_, event);
+            if (next) before_ = *next;
+            return next.has_value();
+        }
+        const auto next = state_after(state_, event);
+        if (!next) return false;
+        if (*next == primary_status_code::emergency && state_ != *next) before_ = state_;
+        state_ = *next;
+        if (state_ != primary_status_code::emergency) held_ = 0, own_hold_ = anyones_hold_ = false;
+        return true;
+    }
+
+    constexpr void hold(const address& who) noexcept {
+        apply(state_event::emergency);
+        if (state_ != primary_status_code::emergency || holds_emergency(who)) return;
+        if (held_ == Holders)
+            anyones_hold_ = true;
+        else
+            holders_[held_++] = who;
+    }
+    constexpr bool release(const address& who) noexcept {
+        if (state_ != primary_status_code::emergency) return true;
+        if (!holds_emergency(who) && !anyones_hold_) return false;
+        if (holds_emergency(who))
+            drop_holders([&](const address& holder) { return holder == who; });
+        else
+            anyones_hold_ = false;
+        end_if_unheld();
+        return true;
+    }
+    // False while others hold the emergency.
+    constexpr bool end_if_unheld() noexcept {
+        if (state_ != primary_status_code::emergency) return true;
+        if (held_ != 0 || own_hold_ || anyones_hold_) return false;
+        const bool was_ready = before_ == primary_status_code::ready;
+        state_ = was_ready && after_ == after_emergency::standby ? primary_status_code::standby : before_;
+        return true;
+    }
+
+    address self_;
+    after_emergency after_;
+    primary_status_code state_{};
+    primary_status_code before_{}; // the state that the emergency interrupted
+    std::array<address, Holders> holders_{};
+    std::size_t held_{};
+    bool own_hold_{};     // the application's
+    bool anyones_hold_{}; // of one that is gone, or that there was no place for
+};
+
+} // namespace jauscat::jaus

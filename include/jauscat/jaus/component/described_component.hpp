@@ -1,0 +1,105 @@
+// What every component says of itself: that it is alive, what it is called and what it can do.
+#pragma once
+#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/component/core_service.hpp>
+#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/schema/jaus/communications.hpp>
+#include <jauscat/schema/jaus/dynamic_configuration.hpp>
+
+#include <chrono>
+#include <optional>
+
+namespace jauscat::jaus {
+
+/// What a component, node or subsystem is called. The text must outlive who reports it.
+struct identity {
+    std::string_view identification{}; ///< up to 80 characters
+    std::uint16_t type{};              ///< see report_identification
+    std::uint8_t authority_code{};     ///< 0 lowest to 255 highest
+};
+
+/// What a component tells of itself.
+struct component_description {
+    identity name{.type = 60001};                                        ///< what it calls itself
+    std::span<const offered_service> services = core_messages::services; ///< up to 255; none counts as the core service
+};
+
+/// Where a component's heartbeats go, and how often.
+struct heartbeat {
+    address to{};                                             ///< who hears them
+    std::chrono::nanoseconds period{std::chrono::seconds{1}}; ///< 0: none are sent
+};
+
+/// Where the components of a node send their heartbeats: to its node manager.
+[[nodiscard]] constexpr heartbeat heartbeat_to_node_manager(const address& self) noexcept {
+    return {.to = {.instance = 1, .component = 1, .node = self.node, .subsystem = self.subsystem}};
+}
+/// Where a node manager sends its heartbeats: to all node managers.
+[[nodiscard]] constexpr heartbeat heartbeat_to_all() noexcept {
+    return {.to = {.instance = 1, .component = 1, .node = 255, .subsystem = 255}};
+}
+
+/// The part of a component that sends Report Heartbeat Pulse (4202h) and answers Query Heartbeat Pulse (2202h), Query
+/// Identification (2B00h) and Query Services (2B03h). It answers for the component alone: identification of the
+/// subsystem or node is refused, since the node manager has those.
+class described_component {
+  public:
+    using time = std::chrono::nanoseconds;
+
+    /// `memory`, which must outlive this: room for Report Services, see answer.
+    constexpr described_component(const address& self, const component_description& description, const heartbeat& beat,
+                                  std::span<std::byte> memory) noexcept
+        : self_{self}, description_{description}, beat_{beat}, memory_{memory} {
+        // There are nodes that ask again and again until they hear of a service.
+        if (description.services.empty()) description_.services = core_messages::services;
+    }
+
+    /// Refused are also answers for which the memory is too small and texts of more than 80 characters.
+    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time,
+                                         message_sink out) noexcept {
+        if (is_acknowledgement(head)) return message_outcome::not_mine;
+        const auto done = [](bool sent) { return sent ? message_outcome::taken : message_outcome::refused; };
+        switch (head.command_code) {
+        case query_heartbeat_pulse::command_code:
+            return decode_for<query_heartbeat_pulse>(
+                body, [&](const auto&) { return done(answer(head, self_, report_heartbeat_pulse{}, out)); });
+        case query_identification::command_code:
+            return decode_for<query_identification>(body, [&](const query_identification& query) {
+                return done(query.query_type == query_type::component_identification &&
+                            answer(head, self_, identification(query.query_type, description_.name), out));
+            });
+        case query_services::command_code:
+            return decode_for<query_services>(body, [&](const auto&) {
+                return done(answer(head, self_, report_services{description_.services}, memory_, out));
+            });
+        default: return message_outcome::not_mine;
+        }
+    }
+
+    /// Sends a heartbeat when it is time, the first at once. A late call sends one, not what has been missed.
+    constexpr void on_time(time now, message_sink out) noexcept {
+        if (beat_.period <= time{} || now < next_) return;
+        const time following = later(next_, beat_.period);
+        next_ = following > now ? following : later(now, beat_.period);
+        static_cast<void>(put({.destination = beat_.to, .source = self_}, report_heartbeat_pulse{}, out));
+    }
+    [[nodiscard]] constexpr std::optional<time> next_event() const noexcept {
+        if (beat_.period <= time{}) return std::nullopt;
+        return next_;
+    }
+
+    /// The report of an identity.
+    [[nodiscard]] static constexpr report_identification identification(query_type whose,
+                                                                        const identity& name) noexcept {
+        return {whose, name.authority_code, name.type, name.identification};
+    }
+
+  private:
+    address self_;
+    component_description description_;
+    heartbeat beat_;
+    std::span<std::byte> memory_;
+    time next_{time::min() / 2};
+};
+
+} // namespace jauscat::jaus

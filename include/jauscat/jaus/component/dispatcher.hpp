@@ -1,0 +1,192 @@
+// From a received message to the handler of its type, in constant time and without a heap.
+#pragma once
+#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/schema/jaus/dynamic_configuration.hpp>
+#include <jauscat/wire/code_index.hpp>
+
+#include <type_traits>
+#include <utility>
+
+namespace jauscat::jaus {
+
+/// What became of a message.
+enum class dispatched : std::uint8_t { handled, unknown, malformed, acknowledgement };
+
+/// What an application made of a message, whether it says so itself or has a dispatcher.
+[[nodiscard]] constexpr message_outcome outcome_of(message_outcome outcome) noexcept { return outcome; }
+/// What a component's application says to a message that a dispatcher took.
+[[nodiscard]] constexpr message_outcome outcome_of(dispatched what) noexcept {
+    if (what == dispatched::unknown) return message_outcome::not_mine;
+    return what == dispatched::malformed ? message_outcome::malformed : message_outcome::taken;
+}
+
+namespace detail {
+
+template <coded_message T, class F> struct typed_handler {
+    using message_type = T;
+    F handle;
+};
+template <class F> struct unknown_handler { F handle; };
+template <class F> struct malformed_handler { F handle; };
+template <class F> struct acknowledgement_handler { F handle; };
+
+template <class H> concept is_typed = requires { typename H::message_type; };
+
+template <template <class> class Kind, class H> inline constexpr bool is_kind = false;
+template <template <class> class Kind, class F> inline constexpr bool is_kind<Kind, Kind<F>> = true;
+
+/// The handlers of a dispatcher, in a flat list: all messages' handlers in a std::tuple take a minute to compile.
+template <std::size_t I, class H> struct placed_handler { H handler; };
+template <class Places, class... Handlers> struct handler_list;
+template <std::size_t... I, class... Handlers>
+struct handler_list<std::index_sequence<I...>, Handlers...> : placed_handler<I, Handlers>... {
+    constexpr explicit handler_list(Handlers... handlers) : placed_handler<I, Handlers>{std::move(handlers)}... {}
+};
+template <class... Handlers> using handlers_of = handler_list<std::index_sequence_for<Handlers...>, Handlers...>;
+template <std::size_t I, class H> constexpr H& handler_at(placed_handler<I, H>& place) { return place.handler; }
+template <std::size_t I, class List>
+using handler_type = std::remove_cvref_t<decltype(handler_at<I>(std::declval<List&>()))>;
+
+/// Calls the handler of a kind, if there is one.
+template <template <class> class Kind, std::size_t... I, class... Handlers>
+constexpr void tell(handler_list<std::index_sequence<I...>, Handlers...>& handlers, const auto&... what) {
+    constexpr std::size_t place = [] {
+        std::size_t at = 0;
+        static_cast<void>((... || (is_kind<Kind, Handlers> || (++at, false))));
+        return at;
+    }();
+    if constexpr (place != sizeof...(Handlers)) handler_at<place>(handlers).handle(what...);
+}
+
+template <class T>
+constexpr wire::result decode_body(T& message, std::span<const std::byte> body,
+                                   [[maybe_unused]] wire::arena* memory) noexcept {
+    if constexpr (wire::needs_memory<T>)
+        return wire::decode(message, body, *memory);
+    else
+        return wire::decode(message, body);
+}
+
+/// What is the same for all handlers is left to the caller, so that it is compiled once.
+template <std::size_t I, class List>
+constexpr wire::errc decode_and_handle(List& handlers, const header& head, std::span<const std::byte> body,
+                                       wire::arena* memory) {
+    typename handler_type<I, List>::message_type message{};
+    if (const wire::result decoded = decode_body(message, body, memory); !decoded) return decoded.error();
+    handler_at<I>(handlers).handle(head, std::as_const(message));
+    return wire::errc::ok;
+}
+
+/// The command codes of the typed handlers, and beside each the function that decodes for it.
+template <class... Handlers> struct dispatch_table {
+    using list = handlers_of<Handlers...>;
+    using step = wire::errc (*)(list&, const header&, std::span<const std::byte>, wire::arena*);
+    static constexpr std::size_t count = (std::size_t{is_typed<Handlers>} + ... + 0);
+    static constexpr auto places = [] {
+        constexpr std::array<bool, sizeof...(Handlers)> typed{is_typed<Handlers>...};
+        std::array<std::size_t, count> found{};
+        for (std::size_t i = 0, at = 0; i != typed.size(); ++i)
+            if (typed[i]) found[at++] = i;
+        return found;
+    }();
+    template <std::size_t I> using handler = handler_type<places[I], list>;
+    static constexpr bool needs_memory = []<std::size_t... I>(std::index_sequence<I...>) {
+        return (wire::needs_memory<typename handler<I>::message_type> || ... || false);
+    }
+    (std::make_index_sequence<count>{});
+
+    static constexpr auto codes = []<std::size_t... I>(std::index_sequence<I...>) {
+        return std::array<std::uint16_t, count>{command_code_of<typename handler<I>::message_type>...};
+    }
+    (std::make_index_sequence<count>{});
+    static constexpr auto steps = []<std::size_t... I>(std::index_sequence<I...>) {
+        return std::array<step, count>{&decode_and_handle<places[I], list>...};
+    }
+    (std::make_index_sequence<count>{});
+};
+
+} // namespace detail
+
+/// Handles the message `T`: `handle(const header&, const T&)`.
+template <coded_message T, class F> constexpr auto on(F handle) {
+    return detail::typed_handler<T, F>{std::move(handle)};
+}
+/// Handles command codes that no handler takes: `handle(const header&, std::span<const std::byte> body)`.
+template <class F> constexpr auto on_unknown(F handle) { return detail::unknown_handler<F>{std::move(handle)}; }
+/// Handles bodies that do not decode: `handle(const header&, std::span<const std::byte> body, wire::errc)`.
+template <class F> constexpr auto on_malformed(F handle) { return detail::malformed_handler<F>{std::move(handle)}; }
+/// Handles ACK and NAK, which have a command code but no body: `handle(const header&)`.
+template <class F> constexpr auto on_acknowledgement(F handle) {
+    return detail::acknowledgement_handler<F>{std::move(handle)};
+}
+
+/// The presence bits that a message's layout defines; 0 where it has no presence vector.
+template <coded_message T>
+inline constexpr std::uint32_t presence_bits_of = [] {
+    std::uint32_t bits = 0;
+    wire::layout_of<T>::all_items([&]<class Item>() {
+        if constexpr (requires { Item::known_bits; }) bits = static_cast<std::uint32_t>(Item::known_bits);
+        return bits == 0;
+    });
+    return bits;
+}();
+
+/// Calls the handler of a message's type with the decoded message.
+///
+///     jaus::dispatcher arm{jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const auto& efforts) { ... }),
+///                          jaus::on_unknown([&](const jaus::header& head, auto body) { ... })};
+///     arm(head, body);
+template <class... Handlers> class dispatcher {
+  public:
+    /// Of a callable for each message, in the order of the list.
+    constexpr explicit dispatcher(Handlers... handlers) : handlers_{std::move(handlers)...} {}
+
+    /// A body that does not decode is never handed to a typed handler.
+    constexpr dispatched operator()(const header& head, std::span<const std::byte> body) {
+        static_assert(!table::needs_memory, "dispatcher: a message has lists; give an arena as the third argument");
+        return dispatch(head, body, nullptr);
+    }
+    /// For messages with lists, which are decoded into `memory`. It is reset first: what a handler was given is valid
+    /// until the next call.
+    constexpr dispatched operator()(const header& head, std::span<const std::byte> body, wire::arena& memory) {
+        memory.reset();
+        return dispatch(head, body, &memory);
+    }
+
+    /// Calls `takes(supported_message)` for each message that is handled, and `sends` for the report of each query.
+    static constexpr void list_messages(auto&& takes, auto&& sends) {
+        const auto list = [&]<coded_message T>(std::type_identity<T>) {
+            takes(supported_message{command_code_of<T>, presence_bits_of<T>});
+            if (const auto report = report_code_of(command_code_of<T>); report != 0) sends(supported_message{report});
+        };
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+            (list(std::type_identity<typename table::template handler<I>::message_type>{}), ...);
+        }
+        (std::make_index_sequence<table::count>{});
+    }
+
+  private:
+    using table = detail::dispatch_table<Handlers...>;
+    using codes = wire::code_index<table::codes>;
+
+    constexpr dispatched dispatch(const header& head, std::span<const std::byte> body, wire::arena* memory) {
+        if (is_acknowledgement(head) && body.empty()) {
+            detail::tell<detail::acknowledgement_handler>(handlers_, head);
+            return dispatched::acknowledgement;
+        }
+        const std::size_t place = codes::find(head.command_code);
+        if (place == codes::npos) {
+            detail::tell<detail::unknown_handler>(handlers_, head, body);
+            return dispatched::unknown;
+        }
+        if (const wire::errc error = table::steps[place](handlers_, head, body, memory); error != wire::errc::ok) {
+            detail::tell<detail::malformed_handler>(handlers_, head, body, error);
+            return dispatched::malformed;
+        }
+        return dispatched::handled;
+    }
+
+    detail::handlers_of<Handlers...> handlers_;
+};
+
+} // namespace jauscat::jaus

@@ -1,0 +1,159 @@
+// Control of another component, on the side that wants it: asked for until there is an answer, kept, noticed when it is
+// lost, released. RA 3.3 part 3, core subgroup. The other side is component_control.hpp.
+#pragma once
+#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/message/callback.hpp>
+#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/stands_for.hpp>
+#include <jauscat/schema/jaus/communications.hpp>
+#include <jauscat/schema/jaus/core.hpp>
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+namespace jauscat::jaus {
+
+/// Where the control of another component stands.
+enum class control_state : std::uint8_t {
+    none,       ///< not wanted, or released
+    asking,     ///< asked for, no answer yet
+    held,       ///< confirmed
+    refused,    ///< not confirmed: another of at least this authority has it
+    lost,       ///< taken away by Reject Component Control: another of higher authority has it, or it ran out
+    unanswered, ///< given up: no answer to as many requests as were to be made
+};
+
+/// How control is asked for, and kept.
+struct held_control_options {
+    std::chrono::nanoseconds patience{std::chrono::seconds{1}}; ///< between requests that are not answered
+    unsigned requests{3};                                       ///< unanswered ones, before it is given up
+    /// Control is asked for again so long after it was confirmed, as a sign of life for a component that takes it away
+    /// from silent controllers, and to see whether the component is still there. 0: never.
+    std::chrono::nanoseconds renewal{};
+};
+
+/// The control that this component, `self`, has or wants of the component `target`. A refusal or a loss is final: who
+/// wants to try again calls ask() again.
+class held_control {
+  public:
+    /// `changed` hears of each new state; it must outlive this.
+    constexpr held_control(const address& self, const address& target, const held_control_options& options = {},
+                           callback<void(control_state)> changed = {}) noexcept
+        : self_{self}, target_{target}, options_{options}, changed_{changed} {}
+
+    /// Whether control is held, asked for or gone.
+    [[nodiscard]] constexpr control_state state() const noexcept { return state_; }
+    [[nodiscard]] constexpr const address& target() const noexcept { return target_; }
+
+    /// Asks for control, or for another authority if it is held already. `authority_code`: 0 lowest to 255 highest.
+    constexpr void ask(std::uint8_t authority_code, std::chrono::nanoseconds now, message_sink out) noexcept {
+        authority_ = authority_code;
+        asked_ = 0;
+        if (state_ != control_state::held) enter(control_state::asking);
+        request(now, out);
+    }
+    /// Gives control back, or the wish for it. The message is not answered: ask for an acknowledgement of one's own
+    /// (component::send) where it must not get lost.
+    constexpr void release(message_sink out) noexcept {
+        const bool tell = is_wanted();
+        enter(control_state::none);
+        if (tell) static_cast<void>(put(head(), release_component_control{}, out));
+    }
+
+    /// Takes Confirm and Reject Component Control from the target, and its question for the pulse while control is
+    /// wanted; others' are not its business. A confirmation of control that this side does not want, or does not know
+    /// it has, is answered with a release: the component must not be held by nobody. For the same reason the first
+    /// questions for the pulse after control was given up are: the release may have been lost.
+    constexpr message_outcome on_message(const header& from, std::span<const std::byte> body,
+                                         std::chrono::nanoseconds now, message_sink out) noexcept {
+        if (from.source != target_ || is_acknowledgement(from)) return message_outcome::not_mine;
+        switch (from.command_code) {
+        case confirm_component_control::command_code:
+            return decode_for<confirm_component_control>(body, [&](const confirm_component_control& m) {
+                confirm(m.response_code == component_control_response::control_accepted, now, out);
+            });
+        case reject_component_control::command_code:
+            // There are components that answer a request so.
+            return decode_for<reject_component_control>(body, [&](const reject_component_control&) {
+                if (state_ == control_state::held) enter(control_state::lost);
+                if (state_ == control_state::asking) enter(control_state::refused);
+                releases_ = 0;
+            });
+        case query_heartbeat_pulse::command_code:
+            return decode_for<query_heartbeat_pulse>(body, [&](const query_heartbeat_pulse&) {
+                if (is_wanted()) {
+                    static_cast<void>(answer(from, self_, report_heartbeat_pulse{}, out));
+                    return message_outcome::taken;
+                }
+                if (releases_ != 0) {
+                    --releases_;
+                    static_cast<void>(put(head(), release_component_control{}, out));
+                }
+                return message_outcome::not_mine;
+            });
+        default: return message_outcome::not_mine;
+        }
+    }
+    /// Asks again.
+    constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
+        const auto due = next_event();
+        if (!due || now < *due) return;
+        if (asked_ >= options_.requests)
+            enter(control_state::unanswered);
+        else
+            request(now, out);
+    }
+    [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
+        if (state_ == control_state::asking || (state_ == control_state::held && asked_ != 0))
+            return later(at_, options_.patience);
+        if (state_ == control_state::held && options_.renewal != options_.renewal.zero())
+            return later(at_, options_.renewal);
+        return std::nullopt;
+    }
+    /// The component `who` has disappeared, or all of a level for which an octet is 255.
+    constexpr void lose(const address& who) noexcept {
+        if (is_wanted() && stands_for(who, target_)) enter(control_state::lost);
+    }
+
+  private:
+    static constexpr unsigned most_releases = 8;
+
+    [[nodiscard]] constexpr bool is_wanted() const noexcept {
+        return state_ == control_state::held || state_ == control_state::asking;
+    }
+    [[nodiscard]] constexpr header head() const noexcept { return {.destination = target_, .source = self_}; }
+    constexpr void request(std::chrono::nanoseconds now, message_sink out) noexcept {
+        ++asked_;
+        at_ = now;
+        static_cast<void>(put(head(), request_component_control{authority_}, out));
+    }
+    constexpr void confirm(bool accepted, std::chrono::nanoseconds now, message_sink out) noexcept {
+        if (!is_wanted()) {
+            if (accepted) static_cast<void>(put(head(), release_component_control{}, out));
+            return;
+        }
+        asked_ = 0;
+        at_ = now;
+        if (accepted) return enter(control_state::held);
+        enter(state_ == control_state::held ? control_state::lost : control_state::refused);
+    }
+    constexpr void enter(control_state state) noexcept {
+        const bool was_wanted = is_wanted();
+        const bool is_new = std::exchange(state_, state) != state;
+        if (was_wanted && !is_wanted()) releases_ = most_releases;
+        if (is_new && changed_) changed_(state);
+    }
+
+    address self_;
+    address target_;
+    held_control_options options_;
+    callback<void(control_state)> changed_;
+    control_state state_{};
+    std::uint8_t authority_{};
+    unsigned asked_{};              // requests since the last answer
+    unsigned releases_{};           // sent when the target still asks for the pulse
+    std::chrono::nanoseconds at_{}; // of the last request or answer
+};
+
+} // namespace jauscat::jaus

@@ -1,0 +1,66 @@
+// What a consumer of service connections knows of each, and what it says about messages.
+#pragma once
+#include <jauscat/jaus/message/message.hpp>
+#include <jauscat/schema/jaus/core.hpp>
+
+#include <chrono>
+
+namespace jauscat::jaus {
+
+/// Where a connection stands.
+enum class consumed_state : std::uint8_t {
+    free,       ///< no connection
+    asking,     ///< not confirmed yet; asked again at each patience
+    active,     ///< confirmed, and reports come
+    stale,      ///< no report for three periods; asked again at each patience
+    suspended,  ///< by suspend()
+    refused,    ///< by the provider, for the reason in `response`
+    unanswered, ///< given up: no answer to as many requests as were to be made
+    ending,     ///< by end(); until the provider is silent
+};
+
+/// A service connection of a consumer.
+struct consumed_connection {
+    address provider{};                     ///< who sends the reports
+    consumed_state state{};                 ///< how far it has got
+    std::uint8_t instance_id{};             ///< as confirmed
+    service_connection_response response{}; ///< of the last confirmation
+    bool confirmed{};                       ///< the instance ID is known
+    bool heard{};                           ///< `sequence_number` is that of a report
+    std::uint16_t sequence_number{};        ///< the highest so far
+    create_service_connection request{};    ///< what was asked for
+    double rate{};                          ///< hertz, as confirmed
+    std::chrono::nanoseconds due{};         ///< when to ask again, notice the silence, or be done
+    std::chrono::nanoseconds asked_at{};    ///< when a message was last sent to the provider
+    unsigned requests{};                    ///< that were not answered
+    std::uint64_t received{};               ///< reports in order
+    std::uint64_t lost{};                   ///< reports missing between those in order
+    std::uint64_t dropped{};                ///< reports that came twice or after a later one
+};
+
+/// What a message was to a consumer.
+enum class consumer_news : std::uint8_t {
+    not_mine,   ///< another's business
+    malformed,  ///< a confirmation that does not decode
+    confirmed,  ///< the provider has accepted
+    refused,    ///< the provider has not
+    report,     ///< the body is the newest report of the connection
+    old_report, ///< a report that came before, or after a later one; nothing to do with its body
+    ignored,    ///< of a connection that is not wanted any more
+};
+/// The news, and the connection it is of.
+struct consumer_outcome {
+    consumer_news what{}; ///< what is new
+    std::size_t place{};  ///< in connections()
+    std::uint64_t lost{}; ///< reports missing just before this one
+    friend constexpr bool operator==(const consumer_outcome&, const consumer_outcome&) = default;
+};
+
+/// What a consumer does about silence.
+struct consumer_options {
+    std::chrono::nanoseconds patience{std::chrono::seconds{1}}; ///< between requests that are not answered
+    unsigned requests{5};       ///< unanswered ones, before a new connection is given up
+    unsigned silent_periods{3}; ///< without a report make a connection stale
+};
+
+} // namespace jauscat::jaus

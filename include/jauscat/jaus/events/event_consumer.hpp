@@ -1,0 +1,332 @@
+// Events, the side that asks: requests repeated until they are answered, and events matched with what was asked for. RA
+// 3.3 part 3, codes 01F0h to 01F4h and 41F1h. The side that reports is events.hpp.
+#pragma once
+#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/events/requested_event.hpp>
+#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/stands_for.hpp>
+
+namespace jauscat::jaus {
+
+/// Asks for events and matches what comes with what was asked for. An event that is stale is asked for again without
+/// end, so it outlives a provider that starts anew or a link that was down.
+///
+/// A periodic event is stale after three periods without one. The others may be silent for long, so after a silence the
+/// provider is asked by Query Events whether it has the event, and the event is stale when no answer lists it. Report
+/// Events does not say whose an event is: another requester's event of the same report and ID counts as this one.
+///
+/// An event that nobody asked for is cancelled: it was asked for before the program was started anew. So a component
+/// has one of these.
+template <std::size_t Capacity> class event_consumer {
+  public:
+    /// `patience`: between requests that are not answered; `requests`: how many of those. `silence`: without an event
+    /// that is not periodic, before its provider is asked; nanoseconds::max() for one that does not answer Query
+    /// Events.
+    constexpr explicit event_consumer(const address& self, std::chrono::nanoseconds patience = std::chrono::seconds{1},
+                                      unsigned requests = 5,
+                                      std::chrono::nanoseconds silence = std::chrono::seconds{5}) noexcept
+        : self_{self}, patience_{patience}, most_requests_{requests}, silence_{silence} {}
+
+    /// Sends `wanted`, whose local request ID is replaced. Returns the event's place in requested(); none where all are
+    /// taken, a rate rounds to 0 or the message cannot be made.
+    [[nodiscard]] constexpr std::optional<std::size_t> create(const address& provider, create_event wanted,
+                                                              std::chrono::nanoseconds now, message_sink out) noexcept {
+        const auto place = std::ranges::find_if(requested_, [](const requested_event& e) {
+            return e.state == requested_state::free || e.state == requested_state::rejected ||
+                   e.state == requested_state::unanswered;
+        });
+        if (place == requested_.end()) return std::nullopt;
+        requested_event e{.provider = provider, .message_code = wanted.message_code};
+        if (!keep(e, wanted)) return std::nullopt;
+        *place = e;
+        place->state = requested_state::asking;
+        ask(*place, now, out);
+        return static_cast<std::size_t>(place - requested_.begin());
+    }
+    /// Has an active event set up anew, as `wanted` says, whose local request ID is replaced. A rejection leaves the
+    /// event as it was; without an answer nobody knows. False where the event is not active, and where `wanted` is of
+    /// another report or cannot be sent.
+    [[nodiscard]] constexpr bool update(std::size_t place, create_event wanted, std::chrono::nanoseconds now,
+                                        message_sink out) noexcept {
+        if (place >= Capacity || requested_[place].state != requested_state::active) return false;
+        requested_event e = requested_[place];
+        if (wanted.message_code != e.message_code || !keep(e, wanted)) return false;
+        requested_[place] = e;
+        requested_[place].state = requested_state::updating;
+        ask(requested_[place], now, out);
+        return true;
+    }
+    /// Cancels an event. Its place is free when the provider has answered, or has not often enough.
+    constexpr void cancel(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
+        if (place >= Capacity || requested_[place].state == requested_state::free) return;
+        requested_event& e = requested_[place];
+        if (!e.confirmed && e.state != requested_state::asking) {
+            e = {};
+            return;
+        }
+        e.state = requested_state::cancelling;
+        e.requests = 0;
+        if (e.confirmed) e.local_request_id = ++last_id_;
+        ask(e, now, out);
+    }
+
+    /// Takes Confirm and Reject Event Request, and Event. Looks at Report Events, which is not_mine all the same.
+    constexpr event_outcome on_message(const header& head, std::span<const std::byte> body,
+                                       std::chrono::nanoseconds now, message_sink out) noexcept {
+        event_outcome outcome{};
+        if (is_acknowledgement(head)) return outcome;
+        const auto decoded_by = [&]<class T>(T message, auto handle) {
+            if (wire::decode(message, body))
+                handle(message);
+            else
+                outcome.what = event_news::malformed;
+            return outcome;
+        };
+        switch (head.command_code) {
+        case confirm_event_request::command_code:
+            return decoded_by(confirm_event_request{}, [&](const confirm_event_request& m) {
+                answered(head.source, m.local_request_id, outcome, [&](requested_event& e) {
+                    e.response = m.response_code;
+                    e.heard = e.heard && e.event_id == m.event_id && e.state != requested_state::stale;
+                    e.event_id = m.event_id;
+                    e.rate = m.confirmed_periodic_rate.value_or(0);
+                    confirmed(e, outcome, now, out);
+                });
+            });
+        case reject_event_request::command_code:
+            return decoded_by(reject_event_request{}, [&](const reject_event_request& m) {
+                answered(head.source, m.local_request_id, outcome, [&](requested_event& e) {
+                    const bool gone = e.state == requested_state::cancelling;
+                    outcome.what = gone ? event_news::cancelled : event_news::rejected;
+                    e.response = m.response_code;
+                    e.confirmed = e.confirmed && e.state != requested_state::stale;
+                    e.requests = 0;
+                    e.state = requested_state::rejected;
+                    if (e.confirmed) activate(e, now); // an update
+                    if (gone) e = {};
+                });
+            });
+        case event::command_code:
+            return decoded_by(event{}, [&](const event& m) { heard(head.source, m, outcome, now, out); });
+        case report_events::command_code: listed(head.source, body, now); return outcome;
+        default: return outcome;
+        }
+    }
+
+    /// Asks again, and notices silence.
+    constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
+        for (requested_event& e : requested_) {
+            if (!has_due(e) || e.due > now) continue;
+            if (e.state == requested_state::active && !comes_at_rate(e) && e.requests < most_requests_) {
+                query(e, now, out);
+                continue;
+            }
+            if (e.state == requested_state::active) e.state = requested_state::stale;
+            if (e.state == requested_state::stale || e.requests < most_requests_)
+                ask(e, now, out);
+            else if (e.state == requested_state::asking)
+                e.state = requested_state::unanswered;
+            else if (e.state == requested_state::updating)
+                activate(e, now);
+            else
+                e = {};
+        }
+    }
+    /// When on_time has something to do.
+    [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
+        std::optional<std::chrono::nanoseconds> next;
+        for (const requested_event& e : requested_)
+            if (has_due(e) && (!next || e.due < *next)) next = e.due;
+        return next;
+    }
+
+    /// Gives up the events of those that have disappeared, see stands_for: should they come back, they know nothing of
+    /// them. Returns how many.
+    constexpr std::size_t lose(const address& provider) noexcept {
+        std::size_t count = 0;
+        for (requested_event& e : requested_) {
+            if ((!waits(e) && e.state != requested_state::active) || !stands_for(provider, e.provider)) continue;
+            if (e.state == requested_state::cancelling)
+                e = {};
+            else
+                e.state = requested_state::unanswered;
+            ++count;
+        }
+        return count;
+    }
+
+    /// All places, free ones too.
+    [[nodiscard]] constexpr std::span<const requested_event> requested() const noexcept { return requested_; }
+
+  private:
+    [[nodiscard]] static constexpr bool waits(const requested_event& e) noexcept {
+        return e.state == requested_state::asking || e.state == requested_state::updating ||
+               e.state == requested_state::cancelling || e.state == requested_state::stale;
+    }
+    static constexpr auto never = std::chrono::nanoseconds::max();
+
+    [[nodiscard]] static constexpr bool has_due(const requested_event& e) noexcept {
+        return waits(e) || (e.state == requested_state::active && e.due != never);
+    }
+    [[nodiscard]] static constexpr bool comes_at_rate(const requested_event& e) noexcept {
+        return e.type == event_type::periodic && e.rate > 0;
+    }
+    constexpr void activate(requested_event& e, std::chrono::nanoseconds now) const noexcept {
+        constexpr int silent_periods = 3;
+        e.state = requested_state::active;
+        e.due = later(now, comes_at_rate(e) ? silent_periods * period_of(e.rate) : silence_);
+    }
+    // A confirmation that comes late makes an event at the provider all the same, which must be cancelled.
+    [[nodiscard]] static constexpr bool may_be_answered(const requested_event& e) noexcept {
+        return waits(e) || (e.state == requested_state::unanswered && !e.confirmed);
+    }
+    constexpr bool keep(requested_event& e, create_event& wanted) noexcept {
+        wanted.local_request_id = e.local_request_id = ++last_id_;
+        e.type = wanted.event_type;
+        e.requests = 0;
+        const auto rounds_to_0 = [](const std::optional<double>& rate) {
+            return rate && *rate != 0 && sayable_rate(*rate, update_rate::max) == 0;
+        };
+        if (rounds_to_0(wanted.requested_periodic_rate) || rounds_to_0(wanted.requested_minimum_periodic_rate))
+            return false;
+        e.request.resize(max_create_event_size);
+        const auto size = wire::encode(wanted, std::span{e.request.begin(), e.request.size()});
+        return size && e.request.resize(size.size());
+    }
+    // A cancel before the ID is known makes the request once more: its answer tells the ID.
+    constexpr void ask(requested_event& e, std::chrono::nanoseconds now, message_sink out) noexcept {
+        create_event wanted{};
+        static_cast<void>(wire::decode(wanted, std::span<const std::byte>{e.request.begin(), e.request.size()}));
+        if (!e.confirmed || e.state == requested_state::stale)
+            send(e, wanted, out);
+        else if (e.state == requested_state::updating)
+            send(e, as_update(wanted, e.event_id), out);
+        else
+            send(e,
+                 cancel_event{
+                     .local_request_id = e.local_request_id, .message_code = e.message_code, .event_id = e.event_id},
+                 out);
+        ++e.requests;
+        e.due = later(now, patience_);
+    }
+    constexpr void query(requested_event& e, std::chrono::nanoseconds now, message_sink out) noexcept {
+        send(e, query_events{.message_code = e.message_code, .event_id = e.event_id}, out);
+        ++e.requests;
+        e.due = later(now, patience_);
+    }
+    // A list without an event may be the answer about another, so it says nothing about this one.
+    constexpr void listed(const address& source, std::span<const std::byte> body,
+                          std::chrono::nanoseconds now) noexcept {
+        const wire::view<report_events> report{body};
+        if (!report) return;
+        for (const auto reported : report.template get<&report_events::event>()) {
+            const auto code = reported.template get<&reported_event::message_code>();
+            const auto id = reported.template get<&reported_event::event_id>();
+            for (requested_event& e : requested_) {
+                if (e.state != requested_state::active || comes_at_rate(e) || e.requests == 0) continue;
+                if (e.provider != source || e.message_code != code || e.event_id != id) continue;
+                e.requests = 0;
+                activate(e, now);
+            }
+        }
+    }
+    template <coded_message T> constexpr void send(const requested_event& e, const T& body, message_sink out) noexcept {
+        std::array<std::byte, header_size + max_create_event_size + 1> bytes{}; // Update Event has one more: the ID
+        const header head{.destination = e.provider, .source = self_};
+        if (const result size = make_message(head, body, bytes)) out(std::span{bytes}.first(size.size()));
+    }
+    constexpr void answered(const address& source, std::uint8_t id, event_outcome& outcome, auto handle) noexcept {
+        const auto e = std::ranges::find_if(requested_, [&](const requested_event& r) {
+            return may_be_answered(r) && r.provider == source && r.local_request_id == id;
+        });
+        if (e == requested_.end()) {
+            outcome.what = event_news::unknown;
+            return;
+        }
+        outcome.place = static_cast<std::size_t>(e - requested_.begin());
+        handle(*e);
+    }
+    constexpr void confirmed(requested_event& e, event_outcome& outcome, std::chrono::nanoseconds now,
+                             message_sink out) noexcept {
+        e.requests = 0;
+        if (e.state != requested_state::cancelling && e.state != requested_state::unanswered) {
+            e.confirmed = true;
+            activate(e, now);
+            outcome.what = event_news::confirmed;
+        } else if (e.confirmed) {
+            e = {};
+            outcome.what = event_news::cancelled;
+        } else { // cancelled before its ID was known, or given up
+            e.confirmed = true;
+            e.state = requested_state::cancelling;
+            e.local_request_id = ++last_id_;
+            ask(e, now, out);
+            outcome.what = event_news::confirmed;
+        }
+    }
+    constexpr void heard(const address& source, const event& m, event_outcome& outcome, std::chrono::nanoseconds now,
+                         message_sink out) noexcept {
+        outcome.message_code = m.message_code;
+        outcome.report = m.report_message_body;
+        const auto e = std::ranges::find_if(requested_, [&](const requested_event& r) {
+            return (r.state == requested_state::active || r.state == requested_state::updating ||
+                    r.state == requested_state::stale) &&
+                   r.event_id == m.event_id && r.message_code == m.message_code && r.provider == source;
+        });
+        if (e == requested_.end()) {
+            outcome.what = event_news::unknown;
+            cancel_unknown(source, m, now, out);
+            return;
+        }
+        outcome.place = static_cast<std::size_t>(e - requested_.begin());
+        const auto ahead = static_cast<std::uint8_t>(m.event_sequence_number - e->sequence_number);
+        const bool is_newer = ahead != 0 && ahead < 128;
+        // 8 bits say nothing about a gap of 128 events and more. After a silence none is late.
+        const bool may_be_late = e->state != requested_state::stale && now - e->heard_at < patience_;
+        if (e->heard && !is_newer && may_be_late) {
+            outcome.what = event_news::repeated;
+            return;
+        }
+        outcome.what = event_news::event;
+        outcome.lost = e->heard && is_newer ? ahead - 1u : 0;
+        e->heard = true;
+        e->heard_at = now;
+        if (e->state != requested_state::updating) {
+            e->requests = 0;
+            activate(*e, now);
+            if (e->type == event_type::first_change) e->due = never; // no other follows
+        }
+        e->sequence_number = m.event_sequence_number;
+        ++e->received;
+        e->lost += outcome.lost;
+        if (e->type == event_type::one_time_on_demand) *e = {};
+    }
+
+    // Not while an answer may tell of it, and not again until there was time for an answer.
+    constexpr void cancel_unknown(const address& source, const event& m, std::chrono::nanoseconds now,
+                                  message_sink out) noexcept {
+        const bool may_become_known = std::ranges::any_of(requested_, [&](const requested_event& e) {
+            return may_be_answered(e) && e.provider == source && e.message_code == m.message_code;
+        });
+        const bool is_cancelled = unwanted_.provider == source && unwanted_.message_code == m.message_code &&
+                                  unwanted_.event_id == m.event_id && now < unwanted_.due;
+        if (may_become_known || is_cancelled) return;
+        unwanted_ = {.provider = source,
+                     .message_code = m.message_code,
+                     .local_request_id = ++last_id_,
+                     .event_id = m.event_id,
+                     .due = later(now, patience_)};
+        send(unwanted_,
+             cancel_event{.local_request_id = last_id_, .message_code = m.message_code, .event_id = m.event_id}, out);
+    }
+
+    address self_;
+    std::chrono::nanoseconds patience_;
+    unsigned most_requests_;
+    std::chrono::nanoseconds silence_;
+    std::array<requested_event, Capacity> requested_{};
+    requested_event unwanted_{}; ///< cancelled last, without having been asked for
+    std::uint8_t last_id_{};
+};
+
+} // namespace jauscat::jaus

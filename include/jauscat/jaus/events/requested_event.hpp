@@ -1,0 +1,82 @@
+// What a consumer of events knows of each, and what it says about messages.
+#pragma once
+#include <jauscat/jaus/events/event_setup.hpp>
+
+#include <chrono>
+
+namespace jauscat::jaus {
+
+/// Where a requested event stands.
+enum class requested_state : std::uint8_t {
+    free,       ///< no event
+    asking,     ///< not answered yet; asked again at each patience
+    active,     ///< confirmed
+    stale,      ///< the provider is silent, or has not the event any more; asked for again at each patience
+    updating,   ///< by update(), not answered yet; until then it goes on as it was, or as it will be
+    rejected,   ///< by the provider, for the reason in `response`
+    unanswered, ///< given up: no answer to as many requests as were to be made, or the provider has disappeared
+    cancelling, ///< by cancel(); until the provider has answered, or as many cancels were not
+};
+
+/// Bytes of a Create Event whose query has max_event_query.
+inline constexpr std::size_t max_create_event_size = 42 + max_event_query;
+
+/// An event of a consumer.
+struct requested_event {
+    address provider{};                  ///< who sends the events
+    requested_state state{};             ///< how far it has got
+    event_response response{};           ///< of the last answer
+    std::uint16_t message_code{};        ///< of the report
+    event_type type{};                   ///< what triggers it
+    bool confirmed{};                    ///< the event ID is known
+    bool heard{};                        ///< `sequence_number` is that of an event
+    std::uint8_t local_request_id{};     ///< of the request that waits for an answer
+    std::uint8_t event_id{};             ///< as confirmed
+    std::uint8_t sequence_number{};      ///< of the last event
+    double rate{};                       ///< hertz, as confirmed; 0: none was
+    std::chrono::nanoseconds due{};      ///< when to ask again, or notice the silence
+    std::chrono::nanoseconds heard_at{}; ///< when the last event came
+    unsigned requests{};                 ///< that were not answered
+    std::uint64_t received{};            ///< events
+    std::uint64_t lost{};                ///< events missing between those, as far as 8 bits can count
+    wire::inline_list<std::byte, max_create_event_size>
+        request{}; ///< the body of Create Event, or what Update Event has
+};
+
+/// What a message was to a consumer of events.
+enum class event_news : std::uint8_t {
+    not_mine,  ///< another's business
+    malformed, ///< one of its messages that does not decode
+    confirmed, ///< the provider has accepted
+    rejected,  ///< the provider has not
+    cancelled, ///< the event is gone
+    event,     ///< `report` is the body of a report
+    repeated,  ///< an event that came before, or after a later one
+    unknown,   ///< an event that was not asked for, or answers a request that was not made
+};
+/// The news, and the event it is of.
+struct event_outcome {
+    event_news what{};                   ///< what is new
+    std::size_t place{};                 ///< in requested()
+    unsigned lost{};                     ///< events missing just before this one
+    std::uint16_t message_code{};        ///< of the report in an event
+    std::span<const std::byte> report{}; ///< its body, in the message
+};
+
+/// The Update Event that sets an event up like a Create Event.
+[[nodiscard]] constexpr update_event as_update(const create_event& m, std::uint8_t event_id) noexcept {
+    return {.local_request_id = m.local_request_id,
+            .message_code = m.message_code,
+            .event_type = m.event_type,
+            .event_boundary = m.event_boundary,
+            .limit_data_field = m.limit_data_field,
+            .lower_limit = m.lower_limit,
+            .upper_limit = m.upper_limit,
+            .state_limit = m.state_limit,
+            .requested_minimum_periodic_rate = m.requested_minimum_periodic_rate,
+            .requested_periodic_rate = m.requested_periodic_rate,
+            .event_id = event_id,
+            .query_message_body = m.query_message_body};
+}
+
+} // namespace jauscat::jaus

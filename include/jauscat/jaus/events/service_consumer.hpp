@@ -1,0 +1,229 @@
+// Service connections, the side that asks: requests repeated until they are confirmed, reports counted by their
+// sequence numbers, silence noticed. RA 3.3 part 3, codes 0008h to 000Ch. The side that reports is
+// service_connections.hpp.
+#pragma once
+#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/events/consumed_connection.hpp>
+#include <jauscat/jaus/events/update_rate.hpp>
+#include <jauscat/jaus/message/callback.hpp>
+#include <jauscat/jaus/message/later.hpp>
+
+#include <optional>
+
+namespace jauscat::jaus {
+
+/// Asks for reports and keeps account of them: one connection for each provider and report code, because a report's
+/// header does not say which of several it is of. A stale connection is asked for again without end, so it outlives a
+/// provider that starts anew or a link that was down.
+template <std::size_t Capacity> class service_consumer {
+  public:
+    /// `changed` hears of each new state of a connection; it must outlive this.
+    constexpr explicit service_consumer(const address& self, consumer_options options = {},
+                                        callback<void(const consumed_connection&)> changed = {}) noexcept
+        : self_{self}, options_{options}, changed_{changed} {}
+
+    /// Asks `provider` for report `code` at `rate` hertz (at most 1092) with the fields of `presence_vector`, also when
+    /// there is a connection, to change it: if the provider refuses that, the connection ends. Returns its place in
+    /// connections(); none where all are taken, or the rate cannot be said.
+    [[nodiscard]] constexpr std::optional<std::size_t> ask(const address& provider, std::uint16_t code, double rate,
+                                                           std::uint32_t presence_vector, std::chrono::nanoseconds now,
+                                                           message_sink out) noexcept {
+        if (sayable_rate(rate, update_rate::max) == 0 || rate > update_rate::max) return std::nullopt;
+        consumed_connection* c = find(provider, code);
+        const consumed_connection before = c == nullptr ? consumed_connection{} : *c;
+        if (c == nullptr) c = free_place();
+        if (c == nullptr) return std::nullopt;
+        *c = {.provider = provider,
+              .instance_id = before.instance_id,
+              .confirmed = before.confirmed,
+              .request = {.command_code_ = code,
+                          .requested_periodic_update_rate = rate,
+                          .requested_presence_vector = presence_vector}};
+        enter(*c, consumed_state::asking);
+        request(*c, now, out);
+        return static_cast<std::size_t>(c - connections_.data());
+    }
+    /// Pauses a confirmed connection; false where there is none.
+    [[nodiscard]] constexpr bool suspend(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
+        if (place >= Capacity || !going_on(connections_[place])) return false;
+        tell<suspend_service_connection>(connections_[place], now, out);
+        enter(connections_[place], consumed_state::suspended);
+        return true;
+    }
+    /// Goes on with a suspended connection; false where it is not.
+    [[nodiscard]] constexpr bool activate(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
+        if (place >= Capacity || connections_[place].state != consumed_state::suspended) return false;
+        consumed_connection& c = connections_[place];
+        tell<activate_service_connection>(c, now, out);
+        c.due = later(now, silence(c));
+        enter(c, consumed_state::active);
+        return true;
+    }
+    /// Terminates a connection. Its place is free when the provider has been silent for three periods, and for the
+    /// patience: a report that still comes shows that the message was lost, and has it sent again.
+    constexpr void end(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
+        if (place >= Capacity || connections_[place].state == consumed_state::free) return;
+        consumed_connection& c = connections_[place];
+        if (c.confirmed) tell<terminate_service_connection>(c, now, out);
+        c.due = later(now, std::max(silence(c), options_.patience));
+        enter(c, consumed_state::ending);
+    }
+
+    /// Takes Confirm Service Connection, and the reports of connections, whose bodies are the caller's.
+    constexpr consumer_outcome on_message(const header& head, std::span<const std::byte> body,
+                                          std::chrono::nanoseconds now, message_sink out) noexcept {
+        if (is_acknowledgement(head)) return {};
+        if (head.command_code == confirm_service_connection::command_code) return confirm(head, body, now, out);
+        consumed_connection* const c = head.service_connection ? find(head.source, head.command_code) : nullptr;
+        if (c == nullptr) return {};
+        const auto place = static_cast<std::size_t>(c - connections_.data());
+        switch (c->state) {
+        case consumed_state::asking: // reports may overtake the confirmation
+        case consumed_state::active:
+        case consumed_state::stale: return count(*c, head.sequence_number, place, now);
+        case consumed_state::suspended: // the message got lost
+            if (now - c->asked_at >= options_.patience) tell<suspend_service_connection>(*c, now, out);
+            break;
+        case consumed_state::refused:
+        case consumed_state::ending:
+            if (c->confirmed && now - c->asked_at >= options_.patience)
+                tell<terminate_service_connection>(*c, now, out);
+            c->due = later(now, std::max(silence(*c), options_.patience));
+            break;
+        default: break;
+        }
+        return {consumer_news::ignored, place};
+    }
+
+    /// Asks again, notices silence, and frees what has ended.
+    constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
+        for (consumed_connection& c : connections_) {
+            if (!waits(c) || c.due > now) continue;
+            if (c.state == consumed_state::ending) {
+                enter(c, consumed_state::free);
+                c = {};
+            } else if (c.state == consumed_state::asking && c.requests >= options_.requests) {
+                enter(c, consumed_state::unanswered);
+            } else {
+                if (c.state == consumed_state::active) enter(c, consumed_state::stale);
+                request(c, now, out);
+            }
+        }
+    }
+    /// When on_time has something to do.
+    [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
+        std::optional<std::chrono::nanoseconds> next;
+        for (const consumed_connection& c : connections_)
+            if (waits(c) && (!next || c.due < *next)) next = c.due;
+        return next;
+    }
+
+    /// All places, free ones too.
+    [[nodiscard]] constexpr std::span<const consumed_connection> connections() const noexcept { return connections_; }
+
+  private:
+    [[nodiscard]] static constexpr bool going_on(const consumed_connection& c) noexcept {
+        return c.state == consumed_state::active || c.state == consumed_state::stale;
+    }
+    [[nodiscard]] static constexpr bool waits(const consumed_connection& c) noexcept {
+        return going_on(c) || c.state == consumed_state::asking || c.state == consumed_state::ending;
+    }
+    [[nodiscard]] constexpr consumed_connection* find(const address& provider, std::uint16_t code) noexcept {
+        const auto found = std::ranges::find_if(connections_, [&](const consumed_connection& c) {
+            return c.state != consumed_state::free && c.request.command_code_ == code && c.provider == provider;
+        });
+        return found == connections_.end() ? nullptr : &*found;
+    }
+    // What was refused or not answered makes place for the next.
+    [[nodiscard]] constexpr consumed_connection* free_place() noexcept {
+        consumed_connection* found = nullptr;
+        for (consumed_connection& c : connections_) {
+            if (c.state == consumed_state::free) return &c;
+            if (c.state == consumed_state::refused || c.state == consumed_state::unanswered) found = &c;
+        }
+        return found;
+    }
+    [[nodiscard]] constexpr std::chrono::nanoseconds silence(const consumed_connection& c) const noexcept {
+        const double rate = c.rate > 0 ? c.rate : c.request.requested_periodic_update_rate;
+        return options_.silent_periods * period_of(rate);
+    }
+    constexpr void enter(consumed_connection& c, consumed_state state) noexcept {
+        if (std::exchange(c.state, state) != state && changed_) changed_(c);
+    }
+    [[nodiscard]] constexpr header head_to(const consumed_connection& c) const noexcept {
+        return {.destination = c.provider, .source = self_};
+    }
+    constexpr void request(consumed_connection& c, std::chrono::nanoseconds now, message_sink out) noexcept {
+        static_cast<void>(put(head_to(c), c.request, out));
+        ++c.requests;
+        c.asked_at = now;
+        c.due = later(now, options_.patience);
+    }
+    template <class Message>
+    constexpr void tell(consumed_connection& c, std::chrono::nanoseconds now, message_sink out) noexcept {
+        static_cast<void>(
+            put(head_to(c), Message{.command_code_ = c.request.command_code_, .instance_id = c.instance_id}, out));
+        c.asked_at = now;
+    }
+    constexpr consumer_outcome confirm(const header& head, std::span<const std::byte> body,
+                                       std::chrono::nanoseconds now, message_sink out) noexcept {
+        confirm_service_connection answered{};
+        if (!wire::decode(answered, body)) return {.what = consumer_news::malformed};
+        consumed_connection* const c = find(head.source, answered.command_code_);
+        if (c == nullptr) return {};
+        const auto place = static_cast<std::size_t>(c - connections_.data());
+        const bool accepted = answered.response_code == service_connection_response::connection_created;
+        if (accepted) {
+            c->instance_id = answered.instance_id;
+            c->confirmed = true;
+        }
+        // It came after all, and nobody wants it any more.
+        if (accepted && (c->state == consumed_state::ending || c->state == consumed_state::unanswered))
+            end(place, now, out);
+        if (c->state != consumed_state::asking && !going_on(*c)) return {consumer_news::ignored, place};
+        c->requests = 0;
+        c->response = answered.response_code;
+        // A rate of nothing would never be missed.
+        if (!accepted || answered.confirmed_periodic_update_rate == 0) {
+            // A refused change leaves the provider with the connection that it had.
+            if (c->confirmed) tell<terminate_service_connection>(*c, now, out);
+            enter(*c, consumed_state::refused);
+            return {consumer_news::refused, place};
+        }
+        c->rate = answered.confirmed_periodic_update_rate;
+        if (c->state != consumed_state::active) {
+            if (c->state == consumed_state::stale) c->heard = false; // it may have started anew, and count from 0
+            c->due = later(now, silence(*c));
+            enter(*c, consumed_state::active);
+        }
+        return {consumer_news::confirmed, place};
+    }
+    constexpr consumer_outcome count(consumed_connection& c, std::uint16_t number, std::size_t place,
+                                     std::chrono::nanoseconds now) noexcept {
+        const auto ahead = static_cast<std::uint16_t>(number - c.sequence_number);
+        const bool newer = !c.heard || (ahead != 0 && ahead < 0x8000);
+        // A provider that has started anew counts from 0; while it was silent nothing else was heard that could be
+        // late.
+        if (!newer && c.state != consumed_state::stale) {
+            ++c.dropped;
+            return {consumer_news::old_report, place};
+        }
+        const std::uint64_t lost = c.heard && newer ? ahead - 1u : 0u;
+        c.heard = true;
+        c.sequence_number = number;
+        ++c.received;
+        c.lost += lost;
+        if (c.state != consumed_state::asking) {
+            c.due = later(now, silence(c));
+            enter(c, consumed_state::active);
+        }
+        return {consumer_news::report, place, lost};
+    }
+
+    address self_;
+    consumer_options options_;
+    callback<void(const consumed_connection&)> changed_;
+    std::array<consumed_connection, Capacity> connections_{};
+};
+
+} // namespace jauscat::jaus

@@ -1,0 +1,310 @@
+// Large data sets received: a body that does not fit one packet comes in several, and is put together here in memory
+// that the caller gives. RA 3.3 part 2, large data sets.
+#pragma once
+#include <jauscat/jaus/message/message.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace jauscat::jaus {
+
+/// What became of a packet.
+enum class reassembled : std::uint8_t {
+    only,      ///< no part of a large data set, or an acknowledgement: it is the caller's
+    waiting,   ///< kept; others are missing. A last packet that asks for acknowledgement is not kept: it is repeated
+    whole,     ///< the last one that was missing: the whole has been handed on
+    repeated,  ///< held already, or a straggler of the data set that was just handed on, and dropped
+    doubtful,  ///< not to be acknowledged: equal to a part of the data set that was handed on before; it may be a late
+               ///< copy
+    no_room,   ///< dropped: every place, or its source's share of them, is taken by data sets that go on
+    too_large, ///< dropped together with its data set, which has more bytes or packets than a place holds
+};
+
+/// What became of it in one line, for logs.
+[[nodiscard]] constexpr std::string_view describe(reassembled what) noexcept {
+    switch (what) {
+    case reassembled::only: return "complete in one packet";
+    case reassembled::waiting: return "part of a large data set of which packets are missing";
+    case reassembled::whole: return "the last missing part of a large data set";
+    case reassembled::repeated: return "part of a large data set that was received already";
+    case reassembled::doubtful: return "equal to part of the large data set before, and may be a late copy of that";
+    case reassembled::no_room: return "too many large data sets at a time: send it again later";
+    case reassembled::too_large: return "the large data set has more bytes or packets than there is room for";
+    }
+    return "unknown";
+}
+
+/// A place for one data set of which packets are missing, and what is known of it.
+struct partial_data_set {
+    jaus::header header{};                    ///< of packet 0, or of the first that came
+    std::size_t packets{};                    ///< how many are held; 0: the place is free
+    std::size_t bytes{};                      ///< of body that are held
+    std::optional<std::uint16_t> last{};      ///< sequence number of the last packet, once that has come
+    bool last_is_doubtful{};                  ///< the last packet came once, and may have been a late copy
+    bool begun{};                             ///< packet 0 is held
+    std::chrono::nanoseconds begun_at{};      ///< when packet 0 last came; before it came, when the first other did
+    std::chrono::nanoseconds last_heard_at{}; ///< when a packet of it last came
+    std::uint64_t order{};                    ///< the higher the later, among packets of one time too
+    std::size_t handed_on{};                  ///< packets of the whole that was made here last; the place is free then
+};
+
+/// A packet that is held: its sequence number, the bytes of its body, and where they begin among its place's.
+struct held_packet {
+    std::uint16_t sequence_number{}; ///< the packet's
+    std::uint16_t size{};            ///< bytes of its body
+    std::uint32_t offset{};          ///< where they begin
+};
+
+/// What a reassembler grants its senders.
+struct reassembly_limits {
+    /// Places that one source may take, with several command codes at a time; 0: half of them, at least one.
+    std::size_t places_per_source{};
+    /// So long after a data set is whole, packets equal to its own are taken for stragglers of it, not for parts of an
+    /// equal or similar next one; and so long other packets may come before packet 0. As long as packets overtake each
+    /// other, and shorter than senders pause.
+    std::chrono::nanoseconds linger{std::chrono::milliseconds{2}};
+    /// So long after a data set is whole, the first packet that asks for acknowledgement and is equal to that of its
+    /// number is doubtful: the network may have made a copy, and to acknowledge that would tell the sender that a
+    /// packet of its next data set is here. It is kept, but for a last one; the second such packet is acknowledged.
+    /// Longer than the network holds packets back.
+    std::chrono::nanoseconds linger_of_copies{};
+    /// The same for a last packet that asks for acknowledgement: its sender repeats it until it gets one, and that may
+    /// be lost. As long as senders repeat.
+    std::chrono::nanoseconds linger_of_repeats{std::chrono::seconds{2}};
+    /// A data set whose packets ask for no acknowledgement is given up when the next one comes after so long a silence:
+    /// it may be of another data set. Shorter than senders pause between two of them.
+    std::chrono::nanoseconds longest_gap{std::chrono::milliseconds{125}};
+};
+
+/// Puts data sets together by command code and source. Packets may come out of order and more than once.
+///
+/// Memory is what the caller gives: a flood takes places, never more memory. A data set of which a second packet has
+/// come goes on, and keeps its place until it has been silent for the patience. One with a single packet gives its
+/// place to the packet 0 of a newcomer where no other is free, the longest silent one first, so a flood of first
+/// packets, from whatever sources, neither displaces what goes on nor keeps others out.
+///
+/// Packets carry nothing that names their data set: the next one of the same source and code uses the same numbers.
+/// What cannot be told apart is given up, never put together. A data set is given up when a packet comes
+/// - that contradicts it: another body or another end under a number that it has, or no wish for acknowledgement like
+/// the first's;
+/// - and packet 0 has not come within `linger` of the first other one;
+/// - after `longest_gap`, or with another packet 0 after `linger`, where no acknowledgement is asked for. Who asks for
+///   it sends the last packet when all others are acknowledged, and these have been compared with what is held.
+/// This is safe with senders that pause between two data sets for longer than the network holds packets back, and
+/// longest_gap more after one that was not acknowledged. Whoever can send as the source of a data set can spoil it: let
+/// only known senders through.
+///
+///     std::array<jaus::partial_data_set, 4> places{};
+///     std::array<jaus::held_packet, 4 * 64> packets{};
+///     std::array<std::byte, 4 * 64 * jaus::max_body_size> memory{};
+///     jaus::reassembler large{places, packets, memory, 5s};
+///     large.on_packet(header, body, now, [&](const jaus::header& head, std::span<const std::byte> whole) { ... },
+///                     [&](const jaus::partial_data_set& incomplete) { ... });
+class reassembler {
+  public:
+    /// Each place has an equal share of `packets` and of `memory`. A packet that
+    /// comes late has what is held behind it moved: a place's share bounds what that costs. `patience`: a data set that
+    /// has been silent so long is given up when its place is wanted, or by on_time. All three must outlive this.
+    constexpr reassembler(std::span<partial_data_set> places, std::span<held_packet> packets,
+                          std::span<std::byte> memory, std::chrono::nanoseconds patience,
+                          reassembly_limits limits = {}) noexcept
+        : places_{places}, packets_{packets}, memory_{memory}, patience_{patience}, limits_{limits} {
+        if (limits_.places_per_source == 0) limits_.places_per_source = (places.size() + 1) / 2;
+    }
+
+    /// A packet that came at `now`. `take(const header&, std::span<const std::byte>)` gets a whole data set: the header
+    /// of its packet 0, whose data size and flag are that packet's, and the whole body, valid during the call.
+    /// `lost(const partial_data_set&)` hears of one that is given up.
+    constexpr reassembled on_packet(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds now,
+                                    auto&& take, auto&& lost) {
+        // There are nodes that repeat the data flag when they acknowledge.
+        if (head.data_flag == data_flag::only || is_acknowledgement(head)) return reassembled::only;
+        partial_data_set* set = find(head);
+        if (set == nullptr && is_straggler(head, body, now, linger_of(head))) return reassembled::repeated;
+        const bool is_doubtful =
+            is_requested(head) && !holds(set, head, body) && is_straggler(head, body, now, limits_.linger_of_copies);
+        if (is_doubtful && set != nullptr && packet_of(*set, head) != nullptr) return reassembled::doubtful;
+        if (set != nullptr && (contradicts(*set, head, body) || may_be_another(*set, head, now))) {
+            forget(*set, lost);
+            set = nullptr;
+        }
+        if (comes_too_early(set, head)) return reassembled::waiting;
+        const bool ends = head.data_flag == data_flag::last;
+        if (is_doubtful && ends && !std::exchange(set->last_is_doubtful, true)) return reassembled::doubtful;
+        if (set == nullptr) set = free_place(head, now, lost);
+        if (set == nullptr) return reassembled::no_room;
+        if (set->packets == 0) *set = {.header = head, .begun_at = now};
+        if (head.sequence_number == 0) {
+            set->header = head;
+            set->begun = true;
+            set->begun_at = now;
+        }
+        set->last_heard_at = now;
+        set->order = ++order_;
+
+        const auto list = share(packets_, *set);
+        const auto bytes = share(memory_, *set);
+        const auto held = list.first(set->packets);
+        const auto at = position(held, head.sequence_number);
+        const auto before = static_cast<std::size_t>(at - held.begin());
+        if (at != held.end() && at->sequence_number == head.sequence_number) return reassembled::repeated;
+        if (set->packets == list.size() || body.size() > bytes.size() - set->bytes || body.size() > 0xFFFF) {
+            forget(*set, lost);
+            return reassembled::too_large;
+        }
+        const std::size_t offset = at == held.end() ? set->bytes : at->offset;
+        for (held_packet& behind : held.subspan(before)) behind.offset += static_cast<std::uint32_t>(body.size());
+        insert(list, set->packets, before,
+               std::array{held_packet{.sequence_number = head.sequence_number,
+                                      .size = static_cast<std::uint16_t>(body.size()),
+                                      .offset = static_cast<std::uint32_t>(offset)}});
+        insert(bytes, set->bytes, offset, body);
+        ++set->packets;
+        set->bytes += body.size();
+
+        if (ends) set->last = head.sequence_number;
+        if (!set->last || set->packets != *set->last + std::size_t{1})
+            return is_doubtful ? reassembled::doubtful : reassembled::waiting;
+        take(std::as_const(set->header), std::span<const std::byte>{bytes.first(set->bytes)});
+        *set = {.header = set->header, .last_heard_at = now, .order = order_, .handed_on = set->packets};
+        return reassembled::whole;
+    }
+
+    /// Gives up what has been silent for the patience. Not needed for safety: on_packet does so for the place it wants.
+    constexpr void on_time(std::chrono::nanoseconds now, auto&& lost) {
+        for (partial_data_set& set : places_)
+            if (set.packets != 0 && stale(set, now)) forget(set, lost);
+    }
+
+    /// The data set to which a packet with this header belongs, as far as it has come, or nullptr.
+    [[nodiscard]] constexpr const partial_data_set* incomplete(const header& head) const noexcept { return find(head); }
+    /// The places, for those who want to see what is incomplete.
+    [[nodiscard]] constexpr std::span<const partial_data_set> places() const noexcept { return places_; }
+
+  private:
+    [[nodiscard]] constexpr partial_data_set* find(const header& head) const noexcept {
+        const auto found = std::ranges::find_if(places_, [&](const partial_data_set& set) {
+            return set.packets != 0 && set.header.command_code == head.command_code && set.header.source == head.source;
+        });
+        return found == places_.end() ? nullptr : &*found;
+    }
+    [[nodiscard]] static constexpr bool is_requested(const header& head) noexcept {
+        return head.ack_nak == ack_nak::request;
+    }
+    // A sender that has gone on to its next data set uses the numbers of the old one again, for other bytes.
+    [[nodiscard]] constexpr bool contradicts(const partial_data_set& set, const header& head,
+                                             std::span<const std::byte> body) const noexcept {
+        if (is_requested(set.header) && !is_requested(head)) return true;
+        const bool ends = head.data_flag == data_flag::last;
+        if (set.last && head.sequence_number > *set.last) return true;
+        const auto held = share(packets_, set).first(set.packets);
+        if (ends && !held.empty() && held.back().sequence_number > head.sequence_number) return true;
+        const auto at = position(held, head.sequence_number);
+        if (at == held.end() || at->sequence_number != head.sequence_number) return false;
+        const bool ended = set.last == head.sequence_number;
+        return (ends != ended && head.data_flag != data_flag::repeated) || !std::ranges::equal(body_of(set, *at), body);
+    }
+    // A last packet that asks for acknowledgement is not kept while others are missing: a packet of a later data set
+    // that fills the gap would make a whole of both. It is repeated.
+    [[nodiscard]] static constexpr bool comes_too_early(const partial_data_set* set, const header& head) noexcept {
+        if (head.data_flag != data_flag::last || !is_requested(head)) return false;
+        return set == nullptr || !set->begun || set->packets < head.sequence_number;
+    }
+    // By the time alone: the packet may belong to a later data set than those that are held.
+    [[nodiscard]] constexpr bool may_be_another(const partial_data_set& set, const header& head,
+                                                std::chrono::nanoseconds now) const noexcept {
+        if (!set.begun) return now - set.begun_at > limits_.linger;
+        if (is_requested(set.header) && is_requested(head)) return false;
+        return now - set.last_heard_at > limits_.longest_gap ||
+               (head.data_flag == data_flag::first && now - set.begun_at > limits_.linger);
+    }
+    [[nodiscard]] constexpr const held_packet* packet_of(const partial_data_set& set,
+                                                         const header& head) const noexcept {
+        const auto held = share(packets_, set).first(set.packets);
+        const auto at = position(held, head.sequence_number);
+        return at != held.end() && at->sequence_number == head.sequence_number ? &*at : nullptr;
+    }
+    [[nodiscard]] constexpr bool holds(const partial_data_set* set, const header& head,
+                                       std::span<const std::byte> body) const noexcept {
+        const auto* const packet = set == nullptr ? nullptr : packet_of(*set, head);
+        return packet != nullptr && std::ranges::equal(body_of(*set, *packet), body);
+    }
+    [[nodiscard]] constexpr std::chrono::nanoseconds linger_of(const header& head) const noexcept {
+        const bool repeats = head.data_flag == data_flag::last && is_requested(head);
+        return std::max(limits_.linger, repeats ? limits_.linger_of_repeats : limits_.linger);
+    }
+    // Its body still lies in the memory of its place.
+    [[nodiscard]] constexpr bool is_straggler(const header& head, std::span<const std::byte> body,
+                                              std::chrono::nanoseconds now,
+                                              std::chrono::nanoseconds linger) const noexcept {
+        return std::ranges::any_of(places_, [&](const partial_data_set& set) {
+            return set.handed_on > head.sequence_number && now - set.last_heard_at < linger &&
+                   set.header.command_code == head.command_code && set.header.source == head.source &&
+                   std::ranges::equal(body_of(set, share(packets_, set)[head.sequence_number]), body);
+        });
+    }
+    [[nodiscard]] constexpr std::span<const std::byte> body_of(const partial_data_set& set,
+                                                               const held_packet& packet) const noexcept {
+        return share(memory_, set).subspan(packet.offset, packet.size);
+    }
+    // Where the packet of this number is among those held, or would be.
+    [[nodiscard]] static constexpr std::span<held_packet>::iterator position(std::span<held_packet> held,
+                                                                             std::uint16_t number) noexcept {
+        return std::ranges::lower_bound(held, number, {}, &held_packet::sequence_number);
+    }
+    // The place that a newcomer takes: a free one, the longest unused first, so that stragglers are known for long;
+    // else that of a data set that went silent; else, for packet 0 alone, that of one with a single packet.
+    [[nodiscard]] constexpr partial_data_set* free_place(const header& head, std::chrono::nanoseconds now, auto& lost) {
+        const auto of_source = [&](const partial_data_set& set) {
+            return set.packets != 0 && set.header.source == head.source;
+        };
+        const bool share_is_full =
+            std::cmp_greater_equal(std::ranges::count_if(places_, of_source), limits_.places_per_source);
+        const auto reluctance = [&](const partial_data_set& set) {
+            if (set.packets == 0) return 0;
+            return stale(set, now) ? 1 : set.packets == 1 ? 2 : 3;
+        };
+        const int most = head.sequence_number == 0 ? 2 : 1;
+        partial_data_set* best = nullptr;
+        for (partial_data_set& set : places_) {
+            if (reluctance(set) > most || (share_is_full && !of_source(set))) continue;
+            if (best == nullptr || std::pair{reluctance(set), set.order} < std::pair{reluctance(*best), best->order})
+                best = &set;
+        }
+        if (best != nullptr && best->packets != 0) forget(*best, lost);
+        return best;
+    }
+    [[nodiscard]] constexpr bool stale(const partial_data_set& set, std::chrono::nanoseconds now) const noexcept {
+        return now - set.last_heard_at >= patience_;
+    }
+    static constexpr void forget(partial_data_set& set, auto& lost) {
+        lost(std::as_const(set));
+        set = {};
+    }
+    template <class T>
+    [[nodiscard]] constexpr std::span<T> share(std::span<T> all, const partial_data_set& set) const noexcept {
+        const std::size_t size = all.size() / places_.size();
+        return all.subspan(static_cast<std::size_t>(&set - places_.data()) * size, size);
+    }
+    // Puts `more` into the first `used` elements of `all`, in front of the one at `place`.
+    template <class T>
+    static constexpr void insert(std::span<T> all, std::size_t used, std::size_t place, const auto& more) noexcept {
+        const auto at = all.begin() + static_cast<std::ptrdiff_t>(place);
+        const auto end = all.begin() + static_cast<std::ptrdiff_t>(used);
+        std::copy_backward(at, end, end + static_cast<std::ptrdiff_t>(more.size()));
+        std::ranges::copy(more, at);
+    }
+
+    std::span<partial_data_set> places_;
+    std::span<held_packet> packets_;
+    std::span<std::byte> memory_;
+    std::chrono::nanoseconds patience_;
+    reassembly_limits limits_;
+    std::uint64_t order_{};
+};
+
+} // namespace jauscat::jaus

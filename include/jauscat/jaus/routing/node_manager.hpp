@@ -1,0 +1,239 @@
+// The node manager, component 1 instance 1 of a node: shows that the node is there, watches who else is, and says which
+// subsystems, nodes and components there are.
+#pragma once
+#include <jauscat/jaus/routing/node_description.hpp>
+
+#include <bitset>
+#include <tuple>
+
+namespace jauscat::jaus {
+
+/// A part of the component <subsystem>.<node>.1.1 that
+/// - sends heartbeats to all node managers and remembers who sends it some: node managers, components of the own node;
+/// - asks the other nodes of the subsystem, when they appear and then again and again, which components they have;
+/// - answers Query Identification (2B00h) for system, subsystem, node and component, Query Configuration (2B01h) for
+///   subsystem and node, Query Subsystem List (2B02h), and what every described_component answers.
+/// Reported is what the description has and what is there at the moment. Reserved query types are refused, as is what
+/// the memory does not suffice for. A heartbeat for which there is no room is refused and counted.
+class node_manager {
+  public:
+    using time = std::chrono::nanoseconds;
+
+    /// `description` and the memory must outlive this. `self`: with component 1 and instance 1.
+    node_manager(const address& self, const node_description& description, const node_manager_memory& memory,
+                 const node_manager_options& options = {}) noexcept
+        : self_{self},
+          description_{description},
+          memory_{memory},
+          options_{options},
+          own_{self, {description.manager, description.services}, options.beat, memory.report},
+          present_{memory.presences} {}
+
+    message_outcome on_message(const header& head, std::span<const std::byte> body, time now,
+                               message_sink out) noexcept {
+        if (is_acknowledgement(head)) return message_outcome::not_mine;
+        switch (head.command_code) {
+        case report_heartbeat_pulse::command_code:
+            return decode_for<report_heartbeat_pulse>(body, [&](const auto&) { return on_heartbeat(head, now, out); });
+        case report_configuration::command_code: return on_configuration(head, body, now);
+        case query_identification::command_code:
+            return decode_for<query_identification>(
+                body, [&](const query_identification& query) { return identify(query.query_type, head, body, out); });
+        case query_configuration::command_code:
+            return decode_for<query_configuration>(body, [&](const query_configuration& query) {
+                return done(with_components(query.query_field, [&](const report_configuration& report) {
+                    return answer(head, self_, report, memory_.report, out);
+                }));
+            });
+        case query_subsystem_list::command_code:
+            return decode_for<query_subsystem_list>(body, [&](const auto&) { return report_subsystems(head, out); });
+        default: return own_.on_message(head, body, now, out);
+        }
+    }
+
+    void on_time(time now, message_sink out) noexcept {
+        own_.on_time(now, out);
+        std::bitset<256> lost; // nodes of the own subsystem
+        present_.on_time(now, [&](const address& who) {
+            if (who.subsystem == self_.subsystem && is_node_manager(who)) lost[who.node] = true;
+            tell(options_.disappeared, who);
+        });
+        if (lost.any())
+            present_.remove_if(
+                [&](const presence_table::place& one) {
+                    return one.address.subsystem == self_.subsystem && lost[one.address.node];
+                },
+                [&](const address& who) { tell(options_.disappeared, who); });
+        if (options_.survey <= time{} || now < next_survey_) return;
+        next_survey_ = later(now, options_.survey);
+        present_.for_each([&](const address& who) { ask(who, out); });
+    }
+    /// Never later than that on_time has something to do.
+    [[nodiscard]] std::optional<time> next_event() const noexcept {
+        std::optional<time> next = own_.next_event();
+        const auto earlier = [&](time other) { next = next ? std::min(*next, other) : other; };
+        if (const auto check = present_.next_event()) earlier(*check);
+        if (options_.survey > time{}) earlier(next_survey_);
+        return next;
+    }
+
+    /// Who is there.
+    [[nodiscard]] const presence_table& present() const noexcept { return present_; }
+    /// `who` counts as there for good, also if it sends no heartbeats; false when there is no room.
+    bool keep(const address& who) noexcept { return present_.keep(who); }
+    /// The body of Report Configuration of the subsystem or the node, at the front of `body`; its size, or nothing
+    /// where `what` is neither or there is no room. For events of this report.
+    std::optional<std::size_t> configuration(query_field what, std::span<std::byte> body) const noexcept {
+        std::optional<std::size_t> used;
+        with_components(what, [&](const report_configuration& report) {
+            if (const wire::result size = wire::encode(report, body)) used = size.size();
+            return used.has_value();
+        });
+        return used;
+    }
+    /// Components that were not remembered for want of room, counted at each heartbeat and report.
+    [[nodiscard]] std::uint64_t not_remembered() const noexcept { return not_remembered_; }
+
+  private:
+    static void tell(const callback<void(const address&)>& whom, const address& who) noexcept {
+        if (whom) whom(who);
+    }
+    static message_outcome done(bool sent) noexcept { return sent ? message_outcome::taken : message_outcome::refused; }
+    heard remember(const address& who, time now, time patience) noexcept {
+        const heard what = present_.hear(who, now, patience);
+        if (what == heard::no_room) ++not_remembered_;
+        if (what == heard::appeared) tell(options_.appeared, who);
+        return what;
+    }
+
+    message_outcome on_heartbeat(const header& head, time now, message_sink out) noexcept {
+        if (head.source == self_) return message_outcome::taken; // our own to all
+        const heard what = remember(head.source, now, options_.patience);
+        if (what == heard::appeared) ask(head.source, out);
+        return done(what != heard::no_room);
+    }
+    // The components of another node of the subsystem.
+    void ask(const address& who, message_sink out) const noexcept {
+        if (who.subsystem != self_.subsystem || who.node == self_.node || !is_node_manager(who)) return;
+        static_cast<void>(
+            put({.destination = who, .source = self_}, query_configuration{query_field::node_configuration}, out));
+    }
+    // Taken from those who are asked, about themselves.
+    message_outcome on_configuration(const header& head, std::span<const std::byte> body, time now) noexcept {
+        const auto& from = head.source;
+        const bool is_asked = from.subsystem == self_.subsystem && from.node != self_.node && is_node_manager(from);
+        if (!is_asked || present_.find(from) == nullptr) return message_outcome::refused;
+        wire::arena lists{memory_.lists};
+        report_configuration report{};
+        const wire::result read = wire::decode(report, body, lists);
+        if (!read)
+            return read.error() == wire::errc::arena_full ? message_outcome::refused : message_outcome::malformed;
+        const time patience =
+            options_.survey > time{} ? later(later(options_.survey, options_.survey), options_.survey) : time::max();
+        bool all = true;
+        for (const configured_node& node : report.node)
+            for (const auto& [component, instance] : node.component) {
+                const address who{instance, component, node.node_id, from.subsystem};
+                if (who.node != from.node || who == from || !names_one_component(who)) continue;
+                all = remember(who, now, patience) != heard::no_room && all;
+            }
+        return done(all);
+    }
+
+    message_outcome identify(query_type whose, const header& head, std::span<const std::byte> body,
+                             message_sink out) noexcept {
+        const auto with = [&](const identity& name) {
+            return done(answer(head, self_, described_component::identification(whose, name), out));
+        };
+        switch (whose) {
+        case query_type::system_identification: return with(description_.system);
+        case query_type::subsystem_identification: return with(description_.subsystem);
+        case query_type::node_identification: return with(description_.node);
+        default: return own_.on_message(head, body, {}, out);
+        }
+    }
+
+    // Those that are wanted, and this one, in memory from `lists`, sorted by `key` and each once; none for want of
+    // room.
+    std::span<address> collect(wire::arena& lists, auto&& wanted, auto&& key) const noexcept {
+        const std::size_t most = 1 + description_.components.size() + present_.size();
+        address* const first = lists.allocate<address>(most);
+        if (first == nullptr) return {};
+        std::size_t count = 0;
+        first[count++] = self_;
+        for (const auto& [component, instance] : description_.components)
+            first[count++] = {instance, component, self_.node, self_.subsystem};
+        present_.for_each([&](const address& who) {
+            if (wanted(who)) first[count++] = who;
+        });
+        const std::span all{first, count};
+        std::ranges::sort(all, {}, key);
+        return all.first(static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin()));
+    }
+    // The message counts a node's components in one byte. Those of the description stay in before others.
+    std::span<const configured_component> most_of_node(std::span<configured_component> of_node) const noexcept {
+        constexpr std::size_t most = 255;
+        if (of_node.size() <= most) return of_node;
+        std::partition(of_node.begin(), of_node.end(), [&](const configured_component& one) {
+            return std::ranges::find(description_.components, one) != description_.components.end();
+        });
+        const auto listed = of_node.first(most);
+        std::ranges::sort(listed, {}, [](const auto& one) { return std::pair{one.component_id, one.instance_id}; });
+        return listed;
+    }
+    // False, and no report, for another field and for want of room; else what `use(report)` says.
+    bool with_components(query_field what, auto&& use) const noexcept {
+        const bool of_node = what == query_field::node_configuration;
+        if (!of_node && what != query_field::subsystem_configuration) return false;
+        wire::arena lists{memory_.lists};
+        const auto all = collect(
+            lists,
+            [&](const address& who) {
+                return who.subsystem == self_.subsystem && (!of_node || who.node == self_.node);
+            },
+            [](const address& who) {
+                return std::tuple{who.node, who.component, who.instance};
+            });
+        auto* const components = lists.allocate<configured_component>(all.size());
+        std::size_t node_count = 0;
+        for (std::size_t i = 0; i != all.size(); ++i) node_count += i == 0 || all[i].node != all[i - 1].node ? 1 : 0;
+        auto* const nodes = lists.allocate<configured_node>(node_count);
+        if (all.empty() || components == nullptr || nodes == nullptr) return false;
+        for (std::size_t i = 0, begin = 0, node = 0; i != all.size(); ++i) {
+            components[i] = {all[i].component, all[i].instance};
+            if (i + 1 != all.size() && all[i + 1].node == all[i].node) continue;
+            nodes[node++] = {all[i].node, most_of_node(std::span{components + begin, i + 1 - begin})};
+            begin = i + 1;
+        }
+        return use(report_configuration{std::span<const configured_node>{nodes, node_count}});
+    }
+    // Each subsystem once, by its first node manager if it has one.
+    message_outcome report_subsystems(const header& head, message_sink out) noexcept {
+        wire::arena lists{memory_.lists};
+        const auto all = collect(
+            lists, [&](const address& who) { return who.subsystem != self_.subsystem; },
+            [this](const address& who) {
+                return std::tuple{who.subsystem, who != self_,  !is_node_manager(who),
+                                  who.node,      who.component, who.instance};
+            });
+        auto* const subsystems = lists.allocate<listed_subsystem>(all.size());
+        if (all.empty() || subsystems == nullptr) return message_outcome::refused;
+        std::size_t count = 0;
+        for (const address& who : all)
+            if (count == 0 || subsystems[count - 1].subsystem_id != who.subsystem)
+                subsystems[count++] = {who.subsystem, who.node, who.component, who.instance};
+        const report_subsystem_list report{std::span<const listed_subsystem>{subsystems, count}};
+        return done(answer(head, self_, report, memory_.report, out));
+    }
+
+    address self_;
+    const node_description& description_;
+    node_manager_memory memory_;
+    node_manager_options options_;
+    described_component own_;
+    presence_table present_;
+    time next_survey_{time::min()};
+    std::uint64_t not_remembered_{};
+};
+
+} // namespace jauscat::jaus

@@ -1,0 +1,104 @@
+// Who has been heard of lately.
+#pragma once
+#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/routing/address_map.hpp>
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+namespace jauscat::jaus {
+
+/// When a component was heard of. Times are the caller's.
+struct presence {
+    std::chrono::nanoseconds last_heard_at{}; ///< on the caller's clock
+    std::chrono::nanoseconds gone_at{};       ///< when it is given up unless it is heard again; max: never
+};
+
+/// What hearing of a component means.
+enum class heard : std::uint8_t {
+    known,    ///< was there already
+    appeared, ///< is new
+    no_room,  ///< is new and not remembered: the table is full
+};
+
+/// The components that are there, each until it has been silent for the patience it was heard with. A flood of new
+/// addresses takes places, never more memory, and displaces nobody. Found in constant time.
+class presence_table {
+  public:
+    using time = std::chrono::nanoseconds;
+    /// A place in the caller's memory.
+    using place = address_place<presence>;
+
+    /// `places` must outlive this; three quarters of a power of two of them can be used.
+    constexpr explicit presence_table(std::span<place> places) noexcept : map_{places} {}
+
+    /// `who`, with an ID on each level, was heard at `now`. `patience`: 0 or more.
+    constexpr heard hear(const address& who, time now, time patience) noexcept {
+        const time gone_at = later(now, patience);
+        if (place* const found = map_.exactly(who)) {
+            found->value.last_heard_at = now;
+            found->value.gone_at = std::max(found->value.gone_at, gone_at);
+            return heard::known;
+        }
+        if (map_.insert(who, {now, gone_at}) != inserted::ok) return heard::no_room;
+        next_check_ = std::min(next_check_, gone_at);
+        return heard::appeared;
+    }
+    /// `who` is there for good, whether it is heard or not; false when the table is full.
+    constexpr bool keep(const address& who) noexcept { return hear(who, time{}, time::max()) != heard::no_room; }
+
+    /// Gives up who has been silent too long: `gone(const address&)` hears of each, which is no longer in the table.
+    constexpr void on_time(time now, auto&& gone) {
+        if (now < next_check_) return;
+        next_check_ = time::max();
+        remove_if(
+            [&](const place& one) {
+                if (one.value.gone_at <= now) return true;
+                next_check_ = std::min(next_check_, one.value.gone_at);
+                return false;
+            },
+            gone);
+    }
+    /// When on_time may have something to do: not later than that somebody must be given up.
+    [[nodiscard]] constexpr std::optional<time> next_event() const noexcept {
+        if (next_check_ == time::max()) return std::nullopt;
+        return next_check_;
+    }
+
+    /// Removes those for whom `unwanted(const place&)` holds, which may be asked about one more than once; `gone(const
+    /// address&)` hears of each.
+    constexpr void remove_if(auto&& unwanted, auto&& gone) {
+        const auto places = map_.places();
+        for (std::size_t at = 0; at != places.size();) {
+            if (!places[at].taken || !unwanted(std::as_const(places[at]))) {
+                ++at;
+                continue;
+            }
+            const address who = places[at].address;
+            map_.erase(who); // may move another to this place
+            gone(who);
+        }
+    }
+
+    /// When `who` was heard, or nullptr.
+    [[nodiscard]] constexpr const presence* find(const address& who) const noexcept {
+        const place* const found = map_.exactly(who);
+        return found == nullptr ? nullptr : &found->value;
+    }
+    /// `use(const address&)` for everyone, in no order.
+    constexpr void for_each(auto&& use) const {
+        for (const place& one : map_.places())
+            if (one.taken) use(one.address);
+    }
+    /// How many are present.
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return map_.size(); }
+    /// How many there can be.
+    [[nodiscard]] constexpr std::size_t capacity() const noexcept { return map_.capacity(); }
+
+  private:
+    address_map<presence> map_;
+    time next_check_{time::max()};
+};
+
+} // namespace jauscat::jaus

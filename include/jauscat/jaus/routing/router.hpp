@@ -1,0 +1,173 @@
+// Which local components a message is for and which neighbours it is forwarded to, so that none circulates although
+// the header has no hop count.
+#pragma once
+#include <jauscat/jaus/routing/routing_table.hpp>
+
+namespace jauscat::jaus {
+
+/// Routes the messages of one node by its table. What kind of neighbour a message comes from decides where it may go:
+///
+/// | comes from                 | with a source in            | to one goes on to  | to all goes on to          |
+/// | -------------------------- | --------------------------- | ------------------ | -------------------------- |
+/// | here, a component          | the own node                | C, N, S            | C; and N, S, or `up` alone |
+/// | a node                     | the own subsystem, not node | C, S; N if primary | C; if primary N and S      |
+/// | a node                     | another subsystem           | C; N if primary    | C                          |
+/// | another subsystem, unknown | another subsystem           | C, N               | C; N if primary            |
+/// | the node manager's program | any but those here          | C of this program  | C of this program          |
+///
+/// C: components of the own node, N: nodes of the own subsystem, S: other subsystems.
+///
+/// Nothing goes back to where it came from; what comes with another source than the table has is refused. The primary
+/// is the one node that relays within its subsystem; there may be none, where every node has a way to every other.
+/// A primary relays a broadcast only where it comes from the node of its source, or from a group: several nodes that
+/// are all told to be the primary would pass it on among each other without end.
+///
+/// `up` is the node manager's program, or else the primary where that is another node: it does the broadcasting for
+/// this one. So a message goes from its node to at most the primary, a gateway, another's gateway, its primary and the
+/// destination, and each step is one that those behind it cannot make again.
+///
+/// A broadcast goes once to each hop that it concerns; of entries that cover each other only to the widest that names
+/// the subsystem (2.0.0.0, not 2.1.0.0). So another subsystem with a primary is entered by one way, which leads to
+/// that; one without by a way for each of its nodes; and a primary's ways to other subsystems do not lead through its
+/// own. A multicast group between subsystems takes the place of single ways for subsystem 255; one between the nodes of
+/// the own subsystem that of the ways to them, and all of them must have it. Whoever sent a broadcast does not get it.
+///
+/// A message is never changed. One to one node costs two look-ups in an address_map; a broadcast that goes beyond the
+/// node passes once over all ways.
+class router {
+  public:
+    /// `routes` must outlive this. `primary`: the node that relays within the own subsystem; 0 for none.
+    constexpr explicit router(routing_table& routes, std::uint8_t primary = 0) noexcept
+        : table_{routes}, primary_{primary} {}
+
+    /// A message that came from `from`. `to_component(number, address)` is called for each component of this program
+    /// that gets it, with the component's own address, for which the header may have 255; `to_hop(hop)` for each hop.
+    constexpr routing route(const header& head, hop from, auto&& to_component, auto&& to_hop) {
+        const auto& to = head.destination;
+        routing all{.outcome = check(head, from)};
+        if (!all) return all;
+        table_.next_turn();
+        const auto give = [&](const way& where, const address& whole) {
+            to_component(where.number, whole);
+            ++all.components;
+        };
+        const auto send = [&](hop which) {
+            if (which == from || !table_.first_time(which)) return;
+            to_hop(which);
+            ++all.hops;
+        };
+        const bool to_all_here = table_.is_own_node(to) && (to.component == 255 || to.instance == 255);
+        const bool to_one = to.subsystem != 255 && to.node != 255 && !to_all_here;
+        all.outcome = to_one ? pass_on(head, from, give, send) : spread(head, from, give, send);
+        if (all && all.components + all.hops == 0) all.outcome = covers_subsystem(to) ? routed::nobody : routed::no_way;
+        return all;
+    }
+
+  private:
+    [[nodiscard]] constexpr bool from_own_node(hop from) const noexcept {
+        return from == here || table_.kind_of(from) == hop_kind::component;
+    }
+    [[nodiscard]] constexpr bool of_own_subsystem(const address& a) const noexcept {
+        return a.subsystem == table_.subsystem();
+    }
+    [[nodiscard]] constexpr bool covers_subsystem(const address& to) const noexcept {
+        return to.subsystem == 255 || of_own_subsystem(to);
+    }
+
+    [[nodiscard]] constexpr routed check(const header& head, hop from) const noexcept {
+        const auto& [instance, component, node, subsystem] = head.destination;
+        if (instance == 0 || component == 0 || node == 0 || subsystem == 0) return routed::invalid_destination;
+        if (!names_one_component(head.source)) return routed::invalid_source;
+        const bool is_own = table_.is_own_node(head.source);
+        if (from == here) return is_own ? routed::ok : routed::source_is_elsewhere;
+        const way* const known = is_own ? table_.find(head.source) : nullptr;
+        const bool is_here = known != nullptr && known->is_here;
+        switch (table_.kind_of(from)) {
+        case hop_kind::manager: return is_here ? routed::source_is_local : routed::ok;
+        case hop_kind::component:
+            if (is_here) return routed::source_is_local;
+            return known != nullptr && known->number == from ? routed::ok : routed::source_is_elsewhere;
+        case hop_kind::node: return is_own ? routed::source_is_local : routed::ok;
+        default: return of_own_subsystem(head.source) ? routed::source_is_local : routed::ok;
+        }
+    }
+
+    // To one subsystem and node, and if that is the own to one component.
+    constexpr routed pass_on(const header& head, hop from, auto& give, auto& send) const {
+        const auto& to = head.destination;
+        const way* const found = table_.find(to);
+        if (found != nullptr && found->is_here) {
+            give(*found, to);
+            return routed::ok;
+        }
+        if (!from_own_node(from) && !of_own_subsystem(to) && !of_own_subsystem(head.source))
+            return routed::between_subsystems;
+        if (found == nullptr) return table_.is_own_node(to) ? routed::no_such_component : routed::no_way;
+        const hop by = found->number;
+        if (by == from) return routed::would_return;
+        const routed what = may_go(from, table_.kind_of(by), of_own_subsystem(to));
+        if (what == routed::ok) send(by);
+        return what;
+    }
+    // The table above, for what is to one node. What is between other subsystems is excluded already.
+    [[nodiscard]] constexpr routed may_go(hop from, hop_kind by, bool stays) const noexcept {
+        if (from == here) return routed::ok;
+        if (table_.manager()) return routed::not_the_relay;
+        if (from_own_node(from) || by == hop_kind::component) return routed::ok;
+        if (by == hop_kind::subsystem) return stays ? routed::no_way : routed::ok;
+        const bool enters = table_.kind_of(from) == hop_kind::subsystem;
+        return enters || primary_ == table_.node() ? routed::ok : routed::not_the_relay;
+    }
+
+    // To all of a level.
+    constexpr routed spread(const header& head, hop from, auto& give, auto& send) const {
+        const auto& to = head.destination;
+        const bool to_own = covers_subsystem(to), to_others = !of_own_subsystem(to);
+        const bool to_nodes = to_own && to.node != table_.node();
+        if (to_own && (to.node == 255 || to.node == table_.node())) spread_in_node(head, from, give, send);
+        if (from != here && table_.manager()) return to_own ? routed::ok : routed::not_the_relay;
+        if (from_own_node(from)) return to_nodes || to_others ? send_out(to, to_nodes, to_others, send) : routed::ok;
+
+        const bool within = of_own_subsystem(head.source), enters = table_.kind_of(from) == hop_kind::subsystem;
+        // Nodes that share a group have heard their neighbour already.
+        const bool heard = within && table_.group(table_.subsystem(), to) != nullptr;
+        const bool is_relayed = within && !heard && table_.next_hop(head.source) != from;
+        const bool relays = primary_ == table_.node() && !is_relayed;
+        if (relays && to_nodes && (within || enters) && !heard) table_.to_nodes(to, send);
+        if (relays && to_others && within) table_.to_subsystems(to, send);
+        if (to_own || (within && relays)) return routed::ok;
+        return within ? routed::not_the_relay : routed::between_subsystems;
+    }
+    constexpr void spread_in_node(const header& head, hop from, auto& give, auto& send) const {
+        const auto& to = head.destination;
+        for (const auto& [component, instance, where] : table_.components()) {
+            if (!table_.covers(to.component, component) || !table_.covers(to.instance, instance)) continue;
+            const address whole{instance, component, table_.node(), table_.subsystem()};
+            if (where.is_here && whole != head.source) give(where, whole);
+            if (!where.is_here && (!table_.manager() || (from == here && where.number == *table_.manager())))
+                send(where.number);
+        }
+    }
+    // From this node to others: all the work, or leave it to who is there for it.
+    constexpr routed send_out(const address& to, bool to_nodes, bool to_others, auto& send) const {
+        if (const auto manager = table_.manager()) {
+            send(*manager);
+            return routed::ok;
+        }
+        if (primary_ != 0 && primary_ != table_.node()) {
+            const way* const all = to_nodes ? table_.group(table_.subsystem(), to) : nullptr;
+            const auto up = all != nullptr ? all->number : table_.next_hop({1, 1, primary_, table_.subsystem()});
+            if (!up) return routed::no_way;
+            send(*up);
+            return routed::ok;
+        }
+        if (to_nodes) table_.to_nodes(to, send);
+        if (to_others) table_.to_subsystems(to, send);
+        return routed::ok;
+    }
+
+    routing_table& table_;
+    std::uint8_t primary_;
+};
+
+} // namespace jauscat::jaus
