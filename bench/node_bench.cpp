@@ -4,7 +4,7 @@
 #include "measuring.hpp"
 #include "node/client.hpp"
 #include <jauscat/jaus/component/component.hpp>
-#include <jauscat/net/jaus_node.hpp>
+#include <jauscat/net/node/jaus_node.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/jaus/message/framing.hpp>
-#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/link/run_master.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 
 #include <boost/asio/io_context.hpp>

@@ -4,8 +4,8 @@
 #include <jauscat/ethercat/hilscher/packet_job.hpp>
 #include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
-#include <jauscat/net/raw_link.hpp>
-#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/link/raw_link.hpp>
+#include <jauscat/net/link/run_master.hpp>
 #include <jauscat/schema/ethercat/hilscher_info.hpp>
 #include <jauscat/schema/ethercat/hilscher_state.hpp>
 #include <jauscat/text/packet_status.hpp>

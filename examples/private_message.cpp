@@ -4,7 +4,7 @@
 #include <jauscat/ethercat/hilscher/packet_job.hpp>
 #include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/jaus/component/dispatcher.hpp>
-#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/link/run_master.hpp>
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/text/jaus.hpp>

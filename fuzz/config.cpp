@@ -1,6 +1,6 @@
 // JausConfig.xml: any text is a configuration or one error with its place, and a configuration can be written again.
 #include "support/target.hpp"
-#include <jauscat/net/read_jaus_config.hpp>
+#include <jauscat/net/config/read_jaus_config.hpp>
 
 #include <optional>
 #include <sstream>

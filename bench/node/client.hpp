@@ -2,7 +2,7 @@
 #pragma once
 
 #include <jauscat/jaus/message/message.hpp>
-#include <jauscat/net/latency_histogram.hpp>
+#include <jauscat/net/link/latency_histogram.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
 #include <array>

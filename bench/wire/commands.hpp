@@ -5,10 +5,10 @@
 #include "slave_end.hpp"
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/hilscher/packet_job.hpp>
-#include <jauscat/net/run_cycle.hpp>
-#include <jauscat/net/run_master.hpp>
-#include <jauscat/net/run_until.hpp>
-#include <jauscat/net/udp_transport.hpp>
+#include <jauscat/net/link/run_cycle.hpp>
+#include <jauscat/net/link/run_master.hpp>
+#include <jauscat/net/link/udp_transport.hpp>
+#include <jauscat/net/node/run_until.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 
 #include <boost/asio/io_context.hpp>

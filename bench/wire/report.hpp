@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../measuring.hpp"
-#include <jauscat/net/latency_histogram.hpp>
+#include <jauscat/net/link/latency_histogram.hpp>
 
 #include <cstdio>
 #include <deque>

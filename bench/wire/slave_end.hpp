@@ -6,7 +6,7 @@
 #include <jauscat/ethercat/slave/image_entries.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
-#include <jauscat/net/raw_link.hpp>
+#include <jauscat/net/link/raw_link.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 
 #include <atomic>

@@ -1,6 +1,6 @@
 // configuration.md: what a program gets of a JausConfig.xml.
 // [includes]
-#include <jauscat/net/read_jaus_config.hpp>
+#include <jauscat/net/config/read_jaus_config.hpp>
 #include <jauscat/text/jaus.hpp>
 
 #include <iostream>

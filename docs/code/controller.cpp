@@ -7,7 +7,7 @@
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
-#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/link/run_master.hpp>
 #include <jauscat/text/jaus.hpp>
 #include <jauscat/text/packet_status.hpp>
 

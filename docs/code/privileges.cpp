@@ -1,7 +1,7 @@
 // A raw link, and nothing else that takes privileges: "privileges eth0". Without an interface it only gives them up.
 // [includes]
-#include <jauscat/net/drop_privileges.hpp>
-#include <jauscat/net/raw_link.hpp>
+#include <jauscat/net/link/drop_privileges.hpp>
+#include <jauscat/net/link/raw_link.hpp>
 
 #include <iostream>
 // [includes end]

@@ -6,7 +6,7 @@
 #include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
-#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/link/run_master.hpp>
 
 #include <iostream>
 // [includes end]

@@ -4,7 +4,7 @@
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/slave/loopback_link.hpp>
-#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/link/run_master.hpp>
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,8 @@ import re
 import sys
 
 rooms = { # folder, and its floor
-    "include/jauscat/net": 5, "include/jauscat/text": 5, "include/jauscat/esi": 5,
+    "include/jauscat/net": 5, "include/jauscat/net/config": 5, "include/jauscat/net/link": 5, "include/jauscat/net/node": 5,
+    "include/jauscat/text": 5, "include/jauscat/esi": 5,
     "include/jauscat/bridge": 4,
     "include/jauscat/jaus/message": 4, "include/jauscat/jaus/large_data": 4, "include/jauscat/jaus/component": 4, "include/jauscat/jaus/events": 4, "include/jauscat/jaus/routing": 4,
     "include/jauscat/ethercat": 4,

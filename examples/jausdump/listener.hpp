@@ -2,7 +2,7 @@
 #pragma once
 #include "record.hpp"
 #include <jauscat/net/detail/endpoint_text.hpp>
-#include <jauscat/net/run_until.hpp>
+#include <jauscat/net/node/run_until.hpp>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/multicast.hpp>

@@ -7,7 +7,7 @@
 #include "support/component_of.hpp"
 #include "support/program.hpp"
 #include "support/repeated_lines.hpp"
-#include <jauscat/net/ring_runner.hpp>
+#include <jauscat/net/link/ring_runner.hpp>
 
 #include <algorithm>
 #include <deque>

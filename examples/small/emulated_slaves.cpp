@@ -5,8 +5,8 @@
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/limited_log.hpp>
-#include <jauscat/net/raw_link.hpp>
-#include <jauscat/net/udp_link.hpp>
+#include <jauscat/net/link/raw_link.hpp>
+#include <jauscat/net/link/udp_link.hpp>
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/value.hpp>
 

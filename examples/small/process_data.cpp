@@ -3,8 +3,8 @@
 //     process_data
 #include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
-#include <jauscat/net/run_cycle.hpp>
-#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/link/run_cycle.hpp>
+#include <jauscat/net/link/run_master.hpp>
 
 #include <iostream>
 

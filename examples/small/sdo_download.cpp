@@ -3,9 +3,9 @@
 //     sdo_download eth0 2000 0 01 02 03 04
 //     sdo_download udp 2000 0 01 02 03 04
 #include <jauscat/ethercat/master/master.hpp>
-#include <jauscat/net/raw_link.hpp>
-#include <jauscat/net/run_master.hpp>
-#include <jauscat/net/udp_link.hpp>
+#include <jauscat/net/link/raw_link.hpp>
+#include <jauscat/net/link/run_master.hpp>
+#include <jauscat/net/link/udp_link.hpp>
 #include <jauscat/text/hex.hpp>
 
 #include <iostream>

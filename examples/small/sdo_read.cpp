@@ -4,9 +4,9 @@
 //     sdo_read eth0 1018 1
 //     sdo_read udp 1018 1
 #include <jauscat/ethercat/master/master.hpp>
-#include <jauscat/net/raw_link.hpp>
-#include <jauscat/net/run_master.hpp>
-#include <jauscat/net/udp_link.hpp>
+#include <jauscat/net/link/raw_link.hpp>
+#include <jauscat/net/link/run_master.hpp>
+#include <jauscat/net/link/udp_link.hpp>
 #include <jauscat/text/hex.hpp>
 
 #include <array>

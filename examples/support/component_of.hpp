@@ -1,7 +1,7 @@
 // Which component a program is, or talks to, when only a system of the configuration is named.
 #pragma once
 #include <jauscat/jaus/message/message.hpp>
-#include <jauscat/net/jaus_config.hpp>
+#include <jauscat/net/config/jaus_config.hpp>
 
 #include <algorithm>
 

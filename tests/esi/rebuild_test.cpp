@@ -13,7 +13,7 @@
 #include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/ethercat/slave/mapped_objects.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
-#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/link/run_master.hpp>
 #include <jauscat/translate/fixed_length.hpp>
 
 #include <map>

@@ -6,7 +6,7 @@
 #include <jauscat/bridge/packet_exchange.hpp>
 #include <jauscat/ethercat/hilscher/packet_job.hpp>
 #include <jauscat/ethercat/slave/loopback_link.hpp>
-#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/link/run_master.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 
 #include <array>

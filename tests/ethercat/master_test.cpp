@@ -5,7 +5,7 @@
 #include "support/simulated_link.hpp"
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/slave/loopback_link.hpp>
-#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/link/run_master.hpp>
 
 #include <array>
 #include <string>

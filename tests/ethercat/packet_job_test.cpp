@@ -4,7 +4,7 @@
 #include "support/hex.hpp"
 #include <jauscat/ethercat/hilscher/packet_job.hpp>
 #include <jauscat/ethercat/slave/loopback_link.hpp>
-#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/link/run_master.hpp>
 
 #include <array>
 #include <vector>

@@ -2,7 +2,7 @@
 #include "ethercat/described_objects.hpp"
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
-#include <jauscat/net/udp_link.hpp>
+#include <jauscat/net/link/udp_link.hpp>
 
 #include <array>
 #include <chrono>

@@ -1,6 +1,6 @@
 // Who may send: spoofed sources, strangers, several addresses, and an open list.
 #include "net/config_text.hpp"
-#include <jauscat/net/access_list.hpp>
+#include <jauscat/net/config/access_list.hpp>
 
 #include <random>
 

@@ -4,7 +4,7 @@
 #include "support/allocations.hpp"
 #include "support/random_message.hpp"
 #include "support/until.hpp"
-#include <jauscat/net/udp_transport.hpp>
+#include <jauscat/net/link/udp_transport.hpp>
 
 #include <map>
 #include <vector>

@@ -6,8 +6,8 @@
 #include "support/interfaces.hpp"
 #include "support/slave_thread.hpp"
 #include <jauscat/ethercat/master/master.hpp>
-#include <jauscat/net/raw_link.hpp>
-#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/link/raw_link.hpp>
+#include <jauscat/net/link/run_master.hpp>
 
 #include <atomic>
 #include <string>

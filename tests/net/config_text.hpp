@@ -2,7 +2,7 @@
 #pragma once
 
 #include "support/catch.hpp"
-#include <jauscat/net/read_jaus_config.hpp>
+#include <jauscat/net/config/read_jaus_config.hpp>
 
 #include <string>
 

@@ -4,7 +4,7 @@
 #include "net/config_text.hpp"
 #include <jauscat/jaus/component/component.hpp>
 #include <jauscat/jaus/large_data/large_data_set.hpp>
-#include <jauscat/net/datagram_gate.hpp>
+#include <jauscat/net/node/datagram_gate.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 
 #include <array>

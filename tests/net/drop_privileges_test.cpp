@@ -1,7 +1,7 @@
 // Privileges are gone for good after drop_privileges, and open sockets stay. Each case runs in a process of its own.
 #include "support/catch.hpp"
-#include <jauscat/net/detail/ethernet_interface.hpp>
-#include <jauscat/net/drop_privileges.hpp>
+#include <jauscat/net/link/detail/ethernet_interface.hpp>
+#include <jauscat/net/link/drop_privileges.hpp>
 
 #include <arpa/inet.h>
 #include <iostream>

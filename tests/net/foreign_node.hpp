@@ -2,7 +2,7 @@
 #pragma once
 
 #include "support/until.hpp"
-#include <jauscat/net/multicast.hpp>
+#include <jauscat/net/link/multicast.hpp>
 
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/io_context.hpp>

@@ -2,8 +2,8 @@
 #include "support/catch.hpp"
 #include <jauscat/jaus/component/component.hpp>
 #include <jauscat/jaus/large_data/large_data_set.hpp>
-#include <jauscat/net/detail/large_data_queue.hpp>
-#include <jauscat/net/detail/node_components.hpp>
+#include <jauscat/net/node/detail/large_data_queue.hpp>
+#include <jauscat/net/node/detail/node_components.hpp>
 
 #include <map>
 #include <random>

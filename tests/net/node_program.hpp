@@ -6,7 +6,7 @@
 #include "support/until.hpp"
 #include <jauscat/jaus/component/component.hpp>
 #include <jauscat/jaus/component/held_control.hpp>
-#include <jauscat/net/jaus_node.hpp>
+#include <jauscat/net/node/jaus_node.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 
 #include <boost/asio/io_context.hpp>

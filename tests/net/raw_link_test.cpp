@@ -3,7 +3,7 @@
 #include "support/catch.hpp"
 #include "support/interfaces.hpp"
 #include <jauscat/ethercat/link.hpp>
-#include <jauscat/net/raw_link.hpp>
+#include <jauscat/net/link/raw_link.hpp>
 
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/generic/raw_protocol.hpp>

@@ -1,7 +1,7 @@
 // Nodes without sockets on a network in simulated time that loses, doubles and delays datagrams.
 #pragma once
 
-#include <jauscat/net/node_machine.hpp>
+#include <jauscat/net/node/node_machine.hpp>
 
 #include <chrono>
 #include <functional>

@@ -1,8 +1,8 @@
 // The histogram of times, and waiting for periodic instants.
 #include "support/catch.hpp"
-#include <jauscat/net/cycle_timer.hpp>
-#include <jauscat/net/latency_histogram.hpp>
-#include <jauscat/net/run_until.hpp>
+#include <jauscat/net/link/cycle_timer.hpp>
+#include <jauscat/net/link/latency_histogram.hpp>
+#include <jauscat/net/node/run_until.hpp>
 
 #include <boost/asio/steady_timer.hpp>
 

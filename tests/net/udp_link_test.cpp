@@ -3,7 +3,7 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include <jauscat/ethercat/link.hpp>
-#include <jauscat/net/udp_link.hpp>
+#include <jauscat/net/link/udp_link.hpp>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>

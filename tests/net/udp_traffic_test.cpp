@@ -3,7 +3,7 @@
 #include "support/allocations.hpp"
 #include "support/catch.hpp"
 #include "support/until.hpp"
-#include <jauscat/net/udp_transport.hpp>
+#include <jauscat/net/link/udp_transport.hpp>
 
 #include <iostream>
 #include <net/if.h>

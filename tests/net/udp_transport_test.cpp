@@ -3,10 +3,10 @@
 #include "support/catch.hpp"
 #include "support/free_ports.hpp"
 #include "support/until.hpp"
-#include <jauscat/net/next_hop.hpp>
-#include <jauscat/net/read_jaus_config.hpp>
-#include <jauscat/net/run_until.hpp>
-#include <jauscat/net/udp_transport.hpp>
+#include <jauscat/net/config/read_jaus_config.hpp>
+#include <jauscat/net/link/udp_transport.hpp>
+#include <jauscat/net/node/next_hop.hpp>
+#include <jauscat/net/node/run_until.hpp>
 #include <jauscat/wire/encode.hpp>
 
 #include <boost/asio/ip/udp.hpp>

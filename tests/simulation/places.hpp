@@ -1,7 +1,7 @@
 // Where the systems of the simulated network are.
 #pragma once
 
-#include <jauscat/net/node_machine.hpp>
+#include <jauscat/net/node/node_machine.hpp>
 
 #include <cstdint>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "soak/large_traffic.hpp"
 #include <jauscat/jaus/component/answer.hpp>
-#include <jauscat/net/jaus_node.hpp>
+#include <jauscat/net/node/jaus_node.hpp>
 
 #include <boost/asio/post.hpp>
 

@@ -1,7 +1,7 @@
 // Large data sets from one component to another, whose content tells whether they have arrived as they were sent.
 #pragma once
 
-#include <jauscat/net/jaus_node.hpp>
+#include <jauscat/net/node/jaus_node.hpp>
 
 #include <array>
 #include <atomic>

@@ -5,7 +5,7 @@
 #include "soak/ledger.hpp"
 #include <jauscat/jaus/component/component.hpp>
 #include <jauscat/jaus/component/held_control.hpp>
-#include <jauscat/net/latency_histogram.hpp>
+#include <jauscat/net/link/latency_histogram.hpp>
 
 #include <boost/asio/steady_timer.hpp>
 

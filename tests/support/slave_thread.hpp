@@ -2,7 +2,7 @@
 #pragma once
 
 #include <jauscat/ethercat/slave/slave.hpp>
-#include <jauscat/net/raw_link.hpp>
+#include <jauscat/net/link/raw_link.hpp>
 
 #include <array>
 #include <atomic>

@@ -1,7 +1,7 @@
 // How tests wait for what others do.
 #pragma once
 
-#include <jauscat/net/run_until.hpp>
+#include <jauscat/net/node/run_until.hpp>
 
 #include <chrono>
 

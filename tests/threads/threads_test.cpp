@@ -7,9 +7,9 @@
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/jaus/component/dispatcher.hpp>
-#include <jauscat/net/run_master.hpp>
-#include <jauscat/net/udp_link.hpp>
-#include <jauscat/net/udp_transport.hpp>
+#include <jauscat/net/link/run_master.hpp>
+#include <jauscat/net/link/udp_link.hpp>
+#include <jauscat/net/link/udp_transport.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/text/jaus.hpp>

@@ -9,8 +9,8 @@
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
-#include <jauscat/net/raw_link.hpp>
-#include <jauscat/net/run_master.hpp>
+#include <jauscat/net/link/raw_link.hpp>
+#include <jauscat/net/link/run_master.hpp>
 
 #include <optional>
 #include <sstream>

@@ -1,6 +1,6 @@
 // An EtherCAT master without I/O: frames out, frames and time in. Brings slaves up and through their states, transfers
-// SDOs, asks for objects, sets up process data, one job at a time. `jauscat/net/run_master.hpp` drives it over a link;
-// anything else that can send and receive frames may too. The cyclic exchange is process_data's.
+// SDOs, asks for objects, sets up process data, one job at a time. `jauscat/net/link/run_master.hpp` drives it over a
+// link; anything else that can send and receive frames may too. The cyclic exchange is process_data's.
 #pragma once
 
 #include <jauscat/ethercat/master/activity.hpp>

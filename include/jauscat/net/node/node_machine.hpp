@@ -2,11 +2,11 @@
 // sockets.
 #pragma once
 
-#include <jauscat/net/datagram_gate.hpp>
-#include <jauscat/net/detail/node_core.hpp>
-#include <jauscat/net/detail/own_manager.hpp>
-#include <jauscat/net/detail/presence_changes.hpp>
 #include <jauscat/net/limited_log.hpp>
+#include <jauscat/net/node/datagram_gate.hpp>
+#include <jauscat/net/node/detail/node_core.hpp>
+#include <jauscat/net/node/detail/own_manager.hpp>
+#include <jauscat/net/node/detail/presence_changes.hpp>
 #include <jauscat/net/outcome.hpp>
 
 #include <exception>

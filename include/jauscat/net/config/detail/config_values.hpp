@@ -1,7 +1,7 @@
 // The values of a configuration file, from text.
 #pragma once
 
-#include <jauscat/net/detail/config_source.hpp>
+#include <jauscat/net/config/detail/config_source.hpp>
 
 #include <boost/asio/ip/address.hpp>
 

@@ -5,7 +5,7 @@
 #include <jauscat/jaus/large_data/large_data_sender.hpp>
 #include <jauscat/jaus/message/later.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
-#include <jauscat/net/detail/body_digest.hpp>
+#include <jauscat/net/node/detail/body_digest.hpp>
 
 #include <algorithm>
 #include <array>

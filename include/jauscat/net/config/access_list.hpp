@@ -2,9 +2,9 @@
 #pragma once
 
 #include <jauscat/jaus/routing/address_map.hpp>
+#include <jauscat/net/config/jaus_config.hpp>
+#include <jauscat/net/config/verdict.hpp>
 #include <jauscat/net/detail/mapped_address.hpp>
-#include <jauscat/net/jaus_config.hpp>
-#include <jauscat/net/verdict.hpp>
 
 #include <boost/asio/ip/udp.hpp>
 

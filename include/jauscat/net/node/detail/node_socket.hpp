@@ -1,8 +1,8 @@
 // The sockets of a node: its own, and one that hears its multicast group.
 #pragma once
 
-#include <jauscat/net/jaus_config.hpp>
-#include <jauscat/net/udp_transport.hpp>
+#include <jauscat/net/config/jaus_config.hpp>
+#include <jauscat/net/link/udp_transport.hpp>
 
 #include <optional>
 

@@ -2,9 +2,9 @@
 // It needs the capability CAP_NET_RAW.
 #pragma once
 
-#include <jauscat/net/detail/ethernet_interface.hpp>
-#include <jauscat/net/detail/file_descriptor.hpp>
-#include <jauscat/net/detail/receive_frame.hpp>
+#include <jauscat/net/link/detail/ethernet_interface.hpp>
+#include <jauscat/net/link/detail/file_descriptor.hpp>
+#include <jauscat/net/link/detail/receive_frame.hpp>
 #include <jauscat/net/open_error.hpp>
 #include <jauscat/schema/ethercat/frame.hpp>
 

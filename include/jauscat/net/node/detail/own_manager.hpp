@@ -3,10 +3,10 @@
 
 #include <jauscat/jaus/component/component.hpp>
 #include <jauscat/jaus/routing/node_manager.hpp>
-#include <jauscat/net/detail/configuration_events.hpp>
-#include <jauscat/net/detail/configured_identity.hpp>
-#include <jauscat/net/detail/presence_changes.hpp>
-#include <jauscat/net/jaus_node_options.hpp>
+#include <jauscat/net/config/jaus_node_options.hpp>
+#include <jauscat/net/node/detail/configuration_events.hpp>
+#include <jauscat/net/node/detail/configured_identity.hpp>
+#include <jauscat/net/node/detail/presence_changes.hpp>
 
 #include <span>
 #include <vector>

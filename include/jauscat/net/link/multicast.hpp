@@ -1,8 +1,8 @@
 // Multicast at a UDP socket: taking part in a group, and how far what is sent to one goes. IPv4 and IPv6 alike.
 #pragma once
 
+#include <jauscat/net/config/udp_options.hpp>
 #include <jauscat/net/open_error.hpp>
-#include <jauscat/net/udp_options.hpp>
 
 #include <boost/asio/ip/udp.hpp>
 

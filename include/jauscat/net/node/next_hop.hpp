@@ -1,8 +1,8 @@
 // Sending a JAUS message where its header says: the configuration knows the way, the transport goes it.
 #pragma once
 
-#include <jauscat/net/jaus_config.hpp>
-#include <jauscat/net/udp_transport.hpp>
+#include <jauscat/net/config/jaus_config.hpp>
+#include <jauscat/net/link/udp_transport.hpp>
 #include <jauscat/schema/jaus/header.hpp>
 #include <jauscat/wire/decode.hpp>
 

@@ -1,7 +1,8 @@
 // <ethercat> of a configuration file: the master behind a system.
 #pragma once
 
-#include <jauscat/net/detail/config_values.hpp>
+#include <jauscat/net/config/detail/config_values.hpp>
+#include <jauscat/net/config/jaus_config.hpp>
 
 #include <array>
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <jauscat/jaus/message/framing.hpp>
-#include <jauscat/net/jausip.hpp>
+#include <jauscat/net/config/jausip.hpp>
+#include <jauscat/net/config/udp_options.hpp>
+#include <jauscat/net/config_error.hpp>
+#include <jauscat/net/detail/quoted.hpp>
 #include <jauscat/net/rate_limit.hpp>
-#include <jauscat/net/udp_options.hpp>
 
 #include <boost/asio/ip/udp.hpp>
 
@@ -13,25 +15,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace jauscat::net {
-
-/// A configuration that cannot be used. `what()` is `file:line: what is wrong; what to do`.
-class config_error : public std::runtime_error {
-  public:
-    /// A sentence for the user, and the line of the file; 0: none in particular.
-    config_error(const std::string& text, std::size_t at_line) : std::runtime_error{text}, line_{at_line} {}
-
-    /// Line in the file, from 1; 0 when the file could not be read or the trouble is not in it.
-    std::size_t line() const noexcept { return line_; }
-
-  private:
-    std::size_t line_;
-};
 
 /// A component of a system, as it is announced to others.
 struct component_entry {
@@ -139,8 +127,6 @@ constexpr int rank(const jaus::address& entry) noexcept {
     for (const auto level : levels) bits = 2 * bits + (entry.*level != 0 ? 1 : 0);
     return bits;
 }
-
-inline std::string quoted(std::string_view text) { return '"' + std::string{text} + '"'; }
 
 /// What is wrong with a line of the file that `config` is from.
 inline config_error complaint(const jaus_config& config, std::size_t line, const std::string& text) {

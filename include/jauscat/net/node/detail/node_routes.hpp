@@ -3,9 +3,9 @@
 
 #include <jauscat/jaus/message/later.hpp>
 #include <jauscat/jaus/routing/router.hpp>
-#include <jauscat/net/access_list.hpp>
+#include <jauscat/net/config/access_list.hpp>
+#include <jauscat/net/config/jaus_config.hpp>
 #include <jauscat/net/detail/endpoint_text.hpp>
-#include <jauscat/net/jaus_config.hpp>
 
 #include <algorithm>
 #include <bit>

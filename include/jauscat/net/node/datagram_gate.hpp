@@ -2,7 +2,7 @@
 #pragma once
 
 #include <jauscat/jaus/message/message.hpp>
-#include <jauscat/net/access_list.hpp>
+#include <jauscat/net/config/access_list.hpp>
 #include <jauscat/net/rate_limit.hpp>
 
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
 #include <jauscat/jaus/message/later.hpp>
-#include <jauscat/net/cycle_timer.hpp>
+#include <jauscat/net/link/cycle_timer.hpp>
 
 #include <algorithm>
 #include <array>

@@ -3,17 +3,17 @@
 
 #include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/jaus/message/message.hpp>
-#include <jauscat/net/detail/bind_udp.hpp>
+#include <jauscat/net/config/verdict.hpp>
 #include <jauscat/net/detail/handler_memory.hpp>
-#include <jauscat/net/detail/icmp_errors.hpp>
 #include <jauscat/net/detail/mapped_address.hpp>
-#include <jauscat/net/detail/receive_batch.hpp>
-#include <jauscat/net/detail/send_batch.hpp>
-#include <jauscat/net/detail/send_parts.hpp>
-#include <jauscat/net/multicast.hpp>
+#include <jauscat/net/link/detail/bind_udp.hpp>
+#include <jauscat/net/link/detail/icmp_errors.hpp>
+#include <jauscat/net/link/detail/receive_batch.hpp>
+#include <jauscat/net/link/detail/send_batch.hpp>
+#include <jauscat/net/link/detail/send_parts.hpp>
+#include <jauscat/net/link/multicast.hpp>
+#include <jauscat/net/link/udp_counters.hpp>
 #include <jauscat/net/outcome.hpp>
-#include <jauscat/net/udp_counters.hpp>
-#include <jauscat/net/verdict.hpp>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>

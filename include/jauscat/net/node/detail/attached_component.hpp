@@ -4,7 +4,7 @@
 #include <jauscat/jaus/component/component_outcome.hpp>
 #include <jauscat/jaus/component/dispatcher.hpp>
 #include <jauscat/jaus/message/message_sink.hpp>
-#include <jauscat/net/detail/default_answers.hpp>
+#include <jauscat/net/node/detail/default_answers.hpp>
 
 #include <chrono>
 #include <functional>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <jauscat/jaus/component/described_component.hpp>
-#include <jauscat/net/jaus_config.hpp>
+#include <jauscat/net/config/jaus_config.hpp>
 
 #include <string_view>
 

@@ -10,8 +10,8 @@
 // <system> may contain is in docs/configuration.md.
 #pragma once
 
-#include <jauscat/net/detail/config_ethercat.hpp>
-#include <jauscat/net/detail/config_values.hpp>
+#include <jauscat/net/config/config_ethercat.hpp>
+#include <jauscat/net/config/detail/config_values.hpp>
 
 #include <array>
 #include <bit>

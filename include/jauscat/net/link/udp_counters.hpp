@@ -1,7 +1,7 @@
 // What became of the datagrams at a socket: back-pressure and refusals, in numbers.
 #pragma once
 
-#include <jauscat/net/verdict.hpp>
+#include <jauscat/net/config/verdict.hpp>
 
 #include <array>
 #include <cstdint>

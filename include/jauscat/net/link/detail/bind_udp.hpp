@@ -1,9 +1,9 @@
 // Opening a UDP socket at a given port, with an explanation when that fails.
 #pragma once
 
+#include <jauscat/net/config/udp_options.hpp>
 #include <jauscat/net/detail/endpoint_text.hpp>
 #include <jauscat/net/open_error.hpp>
-#include <jauscat/net/udp_options.hpp>
 
 #include <boost/asio/error.hpp>
 #include <boost/asio/ip/udp.hpp>

@@ -4,8 +4,8 @@
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/component/core_service.hpp>
 #include <jauscat/jaus/component/described_component.hpp>
-#include <jauscat/net/detail/configured_identity.hpp>
-#include <jauscat/net/detail/offered_messages.hpp>
+#include <jauscat/net/node/detail/configured_identity.hpp>
+#include <jauscat/net/node/detail/offered_messages.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/event.hpp>
 

@@ -2,8 +2,8 @@
 // the Ethernet header: EtherCAT header and datagrams. ETG.1000.4, clause 5.3; port 34980 = 88A4h.
 #pragma once
 
-#include <jauscat/net/detail/bind_udp.hpp>
-#include <jauscat/net/detail/receive_frame.hpp>
+#include <jauscat/net/link/detail/bind_udp.hpp>
+#include <jauscat/net/link/detail/receive_frame.hpp>
 #include <jauscat/net/open_error.hpp>
 #include <jauscat/schema/ethercat/frame.hpp>
 #include <jauscat/wire/decode.hpp>

@@ -1,7 +1,8 @@
 // The text of a configuration file: elements whose values are attributes or children, and complaints with their line.
 #pragma once
 
-#include <jauscat/net/jaus_config.hpp>
+#include <jauscat/net/config_error.hpp>
+#include <jauscat/net/detail/quoted.hpp>
 
 #include <pugixml.hpp>
 

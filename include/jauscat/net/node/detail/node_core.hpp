@@ -1,10 +1,10 @@
 // What a node does with messages, without sockets: they are routed to components and neighbours.
 #pragma once
 
-#include <jauscat/net/detail/large_data_queue.hpp>
-#include <jauscat/net/detail/local_queue.hpp>
-#include <jauscat/net/detail/node_components.hpp>
-#include <jauscat/net/detail/node_routes.hpp>
+#include <jauscat/net/node/detail/large_data_queue.hpp>
+#include <jauscat/net/node/detail/local_queue.hpp>
+#include <jauscat/net/node/detail/node_components.hpp>
+#include <jauscat/net/node/detail/node_routes.hpp>
 #include <jauscat/schema/jaus/event.hpp>
 
 #include <functional>

@@ -4,9 +4,9 @@
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/jaus/component/component_outcome.hpp>
 #include <jauscat/jaus/routing/node_description.hpp>
-#include <jauscat/net/access_list.hpp>
+#include <jauscat/net/config/access_list.hpp>
+#include <jauscat/net/config/udp_options.hpp>
 #include <jauscat/net/rate_limit.hpp>
-#include <jauscat/net/udp_options.hpp>
 
 #include <chrono>
 #include <cstddef>

@@ -4,13 +4,13 @@
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/message/later.hpp>
 #include <jauscat/jaus/routing/presence_table.hpp>
-#include <jauscat/net/detail/attached_component.hpp>
-#include <jauscat/net/detail/large_data_memory.hpp>
-#include <jauscat/net/detail/large_data_queue.hpp>
-#include <jauscat/net/detail/peer_watch.hpp>
-#include <jauscat/net/jaus_node_options.hpp>
-#include <jauscat/net/jausip.hpp>
+#include <jauscat/net/config/jaus_node_options.hpp>
+#include <jauscat/net/config/jausip.hpp>
 #include <jauscat/net/limited_log.hpp>
+#include <jauscat/net/node/detail/attached_component.hpp>
+#include <jauscat/net/node/detail/large_data_memory.hpp>
+#include <jauscat/net/node/detail/large_data_queue.hpp>
+#include <jauscat/net/node/detail/peer_watch.hpp>
 
 #include <algorithm>
 #include <array>

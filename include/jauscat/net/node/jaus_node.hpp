@@ -1,9 +1,9 @@
 // A JAUS node on a UDP socket: node_machine with sockets, a timer and the steady clock.
 #pragma once
 
-#include <jauscat/net/detail/node_socket.hpp>
 #include <jauscat/net/detail/wake_timer.hpp>
-#include <jauscat/net/node_machine.hpp>
+#include <jauscat/net/node/detail/node_socket.hpp>
+#include <jauscat/net/node/node_machine.hpp>
 
 #include <random>
 #include <utility>
