@@ -34,6 +34,7 @@ class Jauscat(ConanFile):
         toolchain = CMakeToolchain(self)
         toolchain.cache_variables["JAUSCAT_BUILD_TESTS"] = False
         toolchain.cache_variables["JAUSCAT_BUILD_EXAMPLES"] = False
+        toolchain.cache_variables["JAUSCAT_BUILD_TOOLS"] = False
         toolchain.generate()
         CMakeDeps(self).generate()
 

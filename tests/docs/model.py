@@ -17,7 +17,7 @@ import generate # noqa: E402
 problems = []
 declared = {} # namespace: names
 everything = set()
-for folder in "include", "schemas", "examples":
+for folder in "include", "schemas", "examples", "tools":
     for path in (root / folder).rglob("*.hpp"):
         text = re.sub(r"//.*", "", path.read_text(encoding="utf-8"))
         spaces = set(re.findall(r"^namespace (?:jauscat::)?([\w:]+) \{", text, re.M))
@@ -26,7 +26,7 @@ for folder in "include", "schemas", "examples":
         everything |= names
         for space in spaces:
             declared.setdefault(space, set()).update(names)
-programs = {path.stem for path in (root / "examples").rglob("*.cpp")}
+programs = {path.stem for folder in ("examples", "tools") for path in (root / folder).rglob("*.cpp")}
 
 views = sorted((root / "docs/model").glob("*.puml"))
 for view in views:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Whether examples/README.md lists programs that there are, with the commands that their sources begin with, and forgets
-# none.
+# none; nor tools/README.md.
 set -euo pipefail
 cd "$(dirname "$0")/../../examples"
 
@@ -25,5 +25,9 @@ done <<<"$rows"
 
 for path in small/*.cpp *.cpp; do
     grep -qF "]($path)" README.md || wrong "$path is not in it"
+done
+for path in ../tools/*.cpp ../tools/*/; do
+    path=${path#../tools/}
+    grep -qF "](${path%/})" ../tools/README.md || wrong "${path%/} is not in tools/README.md"
 done
 [ -z "$failed" ]

@@ -1,7 +1,7 @@
 // A bus of emulated EtherCAT slaves behind a network interface or UDP, for masters to be tried against.
+#include "stored_objects.hpp"
 #include "support/link_options.hpp"
 #include "support/say.hpp"
-#include "support/stored_objects.hpp"
 #include <jauscat/ethercat/describe.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
