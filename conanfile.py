@@ -58,7 +58,14 @@ class Jauscat(ConanFile):
         codec.set_property("cmake_target_name", "jauscat::jauscat")
         codec.set_property("pkg_config_name", "jauscat")
         codec.requires = ["boost::headers"]
+        text = self.cpp_info.components["text"]
+        text.set_property("cmake_target_name", "jauscat::text")
+        text.requires = ["codec"]
         if self.options.net:
+            esi = self.cpp_info.components["esi"]
+            esi.set_property("cmake_target_name", "jauscat::esi")
+            esi.set_property("pkg_config_name", "jauscat-esi")
+            esi.requires = ["codec", "pugixml::pugixml"]
             net = self.cpp_info.components["net"]
             net.set_property("cmake_target_name", "jauscat::net")
             net.set_property("pkg_config_name", "jauscat-net")

@@ -1,6 +1,6 @@
-# Installs the headers, a package for find_package(jauscat) and files for pkg-config: the target jauscat::jauscat, and
-# jauscat::net where what it needs is there (find_package(jauscat COMPONENTS net) insists on it). All of it is in the
-# component "development"; the tools, if they are built, are in the component "tools".
+# Installs the headers, a package for find_package(jauscat) and files for pkg-config: the targets jauscat::jauscat and
+# jauscat::text, and jauscat::esi and jauscat::net where what they need is there (find_package(jauscat COMPONENTS net)
+# insists on it). All of it is in the component "development"; the tools, if they are built, are in the component "tools".
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/jauscat) # the same for every machine, so not beside libraries
 set(pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
@@ -8,8 +8,12 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 
 install(DIRECTORY include/jauscat schemas/jauscat DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
 install(FILES schemas/JausConfig.xsd DESTINATION ${CMAKE_INSTALL_DATADIR}/jauscat)
-install(TARGETS jauscat EXPORT jauscat-targets)
+install(TARGETS jauscat jauscat_text EXPORT jauscat-targets)
 install(EXPORT jauscat-targets NAMESPACE jauscat:: DESTINATION ${package_dir})
+if(TARGET jauscat_esi_files)
+    install(TARGETS jauscat_esi_files EXPORT jauscat-esi-targets)
+    install(EXPORT jauscat-esi-targets NAMESPACE jauscat:: DESTINATION ${package_dir})
+endif()
 if(TARGET jauscat_net)
     install(TARGETS jauscat_net EXPORT jauscat-net-targets)
     install(EXPORT jauscat-net-targets NAMESPACE jauscat:: DESTINATION ${package_dir})
@@ -23,6 +27,9 @@ install(FILES cmake/jauscat-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/jauscat-con
 file(RELATIVE_PATH prefix_from_pc ${CMAKE_INSTALL_PREFIX}/${pc_dir} ${CMAKE_INSTALL_PREFIX})
 string(REGEX REPLACE "/$" "" prefix_from_pc ${prefix_from_pc})
 set(pc_files jauscat.pc)
+if(TARGET jauscat_esi_files)
+    list(APPEND pc_files jauscat-esi.pc)
+endif()
 if(TARGET jauscat_net)
     list(APPEND pc_files jauscat-net.pc)
 endif()

@@ -6,6 +6,8 @@ cp "$1"/*.cpp .
 {
 # [build]
 g++ -std=c++20 codec_consumer.cpp $(pkg-config --cflags --libs jauscat) -o codec_consumer
+g++ -std=c++20 text_consumer.cpp $(pkg-config --cflags --libs jauscat) -o text_consumer
+g++ -std=c++20 esi_consumer.cpp $(pkg-config --cflags --libs jauscat-esi) -o esi_consumer
 g++ -std=c++20 net_consumer.cpp $(pkg-config --cflags --libs jauscat-net) -o net_consumer
 # [build end]
 }
