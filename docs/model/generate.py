@@ -1,24 +1,14 @@
 #!/usr/bin/env python3
 """generate.py ROOT OUT: the pictures of the model that are made from the headers, as Graphviz sources.
 
-includes.dot: which room includes which. includes_ROOM.dot: which header of a room includes which, without what follows from
-others. classes_ROOM.dot: classes with their public functions, what they hold (a diamond) and what they refer to (an arrow).
-Insides (`detail`) are left out.
+includes.dot: which module includes which. includes_MODULE.dot: which header of a module includes which, without what follows
+from others. classes_MODULE.dot: classes with their public functions, what they hold (a diamond) and what they refer to (an
+arrow). `detail` folders are left out. The modules are the rows of the table in docs/architecture.md.
 """
 import pathlib
 import re
 import sys
 
-rooms = { # folder, and its floor
-    "include/jauscat/net": 5, "include/jauscat/net/config": 5, "include/jauscat/net/link": 5, "include/jauscat/net/node": 5,
-    "include/jauscat/text": 5, "include/jauscat/esi": 5,
-    "include/jauscat/bridge": 4,
-    "include/jauscat/jaus/message": 4, "include/jauscat/jaus/large_data": 4, "include/jauscat/jaus/component": 4, "include/jauscat/jaus/events": 4, "include/jauscat/jaus/routing": 4,
-    "include/jauscat/ethercat": 4,
-    "include/jauscat/ethercat/master": 4, "include/jauscat/ethercat/slave": 4, "include/jauscat/ethercat/hilscher": 4,
-    "schemas/jauscat/schema/jaus": 3, "schemas/jauscat/schema/ethercat": 3, "schemas/jauscat/schema/translation": 3,
-    "include/jauscat/translate": 2, "include/jauscat/wire": 1,
-}
 look = '''    graph [bgcolor=white fontname="Helvetica" fontsize=11 rankdir={direction} nodesep=0.25]
     node [fontname="Helvetica" fontsize=10 shape=box style=filled fillcolor="#eef3fb" color="#7090c0"]
     edge [fontname="Helvetica" fontsize=9 color="#606060" arrowsize=0.7]
@@ -26,8 +16,35 @@ look = '''    graph [bgcolor=white fontname="Helvetica" fontsize=11 rankdir={dir
 most_functions = 14
 
 
-def room_name(folder):
-    return folder.split("jauscat/", 1)[1].replace("/", "_")
+def may_include(root):
+    """For each module of the table in docs/architecture.md, such as `ethercat/master`, the modules that it may include: those of
+    its row, and what these may include. `jaus/*` stands for all modules of a folder."""
+    text = (root / "docs/architecture.md").read_text(encoding="utf-8")
+    table = re.search(r"^\| module \| includes \|.*\n\|[-| ]+\|\n((?:\|.*\n)+)", text, re.M)[1]
+    rows = {}
+    for line in table.splitlines():
+        columns = line.split("|")
+        if name := re.search(r"`(.*?)/`", columns[1]):
+            rows[name[1]] = re.findall(r"`(.*?)`", columns[2])
+    reached = {}
+    for name, listed in rows.items(): # a row includes only those above it
+        here = set()
+        for one in listed:
+            named = [other for other in reached if one == other + "/" or one.endswith("/*") and (other + "/").startswith(one[:-1])]
+            if not named:
+                raise ValueError(f"docs/architecture.md: no row above {name}/ is {one}")
+            for other in named:
+                here |= {other} | reached[other]
+        reached[name] = here
+    return reached
+
+
+def folder_of(module):
+    return ("schemas/jauscat/" if module.startswith("schema/") else "include/jauscat/") + module
+
+
+def picture_name(module):
+    return module.replace("/", "_")
 
 
 def headers(root, folder):
@@ -43,26 +60,29 @@ def graph(direction, lines):
     return "digraph {\n" + look.format(direction=direction) + "".join(f"    {line}\n" for line in lines) + "}\n"
 
 
-def house(root):
-    """Rooms, on their floors, with the number of include lines between them."""
-    room_of = {}
-    for folder in rooms:
-        for path in (root / folder).rglob("*.hpp"):
-            room_of[path.relative_to(root / folder.split("/")[0]).as_posix()] = folder
+def module_of(header):
+    """Of `jauscat/net/link/detail/bind_udp.hpp` it is `net/link/detail`, of `jauscat/net.hpp` nothing."""
+    return header.removeprefix("jauscat/").rpartition("/")[0]
+
+
+def all_includes(root):
+    """(header, included header) of every include line between headers of the library."""
+    for base in "include", "schemas":
+        for path in sorted((root / base).rglob("*.hpp")):
+            for other in included(path.read_text(encoding="utf-8")):
+                yield path.relative_to(root / base).as_posix(), other
+
+
+def modules(root):
+    """Modules, each above those that it includes, with the number of include lines between them."""
+    allowed = may_include(root)
     counts = {}
-    for name, folder in room_of.items():
-        for other in included((root / folder.split("/")[0] / name).read_text(encoding="utf-8")):
-            to = room_of.get(other)
-            if to and to != folder:
-                counts[folder, to] = counts.get((folder, to), 0) + 1
-    lines = []
-    for floor in sorted(set(rooms.values()), reverse=True):
-        names = " ".join(f'"{room_name(folder)}"' for folder in rooms if rooms[folder] == floor)
-        lines.append(f"{{ rank=same; {names} }}")
-    # The schemas of the two tables stand on the third floor, and are made of rows of the second.
-    for (a, b), n in sorted(counts.items()):
-        lines.append(f'"{room_name(a)}" -> "{room_name(b)}" [label="{n}"{"" if rooms[a] >= rooms[b] else " color=red"}]')
-    return graph("TB", lines)
+    for pair in all_includes(root):
+        a, b = (module_of(header).removesuffix("/detail") for header in pair)
+        if a != b and a in allowed and b in allowed:
+            counts[a, b] = counts.get((a, b), 0) + 1
+    return graph("TB", [f'"{picture_name(name)}"' for name in allowed] +
+                 [f'"{picture_name(a)}" -> "{picture_name(b)}" [label="{n}"]' for (a, b), n in sorted(counts.items())])
 
 
 def includes(root, folder):
@@ -140,11 +160,11 @@ def classes(root, folder):
 
 def pictures(root):
     """(name, source) of all of them."""
-    yield "includes", house(root)
-    for folder in rooms:
-        yield f"includes_{room_name(folder)}", includes(root, folder)
-        if not folder.startswith("schemas"):
-            yield f"classes_{room_name(folder)}", classes(root, folder)
+    yield "includes", modules(root)
+    for module in may_include(root):
+        yield f"includes_{picture_name(module)}", includes(root, folder_of(module))
+        if not module.startswith("schema/"):
+            yield f"classes_{picture_name(module)}", classes(root, folder_of(module))
 
 
 if __name__ == "__main__":
