@@ -8,7 +8,7 @@
 #include <jauscat/net/link/run_master.hpp>
 #include <jauscat/schema/ethercat/hilscher_info.hpp>
 #include <jauscat/schema/ethercat/hilscher_state.hpp>
-#include <jauscat/text/packet_status.hpp>
+#include <jauscat/text/packet_status_text.hpp>
 
 #include <array>
 #include <iostream>

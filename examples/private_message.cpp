@@ -8,7 +8,7 @@
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/text/jaus.hpp>
-#include <jauscat/text/packet_status.hpp>
+#include <jauscat/text/packet_status_text.hpp>
 
 #include <iostream>
 #include <optional>

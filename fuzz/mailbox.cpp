@@ -1,7 +1,7 @@
 // CoE messages from a mailbox: as a slave answers them, and as a master takes them for an answer.
 #include "support/described_objects.hpp"
 #include <jauscat/ethercat/master/sdo_transfer.hpp>
-#include <jauscat/ethercat/slave/slave_coe.hpp>
+#include <jauscat/ethercat/slave/coe_server.hpp>
 
 using namespace fuzz;
 using namespace jauscat;

@@ -1,7 +1,7 @@
 // One SDO transfer in segments between our master and our slave, over a way that changes messages as the input says.
 #include "support/target.hpp"
 #include <jauscat/ethercat/master/sdo_transfer.hpp>
-#include <jauscat/ethercat/slave/slave_coe.hpp>
+#include <jauscat/ethercat/slave/coe_server.hpp>
 
 using namespace fuzz;
 using namespace jauscat;

@@ -1,6 +1,6 @@
 // JAUS messages found in a stream of bytes: however the bytes arrive, and after any noise.
 #include "support/target.hpp"
-#include <jauscat/jaus/message/stream.hpp>
+#include <jauscat/jaus/message/stream_framer.hpp>
 
 #include <array>
 

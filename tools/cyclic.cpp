@@ -3,8 +3,8 @@
 #include "support/explain.hpp"
 #include "support/link_options.hpp"
 #include <jauscat/ethercat/master/process_data.hpp>
+#include <jauscat/net/link/cycle_runner.hpp>
 #include <jauscat/net/link/latency_histogram.hpp>
-#include <jauscat/net/link/run_cycle.hpp>
 #include <jauscat/net/link/run_master.hpp>
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/value.hpp>

@@ -2,7 +2,7 @@
 #include "stored_objects.hpp"
 #include "support/link_options.hpp"
 #include "support/say.hpp"
-#include <jauscat/ethercat/describe.hpp>
+#include <jauscat/ethercat/code_texts.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/text/hex.hpp>

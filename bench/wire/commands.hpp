@@ -5,7 +5,7 @@
 #include "slave_end.hpp"
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/hilscher/packet_job.hpp>
-#include <jauscat/net/link/run_cycle.hpp>
+#include <jauscat/net/link/cycle_runner.hpp>
 #include <jauscat/net/link/run_master.hpp>
 #include <jauscat/net/link/udp_transport.hpp>
 #include <jauscat/net/node/run_until.hpp>

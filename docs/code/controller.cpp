@@ -9,7 +9,7 @@
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/net/link/run_master.hpp>
 #include <jauscat/text/jaus.hpp>
-#include <jauscat/text/packet_status.hpp>
+#include <jauscat/text/packet_status_text.hpp>
 
 #include <iostream>
 

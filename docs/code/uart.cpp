@@ -3,7 +3,7 @@
 //     docs_uart
 // [includes]
 #include <jauscat/jaus/component/dispatcher.hpp>
-#include <jauscat/jaus/message/stream.hpp>
+#include <jauscat/jaus/message/stream_framer.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/wire/raw.hpp>
 

@@ -4,7 +4,7 @@
 #include <jauscat/jaus/component/dispatcher.hpp>
 #include <jauscat/jaus/message/copy_present.hpp>
 #include <jauscat/jaus/message/requested_fields.hpp>
-#include <jauscat/jaus/message/stream.hpp>
+#include <jauscat/jaus/message/stream_framer.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>

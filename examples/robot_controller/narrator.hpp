@@ -5,7 +5,7 @@
 #include "support/trace.hpp"
 #include <jauscat/bridge/component.hpp>
 #include <jauscat/text/jaus.hpp>
-#include <jauscat/text/packet_status.hpp>
+#include <jauscat/text/packet_status_text.hpp>
 
 #include <string>
 #include <utility>

@@ -2,7 +2,7 @@
 // is overtaken by the next, one is lost and sent again.
 //     large_data
 #include <jauscat/jaus/large_data/large_data_sender.hpp>
-#include <jauscat/jaus/large_data/large_data_set.hpp>
+#include <jauscat/jaus/large_data/reassembler.hpp>
 #include <jauscat/schema/jaus/environment_sensor.hpp>
 #include <jauscat/wire/wire.hpp>
 

@@ -3,7 +3,7 @@
 //     process_data
 #include <jauscat/ethercat/slave/loopback_link.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
-#include <jauscat/net/link/run_cycle.hpp>
+#include <jauscat/net/link/cycle_runner.hpp>
 #include <jauscat/net/link/run_master.hpp>
 
 #include <iostream>

@@ -1,6 +1,6 @@
 // How a master's job ended, for a log.
 #pragma once
-#include <jauscat/ethercat/describe.hpp>
+#include <jauscat/ethercat/code_texts.hpp>
 #include <jauscat/ethercat/master/master_errc.hpp>
 #include <jauscat/text/hex.hpp>
 

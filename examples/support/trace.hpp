@@ -1,7 +1,7 @@
 // Shows what passes: SDO packets in decimal, and SDOs on the EtherCAT wire.
 #pragma once
 #include "support/say.hpp"
-#include <jauscat/ethercat/describe.hpp>
+#include <jauscat/ethercat/code_texts.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/schema/ethercat/coe.hpp>
 #include <jauscat/schema/ethercat/hilscher.hpp>

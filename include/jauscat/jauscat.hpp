@@ -19,7 +19,7 @@
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/jaus/component/component.hpp>
-#include <jauscat/jaus/component/core_service.hpp>
+#include <jauscat/jaus/component/core_messages.hpp>
 #include <jauscat/jaus/component/described_component.hpp>
 #include <jauscat/jaus/component/dispatcher.hpp>
 #include <jauscat/jaus/component/held_control.hpp>
@@ -29,13 +29,13 @@
 #include <jauscat/jaus/events/service_connections.hpp>
 #include <jauscat/jaus/events/service_consumer.hpp>
 #include <jauscat/jaus/large_data/large_data_sender.hpp>
-#include <jauscat/jaus/large_data/large_data_set.hpp>
+#include <jauscat/jaus/large_data/reassembler.hpp>
 #include <jauscat/jaus/message/copy_present.hpp>
 #include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/jaus/message/message.hpp>
-#include <jauscat/jaus/message/payload_elements.hpp>
+#include <jauscat/jaus/message/payload_reader.hpp>
 #include <jauscat/jaus/message/requested_fields.hpp>
-#include <jauscat/jaus/message/stream.hpp>
+#include <jauscat/jaus/message/stream_framer.hpp>
 #include <jauscat/jaus/routing/node_manager.hpp>
 #include <jauscat/jaus/routing/router.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>

@@ -10,13 +10,13 @@
 #include <jauscat/net/config/verdict.hpp>
 #include <jauscat/net/config_error.hpp>
 #include <jauscat/net/limited_log.hpp>
+#include <jauscat/net/link/cycle_runner.hpp>
 #include <jauscat/net/link/cycle_timer.hpp>
 #include <jauscat/net/link/drop_privileges.hpp>
 #include <jauscat/net/link/latency_histogram.hpp>
 #include <jauscat/net/link/multicast.hpp>
 #include <jauscat/net/link/raw_link.hpp>
 #include <jauscat/net/link/ring_runner.hpp>
-#include <jauscat/net/link/run_cycle.hpp>
 #include <jauscat/net/link/run_master.hpp>
 #include <jauscat/net/link/udp_counters.hpp>
 #include <jauscat/net/link/udp_link.hpp>

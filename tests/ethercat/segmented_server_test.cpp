@@ -2,7 +2,7 @@
 #include "ethercat/objects.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
-#include <jauscat/ethercat/slave/slave_coe.hpp>
+#include <jauscat/ethercat/slave/coe_server.hpp>
 
 #include <string>
 #include <vector>

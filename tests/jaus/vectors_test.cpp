@@ -4,7 +4,7 @@
 #include "jaus/udp_pair.hpp"
 #include "jaus/vectors.hpp"
 #include "support/catch.hpp"
-#include <jauscat/jaus/message/payload_elements.hpp>
+#include <jauscat/jaus/message/payload_reader.hpp>
 #include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
 #include <jauscat/schema/jaus/event.hpp>

@@ -6,7 +6,7 @@
 #include <jauscat/ethercat/slave/image_entries.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
-#include <jauscat/net/link/run_cycle.hpp>
+#include <jauscat/net/link/cycle_runner.hpp>
 #include <jauscat/net/link/run_master.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 

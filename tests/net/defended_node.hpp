@@ -3,7 +3,7 @@
 
 #include "net/config_text.hpp"
 #include <jauscat/jaus/component/component.hpp>
-#include <jauscat/jaus/large_data/large_data_set.hpp>
+#include <jauscat/jaus/large_data/reassembler.hpp>
 #include <jauscat/net/node/datagram_gate.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

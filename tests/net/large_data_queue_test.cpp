@@ -1,7 +1,7 @@
 // Large data sets on their way out, repeated packet by packet over a bad network, in simulated time.
 #include "support/catch.hpp"
 #include <jauscat/jaus/component/component.hpp>
-#include <jauscat/jaus/large_data/large_data_set.hpp>
+#include <jauscat/jaus/large_data/reassembler.hpp>
 #include <jauscat/net/node/detail/large_data_queue.hpp>
 #include <jauscat/net/node/detail/node_components.hpp>
 

@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include <jauscat/jaus/large_data/large_data_sender.hpp>
-#include <jauscat/jaus/large_data/large_data_set.hpp>
+#include <jauscat/jaus/large_data/reassembler.hpp>
 
 #include <random>
 #include <vector>

@@ -1,7 +1,7 @@
 // Large data sets put together from their packets, in whatever order and number these come.
 #include "support/catch.hpp"
 #include "support/hex.hpp"
-#include <jauscat/jaus/large_data/large_data_set.hpp>
+#include <jauscat/jaus/large_data/reassembler.hpp>
 
 #include <random>
 #include <string>

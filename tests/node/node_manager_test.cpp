@@ -1,7 +1,7 @@
 // The node manager: heartbeats, who is there, and what it says of its node and of others.
 #include "support/catch.hpp"
 #include <jauscat/jaus/component/component.hpp>
-#include <jauscat/jaus/large_data/large_data_set.hpp>
+#include <jauscat/jaus/large_data/reassembler.hpp>
 #include <jauscat/jaus/routing/node_manager.hpp>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Messages found in a stream of bytes: whole, in pieces, and among noise.
 #include "support/catch.hpp"
 #include "support/hex.hpp"
-#include <jauscat/jaus/message/stream.hpp>
+#include <jauscat/jaus/message/stream_framer.hpp>
 
 #include <random>
 

@@ -2,7 +2,7 @@
 #include "samples.hpp"
 #include "support/catch.hpp"
 #include <jauscat/bridge/packet_exchange.hpp>
-#include <jauscat/text/packet_status.hpp>
+#include <jauscat/text/packet_status_text.hpp>
 
 #include <random>
 #include <set>

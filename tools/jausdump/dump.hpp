@@ -4,7 +4,7 @@
 #include "filter.hpp"
 #include "object_table.hpp"
 #include "printer.hpp"
-#include <jauscat/jaus/large_data/large_data_set.hpp>
+#include <jauscat/jaus/large_data/reassembler.hpp>
 
 namespace jausdump {
 

@@ -2,7 +2,7 @@
 // Report Payload Interface.
 #pragma once
 #include "record.hpp"
-#include <jauscat/jaus/message/payload_elements.hpp>
+#include <jauscat/jaus/message/payload_reader.hpp>
 
 #include <map>
 

@@ -1,6 +1,6 @@
 #include "sdo_reader.hpp"
 
-#include <jauscat/ethercat/describe.hpp>
+#include <jauscat/ethercat/code_texts.hpp>
 #include <jauscat/ethercat/sdo_segment.hpp>
 
 namespace jausdump {

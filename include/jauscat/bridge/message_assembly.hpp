@@ -2,7 +2,7 @@
 // whole or not at all.
 #pragma once
 
-#include <jauscat/jaus/large_data/large_data_set.hpp>
+#include <jauscat/jaus/large_data/reassembler.hpp>
 
 #include <algorithm>
 #include <array>

@@ -11,7 +11,7 @@
 #pragma once
 #include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/text/describe.hpp>
-#include <jauscat/text/fill.hpp>
+#include <jauscat/text/filler.hpp>
 
 namespace jauscat::text {
 

@@ -1,7 +1,7 @@
 // A message with every scaled field as the integer on the wire: exact for every byte pattern, without floating point.
 #pragma once
 #include <jauscat/wire/bits.hpp>
-#include <jauscat/wire/gated.hpp>
+#include <jauscat/wire/gated_by.hpp>
 #include <jauscat/wire/layout.hpp>
 #include <jauscat/wire/presence.hpp>
 

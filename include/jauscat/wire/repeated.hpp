@@ -1,6 +1,6 @@
 // Lists: of records with a schema of their own, or of single values.
 #pragma once
-#include <jauscat/wire/extent.hpp>
+#include <jauscat/wire/count.hpp>
 #include <jauscat/wire/list.hpp>
 #include <jauscat/wire/nested.hpp>
 

@@ -1,6 +1,6 @@
 // Characters and bytes of any length. They are not copied: a decoded value points into the received bytes.
 #pragma once
-#include <jauscat/wire/extent.hpp>
+#include <jauscat/wire/count.hpp>
 #include <jauscat/wire/list.hpp>
 
 namespace jauscat::wire {

@@ -4,8 +4,8 @@
 #include <jauscat/ethercat/hilscher/packet_emergencies.hpp>
 #include <jauscat/ethercat/hilscher/packet_info.hpp>
 #include <jauscat/ethercat/hilscher/packet_scan.hpp>
-#include <jauscat/ethercat/hilscher/packet_sdo.hpp>
 #include <jauscat/ethercat/hilscher/packet_state.hpp>
+#include <jauscat/ethercat/hilscher/packet_transfer.hpp>
 
 #include <variant>
 

@@ -1,7 +1,7 @@
 // How a master's work ends: done, or one error with the code that the slave gave.
 #pragma once
 
-#include <jauscat/ethercat/describe.hpp>
+#include <jauscat/ethercat/code_texts.hpp>
 
 #include <cstddef>
 #include <cstdint>

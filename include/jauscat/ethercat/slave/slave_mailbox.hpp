@@ -2,8 +2,8 @@
 #pragma once
 
 #include <jauscat/ethercat/slave/coe_options.hpp>
+#include <jauscat/ethercat/slave/coe_server.hpp>
 #include <jauscat/ethercat/slave/esc_memory.hpp>
-#include <jauscat/ethercat/slave/slave_coe.hpp>
 #include <jauscat/ethercat/slave/slave_description.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>

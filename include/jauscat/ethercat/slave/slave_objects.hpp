@@ -2,7 +2,7 @@
 #pragma once
 
 #include <jauscat/ethercat/slave/coe_options.hpp>
-#include <jauscat/ethercat/slave/complete_access.hpp>
+#include <jauscat/ethercat/slave/complete_object.hpp>
 #include <jauscat/ethercat/slave/object_dictionary.hpp>
 #include <jauscat/ethercat/slave/subindex_0_rule.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>

@@ -1,7 +1,7 @@
 // What every component says of itself: that it is alive, what it is called and what it can do.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
-#include <jauscat/jaus/component/core_service.hpp>
+#include <jauscat/jaus/component/core_messages.hpp>
 #include <jauscat/jaus/message/later.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>

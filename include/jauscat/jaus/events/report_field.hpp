@@ -3,7 +3,7 @@
 #include <jauscat/wire/bits.hpp>
 #include <jauscat/wire/field.hpp>
 #include <jauscat/wire/flags.hpp>
-#include <jauscat/wire/gated.hpp>
+#include <jauscat/wire/gated_by.hpp>
 #include <jauscat/wire/nested.hpp>
 #include <jauscat/wire/presence.hpp>
 #include <jauscat/wire/view.hpp>

@@ -1,5 +1,5 @@
 // Large data sets sent: a body that does not fit one packet is cut into several, one at each call, so that the caller
-// paces them. RA 3.3 part 2, large data sets. The receiving side is large_data_set.hpp.
+// paces them. RA 3.3 part 2, large data sets. The receiving side is reassembler.hpp.
 #pragma once
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/jaus/message/message_sink.hpp>

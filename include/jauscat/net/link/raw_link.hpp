@@ -4,7 +4,7 @@
 
 #include <jauscat/net/link/detail/ethernet_interface.hpp>
 #include <jauscat/net/link/detail/file_descriptor.hpp>
-#include <jauscat/net/link/detail/receive_frame.hpp>
+#include <jauscat/net/link/detail/frame_wait.hpp>
 #include <jauscat/net/open_error.hpp>
 #include <jauscat/schema/ethercat/frame.hpp>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <jauscat/net/link/detail/bind_udp.hpp>
-#include <jauscat/net/link/detail/receive_frame.hpp>
+#include <jauscat/net/link/detail/frame_wait.hpp>
 #include <jauscat/net/open_error.hpp>
 #include <jauscat/schema/ethercat/frame.hpp>
 #include <jauscat/wire/decode.hpp>

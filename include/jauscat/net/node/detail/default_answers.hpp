@@ -2,7 +2,7 @@
 #pragma once
 
 #include <jauscat/jaus/component/answer.hpp>
-#include <jauscat/jaus/component/core_service.hpp>
+#include <jauscat/jaus/component/core_messages.hpp>
 #include <jauscat/jaus/component/described_component.hpp>
 #include <jauscat/net/node/detail/configured_identity.hpp>
 #include <jauscat/net/node/detail/offered_messages.hpp>

@@ -1,7 +1,7 @@
 // The large data sets that a component receives, and the memory for them.
 #pragma once
 
-#include <jauscat/jaus/large_data/large_data_set.hpp>
+#include <jauscat/jaus/large_data/reassembler.hpp>
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 // What a component and its application say that they take and send, for Report Services.
 #pragma once
 
-#include <jauscat/jaus/component/core_service.hpp>
+#include <jauscat/jaus/component/core_messages.hpp>
 
 #include <algorithm>
 #include <vector>

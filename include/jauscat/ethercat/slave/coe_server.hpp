@@ -5,8 +5,8 @@
 #include <jauscat/ethercat/sdo_segment.hpp>
 #include <jauscat/ethercat/slave/coe_options.hpp>
 #include <jauscat/ethercat/slave/object_dictionary.hpp>
+#include <jauscat/ethercat/slave/sdo_information_server.hpp>
 #include <jauscat/ethercat/slave/slave_objects.hpp>
-#include <jauscat/ethercat/slave/slave_sdo_information.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
 
 #include <array>

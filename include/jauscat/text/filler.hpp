@@ -1,8 +1,8 @@
 // From what somebody wrote to a message, through its structure. Nothing is guessed: what is missing or makes no sense
 // is said. Counts, and flags that announce members of list elements, follow from what is there.
 #pragma once
-#include <jauscat/text/consistent.hpp>
 #include <jauscat/text/fill_value.hpp>
+#include <jauscat/text/inconsistency.hpp>
 
 namespace jauscat::text::detail {
 
