@@ -57,7 +57,7 @@ template <class Table> [[gnu::noinline]] std::size_t path(in_bytes datagram, out
     const auto split = jaus::split(message);
     if (!split || delivery::deliverable(split.header) != jauscat::translate::errc::ok) return 0;
     std::array<std::byte, delivery::translator::max_packet_size> packet; // not zeroed: forth says how much it wrote
-    const auto size = delivery::translator::forth(message, packet);
+    const auto size = delivery::translator::to_packet(message, packet);
     if (!size) return 0;
     const auto object = delivery::object_of(std::span{packet}.first(size.size()));
     const auto transfer = ethercat::sdo_transfer::download(object.index, object.subindex, object.data);

@@ -264,7 +264,7 @@ template <class Table> class arm_application {
         using jauscat::ethercat::abort_code;
         if (arm_.report().empty()) return {abort_code::no_data, 0};
         std::array<std::byte, delivery::translator::max_packet_size> packet{};
-        const auto size = delivery::translator::forth(arm_.report(), packet);
+        const auto size = delivery::translator::to_packet(arm_.report(), packet);
         if (!size) {
             arm_.say("cannot report: " + std::string{describe(size.error())});
             return {abort_code::cannot_store, 0};

@@ -41,7 +41,7 @@ class arm_process_data {
             return;
         seen_ = values.command_count;
         std::array<std::byte, jauscat::wire::max_size<jauscat::jaus::set_wrench_effort>> body{};
-        const auto size = command::back(written, body);
+        const auto size = command::from_image(written, body);
         if (!size) return arm_.say("refused process data: " + std::string{describe(size.error())});
         arm_.say("efforts by process data, command " + std::to_string(seen_));
         if (arm_.drive_by(std::span{body}.first(size.size())) == obedience::obeyed) taken_ = seen_;
@@ -53,7 +53,7 @@ class arm_process_data {
         std::array<std::byte, report::image_size> bytes{};
         static_cast<void>(jauscat::wire::encode(image{.command_count = taken_}, bytes)); // fits: it is all zeros
         if (read_next.size() == bytes.size() && size &&
-            report::forth(std::span{body}.first(size.size()), bytes) == jauscat::translate::errc::ok)
+            report::to_image(std::span{body}.first(size.size()), bytes) == jauscat::translate::errc::ok)
             std::ranges::copy(bytes, read_next.begin());
     }
 

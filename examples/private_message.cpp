@@ -114,7 +114,7 @@ int main() {
               << text::annotate<hilscher::sdo_download_request>(packet)
               << "  abSdoData: " << text::hex(packet.subspan(wire::max_size<hilscher::sdo_download_request>)) << "\n";
     std::array<std::byte, message.size()> again{};
-    const auto back = translate::translator<table>::back(packet, again);
+    const auto back = translate::translator<table>::from_packet(packet, again);
     if (!back || back.size() != made.size() || again != message) return failed("the packet is not the message");
     std::cout << "translated back: the same " << back.size() << " bytes\n";
 

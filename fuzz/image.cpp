@@ -39,7 +39,7 @@ void check_elements(std::span<const std::byte> body, const bytes& before, const 
 
 void command_into(std::span<const std::byte> body, const bytes& before) {
     bytes after = before;
-    const auto error = command::forth(body, after);
+    const auto error = command::to_image(body, after);
     jaus::set_wrench_effort real{};
     const bool decodes = static_cast<bool>(wire::decode(real, body));
     if (error != translate::errc::ok) {
@@ -53,7 +53,7 @@ void command_into(std::span<const std::byte> body, const bytes& before) {
     check(decodes, "what goes into an image decodes as real values");
     check_elements(body, before, after);
     bytes back(wire::max_size<jaus::set_wrench_effort>);
-    const auto size = command::back(after, back);
+    const auto size = command::from_image(after, back);
     check(size && std::ranges::equal(std::span{back}.first(size.size()), body), "the body comes back byte for byte");
 
     bytes merged = before;
@@ -72,7 +72,7 @@ void fuzz::run(std::span<const std::byte> input) {
     command_into(copy_of(in.rest()), before);
 
     bytes body(wire::max_size<jaus::set_wrench_effort>);
-    const auto size = command::back(before, body);
+    const auto size = command::from_image(before, body);
     const bool defined = values_of(before).presence_vector < 0x1000;
     check(static_cast<bool>(size) == defined, "an image is a message unless it has a bit for an element that is none");
 

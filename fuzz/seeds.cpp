@@ -41,7 +41,7 @@ void append(bytes& to, std::span<const std::byte> more) { to.insert(to.end(), mo
 template <class Table> void add_packet(seed_folder& folder, std::span<const std::byte> message) {
     using translator = translate::translator<Table>;
     bytes packet(translator::max_packet_size);
-    if (const auto size = translator::forth(message, packet)) folder.add(std::span{packet}.first(size.size()));
+    if (const auto size = translator::to_packet(message, packet)) folder.add(std::span{packet}.first(size.size()));
 }
 
 void write_messages(const std::filesystem::path& root) {

@@ -17,7 +17,7 @@ template <class Table> struct checked {
 
     static void message(std::span<const std::byte> input) {
         bytes packet(translator::max_packet_size);
-        const auto there = translator::forth(input, packet);
+        const auto there = translator::to_packet(input, packet);
         if (!there) {
             check(there.error() == errc::truncated || there.error() == errc::wrong_size ||
                       there.error() == errc::too_large || there.error() == errc::unknown_command_code ||
@@ -29,10 +29,10 @@ template <class Table> struct checked {
         check(there.size() - translator::packet_size + translator::header_size == input.size() + translator::rest_size,
               "a packet carries the rest of the header and the body");
         bytes short_by_one(there.size() - 1);
-        check(translator::forth(input, short_by_one).error() == errc::no_space, "one byte too few is no space");
+        check(translator::to_packet(input, short_by_one).error() == errc::no_space, "one byte too few is no space");
 
         bytes message(input.size());
-        const auto back = translator::back(packet, message);
+        const auto back = translator::from_packet(packet, message);
         check(back && back.size() == input.size(), "a packet that was made translates back");
         check(message == copy_of(input), "a message comes back byte for byte");
         deliver(input, packet);
@@ -55,7 +55,7 @@ template <class Table> struct checked {
 
     static void packet(std::span<const std::byte> input) {
         bytes message(translator::max_message_size);
-        const auto back = translator::back(input, message);
+        const auto back = translator::from_packet(input, message);
         if (!back) {
             check(back.error() != errc::no_space, "the largest message has room");
             return;
@@ -65,7 +65,7 @@ template <class Table> struct checked {
         static_cast<void>(wire::decode_prefix(fields, input));
         check(fields.head.ul_len >= 16 + fields.ul_data_cnt, "a packet is as long as its data count says");
         bytes packet(translator::max_packet_size);
-        const auto there = translator::forth(message, packet, fields);
+        const auto there = translator::to_packet(message, packet, fields);
         check(static_cast<bool>(there), "a message that was made translates");
         packet.resize(there.size());
         // Allowed: a packet may be longer than its data count says, and state that length; it comes back without.
@@ -95,7 +95,7 @@ template <class Table> struct checked {
         check(head.data_size == size.size() - jaus::header_size, "a delivered message states its size");
         check(head.destination.node == self.station, "a delivered message names its slave");
         bytes packet(translator::max_packet_size);
-        const auto there = translator::forth(message, packet);
+        const auto there = translator::to_packet(message, packet);
         check(static_cast<bool>(there), "a delivered message translates");
         const auto again = delivery::object_of(std::span{packet}.first(there.size()));
         check(again.index == index && again.subindex == subindex && copy_of(again.data) == data,

@@ -90,7 +90,7 @@ inline unsigned command_by_mailbox(row& into, unsigned count, jauscat::net::raw_
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation{};
     jaus_socket socket{[&](std::span<const std::byte> message) {
         std::array<std::byte, delivery::translator::max_packet_size> packet; // not zeroed: forth says how much it wrote
-        const auto size = delivery::translator::forth(message, packet);
+        const auto size = delivery::translator::to_packet(message, packet);
         ethercat::packet_job job{std::span{packet}.first(size ? size.size() : 0), confirmation};
         for (bool runs = job.start(master); runs; runs = job.next(master))
             static_cast<void>(jauscat::net::run(link, master));

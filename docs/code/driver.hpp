@@ -63,7 +63,7 @@ class driver {
         std::array<std::byte, 64> message{};
         const auto made =
             jaus::make_message({.destination = query.destination, .source = query.destination}, answer, message);
-        const auto size = delivery::translator::forth(std::span{message}.first(made.size()), report);
+        const auto size = delivery::translator::to_packet(std::span{message}.first(made.size()), report);
         return made && size ? size.size() : 0;
     }
 

@@ -69,7 +69,7 @@ int main() {
     for (const set_gripper& command : {set_gripper{.opening = 80, .finger = 2}, set_gripper{.opening = 20}}) {
         std::array<std::byte, 8> body{};
         const auto size = jauscat::wire::encode(command, body);
-        const auto error = gripper::forth(std::span{body}.first(size.size()), outputs);
+        const auto error = gripper::to_image(std::span{body}.first(size.size()), outputs);
         if (error != translate::errc::ok) return std::cerr << describe(error) << '\n', 1;
         std::cout << jauscat::text::annotate<gripper_outputs>(outputs) << '\n';
     }

@@ -41,11 +41,11 @@ template <> struct jauscat::wire::schema<radio_packet> {
 template <class From, class To, std::uint32_t Factor> struct times {
     using uses = translate::path_list<From>;
     using writes = translate::path_list<To>;
-    static constexpr translate::errc forth(const auto& header, auto& packet, translate::sizes) noexcept {
+    static constexpr translate::errc to_packet(const auto& header, auto& packet, translate::sizes) noexcept {
         To::of(packet) = static_cast<typename To::type>(From::of(header) * Factor);
         return translate::errc::ok;
     }
-    static constexpr translate::errc back(const auto& packet, auto& header, translate::sizes) noexcept {
+    static constexpr translate::errc from_packet(const auto& packet, auto& header, translate::sizes) noexcept {
         if (To::of(packet) % Factor != 0 || To::of(packet) / Factor > 255) return translate::errc::out_of_range;
         From::of(header) = static_cast<std::uint8_t>(To::of(packet) / Factor);
         return translate::errc::ok;
@@ -63,16 +63,16 @@ inline constexpr std::array<std::uint16_t, 3> codes{0x0405, 0x2405, 0x4405}; // 
 // clang-format off
 using radio_table = translate::table<J, P, 200, // at most 200 bytes of data
     times<at<&J::destination, &A::node>, at<&P::station>, 16>,           // node 2 is station 32
-    translate::move<at<&J::destination, &A::component>, at<&P::channel>>,
-    translate::rank<at<&J::command_code>, at<&P::message>, codes>,       // 0405h is 1, 2405h is 2, 4405h is 3
-    translate::relabel<at<&J::data_flag>, at<&P::place>,
-        translate::same<jaus::data_flag::only, 0>,
-        translate::same<jaus::data_flag::first, 1>,
-        translate::same<jaus::data_flag::middle, 2>,
-        translate::same<jaus::data_flag::last, 3>>,                      // all other flags are refused
+    translate::copy<at<&J::destination, &A::component>, at<&P::channel>>,
+    translate::code_rank<at<&J::command_code>, at<&P::message>, codes>,       // 0405h is 1, 2405h is 2, 4405h is 3
+    translate::map_values<at<&J::data_flag>, at<&P::place>,
+        translate::value_pair<jaus::data_flag::only, 0>,
+        translate::value_pair<jaus::data_flag::first, 1>,
+        translate::value_pair<jaus::data_flag::middle, 2>,
+        translate::value_pair<jaus::data_flag::last, 3>>,                      // all other flags are refused
     translate::body_size<at<&J::data_size>>,                             // not carried: derived from the packet's size
     translate::data_count<at<&P::size>>,
-    translate::given<at<&P::counter>>,                                   // set by the caller
+    translate::caller_set<at<&P::counter>>,                                   // set by the caller
     translate::rest>;                                                    // all other fields, in the data
 // clang-format on
 // [table end]
@@ -85,14 +85,14 @@ int main() {
                                                1,    1,    4,    0,    0x22, 0x00, 0x01, 0x00, 0x00, 0x40};
 
     std::array<std::byte, radio::max_packet_size> packet{};
-    const auto size = radio::forth(std::as_bytes(std::span{octets}), packet, {.counter = 7});
+    const auto size = radio::to_packet(std::as_bytes(std::span{octets}), packet, {.counter = 7});
     if (!size) return std::cerr << describe(size.error()) << '\n', 1;
     const auto sent = std::span{packet}.first(size.size());
     std::cout << jauscat::text::annotate<radio_packet>(sent)
               << "  data: " << jauscat::text::hex(sent.subspan(radio::packet_size)) << '\n';
 
     std::array<std::byte, radio::max_message_size> again{};
-    const auto back = radio::back(sent, again);
+    const auto back = radio::from_packet(sent, again);
     if (!back) return std::cerr << describe(back.error()) << '\n', 1;
     std::cout << "back: " << jauscat::text::hex(std::span{again}.first(back.size())) << '\n';
     // [use end]

@@ -41,7 +41,7 @@ int main() {
     if (!size) return std::cerr << describe(size.error()) << '\n', 1;
 
     std::array<std::byte, delivery::translator::max_packet_size> packet{};
-    const auto made = delivery::translator::forth(std::span{message}.first(size.size()), packet);
+    const auto made = delivery::translator::to_packet(std::span{message}.first(size.size()), packet);
     if (!made) return std::cerr << describe(made.error()) << '\n', 1;
 
     const auto object = delivery::object_of(std::span{packet}.first(made.size()));

@@ -1,6 +1,6 @@
 """What Doxygen reads in place of a header.
 
-The headers document what is particular. Names that mean the same wherever they stand (an item's `put`, a row's `forth`, a
+The headers document what is particular. Names that mean the same wherever they stand (an item's `put`, a row's `to_packet`, a
 range's `min`) have one sentence in conventions.txt, which is put here before each declaration that has no comment of its
 own. Lines keep their numbers.
 """

@@ -94,7 +94,7 @@ std::vector<row> rows() {
                             .sequence_number = 7};
     message.resize(
         jaus::make_message(head, jaus::set_wrench_effort{.propulsive_linear_effort_x = effort}, message).size());
-    packet.resize(delivery::translator::forth(message, packet).size());
+    packet.resize(delivery::translator::to_packet(message, packet).size());
     const auto object = delivery::object_of(packet);
     const auto frame = jauscat::reference::frame_with(object);
     again.resize(delivery::message_of(object, arm, again).size());

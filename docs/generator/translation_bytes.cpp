@@ -91,7 +91,7 @@ std::string block(const std::string& title, std::span<const std::byte> whole, co
 template <class Table> std::string stages(const std::string& table, const bytes& message) {
     using delivery = bridge::delivery<Table>;
     bytes packet(delivery::translator::max_packet_size);
-    const auto size = delivery::translator::forth(message, packet);
+    const auto size = delivery::translator::to_packet(message, packet);
     if (!size) throw std::logic_error{"the message does not translate"};
     packet.resize(size.size());
     const auto object = delivery::object_of(packet);

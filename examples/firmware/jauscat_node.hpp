@@ -71,7 +71,7 @@ template <class Command, class Report> class jauscat_node {
 
     bool hand_to_card(std::span<const std::byte> message) noexcept {
         std::array<std::byte, translator::packet_size + translator::rest_size + largest_body> packet;
-        const auto size = translator::forth(message, packet);
+        const auto size = translator::to_packet(message, packet);
         if (size) send(line::card, std::span{packet}.first(size.size()));
         return static_cast<bool>(size);
     }

@@ -80,7 +80,7 @@ class actuator {
     }
     ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
         std::array<std::byte, delivery::translator::max_packet_size> packet{};
-        const auto size = delivery::translator::forth(report_, packet);
+        const auto size = delivery::translator::to_packet(report_, packet);
         if (!size) return {ethercat::abort_code::no_data, 0};
         const auto object = delivery::object_of(std::span{packet}.first(size.size()));
         if (object.index != index || object.subindex != subindex) return {ethercat::abort_code::no_data, 0};
@@ -120,7 +120,7 @@ class actuator {
         if (!jauscat::wire::decode(values, written) || values.command_count == taken_ || emergency) return;
         taken_ = values.command_count;
         std::array<std::byte, 64> body{};
-        const auto size = command::back(written, body);
+        const auto size = command::from_image(written, body);
         jaus::set_wrench_effort told{};
         if (!size || !jauscat::wire::decode(told, std::span<const std::byte>{body}.first(size.size()))) return;
         driven_ = true;
@@ -132,7 +132,8 @@ class actuator {
         std::array<std::byte, 64> body{};
         const auto size = jauscat::wire::encode(jaus::report_wrench_effort{.propulsive_linear_effort_x = effort}, body);
         if (inputs.size() == bytes.size() && size &&
-            report::forth(std::span<const std::byte>{body}.first(size.size()), bytes) == jauscat::translate::errc::ok)
+            report::to_image(std::span<const std::byte>{body}.first(size.size()), bytes) ==
+                jauscat::translate::errc::ok)
             std::ranges::copy(bytes, inputs.begin());
     }
 

@@ -3,5 +3,5 @@
 
 using namespace small;
 
-using wrong = table_of<count_row, presence_row, mode_row, left_row, wide_row, translate::given<at<&image::right>>>;
+using wrong = table_of<count_row, presence_row, mode_row, left_row, wide_row, translate::caller_set<at<&image::right>>>;
 static_assert(error_of_nothing<wrong>() == translate::errc::no_space);

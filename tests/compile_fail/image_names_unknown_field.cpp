@@ -8,5 +8,5 @@ struct percent_of_nothing {
 };
 
 using wrong = table_of<count_row, presence_row, mode_row, left_row, right_row, wide_row,
-                       translate::given<at<&percent_of_nothing::value>>>;
+                       translate::caller_set<at<&percent_of_nothing::value>>>;
 static_assert(error_of_nothing<wrong>() == translate::errc::no_space);

@@ -10,6 +10,6 @@ struct narrow {
 constexpr auto error_of_nothing() {
     narrow image{};
     const translate::image_message<jauscat::jaus::set_wrench_effort> message{};
-    return translate::presence_bits<translate::at<&narrow::presence>>::forth(message, image, {});
+    return translate::presence_bits<translate::at<&narrow::presence>>::to_packet(message, image, {});
 }
 static_assert(error_of_nothing() == translate::errc::ok);

@@ -3,7 +3,7 @@
 
 using namespace small;
 
-using again = translate::move<at<&command::mode>, at<&image::wide>>;
+using again = translate::copy<at<&command::mode>, at<&image::wide>>;
 
 using wrong = table_of<count_row, presence_row, mode_row, left_row, right_row, again>;
 static_assert(error_of_nothing<wrong>() == translate::errc::no_space);

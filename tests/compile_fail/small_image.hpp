@@ -40,7 +40,7 @@ using translate::at;
 
 using count_row = translate::counter<at<&image::count>>;
 using presence_row = translate::presence_bits<at<&image::presence>>;
-using mode_row = translate::move<at<&command::mode>, at<&image::mode>>;
+using mode_row = translate::copy<at<&command::mode>, at<&image::mode>>;
 using left_row = translate::element<at<&command::left>, at<&image::left>>;
 using right_row = translate::element<at<&command::right>, at<&image::right>>;
 using wide_row = translate::constant<at<&image::wide>, 0>;
@@ -49,7 +49,7 @@ template <class... Rows> using table_of = translate::image_table<command, image,
 
 /// Translates with a table, as a program would.
 template <class Table> constexpr translate::errc error_of_nothing() {
-    return translate::image_translator<Table>::forth({}, {});
+    return translate::image_translator<Table>::to_image({}, {});
 }
 
 } // namespace small

@@ -44,7 +44,7 @@ using translate::at;
 inline constexpr std::array<std::uint16_t, 3> codes{0x0001, 0x0405, 0x0404};
 
 using index_row = translate::offset<at<&head::component>, at<&packet::index>, 6900>;
-using subindex_row = translate::rank<at<&head::code>, at<&packet::subindex>, codes>;
+using subindex_row = translate::code_rank<at<&head::code>, at<&packet::subindex>, codes>;
 using size_row = translate::body_size<at<&head::size>>;
 using spare_row = translate::constant<at<&packet::spare>, 0>;
 using count_row = translate::data_count<at<&packet::count>>;
@@ -55,7 +55,7 @@ using right_table = table_of<index_row, subindex_row, size_row, spare_row, count
 
 /// Translates with a table, as a program would.
 template <class Table> constexpr translate::errc error_of_nothing() {
-    return translate::translator<Table>::forth({}, {}).error();
+    return translate::translator<Table>::to_packet({}, {}).error();
 }
 
 } // namespace small

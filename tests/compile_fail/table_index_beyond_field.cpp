@@ -15,6 +15,6 @@ using namespace small;
 
 using wrong =
     translate::table<head, narrow, 100, translate::offset<at<&head::component>, at<&narrow::index>, 16>,
-                     translate::rank<at<&head::code>, at<&narrow::subindex>, codes>, size_row,
+                     translate::code_rank<at<&head::code>, at<&narrow::subindex>, codes>, size_row,
                      translate::constant<at<&narrow::spare>, 0>, translate::data_count<at<&narrow::count>>, rest_row>;
 static_assert(error_of_nothing<wrong>() == translate::errc::truncated);

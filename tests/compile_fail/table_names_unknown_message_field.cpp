@@ -3,7 +3,7 @@
 
 using namespace small;
 
-using foreign = translate::move<at<&stranger::field>, at<&packet::spare>>;
+using foreign = translate::copy<at<&stranger::field>, at<&packet::spare>>;
 
 using wrong = table_of<index_row, subindex_row, size_row, foreign, count_row, rest_row>;
 static_assert(error_of_nothing<wrong>() == translate::errc::truncated);

@@ -3,7 +3,7 @@
 
 using namespace small;
 
-using half = translate::move<at<&head::priority>, at<&packet::spare>>;
+using half = translate::copy<at<&head::priority>, at<&packet::spare>>;
 
 using wrong = table_of<index_row, subindex_row, size_row, half, count_row, rest_row>;
 static_assert(error_of_nothing<wrong>() == translate::errc::truncated);

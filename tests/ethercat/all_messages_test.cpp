@@ -36,7 +36,7 @@ template <class Table> class message_slave {
     }
     ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
         bytes packet(delivery::translator::max_packet_size);
-        const auto size = delivery::translator::forth(upwards, packet);
+        const auto size = delivery::translator::to_packet(upwards, packet);
         const auto object = delivery::object_of(std::span{packet}.first(size.size()));
         if (!size || object.index != index || object.subindex != subindex)
             return {.error = ethercat::abort_code::no_data};

@@ -160,7 +160,7 @@ template <class Table> struct strict_robot {
     ethercat::outcome deliver(std::span<const std::byte> message) {
         bring_up();
         std::array<std::byte, delivery::translator::max_packet_size> packet{};
-        const auto size = delivery::translator::forth(message, packet);
+        const auto size = delivery::translator::to_packet(message, packet);
         REQUIRE(size);
         const auto object = delivery::object_of(std::span{packet}.first(size.size()));
         REQUIRE(master.download(object.station, object.index, object.subindex, object.data));

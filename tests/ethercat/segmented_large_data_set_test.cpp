@@ -72,7 +72,7 @@ template <class Table> void delivers(std::size_t largest) {
     CHECK(a.taken[0] == whole);
 
     bytes packet(delivery::translator::max_packet_size);
-    REQUIRE(delivery::translator::forth(whole, packet).size() == packet.size());
+    REQUIRE(delivery::translator::to_packet(whole, packet).size() == packet.size());
     const auto object = delivery::object_of(packet);
     CHECK(object.data.size() == Table::max_data);
     for (const std::uint16_t mailbox : std::initializer_list<std::uint16_t>{24, 128, 1486}) {
@@ -94,7 +94,7 @@ template <class Table> void delivers(std::size_t largest) {
     for (const std::size_t i : {0u, 1u, 2u}) CHECK(a.give(more[i]) == reassembled::waiting);
     CHECK(a.give(more[3]) == reassembled::too_large);
     CHECK(a.taken.size() == 1);
-    CHECK(delivery::translator::forth(message(head, counting(largest + 1)), packet).error() ==
+    CHECK(delivery::translator::to_packet(message(head, counting(largest + 1)), packet).error() ==
           translate::errc::too_large);
 }
 

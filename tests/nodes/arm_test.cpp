@@ -69,7 +69,7 @@ struct robot {
         constexpr jaus::address self{1, 33, station, 2};
         const auto size = jaus::make_message({.destination = self, .source = self}, message, bytes);
         REQUIRE(size);
-        const auto used = delivery::translator::forth(std::span{bytes}.first(size.size()), packet);
+        const auto used = delivery::translator::to_packet(std::span{bytes}.first(size.size()), packet);
         REQUIRE(used);
         const auto object = delivery::object_of(std::span{packet}.first(used.size()));
         return run(master.download(at, object.index, object.subindex, object.data));

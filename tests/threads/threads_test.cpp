@@ -38,8 +38,8 @@ std::string work(std::uint64_t seed) {
         const jaus::header head{.destination = {1, 33, 2, 2}, .source = {1, 32, 1, 1}};
         const auto size = jaus::make_message(head, command, message);
         using translator = translate::translator<translation::seed_table>;
-        const auto there = translator::forth(std::span{message}.first(size.size()), packet);
-        const auto back = translator::back(std::span{packet}.first(there.size()), again);
+        const auto there = translator::to_packet(std::span{message}.first(size.size()), packet);
+        const auto back = translator::from_packet(std::span{packet}.first(there.size()), again);
         const auto m = jaus::split(std::span<const std::byte>{again}.first(back.size()));
         if (m && handlers(m.header, m.body) == jaus::dispatched::handled)
             said += text::annotate_message(std::span{again}.first(back.size()),

@@ -113,10 +113,10 @@ TEST_CASE("messages of seven kinds become the packets written out here, and come
     for (const auto& sample : samples) {
         INFO(sample.what);
         const auto message = from_hex(sample.message);
-        CHECK(to_hex(forth<seed>(message).bytes) == hex_of(sample.seed_packet));
-        CHECK(to_hex(forth<self_contained>(message).bytes) == hex_of(sample.self_contained_packet));
-        CHECK(to_hex(back<seed>(from_hex(sample.seed_packet)).bytes) == to_hex(message));
-        CHECK(to_hex(back<self_contained>(from_hex(sample.self_contained_packet)).bytes) == to_hex(message));
+        CHECK(to_hex(to_packet<seed>(message).bytes) == hex_of(sample.seed_packet));
+        CHECK(to_hex(to_packet<self_contained>(message).bytes) == hex_of(sample.self_contained_packet));
+        CHECK(to_hex(from_packet<seed>(from_hex(sample.seed_packet)).bytes) == to_hex(message));
+        CHECK(to_hex(from_packet<self_contained>(from_hex(sample.self_contained_packet)).bytes) == to_hex(message));
     }
 }
 
@@ -139,7 +139,7 @@ TEMPLATE_TEST_CASE("every message with any header and body translates as plain l
         for (int round = 0; round != 40; ++round) {
             const auto message = random_message(g, type);
             INFO(to_hex(message));
-            const auto there = forth<TestType>(message);
+            const auto there = to_packet<TestType>(message);
             if (message.size() - 16 > TestType::max_body) {
                 REQUIRE(there.error == errc::too_large);
                 too_large.insert(type.code);
@@ -147,7 +147,7 @@ TEMPLATE_TEST_CASE("every message with any header and body translates as plain l
             }
             REQUIRE(there.error == errc::ok);
             if (there.bytes != plain_forth(plain_of(TestType{}), message)) FAIL("plain loops make another packet");
-            if (back<TestType>(there.bytes).bytes != message) FAIL("the packet comes back as another message");
+            if (from_packet<TestType>(there.bytes).bytes != message) FAIL("the packet comes back as another message");
             codes.insert(type.code);
         }
     }
@@ -171,7 +171,7 @@ TEST_CASE("delivery refuses parts of a large data set and broadcasts that name n
                 // Refused by delivery, not by translation.
                 std::array<std::byte, 16> message{};
                 REQUIRE(wire::encode(head, message));
-                REQUIRE(forth<seed>(message).error == errc::ok);
-                REQUIRE(forth<self_contained>(message).error == errc::ok);
+                REQUIRE(to_packet<seed>(message).error == errc::ok);
+                REQUIRE(to_packet<self_contained>(message).error == errc::ok);
             }
 }

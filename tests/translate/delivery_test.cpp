@@ -22,7 +22,7 @@ template <class Delivery> outcome message_of(const bridge::object_access& object
     return outcome_of(result, std::move(out));
 }
 template <class Delivery> outcome delivered(std::span<const std::byte> message, const bridge::slave_identity& self) {
-    const auto packet = forth<typename Delivery::translator>(message).bytes;
+    const auto packet = to_packet<typename Delivery::translator>(message).bytes;
     return message_of<Delivery>(Delivery::object_of(packet), self);
 }
 
@@ -93,7 +93,7 @@ TEMPLATE_TEST_CASE("messages of every body size are delivered whole", "", seed_d
 }
 
 TEMPLATE_TEST_CASE("an object that stands for no message is refused", "", seed_delivery, self_contained_delivery) {
-    const std::vector<std::byte> packet = forth<typename TestType::translator>(wrench_effort).bytes;
+    const std::vector<std::byte> packet = to_packet<typename TestType::translator>(wrench_effort).bytes;
     const auto object = TestType::object_of(packet);
     const auto refused = [&](auto change) {
         auto changed = object;

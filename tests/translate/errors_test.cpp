@@ -12,25 +12,27 @@ using translate::errc;
 
 namespace {
 
-template <class Translator> std::vector<std::byte> sample_packet() { return forth<Translator>(wrench_effort).bytes; }
+template <class Translator> std::vector<std::byte> sample_packet() {
+    return to_packet<Translator>(wrench_effort).bytes;
+}
 
 /// What the way back says of the sample's packet with one word changed.
 template <class Translator> errc back_with(word at, std::uint32_t value) {
-    return back<Translator>(with(sample_packet<Translator>(), at, value)).error;
+    return from_packet<Translator>(with(sample_packet<Translator>(), at, value)).error;
 }
 
 } // namespace
 
 TEMPLATE_TEST_CASE("a message shorter than its header is truncated", "", seed, self_contained) {
     for (std::size_t size = 0; size != 16; ++size)
-        CHECK(forth<TestType>(std::span{wrench_effort}.first(size)).error == errc::truncated);
+        CHECK(to_packet<TestType>(std::span{wrench_effort}.first(size)).error == errc::truncated);
 }
 
 TEMPLATE_TEST_CASE("a packet shorter than its fields and data is truncated", "", seed, self_contained) {
     const auto packet = sample_packet<TestType>();
     for (std::size_t size = 0; size != packet.size(); ++size) {
         CAPTURE(size);
-        CHECK(back<TestType>(std::span{packet}.first(size)).error == errc::truncated);
+        CHECK(from_packet<TestType>(std::span{packet}.first(size)).error == errc::truncated);
     }
 }
 
@@ -42,37 +44,37 @@ TEMPLATE_TEST_CASE("a packet that counts more data than there is is truncated", 
 
 TEMPLATE_TEST_CASE("a packet whose data ends within the header fields it carries is truncated", "", seed,
                    self_contained) {
-    auto packet = forth<TestType>(message_with_body(0)).bytes;
-    CHECK(back<TestType>(packet).bytes == message_with_body(0));
+    auto packet = to_packet<TestType>(message_with_body(0)).bytes;
+    CHECK(from_packet<TestType>(packet).bytes == message_with_body(0));
     for (std::uint32_t count = 0; count != TestType::rest_size; ++count) {
         set(packet, word::ul_data_cnt, count);
         set(packet, word::ul_len, 16 + count);
-        CHECK(back<TestType>(packet).error == errc::truncated);
+        CHECK(from_packet<TestType>(packet).error == errc::truncated);
     }
 }
 
 TEMPLATE_TEST_CASE("a result that needs one byte more than there is says no space", "", seed, self_contained) {
     const auto packet = sample_packet<TestType>();
     std::vector<std::byte> out(packet.size());
-    CHECK(TestType::forth(wrench_effort, std::span{out}).error() == errc::ok);
-    CHECK(TestType::forth(wrench_effort, std::span{out}.first(packet.size() - 1)).error() == errc::no_space);
-    CHECK(TestType::forth(wrench_effort, {}).error() == errc::no_space);
-    CHECK(TestType::back(packet, std::span{out}.first(wrench_effort.size())).error() == errc::ok);
-    CHECK(TestType::back(packet, std::span{out}.first(wrench_effort.size() - 1)).error() == errc::no_space);
-    CHECK(TestType::back(packet, {}).error() == errc::no_space);
+    CHECK(TestType::to_packet(wrench_effort, std::span{out}).error() == errc::ok);
+    CHECK(TestType::to_packet(wrench_effort, std::span{out}.first(packet.size() - 1)).error() == errc::no_space);
+    CHECK(TestType::to_packet(wrench_effort, {}).error() == errc::no_space);
+    CHECK(TestType::from_packet(packet, std::span{out}.first(wrench_effort.size())).error() == errc::ok);
+    CHECK(TestType::from_packet(packet, std::span{out}.first(wrench_effort.size() - 1)).error() == errc::no_space);
+    CHECK(TestType::from_packet(packet, {}).error() == errc::no_space);
 }
 
 TEMPLATE_TEST_CASE("a message whose header states another size than its body's has the wrong size", "", seed,
                    self_contained) {
     auto message = vector_of(wrench_effort);
     message[12] = std::byte{19};
-    CHECK(forth<TestType>(message).error == errc::wrong_size);
+    CHECK(to_packet<TestType>(message).error == errc::wrong_size);
     message[12] = std::byte{21};
-    CHECK(forth<TestType>(message).error == errc::wrong_size);
+    CHECK(to_packet<TestType>(message).error == errc::wrong_size);
     message[12] = std::byte{20};
-    CHECK(forth<TestType>(message).error == errc::ok);
+    CHECK(to_packet<TestType>(message).error == errc::ok);
     message.pop_back();
-    CHECK(forth<TestType>(message).error == errc::wrong_size);
+    CHECK(to_packet<TestType>(message).error == errc::wrong_size);
 }
 
 TEMPLATE_TEST_CASE("a packet may state more length than its data needs, but not less", "", seed, self_contained) {
@@ -82,32 +84,32 @@ TEMPLATE_TEST_CASE("a packet may state more length than its data needs, but not 
 
     auto padded = with(sample_packet<TestType>(), word::ul_len, length + 4);
     padded.resize(padded.size() + 4, std::byte{0xEE});
-    CHECK(to_hex(back<TestType>(padded).bytes) == to_hex(wrench_effort));
+    CHECK(to_hex(from_packet<TestType>(padded).bytes) == to_hex(wrench_effort));
 }
 
 TEST_CASE("a self-contained packet whose data states another body size than it has is of the wrong size") {
     auto packet = sample_packet<self_contained>();
     packet[64] = std::byte{19};
-    CHECK(back<self_contained>(packet).error == errc::wrong_size);
+    CHECK(from_packet<self_contained>(packet).error == errc::wrong_size);
     packet[64] = std::byte{21};
-    CHECK(back<self_contained>(packet).error == errc::wrong_size);
+    CHECK(from_packet<self_contained>(packet).error == errc::wrong_size);
 }
 
 TEMPLATE_TEST_CASE("the largest body fills a packet, and one byte more is too large", "", seed, self_contained) {
     const auto largest = message_with_body(TestType::max_body);
-    const auto packet = forth<TestType>(largest);
+    const auto packet = to_packet<TestType>(largest);
     REQUIRE(packet.error == errc::ok);
     CHECK(packet.bytes.size() == 56 + 1540);
     CHECK(get(packet.bytes, word::ul_data_cnt) == 1540);
     CHECK(get(packet.bytes, word::ul_len) == 1556);
-    CHECK(back<TestType>(packet.bytes).bytes == largest);
+    CHECK(from_packet<TestType>(packet.bytes).bytes == largest);
 
-    CHECK(forth<TestType>(message_with_body(TestType::max_body + 1)).error == errc::too_large);
+    CHECK(to_packet<TestType>(message_with_body(TestType::max_body + 1)).error == errc::too_large);
 
     auto swollen = with(with(packet.bytes, word::ul_data_cnt, 1541), word::ul_len, 1557);
     swollen.push_back({});
     std::vector<std::byte> out(2000);
-    CHECK(TestType::back(swollen, out).error() == errc::too_large);
+    CHECK(TestType::from_packet(swollen, out).error() == errc::too_large);
 }
 
 TEMPLATE_TEST_CASE("a table for cards of before 2011-09 takes four bytes more", "",
@@ -116,12 +118,12 @@ TEMPLATE_TEST_CASE("a table for cards of before 2011-09 takes four bytes more", 
     using older = translate::translator<typename TestType::type>;
     STATIC_REQUIRE(hilscher::max_sdo_data_before_2011_09 == 1544);
     const auto largest = message_with_body(older::max_body);
-    const auto packet = forth<older>(largest);
+    const auto packet = to_packet<older>(largest);
     REQUIRE(packet.error == errc::ok);
     CHECK(get(packet.bytes, word::ul_data_cnt) == 1544);
     CHECK(get(packet.bytes, word::ul_len) == 1560);
-    CHECK(back<older>(packet.bytes).bytes == largest);
-    CHECK(forth<older>(message_with_body(older::max_body + 1)).error == errc::too_large);
+    CHECK(from_packet<older>(packet.bytes).bytes == largest);
+    CHECK(to_packet<older>(message_with_body(older::max_body + 1)).error == errc::too_large);
 }
 
 TEMPLATE_TEST_CASE("a command code that is not in the table's list is unknown", "", seed, self_contained) {
@@ -130,7 +132,7 @@ TEMPLATE_TEST_CASE("a command code that is not in the table's list is unknown", 
     auto message = vector_of(wrench_effort);
     message[2] = static_cast<std::byte>(low);
     message[3] = static_cast<std::byte>(high);
-    CHECK(forth<TestType>(message).error == errc::unknown_command_code);
+    CHECK(to_packet<TestType>(message).error == errc::unknown_command_code);
 }
 
 TEMPLATE_TEST_CASE("an index outside 6900 to 7155 stands for no component", "", seed, self_contained) {
@@ -158,8 +160,8 @@ TEST_CASE("the seed table refuses reserved data flags and sequence positions, th
         const bool defined = flag == 0 || flag == 1 || flag == 2 || flag == 4 || flag == 8;
         auto message = vector_of(wrench_effort);
         message[13] = static_cast<std::byte>(flag << 4);
-        CHECK(forth<seed>(message).error == (defined ? errc::ok : errc::reserved_value));
-        CHECK(back<self_contained>(forth<self_contained>(message).bytes).bytes == message);
+        CHECK(to_packet<seed>(message).error == (defined ? errc::ok : errc::reserved_value));
+        CHECK(from_packet<self_contained>(to_packet<self_contained>(message).bytes).bytes == message);
     }
     for (std::uint32_t ul_ext = 0; ul_ext != 0x1000; ++ul_ext) {
         CAPTURE(ul_ext);
@@ -198,11 +200,11 @@ TEMPLATE_TEST_CASE("sender, sender reference and packet number are the caller's"
     given.head.ul_src = 0x11121314;
     given.head.ul_src_id = 0x21222324;
     given.head.ul_id = 0x31323334;
-    const auto there = forth<TestType>(wrench_effort, given);
+    const auto there = to_packet<TestType>(wrench_effort, given);
     CHECK(get(there.bytes, word::ul_src) == 0x11121314);
     CHECK(get(there.bytes, word::ul_src_id) == 0x21222324);
     CHECK(get(there.bytes, word::ul_id) == 0x31323334);
-    CHECK(back<TestType>(there.bytes).bytes == vector_of(wrench_effort));
+    CHECK(from_packet<TestType>(there.bytes).bytes == vector_of(wrench_effort));
 
     auto without = there.bytes;
     for (const auto at : {word::ul_src, word::ul_src_id, word::ul_id}) set(without, at, 0);
@@ -215,7 +217,7 @@ TEMPLATE_TEST_CASE("what the caller gives for a field of the table is overwritte
     given.head.ul_cmd = hilscher::packet_command::sdo_upload_req;
     given.head.ul_sta = hilscher::packet_status::fail;
     given.ul_node_id = given.ul_index = given.ul_sub_index = given.ul_data_cnt = 77;
-    CHECK(forth<TestType>(wrench_effort, given).bytes == sample_packet<TestType>());
+    CHECK(to_packet<TestType>(wrench_effort, given).bytes == sample_packet<TestType>());
 }
 
 TEMPLATE_TEST_CASE("a part of a large data set is not delivered to a slave", "", translation::seed_table,

@@ -79,24 +79,24 @@ std::vector<std::byte> with_code(std::vector<std::byte> message, std::uint16_t c
 } // namespace
 
 TEST_CASE("a fixed object holds the real length, the data and zeros up to its size") {
-    CHECK(to_hex(forth<fixed_seed>(one_effort).bytes) == to_hex(one_effort_seed));
-    CHECK(to_hex(back<fixed_seed>(one_effort_seed).bytes) == to_hex(one_effort));
-    CHECK(to_hex(forth<fixed_self_contained>(one_effort).bytes) == to_hex(one_effort_self_contained));
-    CHECK(to_hex(back<fixed_self_contained>(one_effort_self_contained).bytes) == to_hex(one_effort));
+    CHECK(to_hex(to_packet<fixed_seed>(one_effort).bytes) == to_hex(one_effort_seed));
+    CHECK(to_hex(from_packet<fixed_seed>(one_effort_seed).bytes) == to_hex(one_effort));
+    CHECK(to_hex(to_packet<fixed_self_contained>(one_effort).bytes) == to_hex(one_effort_self_contained));
+    CHECK(to_hex(from_packet<fixed_self_contained>(one_effort_self_contained).bytes) == to_hex(one_effort));
 }
 
 TEST_CASE("the largest command fills its fixed object, and a report lies in one too") {
-    CHECK(to_hex(forth<fixed_seed>(wrench_effort).bytes) == to_hex(full_seed));
-    CHECK(to_hex(back<fixed_seed>(full_seed).bytes) == to_hex(wrench_effort));
-    CHECK(to_hex(forth<fixed_seed>(no_report).bytes) == to_hex(no_report_seed));
-    CHECK(to_hex(back<fixed_seed>(no_report_seed).bytes) == to_hex(no_report));
+    CHECK(to_hex(to_packet<fixed_seed>(wrench_effort).bytes) == to_hex(full_seed));
+    CHECK(to_hex(from_packet<fixed_seed>(full_seed).bytes) == to_hex(wrench_effort));
+    CHECK(to_hex(to_packet<fixed_seed>(no_report).bytes) == to_hex(no_report_seed));
+    CHECK(to_hex(from_packet<fixed_seed>(no_report_seed).bytes) == to_hex(no_report));
 }
 
 TEST_CASE("a fixed object is made in a constant expression") {
     constexpr auto packet = [] {
         const auto message = one_effort; // a copy: see delivery_test.cpp
         std::array<std::byte, one_effort_seed.size()> out{};
-        const auto size = fixed_seed::forth(message, out);
+        const auto size = fixed_seed::to_packet(message, out);
         return size ? out : decltype(out){};
     }();
     STATIC_REQUIRE(packet == one_effort_seed);
@@ -123,7 +123,7 @@ TEST_CASE("objects have the size of the largest body, and those of messages with
 }
 
 TEST_CASE("a fixed object of another size or with an impossible length is refused") {
-    const auto error = [](std::vector<std::byte> bytes) { return back<fixed_seed>(bytes).error; };
+    const auto error = [](std::vector<std::byte> bytes) { return from_packet<fixed_seed>(bytes).error; };
     const auto good = vector_of(one_effort_seed);
     const auto with_length = [&](unsigned length) {
         auto bytes = good;
@@ -145,40 +145,42 @@ TEST_CASE("a fixed object of another size or with an impossible length is refuse
 
     auto self_contained = vector_of(one_effort_self_contained);
     self_contained[56] = std::byte{15};
-    CHECK(back<fixed_self_contained>(self_contained).error == errc::wrong_size); // its header says the size too
+    CHECK(from_packet<fixed_self_contained>(self_contained).error == errc::wrong_size); // its header says the size too
 }
 
 TEST_CASE("what fills a fixed object up is not looked at") {
     auto filled = vector_of(one_effort_seed);
     std::fill(filled.end() - 16, filled.end(), std::byte{0xA5});
-    CHECK(to_hex(back<fixed_seed>(filled).bytes) == to_hex(one_effort));
+    CHECK(to_hex(from_packet<fixed_seed>(filled).bytes) == to_hex(one_effort));
 }
 
 TEST_CASE("a body longer than its message may be does not fit a fixed object") {
-    CHECK(forth<fixed_seed>(message_with_body(20)).error == errc::ok);
-    CHECK(forth<fixed_seed>(message_with_body(21)).error == errc::too_large);
-    CHECK(forth<seed>(message_with_body(21)).error == errc::ok);
+    CHECK(to_packet<fixed_seed>(message_with_body(20)).error == errc::ok);
+    CHECK(to_packet<fixed_seed>(message_with_body(21)).error == errc::too_large);
+    CHECK(to_packet<seed>(message_with_body(21)).error == errc::ok);
     const auto image = [](std::size_t size) { return with_code(message_with_body(size), 0x4807); };
-    CHECK(forth<fixed_seed>(image(1530)).error == errc::ok);
-    CHECK(forth<fixed_seed>(image(1531)).error == errc::too_large);
-    CHECK(forth<fixed_self_contained>(image(1526)).error == errc::ok);
-    CHECK(forth<fixed_self_contained>(image(1527)).error == errc::too_large);
+    CHECK(to_packet<fixed_seed>(image(1530)).error == errc::ok);
+    CHECK(to_packet<fixed_seed>(image(1531)).error == errc::too_large);
+    CHECK(to_packet<fixed_self_contained>(image(1526)).error == errc::ok);
+    CHECK(to_packet<fixed_self_contained>(image(1527)).error == errc::too_large);
 }
 
 TEST_CASE("a fixed object needs its whole size in the buffer") {
     std::vector<std::byte> out(one_effort_seed.size());
-    CHECK(fixed_seed::forth(one_effort, out).size() == one_effort_seed.size());
-    CHECK(fixed_seed::forth(one_effort, std::span{out}.first(out.size() - 1)).error() == errc::no_space);
-    CHECK(fixed_seed::back(one_effort_seed, std::span{out}.first(one_effort.size())).size() == one_effort.size());
-    CHECK(fixed_seed::back(one_effort_seed, std::span{out}.first(one_effort.size() - 1)).error() == errc::no_space);
+    CHECK(fixed_seed::to_packet(one_effort, out).size() == one_effort_seed.size());
+    CHECK(fixed_seed::to_packet(one_effort, std::span{out}.first(out.size() - 1)).error() == errc::no_space);
+    CHECK(fixed_seed::from_packet(one_effort_seed, std::span{out}.first(one_effort.size())).size() ==
+          one_effort.size());
+    CHECK(fixed_seed::from_packet(one_effort_seed, std::span{out}.first(one_effort.size() - 1)).error() ==
+          errc::no_space);
 }
 
 TEST_CASE("a message that is not among those with fixed objects is refused in both directions") {
     using commands = translate::translator<translate::fixed_length<translation::seed_table, jaus::set_wrench_effort>>;
-    CHECK(to_hex(forth<commands>(one_effort).bytes) == to_hex(one_effort_seed));
-    CHECK(forth<commands>(no_report).error == errc::unknown_command_code);
-    CHECK(back<commands>(no_report_seed).error == errc::unknown_subindex);
-    CHECK(forth<commands>(with_code(vector_of(one_effort), 0xD000)).error == errc::unknown_command_code);
+    CHECK(to_hex(to_packet<commands>(one_effort).bytes) == to_hex(one_effort_seed));
+    CHECK(to_packet<commands>(no_report).error == errc::unknown_command_code);
+    CHECK(from_packet<commands>(no_report_seed).error == errc::unknown_subindex);
+    CHECK(to_packet<commands>(with_code(vector_of(one_effort), 0xD000)).error == errc::unknown_command_code);
 }
 
 TEMPLATE_TEST_CASE("every code with any body that its object holds translates as plain loops do, and comes back", "",
@@ -200,10 +202,10 @@ TEMPLATE_TEST_CASE("every code with any body that its object holds translates as
             for (auto& byte : std::span{message}.subspan(4, 8)) byte = static_cast<std::byte>(g());
             for (auto& byte : std::span{message}.subspan(14)) byte = static_cast<std::byte>(g());
             INFO(to_hex(message));
-            const auto there = forth<TestType>(message);
+            const auto there = to_packet<TestType>(message);
             if (there.error != errc::ok) FAIL("refused");
             if (there.bytes != plain_fixed(plain_of(TestType{}), message, object)) FAIL("differs");
-            if (back<TestType>(there.bytes).bytes != message) FAIL("does not come back");
+            if (from_packet<TestType>(there.bytes).bytes != message) FAIL("does not come back");
         }
     }
 }
@@ -219,10 +221,10 @@ TEMPLATE_TEST_CASE("every valid message fits its fixed object unless no packet c
             if (body.size() > jaus::max_body_size) continue; // not one JAUS packet either
             auto message = with_code(message_with_body(body.size()), type.code);
             std::ranges::copy(body, message.begin() + 16);
-            const auto there = forth<TestType>(message);
+            const auto there = to_packet<TestType>(message);
             REQUIRE(there.error == (body.size() <= TestType::max_body ? errc::ok : errc::too_large));
             if (there.error != errc::ok) continue;
-            REQUIRE(back<TestType>(there.bytes).bytes == message);
+            REQUIRE(from_packet<TestType>(there.bytes).bytes == message);
             ++carried;
         }
     CHECK(carried > 3 * 140);

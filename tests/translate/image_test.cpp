@@ -13,12 +13,12 @@ constexpr auto full_image = hex_literal<22>("0100"                          // t
                                             "00ff80 336699");               // resistive
 
 constexpr image after(image before, auto... bodies) {
-    const auto ok = [&](auto body) { return command::forth(body, before) == translate::errc::ok; };
+    const auto ok = [&](auto body) { return command::to_image(body, before) == translate::errc::ok; };
     return (ok(bodies) && ...) ? before : image{};
 }
 template <class Translator, std::size_t Size> constexpr auto body_of(image from) {
     std::array<std::byte, Size> out{};
-    const auto size = Translator::back(from, out);
+    const auto size = Translator::from_image(from, out);
     return size && size.size() == Size ? out : decltype(out){};
 }
 image bytes_of(const wrench_effort_image& values) {
@@ -47,11 +47,11 @@ TEST_CASE("an absent element keeps the image's last value, and its presence bit 
 
 TEST_CASE("a merged message leaves the presence bits of the one before it set") {
     auto bytes = full_image;
-    REQUIRE(command::forth(from_hex("0200 3412"), bytes) == translate::errc::ok);
+    REQUIRE(command::to_image(from_hex("0200 3412"), bytes) == translate::errc::ok);
     REQUIRE(command::merge(from_hex("0108 7856 aa"), bytes) == translate::errc::ok);
     CHECK(to_hex(bytes) == hex_of("0300 0308 7856 3412 0000 0040 01c0 0020 00ff80 3366aa"));
     std::array<std::byte, 20> both{};
-    const auto size = command::back(bytes, both);
+    const auto size = command::from_image(bytes, both);
     REQUIRE(size);
     CHECK(to_hex(std::span{both}.first(size.size())) == hex_of("0308 7856 3412 aa"));
 }
@@ -59,14 +59,14 @@ TEST_CASE("a merged message leaves the presence bits of the one before it set") 
 TEST_CASE("the command counter leaves 0 out when it starts over") {
     auto bytes = bytes_of({.command_count = 0xFFFE});
     for (const unsigned expected : {0xFFFFu, 1u, 2u}) {
-        REQUIRE(command::forth(full_body, bytes) == translate::errc::ok);
+        REQUIRE(command::to_image(full_body, bytes) == translate::errc::ok);
         CHECK(values_of(bytes).command_count == expected);
     }
 }
 
 TEST_CASE("the report's counter is the slave's own") {
     auto bytes = bytes_of({.command_count = 77});
-    REQUIRE(report::forth(full_body, bytes) == translate::errc::ok);
+    REQUIRE(report::to_image(full_body, bytes) == translate::errc::ok);
     CHECK(values_of(bytes).command_count == 77);
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("a message that is refused changes no byte of the image") {
         {"2100 0000 0080", translate::errc::out_of_range}, // nor as the second element
     }));
     auto bytes = full_image;
-    CHECK(command::forth(from_hex(body), bytes) == error);
+    CHECK(command::to_image(from_hex(body), bytes) == error);
     CHECK(bytes == full_image);
     CHECK(command::merge(from_hex(body), bytes) == error);
     CHECK(bytes == full_image);
@@ -89,15 +89,15 @@ TEST_CASE("a message that is refused changes no byte of the image") {
 
 TEST_CASE("an image or a body without room is refused") {
     std::array<std::byte, 21> short_image{};
-    CHECK(command::forth(full_body, short_image) == translate::errc::no_space);
+    CHECK(command::to_image(full_body, short_image) == translate::errc::no_space);
     std::array<std::byte, 20> body{};
-    CHECK(command::back(short_image, body).error() == translate::errc::truncated);
-    CHECK(command::back(full_image, std::span{body}.first(19)).error() == translate::errc::no_space);
+    CHECK(command::from_image(short_image, body).error() == translate::errc::truncated);
+    CHECK(command::from_image(full_image, std::span{body}.first(19)).error() == translate::errc::no_space);
 }
 
 TEST_CASE("a presence bit of the image that stands for nothing is refused") {
     std::array<std::byte, 20> body{};
-    CHECK(command::back(bytes_of({.presence_vector = 0x1000}), body).error() == translate::errc::reserved_value);
+    CHECK(command::from_image(bytes_of({.presence_vector = 0x1000}), body).error() == translate::errc::reserved_value);
 }
 
 // The rows that tables into packets have, in a table of a user's own.
@@ -137,25 +137,28 @@ namespace {
 using translate::at;
 using drive_table = translate::image_table<
     drive, drive_image,
-    translate::relabel<at<&drive::direction>, at<&drive_image::sign>, translate::same<gear::park, 0>,
-                       translate::same<gear::forward, 1>, translate::same<gear::reverse, 15>>,
-    translate::constant<at<&drive_image::version>, 3>, translate::move<at<&drive::speed>, at<&drive_image::speed>>,
-    translate::move<at<&drive::lamps>, at<&drive_image::lamps>>>;
+    translate::map_values<at<&drive::direction>, at<&drive_image::sign>, translate::value_pair<gear::park, 0>,
+                          translate::value_pair<gear::forward, 1>, translate::value_pair<gear::reverse, 15>>,
+    translate::constant<at<&drive_image::version>, 3>, translate::copy<at<&drive::speed>, at<&drive_image::speed>>,
+    translate::copy<at<&drive::lamps>, at<&drive_image::lamps>>>;
 using drive_translator = translate::image_translator<drive_table>;
 
 } // namespace
 
-TEST_CASE("relabel, constant and move go into an image as into a packet") {
+TEST_CASE("map_values, constant and copy go into an image as into a packet") {
     std::array<std::byte, 7> bytes{};
-    REQUIRE(drive_translator::forth(from_hex("02 3412 81"), bytes) == translate::errc::ok);
+    REQUIRE(drive_translator::to_image(from_hex("02 3412 81"), bytes) == translate::errc::ok);
     CHECK(to_hex(bytes) == "3f 12 34 81 00 00 00");
     std::array<std::byte, 4> body{};
-    REQUIRE(drive_translator::back(bytes, body));
+    REQUIRE(drive_translator::from_image(bytes, body));
     CHECK(to_hex(body) == "02 34 12 81");
 
-    CHECK(drive_translator::forth(from_hex("03 3412 81"), bytes) == translate::errc::reserved_value);
+    CHECK(drive_translator::to_image(from_hex("03 3412 81"), bytes) == translate::errc::reserved_value);
     CHECK(to_hex(bytes) == "3f 12 34 81 00 00 00");
-    CHECK(drive_translator::back(from_hex("4f 12 34 81 00 00 00"), body).error() == translate::errc::wrong_packet);
-    CHECK(drive_translator::back(from_hex("32 12 34 81 00 00 00"), body).error() == translate::errc::reserved_value);
-    CHECK(drive_translator::back(from_hex("3f 12 34 81 01 00 00"), body).error() == translate::errc::out_of_range);
+    CHECK(drive_translator::from_image(from_hex("4f 12 34 81 00 00 00"), body).error() ==
+          translate::errc::wrong_packet);
+    CHECK(drive_translator::from_image(from_hex("32 12 34 81 00 00 00"), body).error() ==
+          translate::errc::reserved_value);
+    CHECK(drive_translator::from_image(from_hex("3f 12 34 81 01 00 00"), body).error() ==
+          translate::errc::out_of_range);
 }

@@ -13,7 +13,7 @@ TEST_CASE("every golden Set Wrench Effort goes into the image and comes back to 
         if (vector.code != jaus::set_wrench_effort::command_code) continue;
         const auto body = std::span{vector.bytes}.subspan(16);
         INFO("body " << to_hex(body));
-        REQUIRE(command::forth(body, bytes) == translate::errc::ok);
+        REQUIRE(command::to_image(body, bytes) == translate::errc::ok);
         ++seen;
 
         // The expectation comes from the vector's own names and numbers.
@@ -32,7 +32,7 @@ TEST_CASE("every golden Set Wrench Effort goes into the image and comes back to 
         CHECK(values_of(bytes) == expected);
 
         std::array<std::byte, 20> back{};
-        const auto size = command::back(bytes, back);
+        const auto size = command::from_image(bytes, back);
         REQUIRE(size);
         CHECK(to_hex(std::span{back}.first(size.size())) == to_hex(body));
     }
@@ -45,9 +45,9 @@ TEST_CASE("every golden Report Wrench Effort comes out of the image that it was 
         if (vector.code != jaus::report_wrench_effort::command_code) continue;
         const auto body = std::span{vector.bytes}.subspan(16);
         image bytes{};
-        REQUIRE(report::forth(body, bytes) == translate::errc::ok);
+        REQUIRE(report::to_image(body, bytes) == translate::errc::ok);
         std::array<std::byte, 20> back{};
-        const auto size = report::back(bytes, back);
+        const auto size = report::from_image(bytes, back);
         REQUIRE(size);
         CHECK(to_hex(std::span{back}.first(size.size())) == to_hex(body));
         ++seen;

@@ -23,19 +23,21 @@ std::vector<std::byte> to_component(unsigned component) {
 template <class Translator, class AtSeedsBase> bool differs_by_index_alone(std::uint32_t first) {
     for (unsigned component = 0; component != 256; ++component) {
         const auto message = to_component(component);
-        auto expected = forth<AtSeedsBase>(message).bytes;
+        auto expected = to_packet<AtSeedsBase>(message).bytes;
         set(expected, word::ul_index, first + component);
-        const auto there = forth<Translator>(message);
+        const auto there = to_packet<Translator>(message);
         if (there.error != errc::ok || there.bytes != expected) return false;
-        if (back<Translator>(there.bytes).bytes != message) return false;
+        if (from_packet<Translator>(there.bytes).bytes != message) return false;
     }
     return true;
 }
 
 /// Whether the first and the last index, and no others, come back.
 template <class Translator> bool takes_exactly(std::uint32_t first) {
-    const auto packet = forth<Translator>(wrench_effort).bytes;
-    const auto error = [&](std::uint32_t index) { return back<Translator>(with(packet, word::ul_index, index)).error; };
+    const auto packet = to_packet<Translator>(wrench_effort).bytes;
+    const auto error = [&](std::uint32_t index) {
+        return from_packet<Translator>(with(packet, word::ul_index, index)).error;
+    };
     return error(first) == errc::ok && error(first + 255) == errc::ok && error(first - 1) == errc::unknown_index &&
            error(first + 256) == errc::unknown_index;
 }
@@ -43,14 +45,14 @@ template <class Translator> bool takes_exactly(std::uint32_t first) {
 } // namespace
 
 TEST_CASE("component 33 has index 8225 where the base is 2000h, and 26913 where it is 6900h") {
-    CHECK(get(forth<seed_at_2000h>(wrench_effort).bytes, word::ul_index) == 8225);
-    CHECK(get(forth<self_contained_at_2000h>(wrench_effort).bytes, word::ul_index) == 8225);
-    CHECK(get(forth<seed_at_6900h>(wrench_effort).bytes, word::ul_index) == 26913);
-    CHECK(get(forth<self_contained_at_6900h>(wrench_effort).bytes, word::ul_index) == 26913);
+    CHECK(get(to_packet<seed_at_2000h>(wrench_effort).bytes, word::ul_index) == 8225);
+    CHECK(get(to_packet<self_contained_at_2000h>(wrench_effort).bytes, word::ul_index) == 8225);
+    CHECK(get(to_packet<seed_at_6900h>(wrench_effort).bytes, word::ul_index) == 26913);
+    CHECK(get(to_packet<self_contained_at_6900h>(wrench_effort).bytes, word::ul_index) == 26913);
 }
 
 TEST_CASE("Set Wrench Effort under the self-contained table at 2000h to the byte") {
-    CHECK(to_hex(forth<self_contained_at_2000h>(wrench_effort).bytes) ==
+    CHECK(to_hex(to_packet<self_contained_at_2000h>(wrench_effort).bytes) ==
           hex_of("20000000 00000000 00000000 00000000 30000000 00000000 00000000 08006500 00000000 00000000"
                  " 02000000 21200000 1a000000 20000000 0602 05 01 02200304 1400 2200"
                  " ff0f ff7f 0180 0000 0040 01c0 0020 00ff80 336699"));

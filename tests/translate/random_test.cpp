@@ -38,9 +38,9 @@ std::vector<std::byte> random_message(generator& g, std::size_t body) {
 
 /// Checked outside of Catch's macros, which are slow, because there are many.
 template <class Translator> bool translates_like_plain_loops(const std::vector<std::byte>& message) {
-    const auto there = forth<Translator>(message);
+    const auto there = to_packet<Translator>(message);
     if (there.error != translate::errc::ok || there.bytes != plain_forth(plain_of(Translator{}), message)) return false;
-    const auto again = back<Translator>(there.bytes);
+    const auto again = from_packet<Translator>(there.bytes);
     return again.error == translate::errc::ok && again.bytes == message;
 }
 
@@ -50,7 +50,7 @@ template <class Translator> std::vector<std::byte> random_packet(generator& g) {
                                                   256, 6899, 6900, 7155, 7156, 0x00650008, 0xFFFFFFFF};
     constexpr std::array<std::uint32_t, 6> positions{0x000, 0x040, 0x080, 0x0C0, 0x2C0, 0x100};
     const auto body = below(g, 60);
-    auto packet = forth<Translator>(random_message(g, body)).bytes;
+    auto packet = to_packet<Translator>(random_message(g, body)).bytes;
     for (std::uint32_t changes = below(g, 4); changes != 0; --changes) {
         const auto at = static_cast<word>(4 * below(g, 14));
         switch (below(g, 6)) {
@@ -110,7 +110,7 @@ TEMPLATE_TEST_CASE("100 000 random packets come back as plain loops say, or are 
     for (int i = 0; i != 100'000; ++i) {
         const auto packet_bytes = random_packet<TestType>(g);
         INFO(to_hex(packet_bytes));
-        const auto message = back<TestType>(packet_bytes);
+        const auto message = from_packet<TestType>(packet_bytes);
         const auto expected = plain_back(plain_of(TestType{}), packet_bytes);
         if ((message.error == translate::errc::ok) != expected.has_value()) FAIL("only one of them refuses");
         if (!expected) {
@@ -125,7 +125,7 @@ TEMPLATE_TEST_CASE("100 000 random packets come back as plain loops say, or are 
         REQUIRE(wire::decode_prefix(given, packet_bytes));
         const bool is_canonical =
             given.head.ul_len == 16 + given.ul_data_cnt && packet_bytes.size() == 56 + given.ul_data_cnt;
-        const auto again = forth<TestType>(message.bytes, given);
+        const auto again = to_packet<TestType>(message.bytes, given);
         if (again.error != translate::errc::ok) FAIL("what came back does not translate");
         if (is_canonical && again.bytes != packet_bytes) FAIL("a canonical packet changes on the way back and forth");
         canonical += is_canonical;
@@ -142,9 +142,9 @@ TEMPLATE_TEST_CASE("random bytes are refused and never crash", "", seed, self_co
         std::vector<std::byte> noise(below(g, 200));
         for (auto& byte : noise) byte = static_cast<std::byte>(g());
         INFO(to_hex(noise));
-        if (back<TestType>(noise).error == translate::errc::ok) FAIL("accepted");
-        const auto there = forth<TestType>(noise); // accepted only if size and code happen to be right
-        if (there.error == translate::errc::ok && back<TestType>(there.bytes).bytes != noise) FAIL("changed");
+        if (from_packet<TestType>(noise).error == translate::errc::ok) FAIL("accepted");
+        const auto there = to_packet<TestType>(noise); // accepted only if size and code happen to be right
+        if (there.error == translate::errc::ok && from_packet<TestType>(there.bytes).bytes != noise) FAIL("changed");
     }
     SUCCEED();
 }

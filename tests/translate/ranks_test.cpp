@@ -14,7 +14,7 @@ std::uint32_t rank_of(std::uint16_t code) {
     auto message = message_with_body(0);
     message[2] = static_cast<std::byte>(code);
     message[3] = static_cast<std::byte>(code >> 8);
-    const auto there = forth<seed>(message);
+    const auto there = to_packet<seed>(message);
     return there.bytes.empty() ? 0 : get(there.bytes, word::ul_sub_index);
 }
 
@@ -63,10 +63,10 @@ TEST_CASE("every component has the index 6900 and its ID, and comes back from it
         CAPTURE(component);
         auto message = vector_of(wrench_effort);
         message[5] = static_cast<std::byte>(component);
-        const auto there = forth<seed>(message);
+        const auto there = to_packet<seed>(message);
         REQUIRE(there.error == translate::errc::ok);
         CHECK(get(there.bytes, word::ul_index) == 6900 + component);
-        CHECK(back<seed>(there.bytes).bytes == message);
+        CHECK(from_packet<seed>(there.bytes).bytes == message);
     }
 }
 
@@ -75,10 +75,10 @@ TEST_CASE("every data flag has its sequence position in ulExt, and comes back fr
                                          std::pair{0x80, 0x040u}, std::pair{0x40, 0x2C0u});
     auto message = vector_of(wrench_effort);
     message[13] = static_cast<std::byte>(flag);
-    const auto there = forth<seed>(message);
+    const auto there = to_packet<seed>(message);
     REQUIRE(there.error == translate::errc::ok);
     CHECK(get(there.bytes, word::ul_ext) == ul_ext);
-    CHECK(back<seed>(there.bytes).bytes == message);
+    CHECK(from_packet<seed>(there.bytes).bytes == message);
 }
 
 TEST_CASE("a code index finds every code at its place and no other code") {

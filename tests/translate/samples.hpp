@@ -68,15 +68,15 @@ inline outcome outcome_of(translate::result result, std::vector<std::byte> out) 
 }
 /// Message to packet. `Translator` is seed, self_contained or a user's.
 template <class Translator>
-outcome forth(std::span<const std::byte> message, const typename Translator::packet_type& given = {}) {
+outcome to_packet(std::span<const std::byte> message, const typename Translator::packet_type& given = {}) {
     std::vector<std::byte> out(Translator::max_packet_size);
-    const auto result = Translator::forth(message, out, given);
+    const auto result = Translator::to_packet(message, out, given);
     return outcome_of(result, std::move(out));
 }
 /// Packet to message.
-template <class Translator> outcome back(std::span<const std::byte> bytes) {
+template <class Translator> outcome from_packet(std::span<const std::byte> bytes) {
     std::vector<std::byte> out(Translator::max_message_size);
-    const auto result = Translator::back(bytes, out);
+    const auto result = Translator::from_packet(bytes, out);
     return outcome_of(result, std::move(out));
 }
 

@@ -35,10 +35,10 @@ using J = jaus::header;
 using P = spread_packet;
 using translate::at;
 using spread = translate::translator<translate::table<
-    J, P, 100, translate::move<at<&J::priority>, at<&P::priority>>, translate::move<at<&J::ack_nak>, at<&P::ack_nak>>,
-    translate::move<at<&J::service_connection>, at<&P::service_connection>>,
-    translate::move<at<&J::experimental>, at<&P::experimental>>, translate::move<at<&J::version>, at<&P::version>>,
-    translate::move<at<&J::reserved>, at<&P::reserved>>, translate::move<at<&J::command_code>, at<&P::code>>,
+    J, P, 100, translate::copy<at<&J::priority>, at<&P::priority>>, translate::copy<at<&J::ack_nak>, at<&P::ack_nak>>,
+    translate::copy<at<&J::service_connection>, at<&P::service_connection>>,
+    translate::copy<at<&J::experimental>, at<&P::experimental>>, translate::copy<at<&J::version>, at<&P::version>>,
+    translate::copy<at<&J::reserved>, at<&P::reserved>>, translate::copy<at<&J::command_code>, at<&P::code>>,
     translate::body_size_in_rest<at<&J::data_size>>, translate::data_count<at<&P::count>>, translate::rest>>;
 
 constexpr auto spread_message = hex_literal<18>("fbd9 ff4e 01020304 05060708 0220 0a0b cafe");
@@ -50,38 +50,38 @@ constexpr auto spread_bytes = hex_literal<46>("0b000000 03000000 01000000 010000
 TEMPLATE_TEST_CASE("a private message appended to the list has rank 159 and leaves the others theirs", "", at_2000,
                    at_6900) {
     auto message = message_with_body(3);
-    CHECK(get(forth<TestType>(message).bytes, word::ul_sub_index) == 26);
+    CHECK(get(to_packet<TestType>(message).bytes, word::ul_sub_index) == 26);
     message[2] = std::byte{0x23};
     message[3] = std::byte{0xD1};
-    const auto there = forth<TestType>(message);
+    const auto there = to_packet<TestType>(message);
     REQUIRE(there.error == errc::ok);
     CHECK(get(there.bytes, word::ul_sub_index) == 159);
-    CHECK(back<TestType>(there.bytes).bytes == message);
-    CHECK(back<TestType>(with(there.bytes, word::ul_sub_index, 160)).error == errc::unknown_subindex);
+    CHECK(from_packet<TestType>(there.bytes).bytes == message);
+    CHECK(from_packet<TestType>(with(there.bytes, word::ul_sub_index, 160)).error == errc::unknown_subindex);
 
-    CHECK(forth<seed>(message).error == errc::unknown_command_code);
+    CHECK(to_packet<seed>(message).error == errc::unknown_command_code);
 }
 
 TEST_CASE("a table with an index base of its own puts component 0 there") {
     auto message = vector_of(wrench_effort);
-    CHECK(get(forth<at_2000>(message).bytes, word::ul_index) == 0x2021);
-    CHECK(get(forth<at_6900>(message).bytes, word::ul_index) == 0x6921);
+    CHECK(get(to_packet<at_2000>(message).bytes, word::ul_index) == 0x2021);
+    CHECK(get(to_packet<at_6900>(message).bytes, word::ul_index) == 0x6921);
     message[5] = std::byte{255};
-    CHECK(get(forth<at_2000>(message).bytes, word::ul_index) == 0x20FF);
-    CHECK(back<at_2000>(forth<at_2000>(message).bytes).bytes == message);
-    CHECK(back<at_6900>(forth<at_6900>(message).bytes).bytes == message);
+    CHECK(get(to_packet<at_2000>(message).bytes, word::ul_index) == 0x20FF);
+    CHECK(from_packet<at_2000>(to_packet<at_2000>(message).bytes).bytes == message);
+    CHECK(from_packet<at_6900>(to_packet<at_6900>(message).bytes).bytes == message);
 
-    const auto there = forth<at_2000>(message).bytes;
-    CHECK(back<at_2000>(with(there, word::ul_index, 0x1FFF)).error == errc::unknown_index);
-    CHECK(back<at_2000>(with(there, word::ul_index, 0x2000)).error == errc::ok);
-    CHECK(back<at_2000>(with(there, word::ul_index, 0x2100)).error == errc::unknown_index);
-    CHECK(back<at_2000>(with(there, word::ul_index, 6933)).error == errc::unknown_index);
+    const auto there = to_packet<at_2000>(message).bytes;
+    CHECK(from_packet<at_2000>(with(there, word::ul_index, 0x1FFF)).error == errc::unknown_index);
+    CHECK(from_packet<at_2000>(with(there, word::ul_index, 0x2000)).error == errc::ok);
+    CHECK(from_packet<at_2000>(with(there, word::ul_index, 0x2100)).error == errc::unknown_index);
+    CHECK(from_packet<at_2000>(with(there, word::ul_index, 6933)).error == errc::unknown_index);
 }
 
 TEST_CASE("rows may take bit-fields of any type, and words of either byte order") {
-    const auto there = forth<spread>(spread_message);
+    const auto there = to_packet<spread>(spread_message);
     CHECK(to_hex(there.bytes) == to_hex(spread_bytes));
-    CHECK(to_hex(back<spread>(there.bytes).bytes) == to_hex(spread_message));
+    CHECK(to_hex(from_packet<spread>(there.bytes).bytes) == to_hex(spread_message));
 }
 
 TEST_CASE("a word that does not fit its bit-field is out of range") {
@@ -90,17 +90,17 @@ TEST_CASE("a word that does not fit its bit-field is out of range") {
     CAPTURE(offset);
     auto bytes = vector_of(spread_bytes);
     set(bytes, static_cast<word>(offset), static_cast<std::uint32_t>(most));
-    CHECK(back<spread>(bytes).error == errc::ok);
+    CHECK(from_packet<spread>(bytes).error == errc::ok);
     set(bytes, static_cast<word>(offset), static_cast<std::uint32_t>(most) + 1);
-    CHECK(back<spread>(bytes).error == errc::out_of_range);
+    CHECK(from_packet<spread>(bytes).error == errc::out_of_range);
     set(bytes, static_cast<word>(offset), 256);
-    CHECK(back<spread>(bytes).error == errc::out_of_range);
+    CHECK(from_packet<spread>(bytes).error == errc::out_of_range);
 }
 
 TEST_CASE("the small table whose mistakes do not compile is right without them") {
     using table = translate::translator<small::right_table>;
     constexpr auto bytes = hex_literal<19>("fb1a0000 03000000 00000000 03000000 5a cafe");
     constexpr auto message = hex_literal<8>("07 0404 5a 0200 cafe");
-    CHECK(to_hex(forth<table>(message).bytes) == to_hex(bytes));
-    CHECK(to_hex(back<table>(bytes).bytes) == to_hex(message));
+    CHECK(to_hex(to_packet<table>(message).bytes) == to_hex(bytes));
+    CHECK(to_hex(from_packet<table>(bytes).bytes) == to_hex(message));
 }

@@ -38,11 +38,11 @@ TEMPLATE_TEST_CASE("every golden message translates as plain loops do, and comes
     std::map<unsigned, int> codes;
     for (const auto& message : messages) {
         INFO(to_hex(message));
-        const auto there = forth<TestType>(message);
+        const auto there = to_packet<TestType>(message);
         REQUIRE(there.error == translate::errc::ok);
         REQUIRE(get(there.bytes, word::ul_data_cnt) == message.size() - 16 + TestType::rest_size);
         REQUIRE(to_hex(there.bytes) == to_hex(plain_forth(plain_of(TestType{}), message)));
-        REQUIRE(to_hex(back<TestType>(there.bytes).bytes) == to_hex(message));
+        REQUIRE(to_hex(from_packet<TestType>(there.bytes).bytes) == to_hex(message));
         REQUIRE(plain_back(plain_of(TestType{}), there.bytes) == message);
         ++codes[command_code(message)];
     }
@@ -54,6 +54,6 @@ TEST_CASE("every golden message under every reserved data flag is refused by the
         for (const unsigned flag : {3u, 5u, 6u, 7u, 9u, 10u, 11u, 12u, 13u, 14u, 15u}) {
             message[13] = (message[13] & std::byte{0x0F}) | static_cast<std::byte>(flag << 4);
             INFO(to_hex(message));
-            REQUIRE(forth<seed>(message).error == translate::errc::reserved_value);
+            REQUIRE(to_packet<seed>(message).error == translate::errc::reserved_value);
         }
 }

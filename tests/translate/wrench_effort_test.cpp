@@ -11,12 +11,12 @@ namespace {
 // By value: under its sanitizers g++ 12 takes no address of a global variable in a constant expression.
 template <class Translator, std::size_t Size> constexpr auto packet_of(std::array<std::byte, Size> message) {
     std::array<std::byte, Translator::packet_size + Translator::rest_size + Size - Translator::header_size> out{};
-    const auto result = Translator::forth(message, out);
+    const auto result = Translator::to_packet(message, out);
     return result && result.size() == out.size() ? out : decltype(out){};
 }
 template <class Translator, std::size_t Size> constexpr bool is_packet_of(std::array<std::byte, Size> bytes) {
     std::array<std::byte, wrench_effort.size()> out{};
-    const auto result = Translator::back(bytes, out);
+    const auto result = Translator::from_packet(bytes, out);
     return result && result.size() == out.size() && out == wrench_effort;
 }
 
@@ -41,20 +41,20 @@ TEST_CASE("Set Wrench Effort becomes the self-contained table's packet in a cons
 }
 
 TEST_CASE("Set Wrench Effort becomes the seed table's packet, and comes back") {
-    const auto there = forth<seed>(wrench_effort);
+    const auto there = to_packet<seed>(wrench_effort);
     CHECK(to_hex(there.bytes) == to_hex(wrench_effort_seed));
-    CHECK(to_hex(back<seed>(there.bytes).bytes) == to_hex(wrench_effort));
+    CHECK(to_hex(from_packet<seed>(there.bytes).bytes) == to_hex(wrench_effort));
 }
 
 TEST_CASE("Set Wrench Effort becomes the self-contained table's packet, and comes back") {
-    const auto there = forth<self_contained>(wrench_effort);
+    const auto there = to_packet<self_contained>(wrench_effort);
     CHECK(to_hex(there.bytes) == to_hex(wrench_effort_self_contained));
-    CHECK(to_hex(back<self_contained>(there.bytes).bytes) == to_hex(wrench_effort));
+    CHECK(to_hex(from_packet<self_contained>(there.bytes).bytes) == to_hex(wrench_effort));
 }
 
 TEST_CASE("the seed's numbers: 28 bytes of data, length 44, index 6933 or 6938, subindex 26") {
     auto message = vector_of(wrench_effort);
-    const auto to_primitive_driver = forth<seed>(message).bytes;
+    const auto to_primitive_driver = to_packet<seed>(message).bytes;
     REQUIRE(to_primitive_driver.size() == 56 + 28);
     CHECK(get(to_primitive_driver, word::ul_data_cnt) == 28);
     CHECK(get(to_primitive_driver, word::ul_len) == 44);
@@ -62,7 +62,7 @@ TEST_CASE("the seed's numbers: 28 bytes of data, length 44, index 6933 or 6938, 
     CHECK(get(to_primitive_driver, word::ul_sub_index) == 26);
 
     message[5] = std::byte{38};
-    const auto to_global_pose_sensor = forth<seed>(message).bytes;
+    const auto to_global_pose_sensor = to_packet<seed>(message).bytes;
     REQUIRE(to_global_pose_sensor.size() == 56 + 28);
     CHECK(get(to_global_pose_sensor, word::ul_index) == 6938);
 }

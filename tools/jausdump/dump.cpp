@@ -46,7 +46,7 @@ std::string why_no_message(std::span<const std::byte> bytes) {
 template <class Table> std::string packet_of(std::span<const std::byte> message) {
     using translator = translate::translator<Table>;
     std::array<std::byte, translator::max_packet_size> packet{};
-    const translate::result size = translator::forth(message, packet);
+    const translate::result size = translator::to_packet(message, packet);
     return size ? text::detail::plain_hex(std::span{packet}.first(size.size())) : error_name(size.error());
 }
 

@@ -65,7 +65,7 @@ template <class Table> struct delivery {
 
     /// The JAUS message that a written object stands for; returns its size. What does not cross the wire (under the
     /// seed table: subsystem, instance and data flag) is filled in as if the message were sent to `self`. Errors: as
-    /// translator::back.
+    /// translator::from_packet.
     static constexpr translate::result message_of(const object_access& object, const slave_identity& self,
                                                   std::span<std::byte> out) noexcept {
         packet fields{};
@@ -76,7 +76,7 @@ template <class Table> struct delivery {
         fields.ul_node_id = object.station;
         fields.ul_index = object.index;
         fields.ul_sub_index = object.subindex;
-        return translator::back(fields, object.data, out);
+        return translator::from_packet(fields, object.data, out);
     }
 };
 

@@ -63,15 +63,15 @@ class image_exchange {
                !jaus::is_acknowledgement(head);
     }
 
-    /// A command into `outputs`. What is refused here the caller answers. Errors: those of image_translator::forth, and
-    /// too_large where `capacity` commands wait for their acknowledgement already; the outputs are then unchanged.
+    /// A command into `outputs`. What is refused here the caller answers. Errors: those of image_translator::to_image,
+    /// and too_large where `capacity` commands wait for their acknowledgement already; the outputs are then unchanged.
     constexpr translate::errc on_command(const jaus::header& head, std::span<const std::byte> body,
                                          std::span<std::byte> outputs, std::span<const std::byte> inputs,
                                          ethercat::time_point now) noexcept {
         const bool wanted = head.ack_nak == jaus::ack_nak::request;
         if (wanted && waiting_ == capacity) return translate::errc::too_large;
         const bool seen = given(outputs) == taken(inputs);
-        const auto error = seen ? command::forth(body, outputs) : command::merge(body, outputs);
+        const auto error = seen ? command::to_image(body, outputs) : command::merge(body, outputs);
         if (wanted && error == translate::errc::ok) wait_[waiting_++] = {head, now + timeout_, given(outputs)};
         return error;
     }

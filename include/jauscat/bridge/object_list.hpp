@@ -62,7 +62,7 @@ template <class Table, class Row> constexpr std::uint32_t number_of(auto value) 
     typename Table::header_type header{};
     typename Table::packet_type packet{};
     Row::from::of(header) = value;
-    return Row::forth(header, packet, {}) == translate::errc::ok ? Row::to::of(packet) : 0;
+    return Row::to_packet(header, packet, {}) == translate::errc::ok ? Row::to::of(packet) : 0;
 }
 
 // RA 3.3 part 2, command codes: below 2000h commands, below 4000h queries, below 6000h informs. A command or query is

@@ -50,7 +50,7 @@ template <class Table> class packet_exchange {
     constexpr explicit packet_exchange(const slave_identity& slave) noexcept : slave_{slave} {}
 
     /// Starts to deliver a JAUS message: its download request to `buffer`, with what is the caller's own, such as a
-    /// packet number, taken from `given`. Fails with the errors of translator::forth, and of delivery:
+    /// packet number, taken from `given`. Fails with the errors of translator::to_packet, and of delivery:
     /// fragment_to_slave, broadcast_names_no_slave.
     constexpr exchange_step begin(std::span<const std::byte> message, std::span<std::byte> buffer,
                                   const packet& given = {}) noexcept {
@@ -58,7 +58,7 @@ template <class Table> class packet_exchange {
         given_ = given;
         if (!wire::decode_prefix(head_, message)) return fail(translate::errc::truncated);
         if (const auto error = delivery::deliverable(head_); error != translate::errc::ok) return fail(error);
-        const auto size = translator::forth(message, buffer, given_);
+        const auto size = translator::to_packet(message, buffer, given_);
         if (!size) return fail(size.error());
         awaited_ = hilscher::packet_command::sdo_download_cnf;
         return {exchange_progress::request, size.size()};
@@ -66,7 +66,7 @@ template <class Table> class packet_exchange {
 
     /// Takes a confirmation packet. What comes next is written to `buffer`, which does not overlap it and has
     /// buffer_size bytes. Fails where the packet reports an error, and where what a slave uploads is no report: errors
-    /// of translator::back, and wrong_packet.
+    /// of translator::from_packet, and wrong_packet.
     constexpr exchange_step on_confirmation(std::span<const std::byte> confirmation,
                                             std::span<std::byte> buffer) noexcept {
         hilscher::packet_header answer{};
@@ -112,7 +112,7 @@ template <class Table> class packet_exchange {
         report.data_size = 0;
         std::array<std::byte, jaus::header_size> message{};
         static_cast<void>(wire::encode(report, message)); // was decoded: fits
-        const auto size = translator::forth(message, buffer, given_);
+        const auto size = translator::to_packet(message, buffer, given_);
         if (!size) return fail(size.error());
         packet download{};
         static_cast<void>(wire::decode_prefix(download, buffer));

@@ -12,12 +12,12 @@ namespace jauscat::translate {
 template <class From, class To> struct element {
     using uses = path_list<From>;
     using writes = path_list<To>;
-    [[gnu::always_inline]] static constexpr errc forth(const auto& message, auto& image, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto& message, auto& image, sizes) noexcept {
         check<std::remove_cvref_t<decltype(From::of(message))>>();
         To::of(image) = From::of(message).last();
         return errc::ok;
     }
-    [[gnu::always_inline]] static constexpr errc back(const auto& image, auto& message, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto& image, auto& message, sizes) noexcept {
         check<std::remove_cvref_t<decltype(From::of(message))>>();
         From::of(message) = To::of(image);
         return errc::ok;
@@ -43,13 +43,13 @@ template <class To> struct presence_bits {
     using says_presence = To;
     static_assert(std::is_unsigned_v<typename To::type>, "presence_bits: the image's field must be unsigned");
 
-    [[gnu::always_inline]] static constexpr errc forth(const auto& message, auto& image, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto& message, auto& image, sizes) noexcept {
         check<std::remove_cvref_t<decltype(message)>>();
         To::of(image) = static_cast<typename To::type>(message.presence);
         return errc::ok;
     }
     /// Runs after the rows that set the elements. Error: reserved_value, a bit that stands for nothing.
-    [[gnu::always_inline]] static constexpr errc back(const auto& image, auto& message, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto& image, auto& message, sizes) noexcept {
         using type = std::remove_cvref_t<decltype(message)>;
         check<type>();
         std::uint64_t bits = To::of(image);
@@ -80,13 +80,15 @@ template <class To> struct counter {
     using counts_messages = To;
     static_assert(std::is_unsigned_v<typename To::type>, "counter: the image's field must be unsigned");
 
-    [[gnu::always_inline]] static constexpr errc forth(const auto&, auto& image, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto&, auto& image, sizes) noexcept {
         auto& count = To::of(image);
         count = static_cast<typename To::type>(count + 1u);
         if (count == 0) count = 1;
         return errc::ok;
     }
-    [[gnu::always_inline]] static constexpr errc back(const auto&, const auto&, sizes) noexcept { return errc::ok; }
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto&, const auto&, sizes) noexcept {
+        return errc::ok;
+    }
 };
 
 } // namespace jauscat::translate

@@ -22,8 +22,8 @@ struct is_for_packets {
 } // namespace detail
 
 /// A table between the message `Message` and `Image`, a struct whose schema is the layout of a slave's outputs or
-/// inputs. Values go as they are on the wire, scaled ones as their integers. Rows: `move`, `relabel`, `constant`,
-/// `given` as in a table into packets; `element`, `presence_bits` and `counter` besides.
+/// inputs. Values go as they are on the wire, scaled ones as their integers. Rows: `copy`, `map_values`, `constant`,
+/// `caller_set` as in a table into packets; `element`, `presence_bits` and `counter` besides.
 template <wire::message Message, wire::fixed_message Image, class... Rows> struct image_table {
     using message_type = Message;
     using image_type = Image;
@@ -49,20 +49,22 @@ template <wire::message Message, wire::fixed_message Image, class... Rows> struc
     using presence_row = typename detail::row_of_kind<detail::says_presence, Rows...>::type;
     using counter_row = typename detail::row_of_kind<detail::counts_messages, Rows...>::type;
 
-    [[gnu::always_inline]] static constexpr errc forth(const image_message<Message>& message, Image& image) noexcept {
+    [[gnu::always_inline]] static constexpr errc to_image(const image_message<Message>& message,
+                                                          Image& image) noexcept {
         errc error = errc::ok;
-        static_cast<void>((((error = Rows::forth(message, image, sizes{})) == errc::ok) && ...));
+        static_cast<void>((((error = Rows::to_packet(message, image, sizes{})) == errc::ok) && ...));
         return error;
     }
     /// Gives each element of `message` the image's value, which it has while it is absent.
     [[gnu::always_inline]] static constexpr void keep(const Image& image, image_message<Message>& message) noexcept {
         (keep_for<Rows>(image, message), ...);
     }
-    [[gnu::always_inline]] static constexpr errc back(const Image& image, image_message<Message>& message) noexcept {
+    [[gnu::always_inline]] static constexpr errc from_image(const Image& image,
+                                                            image_message<Message>& message) noexcept {
         errc error = errc::ok;
         const bool set = ((back_unless<detail::says_presence, Rows>(image, message, error)) && ...);
         if constexpr (!std::is_void_v<presence_row>)
-            if (set) error = presence_row::back(image, message, sizes{});
+            if (set) error = presence_row::from_packet(image, message, sizes{});
         return error;
     }
 
@@ -75,7 +77,7 @@ template <wire::message Message, wire::fixed_message Image, class... Rows> struc
     template <class Kind, class Row>
     [[gnu::always_inline]] static constexpr bool back_unless(const Image& image, image_message<Message>& message,
                                                              errc& error) noexcept {
-        if constexpr (!Kind::template is<Row>) error = Row::back(image, message, sizes{});
+        if constexpr (!Kind::template is<Row>) error = Row::from_packet(image, message, sizes{});
         return error == errc::ok;
     }
 };

@@ -53,7 +53,7 @@ template <class Table> struct image_translator {
     /// elements that the message does not have keep it. Errors: truncated, wrong_size (more bytes than the message
     /// has), no_space, out_of_range, reserved_value (also a presence bit without an element); the image is then
     /// unchanged.
-    JAUSCAT_WHOLE static constexpr errc forth(std::span<const std::byte> body, std::span<std::byte> image) noexcept {
+    JAUSCAT_WHOLE static constexpr errc to_image(std::span<const std::byte> body, std::span<std::byte> image) noexcept {
         return fill<false>(body, image);
     }
 
@@ -66,7 +66,8 @@ template <class Table> struct image_translator {
 
     /// Makes the body of the message that `image` says; returns its size. Errors: truncated, no_space, out_of_range,
     /// reserved_value, wrong_packet (a constant has another value).
-    JAUSCAT_WHOLE static constexpr result back(std::span<const std::byte> image, std::span<std::byte> body) noexcept {
+    JAUSCAT_WHOLE static constexpr result from_image(std::span<const std::byte> image,
+                                                     std::span<std::byte> body) noexcept {
         image_message<message_type> message{};
         if (const errc error = read(image, message); error != errc::ok) return error;
         const auto size = wire::encode(message, body);
@@ -78,7 +79,7 @@ template <class Table> struct image_translator {
     static constexpr errc read(std::span<const std::byte> image, image_message<message_type>& message) noexcept {
         image_type values{};
         if (!wire::decode_prefix(values, image)) return errc::truncated;
-        return Table::back(values, message);
+        return Table::from_image(values, message);
     }
 
   private:
@@ -93,7 +94,7 @@ template <class Table> struct image_translator {
         message.presence = detail::presence_in<wire::layout_of<message_type>>::of(message, body);
         if (!detail::all_values_are_legal(message)) return errc::out_of_range;
         [[maybe_unused]] const image_type before = values;
-        if (const errc error = Table::forth(message, values); error != errc::ok) return error;
+        if (const errc error = Table::to_image(message, values); error != errc::ok) return error;
         if constexpr (Merge) {
             using presence = typename Table::presence_row::says_presence;
             presence::of(values) |= presence::of(before);

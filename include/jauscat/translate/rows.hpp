@@ -3,8 +3,8 @@
 // A row offers
 //   uses     the JAUS fields that it takes out of `rest`
 //   writes   the packet fields that it fills
-//   forth    from a JAUS header to a packet
-//   back     from a packet to a JAUS header
+//   to_packet    from a JAUS header to a packet, or from a message to an image
+//   from_packet  the reverse
 #pragma once
 #include <jauscat/translate/path.hpp>
 #include <jauscat/translate/result.hpp>
@@ -50,16 +50,16 @@ template <class From, class To> consteval bool keeps_values() noexcept {
 } // namespace detail
 
 /// The same value on both sides.
-template <class From, class To> struct move {
+template <class From, class To> struct copy {
     using uses = path_list<From>;
     using writes = path_list<To>;
-    [[gnu::always_inline]] static constexpr errc forth(const auto& header, auto& packet, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto& header, auto& packet, sizes) noexcept {
         static_assert(detail::keeps_values<std::remove_cvref_t<decltype(From::of(header))>, typename To::type>(),
-                      "move: not every value of the message's field comes back from the packet's field");
+                      "copy: not every value of the message's field comes back from the packet's field");
         To::of(packet) = static_cast<typename To::type>(From::of(header));
         return errc::ok;
     }
-    [[gnu::always_inline]] static constexpr errc back(const auto& packet, auto& header, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto& packet, auto& header, sizes) noexcept {
         return detail::from_word(detail::to_word(To::of(packet)), From::of(header));
     }
 };
@@ -74,13 +74,13 @@ template <class From, class To, std::uint32_t Base> struct offset {
     static constexpr std::uint32_t largest = Base + std::numeric_limits<typename From::type>::max();
     static_assert(largest <= 0xFFFF, "offset: base plus the largest value does not fit an object index of 16 bits");
 
-    [[gnu::always_inline]] static constexpr errc forth(const auto& header, auto& packet, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto& header, auto& packet, sizes) noexcept {
         static_assert(largest <= std::numeric_limits<typename To::type>::max(),
                       "offset: base plus the largest value does not fit the packet's field");
         To::of(packet) = static_cast<typename To::type>(Base + detail::to_word(From::of(header)));
         return errc::ok;
     }
-    [[gnu::always_inline]] static constexpr errc back(const auto& packet, auto& header, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto& packet, auto& header, sizes) noexcept {
         const std::uint32_t index = To::of(packet);
         if (index < Base || index > largest) return errc::unknown_index;
         return detail::from_word(index - Base, From::of(header));
@@ -88,21 +88,22 @@ template <class From, class To, std::uint32_t Base> struct offset {
 };
 
 /// The packet's value is the code's place in the list `Codes`, counted from 1.
-template <class From, class To, const auto& Codes> struct rank {
+template <class From, class To, const auto& Codes> struct code_rank {
     using uses = path_list<From>;
     using writes = path_list<To>;
     using from = From;
     using to = To;
     static constexpr bool gives_subindex = true;
-    static_assert(Codes.size() <= 254, "rank: more than 254 command codes do not fit a subindex (255 is reserved)");
+    static_assert(Codes.size() <= 254,
+                  "code_rank: more than 254 command codes do not fit a subindex (255 is reserved)");
 
-    [[gnu::always_inline]] static constexpr errc forth(const auto& header, auto& packet, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto& header, auto& packet, sizes) noexcept {
         const std::size_t place = wire::code_index<Codes>::find(From::of(header));
         if (place == wire::code_index<Codes>::npos) return errc::unknown_command_code;
         To::of(packet) = static_cast<typename To::type>(place + 1);
         return errc::ok;
     }
-    [[gnu::always_inline]] static constexpr errc back(const auto& packet, auto& header, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto& packet, auto& header, sizes) noexcept {
         const std::uint32_t subindex = To::of(packet);
         if (subindex == 0 || subindex > Codes.size()) return errc::unknown_subindex;
         From::of(header) = Codes[subindex - 1];
@@ -111,21 +112,21 @@ template <class From, class To, const auto& Codes> struct rank {
 };
 
 /// One value on each side that mean the same.
-template <auto JausValue, std::uint32_t PacketValue> struct same {
+template <auto JausValue, std::uint32_t PacketValue> struct value_pair {
     static constexpr auto jaus_value = JausValue;
     static constexpr std::uint32_t packet_value = PacketValue;
 };
 
 /// Values that are spelt differently on the two sides; all others are reserved and refused.
-template <class From, class To, class... Pairs> struct relabel {
+template <class From, class To, class... Pairs> struct map_values {
     using uses = path_list<From>;
     using writes = path_list<To>;
-    [[gnu::always_inline]] static constexpr errc forth(const auto& header, auto& packet, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto& header, auto& packet, sizes) noexcept {
         const bool known = (... || (From::of(header) == Pairs::jaus_value &&
                                     (To::of(packet) = static_cast<typename To::type>(Pairs::packet_value), true)));
         return known ? errc::ok : errc::reserved_value;
     }
-    [[gnu::always_inline]] static constexpr errc back(const auto& packet, auto& header, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto& packet, auto& header, sizes) noexcept {
         const bool known = (... || (detail::to_word(To::of(packet)) == Pairs::packet_value &&
                                     (From::of(header) = Pairs::jaus_value, true)));
         return known ? errc::ok : errc::reserved_value;
@@ -136,21 +137,25 @@ template <class From, class To, class... Pairs> struct relabel {
 template <class To, auto Value> struct constant {
     using uses = path_list<>;
     using writes = path_list<To>;
-    [[gnu::always_inline]] static constexpr errc forth(const auto&, auto& packet, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto&, auto& packet, sizes) noexcept {
         To::of(packet) = static_cast<typename To::type>(Value);
         return errc::ok;
     }
-    [[gnu::always_inline]] static constexpr errc back(const auto& packet, const auto&, sizes) noexcept {
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto& packet, const auto&, sizes) noexcept {
         return To::of(packet) == static_cast<typename To::type>(Value) ? errc::ok : errc::wrong_packet;
     }
 };
 
 /// A packet field that is the caller's own, such as a packet number.
-template <class To> struct given {
+template <class To> struct caller_set {
     using uses = path_list<>;
     using writes = path_list<To>;
-    [[gnu::always_inline]] static constexpr errc forth(const auto&, const auto&, sizes) noexcept { return errc::ok; }
-    [[gnu::always_inline]] static constexpr errc back(const auto&, const auto&, sizes) noexcept { return errc::ok; }
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto&, const auto&, sizes) noexcept {
+        return errc::ok;
+    }
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto&, const auto&, sizes) noexcept {
+        return errc::ok;
+    }
 };
 
 /// The JAUS field that states the body's size: not carried, because the packet's data count says the same.
@@ -158,10 +163,10 @@ template <class From> struct body_size {
     using uses = path_list<From>;
     using writes = path_list<>;
     using states_body_size = From;
-    [[gnu::always_inline]] static constexpr errc forth(const auto& header, const auto&, sizes s) noexcept {
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto& header, const auto&, sizes s) noexcept {
         return From::of(header) == s.body ? errc::ok : errc::wrong_size;
     }
-    [[gnu::always_inline]] static constexpr errc back(const auto&, auto& header, sizes s) noexcept {
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto&, auto& header, sizes s) noexcept {
         return detail::from_word(static_cast<std::uint32_t>(s.body), From::of(header));
     }
 };
@@ -169,7 +174,9 @@ template <class From> struct body_size {
 /// The JAUS field that states the body's size, left in `rest` and checked there.
 template <class From> struct body_size_in_rest : body_size<From> {
     using uses = path_list<>;
-    [[gnu::always_inline]] static constexpr errc back(const auto&, const auto&, sizes) noexcept { return errc::ok; }
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto&, const auto&, sizes) noexcept {
+        return errc::ok;
+    }
 };
 
 /// The packet field that counts the bytes of data.
@@ -177,11 +184,13 @@ template <class To> struct data_count {
     using uses = path_list<>;
     using writes = path_list<To>;
     using counts_data = To;
-    [[gnu::always_inline]] static constexpr errc forth(const auto&, auto& packet, sizes s) noexcept {
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto&, auto& packet, sizes s) noexcept {
         To::of(packet) = static_cast<typename To::type>(s.data);
         return errc::ok;
     }
-    [[gnu::always_inline]] static constexpr errc back(const auto&, const auto&, sizes) noexcept { return errc::ok; }
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto&, const auto&, sizes) noexcept {
+        return errc::ok;
+    }
 };
 
 /// The packet field that states the length: `Fixed` bytes and the data. A packet may be longer than its data count
@@ -189,11 +198,11 @@ template <class To> struct data_count {
 template <class To, std::size_t Fixed> struct packet_length {
     using uses = path_list<>;
     using writes = path_list<To>;
-    [[gnu::always_inline]] static constexpr errc forth(const auto&, auto& packet, sizes s) noexcept {
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto&, auto& packet, sizes s) noexcept {
         To::of(packet) = static_cast<typename To::type>(Fixed + s.data);
         return errc::ok;
     }
-    [[gnu::always_inline]] static constexpr errc back(const auto& packet, const auto&, sizes s) noexcept {
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto& packet, const auto&, sizes s) noexcept {
         return To::of(packet) >= Fixed + s.data ? errc::ok : errc::wrong_size;
     }
 };
@@ -203,8 +212,12 @@ struct rest {
     using uses = path_list<>;
     using writes = path_list<>;
     static constexpr bool carries_rest = true;
-    [[gnu::always_inline]] static constexpr errc forth(const auto&, const auto&, sizes) noexcept { return errc::ok; }
-    [[gnu::always_inline]] static constexpr errc back(const auto&, const auto&, sizes) noexcept { return errc::ok; }
+    [[gnu::always_inline]] static constexpr errc to_packet(const auto&, const auto&, sizes) noexcept {
+        return errc::ok;
+    }
+    [[gnu::always_inline]] static constexpr errc from_packet(const auto&, const auto&, sizes) noexcept {
+        return errc::ok;
+    }
 };
 
 } // namespace jauscat::translate

@@ -128,18 +128,18 @@ template <wire::fixed_message Header, wire::fixed_message Packet, std::size_t Ma
     /// Bytes of the packet's data that are not the body.
     static constexpr std::size_t overhead = rest.bytes;
 
-    [[gnu::always_inline]] static constexpr errc forth(const Header& header, Packet& packet, sizes s) noexcept {
+    [[gnu::always_inline]] static constexpr errc to_packet(const Header& header, Packet& packet, sizes s) noexcept {
         errc error = errc::ok;
-        static_cast<void>((((error = Rows::forth(header, packet, s)) == errc::ok) && ...));
+        static_cast<void>((((error = Rows::to_packet(header, packet, s)) == errc::ok) && ...));
         return error;
     }
     /// Fills in what the rows make of `header`, and leaves alone what they cannot translate.
     static constexpr void prefill(const Header& header, Packet& packet, sizes s) noexcept {
-        (static_cast<void>(Rows::forth(header, packet, s)), ...);
+        (static_cast<void>(Rows::to_packet(header, packet, s)), ...);
     }
-    [[gnu::always_inline]] static constexpr errc back(const Packet& packet, Header& header, sizes s) noexcept {
+    [[gnu::always_inline]] static constexpr errc from_packet(const Packet& packet, Header& header, sizes s) noexcept {
         errc error = errc::ok;
-        static_cast<void>((((error = Rows::back(packet, header, s)) == errc::ok) && ...));
+        static_cast<void>((((error = Rows::from_packet(packet, header, s)) == errc::ok) && ...));
         return error;
     }
 };

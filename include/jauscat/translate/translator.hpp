@@ -22,22 +22,22 @@ template <class Table> struct translator {
 
     /// Translates one JAUS message (header and body) into a packet; returns the packet's size.
     /// Errors: truncated, wrong_size, too_large, no_space, unknown_command_code, reserved_value.
-    JAUSCAT_WHOLE static constexpr result forth(std::span<const std::byte> message,
-                                                std::span<std::byte> packet) noexcept {
+    JAUSCAT_WHOLE static constexpr result to_packet(std::span<const std::byte> message,
+                                                    std::span<std::byte> packet) noexcept {
         return fill(message, packet, {});
     }
 
     /// The same with what is the caller's own, such as a packet number, taken from `given`.
-    JAUSCAT_WHOLE static constexpr result forth(std::span<const std::byte> message, std::span<std::byte> packet,
-                                                const packet_type& given) noexcept {
+    JAUSCAT_WHOLE static constexpr result to_packet(std::span<const std::byte> message, std::span<std::byte> packet,
+                                                    const packet_type& given) noexcept {
         return fill(message, packet, given);
     }
 
     /// Translates a packet back into the JAUS message it was made of; returns the message's size.
     /// Errors: truncated, wrong_size, too_large, no_space, unknown_index, unknown_subindex, reserved_value,
     /// out_of_range, wrong_packet.
-    JAUSCAT_WHOLE static constexpr result back(std::span<const std::byte> packet,
-                                               std::span<std::byte> message) noexcept {
+    JAUSCAT_WHOLE static constexpr result from_packet(std::span<const std::byte> packet,
+                                                      std::span<std::byte> message) noexcept {
         packet_type fields{};
         if (!wire::decode_prefix(fields, packet)) return errc::truncated;
         const std::size_t data_size = Table::data_count_row::counts_data::of(fields);
@@ -46,8 +46,8 @@ template <class Table> struct translator {
     }
 
     /// The same for a packet whose fields and data are at hand apart.
-    JAUSCAT_WHOLE static constexpr result back(const packet_type& fields, std::span<const std::byte> data,
-                                               std::span<std::byte> message) noexcept {
+    JAUSCAT_WHOLE static constexpr result from_packet(const packet_type& fields, std::span<const std::byte> data,
+                                                      std::span<std::byte> message) noexcept {
         return restore(fields, data, message);
     }
 
@@ -69,7 +69,7 @@ template <class Table> struct translator {
         if (filled > object || object > Table::max_data) return errc::too_large;
         if (packet.size() < packet_size + object) return errc::no_space;
 
-        if (const errc error = Table::forth(header, fields, {body, object}); error != errc::ok) return error;
+        if (const errc error = Table::to_packet(header, fields, {body, object}); error != errc::ok) return error;
         if (wire::detail::put_message(fields, packet.data()).error != wire::errc::ok) return errc::out_of_range;
         std::byte* data = packet.data() + packet_size;
         if constexpr (fixed) {
@@ -99,7 +99,7 @@ template <class Table> struct translator {
         if (message.size() < header_size + s.body) return errc::no_space;
 
         header_type header{};
-        if (const errc error = Table::back(fields, header, s); error != errc::ok) return error;
+        if (const errc error = Table::from_packet(fields, header, s); error != errc::ok) return error;
         if constexpr (fixed) {
             const std::size_t object = Table::object_size(header);
             if (object == 0) return errc::unknown_subindex;
@@ -117,7 +117,7 @@ template <class Table> struct translator {
             // Not get_message, which may be a call: only one field is looked at.
             wire::layout_of<header_type>::get(header, {message.data(), 0},
                                               wire::object_scope{header, wire::plain_root{}});
-            if (const errc error = Table::body_size_row::forth(header, fields, s); error != errc::ok) return error;
+            if (const errc error = Table::body_size_row::to_packet(header, fields, s); error != errc::ok) return error;
         }
         return header_size + s.body;
     }

@@ -19,26 +19,26 @@ struct seed_table_of {
     using P = hilscher::sdo_download_request;
     using H = hilscher::packet_header;
     using type = translate::table<J, P, MaxData,
-        translate::move<translate::at<&J::destination, &A::subsystem>, translate::at<&P::head, &H::ul_dest>>,
-        translate::move<translate::at<&J::destination, &A::node>, translate::at<&P::ul_node_id>>,
+        translate::copy<translate::at<&J::destination, &A::subsystem>, translate::at<&P::head, &H::ul_dest>>,
+        translate::copy<translate::at<&J::destination, &A::node>, translate::at<&P::ul_node_id>>,
         translate::offset<translate::at<&J::destination, &A::component>, translate::at<&P::ul_index>, IndexBase>,
-        translate::rank<translate::at<&J::command_code>, translate::at<&P::ul_sub_index>, Codes>,
-        translate::move<translate::at<&J::destination, &A::instance>, translate::at<&P::head, &H::ul_dest_id>>,
-        translate::relabel<translate::at<&J::data_flag>, translate::at<&P::head, &H::ul_ext>,
-            translate::same<jaus::data_flag::only, 0x000>,
-            translate::same<jaus::data_flag::first, 0x080>,
-            translate::same<jaus::data_flag::middle, 0x0C0>,
-            translate::same<jaus::data_flag::last, 0x040>,
-            translate::same<jaus::data_flag::repeated, 0x2C0>>, // middle, will be retried
+        translate::code_rank<translate::at<&J::command_code>, translate::at<&P::ul_sub_index>, Codes>,
+        translate::copy<translate::at<&J::destination, &A::instance>, translate::at<&P::head, &H::ul_dest_id>>,
+        translate::map_values<translate::at<&J::data_flag>, translate::at<&P::head, &H::ul_ext>,
+            translate::value_pair<jaus::data_flag::only, 0x000>,
+            translate::value_pair<jaus::data_flag::first, 0x080>,
+            translate::value_pair<jaus::data_flag::middle, 0x0C0>,
+            translate::value_pair<jaus::data_flag::last, 0x040>,
+            translate::value_pair<jaus::data_flag::repeated, 0x2C0>>, // middle, will be retried
         translate::body_size<translate::at<&J::data_size>>,     // ulDataCnt says it
         translate::data_count<translate::at<&P::ul_data_cnt>>,
         translate::packet_length<translate::at<&P::head, &H::ul_len>, 16>,
         translate::constant<translate::at<&P::head, &H::ul_cmd>, hilscher::packet_command::sdo_download_req>,
         translate::constant<translate::at<&P::head, &H::ul_sta>, hilscher::packet_status::ok>,
         translate::constant<translate::at<&P::head, &H::ul_rout>, 0>,
-        translate::given<translate::at<&P::head, &H::ul_src>>,
-        translate::given<translate::at<&P::head, &H::ul_src_id>>,
-        translate::given<translate::at<&P::head, &H::ul_id>>,
+        translate::caller_set<translate::at<&P::head, &H::ul_src>>,
+        translate::caller_set<translate::at<&P::head, &H::ul_src_id>>,
+        translate::caller_set<translate::at<&P::head, &H::ul_id>>,
         translate::rest>;                                       // properties 2, source 4, sequence 2, body
 };
 // clang-format on

@@ -15,9 +15,9 @@ struct self_contained_table_of {
     using P = hilscher::sdo_download_request;
     using H = hilscher::packet_header;
     using type = translate::table<J, P, MaxData,
-        translate::move<translate::at<&J::destination, &A::node>, translate::at<&P::ul_node_id>>,
+        translate::copy<translate::at<&J::destination, &A::node>, translate::at<&P::ul_node_id>>,
         translate::offset<translate::at<&J::destination, &A::component>, translate::at<&P::ul_index>, IndexBase>,
-        translate::rank<translate::at<&J::command_code>, translate::at<&P::ul_sub_index>, Codes>,
+        translate::code_rank<translate::at<&J::command_code>, translate::at<&P::ul_sub_index>, Codes>,
         translate::body_size_in_rest<translate::at<&J::data_size>>,
         translate::data_count<translate::at<&P::ul_data_cnt>>,
         translate::packet_length<translate::at<&P::head, &H::ul_len>, 16>,
@@ -27,9 +27,9 @@ struct self_contained_table_of {
         translate::constant<translate::at<&P::head, &H::ul_sta>, hilscher::packet_status::ok>,
         translate::constant<translate::at<&P::head, &H::ul_ext>, 0>,
         translate::constant<translate::at<&P::head, &H::ul_rout>, 0>,
-        translate::given<translate::at<&P::head, &H::ul_src>>,
-        translate::given<translate::at<&P::head, &H::ul_src_id>>,
-        translate::given<translate::at<&P::head, &H::ul_id>>,
+        translate::caller_set<translate::at<&P::head, &H::ul_src>>,
+        translate::caller_set<translate::at<&P::head, &H::ul_src_id>>,
+        translate::caller_set<translate::at<&P::head, &H::ul_id>>,
         translate::rest>; // properties 2, instance 1, subsystem 1, source 4, data control 2, sequence 2, body
 };
 // clang-format on

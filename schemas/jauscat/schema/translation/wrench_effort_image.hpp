@@ -80,6 +80,6 @@ using set_wrench_effort_table =
 /// Report Wrench Effort from the inputs, whose counter the slave's application sets.
 using report_wrench_effort_table =
     wrench_effort_table_of<jaus::report_wrench_effort,
-                           translate::given<translate::at<&wrench_effort_image::command_count>>>::type;
+                           translate::caller_set<translate::at<&wrench_effort_image::command_count>>>::type;
 
 } // namespace jauscat::translation

@@ -1,4 +1,4 @@
-// expect: move: not every value of the message's field comes back from the packet's field
+// expect: copy: not every value of the message's field comes back from the packet's field
 #include "small_image.hpp"
 
 struct signed_image {
@@ -13,5 +13,5 @@ template <> struct jauscat::wire::schema<mode_command> { using type = layout<fie
 using namespace small;
 
 using wrong = translate::image_table<mode_command, signed_image,
-                                     translate::move<at<&mode_command::mode>, at<&signed_image::mode>>>;
+                                     translate::copy<at<&mode_command::mode>, at<&signed_image::mode>>>;
 static_assert(error_of_nothing<wrong>() == translate::errc::no_space);
