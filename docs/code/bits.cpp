@@ -18,10 +18,10 @@ struct report_gripper {
 template <> struct jauscat::wire::schema<report_gripper> {
     using T = report_gripper;
     using type = layout<
-        bits<u8,
-            bit<&T::mode, 2>,              // the least significant bits
-            bit<&T::object_seen, 1>,
-            bit<&T::temperature_class, 3>,
+        bit_fields<u8,
+            bit_field<&T::mode, 2>,              // the least significant bits
+            bit_field<&T::object_seen, 1>,
+            bit_field<&T::temperature_class, 3>,
             reserved<2>>>;
 };
 // clang-format on

@@ -105,7 +105,7 @@ template <auto Member, class Codec> struct describer<wire::field<Member, Codec>>
     }
 };
 
-template <class Carrier, class... Fields> struct describer<wire::bits<Carrier, Fields...>> {
+template <class Carrier, class... Fields> struct describer<wire::bit_fields<Carrier, Fields...>> {
     static void append(std::vector<part>& out) {
         part whole{.what = part::kind::packed, .least = Carrier::size, .most = Carrier::size};
         tell_codec<Carrier>(whole);
@@ -163,7 +163,7 @@ struct describer<wire::presence_group<Unknown, Carrier, Items...>> {
     }
 };
 
-template <auto Member> struct describer<wire::flag<Member>> {
+template <auto Member> struct describer<wire::presence_flag<Member>> {
     static void append(std::vector<part>& out) { out.push_back(member_part<Member>(part::kind::flag, 0, 0)); }
 };
 

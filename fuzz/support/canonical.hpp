@@ -64,7 +64,7 @@ class canonical_trace : public jauscat::wire::detail::decode_trace {
         static_cast<void>(Carrier::store(out_.data() + start, static_cast<word_type>(word & bits)));
     }
     template <class Carrier, class... Fields>
-    void mask_reserved(jauscat::wire::bits<Carrier, Fields...>, std::size_t start) {
+    void mask_reserved(jauscat::wire::bit_fields<Carrier, Fields...>, std::size_t start) {
         std::uint64_t named = 0;
         std::size_t at = 0;
         const auto name = [&](bool is_named, std::size_t width) {

@@ -1,10 +1,10 @@
-// expect: bit: the member is narrower than its bits
+// expect: bit_field: the member is narrower than its bits
 #include "small_message.hpp"
 
 template <> struct jauscat::wire::schema<small_message> {
     using T = small_message;
-    using type = layout<bits<u32le, bit<&T::number, 17>, reserved<15>>, field<&T::level, scaled<u8, percent>>,
-                        presence<u8, field<&T::extra, u8>>>;
+    using type = layout<bit_fields<u32le, bit_field<&T::number, 17>, reserved<15>>,
+                        field<&T::level, scaled<u8, percent>>, presence<u8, field<&T::extra, u8>>>;
 };
 
 static_assert(size_of_wrong<small_message> != 0);

@@ -1,4 +1,4 @@
-// expect: flag: the member must be a bool
+// expect: presence_flag: the member must be a bool
 #include "small_message.hpp"
 
 struct numeric_flag {
@@ -6,7 +6,7 @@ struct numeric_flag {
 };
 
 template <> struct jauscat::wire::schema<numeric_flag> {
-    using type = layout<presence<u8, flag<&numeric_flag::present>>>;
+    using type = layout<presence<u8, presence_flag<&numeric_flag::present>>>;
 };
 
 static_assert(size_of_wrong<numeric_flag> != 0);

@@ -1,6 +1,6 @@
-// expect: flags: the enumeration's underlying type must be unsigned
+// expect: bit_set: the enumeration's underlying type must be unsigned
 #include "small_message.hpp"
 
 enum class direction : std::int8_t { left };
 
-jauscat::wire::flags<direction> set{};
+jauscat::wire::bit_set<direction> set{};

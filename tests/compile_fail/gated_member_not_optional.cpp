@@ -8,7 +8,7 @@ struct always_there {
 
 template <> struct jauscat::wire::schema<always_there> {
     using T = always_there;
-    using type = layout<presence<u8, flag<&T::present>, gated_by<&T::present, field<&T::number, u8>>>>;
+    using type = layout<presence<u8, presence_flag<&T::present>, gated_by<&T::present, field<&T::number, u8>>>>;
 };
 
 static_assert(size_of_wrong<always_there> != 0);

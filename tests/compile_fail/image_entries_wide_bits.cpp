@@ -9,7 +9,7 @@ struct status {
 };
 
 template <> struct jauscat::wire::schema<status> {
-    using type = layout<bits<u16le, bit<&status::count, 12>, bit<&status::mode, 4>>>;
+    using type = layout<bit_fields<u16le, bit_field<&status::count, 12>, bit_field<&status::mode, 4>>>;
 };
 
 static_assert(jauscat::ethercat::image_entries<status, 0x7000>.size() == 2);

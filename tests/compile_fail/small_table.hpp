@@ -24,7 +24,7 @@ struct stranger {
 template <> struct jauscat::wire::schema<small::head> {
     using T = small::head;
     using type = layout<field<&T::component, u8>, field<&T::code, u16le>,
-                        bits<u8, bit<&T::priority, 4>, bit<&T::flag, 4>>, field<&T::size, u16le>>;
+                        bit_fields<u8, bit_field<&T::priority, 4>, bit_field<&T::flag, 4>>, field<&T::size, u16le>>;
 };
 template <> struct jauscat::wire::schema<small::packet> {
     using T = small::packet;

@@ -21,7 +21,7 @@ constexpr jaus::header header_of(std::uint16_t code) { return {.command_code = c
 /// Set Emergency with code 5, and the start of it.
 constexpr auto emergency = hex_literal<2>("0500");
 constexpr auto half_an_emergency = hex_literal<1>("05");
-constexpr jaus::set_emergency emergency_code_5{.emergency_code = wire::flags<jaus::set_emergency_code>::from_bits(5)};
+constexpr jaus::set_emergency emergency_code_5{.emergency_code = wire::bit_set<jaus::set_emergency_code>::from_bits(5)};
 
 /// What handlers were called with.
 struct record {

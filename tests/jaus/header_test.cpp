@@ -102,7 +102,7 @@ TEST_CASE("Set Emergency with code 5 has the bytes derived by hand") {
     STATIC_REQUIRE(bytes_of(header) == hex_literal<16>("0f02 0600 01010101 02020202 0200 2200"));
 
     // Bits 0 and 2: the emergency, and an unassigned one.
-    constexpr jaus::set_emergency body{.emergency_code = wire::flags<jaus::set_emergency_code>::from_bits(5)};
+    constexpr jaus::set_emergency body{.emergency_code = wire::bit_set<jaus::set_emergency_code>::from_bits(5)};
     std::array<std::byte, 2> out{};
     REQUIRE(wire::encode(body, out));
     REQUIRE(out == hex_literal<2>("0500"));

@@ -34,7 +34,7 @@ constexpr jaus::header emergency_header{.priority = 15,
                                         .destination = {.instance = 1, .component = 1, .node = 1, .subsystem = 1},
                                         .source = {.instance = 2, .component = 2, .node = 2, .subsystem = 2},
                                         .sequence_number = 34};
-constexpr jaus::set_emergency emergency_code_5{.emergency_code = wire::flags<jaus::set_emergency_code>::from_bits(5)};
+constexpr jaus::set_emergency emergency_code_5{.emergency_code = wire::bit_set<jaus::set_emergency_code>::from_bits(5)};
 
 /// Report Wrench Effort with the first and the last element, from 9.8.33.7 to 1.2.32.3.
 constexpr auto report_wrench_effort = hex_literal<21>("4602 0544 03200201 07210809 0500 efbe 0108 ff7f 33");

@@ -336,7 +336,7 @@ TEST_CASE("fields of a report are found by their numbers") {
 
     using device = jaus::main_propulsion_device;
     const auto switched = body_of(jaus::report_discrete_devices{
-        .main_propulsion = wire::flags<device>{device::main_propulsion, device::cold_start},
+        .main_propulsion = wire::bit_set<device>{device::main_propulsion, device::cold_start},
         .gear = jaus::gear::neutral});
     const auto read_devices = &jaus::read_field<jaus::report_discrete_devices>;
     REQUIRE(std::get<std::uint64_t>(read_devices(switched, 2).value->number) == 0x21);

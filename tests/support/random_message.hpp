@@ -66,16 +66,17 @@ class randomiser {
         (flag(Items{}, object), ...);
         (item(Items{}, object, here), ...);
     }
-    template <auto Member> void item(wire::flag<Member>, auto&, const auto&) {}
+    template <auto Member> void item(wire::presence_flag<Member>, auto&, const auto&) {}
     template <class Item> void flag(Item, auto&) {}
-    template <auto Member> void flag(wire::flag<Member>, auto& object) {
+    template <auto Member> void flag(wire::presence_flag<Member>, auto& object) {
         wire::member_of<Member>(object) = chance(g_, odds_.present);
     }
-    template <class Carrier, class... Fields> void item(wire::bits<Carrier, Fields...>, auto& object, const auto&) {
+    template <class Carrier, class... Fields>
+    void item(wire::bit_fields<Carrier, Fields...>, auto& object, const auto&) {
         (bit(Fields{}, object), ...);
     }
     template <std::size_t Width> void bit(wire::reserved<Width>, auto&) {}
-    template <auto Member, std::size_t Width> void bit(wire::bit<Member, Width> field, auto& object) {
+    template <auto Member, std::size_t Width> void bit(wire::bit_field<Member, Width> field, auto& object) {
         field.assign(object,
                      chance(g_, odds_.illegal) ? ~std::uint64_t{} : integer() & (~std::uint64_t{} >> (64 - Width)));
     }

@@ -200,7 +200,8 @@ struct lamps {
 } // namespace
 template <> struct jauscat::wire::schema<lamps> {
     using T = lamps;
-    using type = layout<bits<u8, bit<&T::left, 1>, reserved<4>, bit<&T::level, 3>>, field<&T::voltage, f32le>>;
+    using type =
+        layout<bit_fields<u8, bit_field<&T::left, 1>, reserved<4>, bit_field<&T::level, 3>>, field<&T::voltage, f32le>>;
 };
 
 TEST_CASE("the PDO entries of bits leave gaps where bits are reserved") {

@@ -128,8 +128,8 @@ template <> struct jauscat::wire::schema<drive> {
 };
 template <> struct jauscat::wire::schema<drive_image> {
     using T = drive_image;
-    using type =
-        layout<bits<u8, bit<&T::sign, 4>, bit<&T::version, 4>>, field<&T::speed, u16be>, field<&T::lamps, u32le>>;
+    using type = layout<bit_fields<u8, bit_field<&T::sign, 4>, bit_field<&T::version, 4>>, field<&T::speed, u16be>,
+                        field<&T::lamps, u32le>>;
 };
 
 namespace {

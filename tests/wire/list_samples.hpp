@@ -126,7 +126,7 @@ struct forest {
 
 enum class lamp : std::uint16_t { left = 0, right = 1, top = 15 };
 struct lamps {
-    wire::flags<lamp> lit{};
+    wire::bit_set<lamp> lit{};
     friend constexpr bool operator==(const lamps&, const lamps&) = default;
 };
 
@@ -188,7 +188,7 @@ template <> struct wire::schema<samples::chain> {
 
 template <> struct wire::schema<samples::parcel_header> {
     using T = samples::parcel_header;
-    using type = layout<bits<u16le, bit<&T::size, 12>, bit<&T::colour, 4>>>;
+    using type = layout<bit_fields<u16le, bit_field<&T::size, 12>, bit_field<&T::colour, 4>>>;
 };
 
 template <> struct wire::schema<samples::parcel> {
@@ -227,7 +227,7 @@ template <> struct wire::schema<samples::survey> {
     using type = layout<
         presence<u8,
             bytes<&T::extra, count<"extra_size", u16le>>,
-            flag<&T::buffer_present>,
+            presence_flag<&T::buffer_present>,
             repeated<&T::spots, count<"number_of_spots", u8>>,
             nested<&T::limit>>>;
 };
@@ -266,7 +266,7 @@ template <> struct wire::schema<samples::forest> {
 
 template <> struct wire::schema<samples::lamps> {
     using T = samples::lamps;
-    using type = layout<field<&T::lit, flag_bits<samples::lamp, u16be>>>;
+    using type = layout<field<&T::lit, bit_set_codec<samples::lamp, u16be>>>;
 };
 
 } // namespace jauscat

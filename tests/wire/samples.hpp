@@ -101,11 +101,11 @@ template <> struct wire::schema<samples::scalars> {
 template <> struct wire::schema<samples::flags> {
     using T = samples::flags;
     using type = layout<
-        bits<u16le,
-            bit<&T::length, 11>,
+        bit_fields<u16le,
+            bit_field<&T::length, 11>,
             reserved<1>,
-            bit<&T::shade, 2>,
-            bit<&T::circulating, 1>,
+            bit_field<&T::shade, 2>,
+            bit_field<&T::circulating, 1>,
             reserved<1>>>;
 };
 

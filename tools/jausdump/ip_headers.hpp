@@ -73,16 +73,16 @@ template <> struct wire::schema<jausdump::cooked_header_2> {
 template <> struct wire::schema<jausdump::ipv4_header> {
     using T = jausdump::ipv4_header;
     using type = layout<
-        bits<u8,
-            bit<&T::words, 4>,
-            bit<&T::version, 4>>,
+        bit_fields<u8,
+            bit_field<&T::words, 4>,
+            bit_field<&T::version, 4>>,
         field<&T::service, u8>,
         field<&T::total_size, u16be>,
         field<&T::identification, u16be>,
-        bits<u16be,
-            bit<&T::fragment_offset, 13>,
-            bit<&T::more_fragments, 1>,
-            bit<&T::dont_fragment, 1>,
+        bit_fields<u16be,
+            bit_field<&T::fragment_offset, 13>,
+            bit_field<&T::more_fragments, 1>,
+            bit_field<&T::dont_fragment, 1>,
             reserved<1>>,
         field<&T::time_to_live, u8>,
         field<&T::protocol, u8>,

@@ -35,7 +35,7 @@ template <class T> bool decoded(void* value, std::span<const std::byte> bytes) {
 
 /// Bit-fields as the one integer they fill.
 template <class Layout> struct packing { static constexpr bool whole = false; };
-template <class Carrier, class... Fields> struct packing<wire::layout<wire::bits<Carrier, Fields...>>> {
+template <class Carrier, class... Fields> struct packing<wire::layout<wire::bit_fields<Carrier, Fields...>>> {
     static constexpr bool whole = true;
     static constexpr unsigned bits = static_cast<unsigned>(Carrier::size * 8);
     template <class T> static std::uint64_t get(const void* value) {

@@ -44,12 +44,12 @@ struct joined<path_list<A...>, path_list<B...>, More...> : joined<path_list<A...
 
 template <class Item> struct leaves; // no specialisation: a table does not reach into lists, strings and variants
 template <auto Member, class Codec> struct leaves<wire::field<Member, Codec>> { using type = path_list<at<Member>>; };
-template <auto Member, std::size_t Width> struct leaves<wire::bit<Member, Width>> {
+template <auto Member, std::size_t Width> struct leaves<wire::bit_field<Member, Width>> {
     using type = path_list<at<Member>>;
 };
 template <std::size_t Width> struct leaves<wire::reserved<Width>> { using type = path_list<>; };
 template <class Carrier, class... Fields>
-struct leaves<wire::bits<Carrier, Fields...>> : joined<typename leaves<Fields>::type...> {};
+struct leaves<wire::bit_fields<Carrier, Fields...>> : joined<typename leaves<Fields>::type...> {};
 template <wire::unknown_bits Unknown, class Carrier, class... Items>
 struct leaves<wire::presence_group<Unknown, Carrier, Items...>> : joined<typename leaves<Items>::type...> {};
 template <class... Items> struct leaves<wire::layout<Items...>> : joined<typename leaves<Items>::type...> {};

@@ -1,7 +1,7 @@
 // The long answer to a failed encode or decode: which field, of which element, at which byte, and what was wrong. The
 // same layouts walk again, this time watched, so that the hot path carries nothing but an error code.
 #pragma once
-#include <jauscat/wire/bits.hpp>
+#include <jauscat/wire/bit_fields.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>
 

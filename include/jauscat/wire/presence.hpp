@@ -43,7 +43,7 @@ inline constexpr auto sizes_by_nibble = [] {
 
 /// A bit of the presence vector as a bool member: it announces something that stands elsewhere (see gated_by) and takes
 /// no bytes itself.
-template <auto Member> struct flag {
+template <auto Member> struct presence_flag {
     static constexpr auto key = Member;
     using keys = key_list<Member>;
     using value_type = bool;
@@ -51,7 +51,7 @@ template <auto Member> struct flag {
     static constexpr bool optional = false;
     static constexpr bool takes_bit = true;
     static constexpr std::size_t min_size = 0, max_size = 0;
-    static_assert(std::is_same_v<member_t<Member>, bool>, "flag: the member must be a bool");
+    static_assert(std::is_same_v<member_t<Member>, bool>, "presence_flag: the member must be a bool");
 
     static consteval std::string_view name() { return name_of<Member>(); }
     JAUSCAT_PART static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
@@ -61,7 +61,7 @@ template <auto Member> struct flag {
         return errc::ok;
     }
     JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(flag{}, object.*place_in<decltype(object), Member>);
+        visitor(presence_flag{}, object.*place_in<decltype(object), Member>);
     }
 };
 
@@ -73,7 +73,7 @@ inline constexpr bool takes_bit<Item> = true;
 } // namespace detail
 
 /// A presence vector in `Carrier`, then its items. Each item with a std::optional member takes the next bit, from the
-/// least significant up, and is there when its bit is set; so does a `flag`. Any other item is always there.
+/// least significant up, and is there when its bit is set; so does a `presence_flag`. Any other item is always there.
 // Where all items have a fixed size the vector alone tells the size of the whole, and the bytes are checked once.
 template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_group {
     using carrier_codec = Carrier;

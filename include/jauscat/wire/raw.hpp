@@ -1,6 +1,6 @@
 // A message with every scaled field as the integer on the wire: exact for every byte pattern, without floating point.
 #pragma once
-#include <jauscat/wire/bits.hpp>
+#include <jauscat/wire/bit_fields.hpp>
 #include <jauscat/wire/gated_by.hpp>
 #include <jauscat/wire/layout.hpp>
 #include <jauscat/wire/presence.hpp>
@@ -28,7 +28,7 @@ template <class Item> struct slots_of { using type = slot_list<slot<Item::key, t
 template <std::size_t Width> struct slots_of<reserved<Width>> : joined_slots<> {};
 template <auto Flag, class Item> struct slots_of<gated_by<Flag, Item>> : slots_of<Item> {};
 template <class Carrier, class... Fields>
-struct slots_of<bits<Carrier, Fields...>> : joined_slots<typename slots_of<Fields>::type...> {};
+struct slots_of<bit_fields<Carrier, Fields...>> : joined_slots<typename slots_of<Fields>::type...> {};
 template <unknown_bits Unknown, class Carrier, class... Items>
 struct slots_of<presence_group<Unknown, Carrier, Items...>> : joined_slots<typename slots_of<Items>::type...> {};
 template <class... Items> struct slots_of<layout<Items...>> : joined_slots<typename slots_of<Items>::type...> {};

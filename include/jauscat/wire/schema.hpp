@@ -1,8 +1,8 @@
 // The vocabulary that a schema is declared with.
 #pragma once
-#include <jauscat/wire/bits.hpp>
+#include <jauscat/wire/bit_fields.hpp>
+#include <jauscat/wire/bit_set.hpp>
 #include <jauscat/wire/field.hpp>
-#include <jauscat/wire/flags.hpp>
 #include <jauscat/wire/gated_by.hpp>
 #include <jauscat/wire/layout.hpp>
 #include <jauscat/wire/nested.hpp>

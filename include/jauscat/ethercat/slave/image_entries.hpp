@@ -43,7 +43,7 @@ template <auto Member, class Codec> struct entries_of<wire::field<Member, Codec>
                   .name = wire::member_name<Member>};
     }
 };
-template <auto Member, std::size_t Width> struct entries_of<wire::bit<Member, Width>> {
+template <auto Member, std::size_t Width> struct entries_of<wire::bit_field<Member, Width>> {
     static constexpr std::size_t count = 1;
     static constexpr void put(pdo_entry*& out, entry_numbers& next) noexcept {
         static_assert(Width <= 8, "image_entries: a field of bits has 8 at most, BIT1 to BIT8; declare it as a number");
@@ -67,7 +67,7 @@ template <class... Items> struct entries_of_all {
     }
 };
 template <class Carrier, class... Fields>
-struct entries_of<wire::bits<Carrier, Fields...>> : entries_of_all<Fields...> {};
+struct entries_of<wire::bit_fields<Carrier, Fields...>> : entries_of_all<Fields...> {};
 template <class... Items> struct entries_of<wire::layout<Items...>> : entries_of_all<Items...> {};
 
 } // namespace detail

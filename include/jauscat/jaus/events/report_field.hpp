@@ -1,8 +1,8 @@
 // A field of a report by its number in the standard's table, for the limits of events. RA 3.3 part 3, Limit Data Field.
 #pragma once
-#include <jauscat/wire/bits.hpp>
+#include <jauscat/wire/bit_fields.hpp>
+#include <jauscat/wire/bit_set.hpp>
 #include <jauscat/wire/field.hpp>
-#include <jauscat/wire/flags.hpp>
 #include <jauscat/wire/gated_by.hpp>
 #include <jauscat/wire/nested.hpp>
 #include <jauscat/wire/presence.hpp>
@@ -48,12 +48,12 @@ inline constexpr field_scale scale_of<Codec>{
         return wire_number{wide{Codec::to_raw(real)}};
     }};
 
-template <class T> inline constexpr bool is_flags = false;
-template <class Bit> inline constexpr bool is_flags<wire::flags<Bit>> = true;
-template <class T> inline constexpr bool is_number = std::is_arithmetic_v<T> || std::is_enum_v<T> || is_flags<T>;
+template <class T> inline constexpr bool is_bit_set = false;
+template <class Bit> inline constexpr bool is_bit_set<wire::bit_set<Bit>> = true;
+template <class T> inline constexpr bool is_number = std::is_arithmetic_v<T> || std::is_enum_v<T> || is_bit_set<T>;
 
 template <class T> constexpr wire_number number_of(const T& value) noexcept {
-    if constexpr (is_flags<T>)
+    if constexpr (is_bit_set<T>)
         return std::uint64_t{value.bits()};
     else if constexpr (std::is_enum_v<T>)
         return number_of(static_cast<std::underlying_type_t<T>>(value));
@@ -102,7 +102,7 @@ class field_search {
     }
     // All members of the integer together, as it is on the wire.
     template <class View, class Carrier, class... Fields>
-    constexpr void in(const View* view, std::type_identity<wire::bits<Carrier, Fields...>>) noexcept {
+    constexpr void in(const View* view, std::type_identity<wire::bit_fields<Carrier, Fields...>>) noexcept {
         if (!reached()) return;
         found.exists = true;
         if (view == nullptr) return;

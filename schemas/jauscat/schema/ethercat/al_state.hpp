@@ -106,13 +106,14 @@ namespace jauscat {
 
 template <> struct wire::schema<ethercat::al_control> {
     using T = ethercat::al_control;
-    using type =
-        layout<bits<u16le, bit<&T::state, 4>, bit<&T::acknowledge, 1>, bit<&T::request_device_id, 1>, reserved<10>>>;
+    using type = layout<bit_fields<u16le, bit_field<&T::state, 4>, bit_field<&T::acknowledge, 1>,
+                                   bit_field<&T::request_device_id, 1>, reserved<10>>>;
 };
 
 template <> struct wire::schema<ethercat::al_status> {
     using T = ethercat::al_status;
-    using type = layout<bits<u16le, bit<&T::state, 4>, bit<&T::error, 1>, bit<&T::device_id_loaded, 1>, reserved<10>>,
+    using type = layout<bit_fields<u16le, bit_field<&T::state, 4>, bit_field<&T::error, 1>,
+                                   bit_field<&T::device_id_loaded, 1>, reserved<10>>,
                         field<&T::gap, u16le>, field<&T::code, enumeration<ethercat::al_status_code, u16le>>>;
 };
 

@@ -135,21 +135,21 @@ namespace jauscat {
 template <> struct wire::schema<ethercat::coe_header> {
     using T = ethercat::coe_header;
     using type = layout<
-        bits<u16le,
-            bit<&T::number, 9>,
+        bit_fields<u16le,
+            bit_field<&T::number, 9>,
             reserved<3>,
-            bit<&T::service, 4>>>;
+            bit_field<&T::service, 4>>>;
 };
 
 template <> struct wire::schema<ethercat::sdo_header> {
     using T = ethercat::sdo_header;
     using type = layout<
-        bits<u8,
-            bit<&T::size_indicated, 1>,
-            bit<&T::expedited, 1>,
-            bit<&T::unused, 2>,
-            bit<&T::complete_access, 1>,
-            bit<&T::specifier, 3>>,
+        bit_fields<u8,
+            bit_field<&T::size_indicated, 1>,
+            bit_field<&T::expedited, 1>,
+            bit_field<&T::unused, 2>,
+            bit_field<&T::complete_access, 1>,
+            bit_field<&T::specifier, 3>>,
         field<&T::index, u16le>,
         field<&T::subindex, u8>>;
 };
@@ -171,11 +171,11 @@ template <> struct wire::schema<ethercat::sdo_normal> {
 template <> struct wire::schema<ethercat::sdo_segment_header> {
     using T = ethercat::sdo_segment_header;
     using type = layout<
-        bits<u8,
-            bit<&T::last, 1>,
-            bit<&T::unused, 3>,
-            bit<&T::toggle, 1>,
-            bit<&T::specifier, 3>>>;
+        bit_fields<u8,
+            bit_field<&T::last, 1>,
+            bit_field<&T::unused, 3>,
+            bit_field<&T::toggle, 1>,
+            bit_field<&T::specifier, 3>>>;
 };
 
 template <> struct wire::schema<ethercat::sdo_abort> {

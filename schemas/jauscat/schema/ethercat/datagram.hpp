@@ -56,11 +56,11 @@ template <> struct wire::schema<ethercat::datagram_header> {
         field<&T::index, u8>,
         field<&T::adp, u16le>,
         field<&T::ado, u16le>,
-        bits<u16le,
-            bit<&T::length, 11>,
+        bit_fields<u16le,
+            bit_field<&T::length, 11>,
             reserved<3>,
-            bit<&T::circulating, 1>,
-            bit<&T::more, 1>>,
+            bit_field<&T::circulating, 1>,
+            bit_field<&T::more, 1>>,
         field<&T::irq, u16le>>;
 };
 

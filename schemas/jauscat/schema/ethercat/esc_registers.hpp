@@ -183,15 +183,15 @@ template <> struct wire::schema<ethercat::esc_description> {
         field<&T::sync_managers, u8>,
         field<&T::ram, u8>,
         field<&T::ports, u8>,
-        bits<u16le,
-            bit<&T::byte_fmmu, 1>,
+        bit_fields<u16le,
+            bit_field<&T::byte_fmmu, 1>,
             reserved<1>,
-            bit<&T::dc, 1>,
-            bit<&T::dc_64, 1>,
+            bit_field<&T::dc, 1>,
+            bit_field<&T::dc_64, 1>,
             reserved<5>,
-            bit<&T::no_lrw, 1>,
-            bit<&T::no_read_write, 1>,
-            bit<&T::fixed, 1>,
+            bit_field<&T::no_lrw, 1>,
+            bit_field<&T::no_read_write, 1>,
+            bit_field<&T::fixed, 1>,
             reserved<4>>>;
 };
 
@@ -200,29 +200,29 @@ template <> struct wire::schema<ethercat::sync_manager> {
     using type = layout<
         field<&T::start, u16le>,
         field<&T::length, u16le>,
-        bits<u8,
-            bit<&T::mode, 2>,
-            bit<&T::direction, 2>,
-            bit<&T::ecat_interrupt, 1>,
-            bit<&T::pdi_interrupt, 1>,
-            bit<&T::watchdog, 1>,
+        bit_fields<u8,
+            bit_field<&T::mode, 2>,
+            bit_field<&T::direction, 2>,
+            bit_field<&T::ecat_interrupt, 1>,
+            bit_field<&T::pdi_interrupt, 1>,
+            bit_field<&T::watchdog, 1>,
             reserved<1>>,
-        bits<u8,
-            bit<&T::write_event, 1>,
-            bit<&T::read_event, 1>,
+        bit_fields<u8,
+            bit_field<&T::write_event, 1>,
+            bit_field<&T::read_event, 1>,
             reserved<1>,
-            bit<&T::full, 1>,
-            bit<&T::last_buffer, 2>,
-            bit<&T::buffer_in_use, 2>>,
-        bits<u8,
-            bit<&T::enable, 1>,
-            bit<&T::repeat_request, 1>,
+            bit_field<&T::full, 1>,
+            bit_field<&T::last_buffer, 2>,
+            bit_field<&T::buffer_in_use, 2>>,
+        bit_fields<u8,
+            bit_field<&T::enable, 1>,
+            bit_field<&T::repeat_request, 1>,
             reserved<4>,
-            bit<&T::latch_ecat, 1>,
-            bit<&T::latch_pdi, 1>>,
-        bits<u8,
-            bit<&T::pdi_disable, 1>,
-            bit<&T::repeat_acknowledge, 1>,
+            bit_field<&T::latch_ecat, 1>,
+            bit_field<&T::latch_pdi, 1>>,
+        bit_fields<u8,
+            bit_field<&T::pdi_disable, 1>,
+            bit_field<&T::repeat_acknowledge, 1>,
             reserved<6>>>;
 };
 
@@ -236,26 +236,26 @@ template <> struct wire::schema<ethercat::mailbox_managers> {
 template <> struct wire::schema<ethercat::sync_manager_handshake> {
     using T = ethercat::sync_manager_handshake;
     using type = layout<
-        bits<u8,
+        bit_fields<u8,
             reserved<3>,
-            bit<&T::full, 1>,
+            bit_field<&T::full, 1>,
             reserved<4>>,
-        bits<u8,
-            bit<&T::enable, 1>,
-            bit<&T::repeat_request, 1>,
+        bit_fields<u8,
+            bit_field<&T::enable, 1>,
+            bit_field<&T::repeat_request, 1>,
             reserved<6>>,
-        bits<u8,
+        bit_fields<u8,
             reserved<1>,
-            bit<&T::repeat_acknowledge, 1>,
+            bit_field<&T::repeat_acknowledge, 1>,
             reserved<6>>>;
 };
 
 template <> struct wire::schema<ethercat::sync_manager_activate> {
     using T = ethercat::sync_manager_activate;
     using type = layout<
-        bits<u8,
-            bit<&T::enable, 1>,
-            bit<&T::repeat_request, 1>,
+        bit_fields<u8,
+            bit_field<&T::enable, 1>,
+            bit_field<&T::repeat_request, 1>,
             reserved<6>>>;
 };
 
@@ -264,48 +264,48 @@ template <> struct wire::schema<ethercat::fmmu> {
     using type = layout<
         field<&T::logical_start, u32le>,
         field<&T::length, u16le>,
-        bits<u8,
-            bit<&T::first_bit, 3>,
+        bit_fields<u8,
+            bit_field<&T::first_bit, 3>,
             reserved<5>>,
-        bits<u8,
-            bit<&T::last_bit, 3>,
+        bit_fields<u8,
+            bit_field<&T::last_bit, 3>,
             reserved<5>>,
         field<&T::physical_start, u16le>,
-        bits<u8,
-            bit<&T::physical_bit, 3>,
+        bit_fields<u8,
+            bit_field<&T::physical_bit, 3>,
             reserved<5>>,
-        bits<u8,
-            bit<&T::read, 1>,
-            bit<&T::write, 1>,
+        bit_fields<u8,
+            bit_field<&T::read, 1>,
+            bit_field<&T::write, 1>,
             reserved<6>>,
-        bits<u32le,
-            bit<&T::enable, 1>,
+        bit_fields<u32le,
+            bit_field<&T::enable, 1>,
             reserved<31>>>;
 };
 
 template <> struct wire::schema<ethercat::sii_owner> {
     using T = ethercat::sii_owner;
     using type = layout<
-        bits<u8,
-            bit<&T::pdi, 1>,
-            bit<&T::force, 1>,
+        bit_fields<u8,
+            bit_field<&T::pdi, 1>,
+            bit_field<&T::force, 1>,
             reserved<6>>>;
 };
 
 template <> struct wire::schema<ethercat::sii_request> {
     using T = ethercat::sii_request;
     using type = layout<
-        bits<u16le,
-            bit<&T::write_enable, 1>,
+        bit_fields<u16le,
+            bit_field<&T::write_enable, 1>,
             reserved<5>,
-            bit<&T::eight_byte_reads, 1>,
-            bit<&T::two_address_bytes, 1>,
-            bit<&T::cmd, 3>,
-            bit<&T::checksum_error, 1>,
-            bit<&T::not_loaded, 1>,
-            bit<&T::command_error, 1>,
-            bit<&T::write_enable_error, 1>,
-            bit<&T::busy, 1>>,
+            bit_field<&T::eight_byte_reads, 1>,
+            bit_field<&T::two_address_bytes, 1>,
+            bit_field<&T::cmd, 3>,
+            bit_field<&T::checksum_error, 1>,
+            bit_field<&T::not_loaded, 1>,
+            bit_field<&T::command_error, 1>,
+            bit_field<&T::write_enable_error, 1>,
+            bit_field<&T::busy, 1>>,
         field<&T::address, u32le>>;
 };
 

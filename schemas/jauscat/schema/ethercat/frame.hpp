@@ -63,10 +63,10 @@ template <> struct wire::schema<ethercat::vlan_tag> {
 template <> struct wire::schema<ethercat::frame_header> {
     using T = ethercat::frame_header;
     using type = layout<
-        bits<u16le,
-            bit<&T::length, 11>,
+        bit_fields<u16le,
+            bit_field<&T::length, 11>,
             reserved<1>,
-            bit<&T::type, 4>>>;
+            bit_field<&T::type, 4>>>;
 };
 
 } // namespace jauscat

@@ -158,7 +158,7 @@ template <> struct wire::schema<hilscher::get_entry_description_confirmation> {
         field<&T::ul_data_type, u32le>,
         field<&T::ul_bit_len, u32le>,
         nested<&T::ul_ob_access>,
-        bits<u16le, reserved<16>>,
+        bit_fields<u16le, reserved<16>>,
         field<&T::f_rx_pdo_mapping, u32le>,
         field<&T::f_tx_pdo_mapping, u32le>,
         field<&T::ul_unit_type, u32le>,

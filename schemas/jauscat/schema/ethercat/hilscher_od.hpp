@@ -64,29 +64,29 @@ enum class od_indication : std::uint8_t {
 /// 1024.
 struct od_create_object_request {
     packet_header head{.ul_cmd = packet_command::od_create_object_req};
-    std::uint16_t us_index{};                        ///< object index
-    std::uint8_t b_max_num_of_sub_objs{};            ///< highest subindex
-    od_object_code b_object_code{};                  ///< what kind of object
-    wire::flags<od_object_flag> us_access_flags{};   ///< how the object may be accessed
-    bool has_name{};                                 ///< bValueInfo 0x01
-    bool has_initial{};                              ///< bValueInfo 0x02
-    bool is_virtual{};                               ///< bValueInfo 0x04: the application keeps the value
-    bool has_unit{};                                 ///< bValueInfo 0x08
-    bool has_default{};                              ///< bValueInfo 0x10
-    bool has_minimum{};                              ///< bValueInfo 0x20
-    bool has_maximum{};                              ///< bValueInfo 0x40
-    bool variable_size{};                            ///< bValueInfo 0x80: a value may be shorter than ulMaxFieldUnits
-    wire::flags<od_indication> b_indication_flags{}; ///< which accesses the application hears of
-    od_data_type us_datatype{};                      ///< of a simple variable; else none
-    wire::flags<od_access> us_access_rights{};       ///< simple variables only
-    std::uint32_t ul_max_field_units{};              ///< elements, bytes of a string; simple variables only
-    std::uint32_t ul_total_data_bytes{};             ///< n, bytes of abData over all fragments
-    std::optional<std::uint32_t> unit{};             ///< of the value, as in ETG.1004
-    std::optional<std::string_view> name{};          ///< for people
-    std::optional<wire::blob> minimum{};             ///< of the value, as it travels
-    std::optional<wire::blob> maximum{};             ///< of the value, as it travels
-    std::optional<wire::blob> initial{};             ///< the value at the start, as it travels
-    std::optional<wire::blob> default_{};            ///< the value by default, as it travels
+    std::uint16_t us_index{};                          ///< object index
+    std::uint8_t b_max_num_of_sub_objs{};              ///< highest subindex
+    od_object_code b_object_code{};                    ///< what kind of object
+    wire::bit_set<od_object_flag> us_access_flags{};   ///< how the object may be accessed
+    bool has_name{};                                   ///< bValueInfo 0x01
+    bool has_initial{};                                ///< bValueInfo 0x02
+    bool is_virtual{};                                 ///< bValueInfo 0x04: the application keeps the value
+    bool has_unit{};                                   ///< bValueInfo 0x08
+    bool has_default{};                                ///< bValueInfo 0x10
+    bool has_minimum{};                                ///< bValueInfo 0x20
+    bool has_maximum{};                                ///< bValueInfo 0x40
+    bool variable_size{};                              ///< bValueInfo 0x80: a value may be shorter than ulMaxFieldUnits
+    wire::bit_set<od_indication> b_indication_flags{}; ///< which accesses the application hears of
+    od_data_type us_datatype{};                        ///< of a simple variable; else none
+    wire::bit_set<od_access> us_access_rights{};       ///< simple variables only
+    std::uint32_t ul_max_field_units{};                ///< elements, bytes of a string; simple variables only
+    std::uint32_t ul_total_data_bytes{};               ///< n, bytes of abData over all fragments
+    std::optional<std::uint32_t> unit{};               ///< of the value, as in ETG.1004
+    std::optional<std::string_view> name{};            ///< for people
+    std::optional<wire::blob> minimum{};               ///< of the value, as it travels
+    std::optional<wire::blob> maximum{};               ///< of the value, as it travels
+    std::optional<wire::blob> initial{};               ///< the value at the start, as it travels
+    std::optional<wire::blob> default_{};              ///< the value by default, as it travels
 };
 
 /// Answer to it: 42 bytes. ulCmd 0x6A81, ulLen 2; the result is ulSta.
@@ -98,27 +98,27 @@ struct od_create_object_confirmation {
 /// Create subobject request: 57 bytes, then abData with ulTotalDataBytes bytes. ulCmd 0x6A82, ulLen 17 + n.
 struct od_create_subobject_request {
     packet_header head{.ul_cmd = packet_command::od_create_subobject_req};
-    std::uint16_t us_index{};                        ///< object index
-    std::uint8_t b_sub_index{};                      ///< subindex
-    bool has_name{};                                 ///< bValueInfo, as of an object
-    bool has_initial{};                              ///< 0x02
-    bool is_virtual{};                               ///< 0x04
-    bool has_unit{};                                 ///< 0x08
-    bool has_default{};                              ///< 0x10
-    bool has_minimum{};                              ///< 0x20
-    bool has_maximum{};                              ///< 0x40
-    bool variable_size{};                            ///< 0x80
-    wire::flags<od_indication> b_indication_flags{}; ///< which accesses the application hears of
-    wire::flags<od_access> us_access_rights{};       ///< who may read and write it, in which state
-    od_data_type us_datatype{};                      ///< of its value
-    std::uint32_t ul_max_field_units{};              ///< elements, bytes of a string
-    std::uint32_t ul_total_data_bytes{};             ///< n, bytes of abData over all fragments
-    std::optional<std::uint32_t> unit{};             ///< of the value, as in ETG.1004
-    std::optional<std::string_view> name{};          ///< for people
-    std::optional<wire::blob> minimum{};             ///< of the value, as it travels
-    std::optional<wire::blob> maximum{};             ///< of the value, as it travels
-    std::optional<wire::blob> initial{};             ///< the value at the start, as it travels
-    std::optional<wire::blob> default_{};            ///< the value by default, as it travels
+    std::uint16_t us_index{};                          ///< object index
+    std::uint8_t b_sub_index{};                        ///< subindex
+    bool has_name{};                                   ///< bValueInfo, as of an object
+    bool has_initial{};                                ///< 0x02
+    bool is_virtual{};                                 ///< 0x04
+    bool has_unit{};                                   ///< 0x08
+    bool has_default{};                                ///< 0x10
+    bool has_minimum{};                                ///< 0x20
+    bool has_maximum{};                                ///< 0x40
+    bool variable_size{};                              ///< 0x80
+    wire::bit_set<od_indication> b_indication_flags{}; ///< which accesses the application hears of
+    wire::bit_set<od_access> us_access_rights{};       ///< who may read and write it, in which state
+    od_data_type us_datatype{};                        ///< of its value
+    std::uint32_t ul_max_field_units{};                ///< elements, bytes of a string
+    std::uint32_t ul_total_data_bytes{};               ///< n, bytes of abData over all fragments
+    std::optional<std::uint32_t> unit{};               ///< of the value, as in ETG.1004
+    std::optional<std::string_view> name{};            ///< for people
+    std::optional<wire::blob> minimum{};               ///< of the value, as it travels
+    std::optional<wire::blob> maximum{};               ///< of the value, as it travels
+    std::optional<wire::blob> initial{};               ///< the value at the start, as it travels
+    std::optional<wire::blob> default_{};              ///< the value by default, as it travels
 };
 
 /// Answer to it: 43 bytes. ulCmd 0x6A83, ulLen 3; the result is ulSta.
@@ -156,19 +156,19 @@ template <> struct wire::schema<hilscher::od_create_object_request> {
         field<&T::us_index, u16le>,
         field<&T::b_max_num_of_sub_objs, u8>,
         field<&T::b_object_code, enumeration<hilscher::od_object_code, u8>>,
-        field<&T::us_access_flags, flag_bits<hilscher::od_object_flag, u16le>>,
-        bits<u8,
-            bit<&T::has_name, 1>,
-            bit<&T::has_initial, 1>,
-            bit<&T::is_virtual, 1>,
-            bit<&T::has_unit, 1>,
-            bit<&T::has_default, 1>,
-            bit<&T::has_minimum, 1>,
-            bit<&T::has_maximum, 1>,
-            bit<&T::variable_size, 1>>,
-        field<&T::b_indication_flags, flag_bits<hilscher::od_indication, u8>>,
+        field<&T::us_access_flags, bit_set_codec<hilscher::od_object_flag, u16le>>,
+        bit_fields<u8,
+            bit_field<&T::has_name, 1>,
+            bit_field<&T::has_initial, 1>,
+            bit_field<&T::is_virtual, 1>,
+            bit_field<&T::has_unit, 1>,
+            bit_field<&T::has_default, 1>,
+            bit_field<&T::has_minimum, 1>,
+            bit_field<&T::has_maximum, 1>,
+            bit_field<&T::variable_size, 1>>,
+        field<&T::b_indication_flags, bit_set_codec<hilscher::od_indication, u8>>,
         field<&T::us_datatype, enumeration<hilscher::od_data_type, u16le>>,
-        field<&T::us_access_rights, flag_bits<hilscher::od_access, u16le>>,
+        field<&T::us_access_rights, bit_set_codec<hilscher::od_access, u16le>>,
         field<&T::ul_max_field_units, u32le>,
         field<&T::ul_total_data_bytes, u32le>,
         gated_by<&T::has_unit, field<&T::unit, u32le>>,
@@ -192,17 +192,17 @@ template <> struct wire::schema<hilscher::od_create_subobject_request> {
         nested<&T::head>,
         field<&T::us_index, u16le>,
         field<&T::b_sub_index, u8>,
-        bits<u8,
-            bit<&T::has_name, 1>,
-            bit<&T::has_initial, 1>,
-            bit<&T::is_virtual, 1>,
-            bit<&T::has_unit, 1>,
-            bit<&T::has_default, 1>,
-            bit<&T::has_minimum, 1>,
-            bit<&T::has_maximum, 1>,
-            bit<&T::variable_size, 1>>,
-        field<&T::b_indication_flags, flag_bits<hilscher::od_indication, u8>>,
-        field<&T::us_access_rights, flag_bits<hilscher::od_access, u16le>>,
+        bit_fields<u8,
+            bit_field<&T::has_name, 1>,
+            bit_field<&T::has_initial, 1>,
+            bit_field<&T::is_virtual, 1>,
+            bit_field<&T::has_unit, 1>,
+            bit_field<&T::has_default, 1>,
+            bit_field<&T::has_minimum, 1>,
+            bit_field<&T::has_maximum, 1>,
+            bit_field<&T::variable_size, 1>>,
+        field<&T::b_indication_flags, bit_set_codec<hilscher::od_indication, u8>>,
+        field<&T::us_access_rights, bit_set_codec<hilscher::od_access, u16le>>,
         field<&T::us_datatype, enumeration<hilscher::od_data_type, u16le>>,
         field<&T::ul_max_field_units, u32le>,
         field<&T::ul_total_data_bytes, u32le>,

@@ -55,12 +55,12 @@ template <> struct wire::schema<ethercat::mailbox_header> {
     using type = layout<
         field<&T::length, u16le>,
         field<&T::address, u16le>,
-        bits<u8,
-            bit<&T::channel, 6>,
-            bit<&T::priority, 2>>,
-        bits<u8,
-            bit<&T::type, 4>,
-            bit<&T::counter, 3>,
+        bit_fields<u8,
+            bit_field<&T::channel, 6>,
+            bit_field<&T::priority, 2>>,
+        bit_fields<u8,
+            bit_field<&T::type, 4>,
+            bit_field<&T::counter, 3>,
             reserved<1>>>;
 };
 

@@ -103,10 +103,10 @@ namespace jauscat {
 template <> struct wire::schema<ethercat::sdo_information_header> {
     using T = ethercat::sdo_information_header;
     using type = layout<
-        bits<u8,
-            bit<&T::opcode, 7>,
-            bit<&T::incomplete, 1>>,
-        bits<u8, reserved<8>>,
+        bit_fields<u8,
+            bit_field<&T::opcode, 7>,
+            bit_field<&T::incomplete, 1>>,
+        bit_fields<u8, reserved<8>>,
         field<&T::fragments_left, u16le>>;
 };
 
@@ -145,17 +145,17 @@ template <> struct wire::schema<ethercat::entry_query> {
 template <> struct wire::schema<ethercat::entry_access> {
     using T = ethercat::entry_access;
     using type = layout<
-        bits<u16le,
-            bit<&T::read_pre_op, 1>,
-            bit<&T::read_safe_op, 1>,
-            bit<&T::read_op, 1>,
-            bit<&T::write_pre_op, 1>,
-            bit<&T::write_safe_op, 1>,
-            bit<&T::write_op, 1>,
-            bit<&T::rx_pdo, 1>,
-            bit<&T::tx_pdo, 1>,
-            bit<&T::backup, 1>,
-            bit<&T::setting, 1>,
+        bit_fields<u16le,
+            bit_field<&T::read_pre_op, 1>,
+            bit_field<&T::read_safe_op, 1>,
+            bit_field<&T::read_op, 1>,
+            bit_field<&T::write_pre_op, 1>,
+            bit_field<&T::write_safe_op, 1>,
+            bit_field<&T::write_op, 1>,
+            bit_field<&T::rx_pdo, 1>,
+            bit_field<&T::tx_pdo, 1>,
+            bit_field<&T::backup, 1>,
+            bit_field<&T::setting, 1>,
             reserved<6>>>;
 };
 

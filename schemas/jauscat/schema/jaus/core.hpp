@@ -51,7 +51,7 @@ enum class set_emergency_code : std::uint16_t {
 /// Code 0006h, command class, 2 bytes.
 struct set_emergency {
     static constexpr std::uint16_t command_code = 0x0006;
-    wire::flags<set_emergency_code> emergency_code{}; ///< bits 1 to 15 are unassigned, sent as zero
+    wire::bit_set<set_emergency_code> emergency_code{}; ///< bits 1 to 15 are unassigned, sent as zero
     friend constexpr bool operator==(const set_emergency&, const set_emergency&) = default;
 };
 
@@ -64,7 +64,7 @@ enum class clear_emergency_code : std::uint16_t {
 /// Code 0007h, command class, 2 bytes.
 struct clear_emergency {
     static constexpr std::uint16_t command_code = 0x0007;
-    wire::flags<clear_emergency_code> emergency_code{}; ///< bits 1 to 15 are unassigned, sent as zero
+    wire::bit_set<clear_emergency_code> emergency_code{}; ///< bits 1 to 15 are unassigned, sent as zero
     friend constexpr bool operator==(const clear_emergency&, const clear_emergency&) = default;
 };
 
@@ -272,12 +272,12 @@ template <> struct wire::schema<jaus::reset> { using type = layout<>; };
 
 template <> struct wire::schema<jaus::set_emergency> {
     using T = jaus::set_emergency;
-    using type = layout<field<&T::emergency_code, flag_bits<jaus::set_emergency_code, u16le>>>;
+    using type = layout<field<&T::emergency_code, bit_set_codec<jaus::set_emergency_code, u16le>>>;
 };
 
 template <> struct wire::schema<jaus::clear_emergency> {
     using T = jaus::clear_emergency;
-    using type = layout<field<&T::emergency_code, flag_bits<jaus::clear_emergency_code, u16le>>>;
+    using type = layout<field<&T::emergency_code, bit_set_codec<jaus::clear_emergency_code, u16le>>>;
 };
 
 template <> struct wire::schema<jaus::create_service_connection> {
@@ -328,8 +328,8 @@ template <> struct wire::schema<jaus::release_component_control> { using type = 
 template <> struct wire::schema<jaus::confirm_component_control> {
     using T = jaus::confirm_component_control;
     using type = layout<
-        bits<u8,
-            bit<&T::response_code, 2>,
+        bit_fields<u8,
+            bit_field<&T::response_code, 2>,
             reserved<6>>>;
 };
 

@@ -21,7 +21,7 @@ enum class mode_indicator : std::uint8_t {
 struct set_camera_pose {
     static constexpr std::uint16_t command_code = 0x0801;
     std::uint8_t camera_id{};                               ///< which camera
-    wire::flags<jaus::mode_indicator> mode_indicator{};     ///< axes given as rates
+    wire::bit_set<jaus::mode_indicator> mode_indicator{};   ///< axes given as rates
     std::optional<double> linear_x_displacement_or_rate{};  ///< percent, -100 to 100
     std::optional<double> linear_y_displacement_or_rate{};  ///< percent, -100 to 100
     std::optional<double> linear_z_displacement_or_rate{};  ///< percent, -100 to 100
@@ -69,18 +69,18 @@ enum class audio_controls : std::uint16_t {
 /// Controls too: to those send bits 7 to 10 together or not at all.
 struct set_camera_capabilities {
     static constexpr std::uint16_t command_code = 0x0805;
-    std::uint8_t camera_id{};                                              ///< which camera
-    std::optional<double> horizontal_fov{};                                ///< radians, 0 to pi
-    std::optional<double> vertical_fov{};                                  ///< radians, 0 to pi
-    std::optional<std::uint16_t> horizontal_resolution{};                  ///< pixels
-    std::optional<std::uint16_t> vertical_resolution{};                    ///< pixels
-    std::optional<double> focus{};                                         ///< percent, 0 to 100
-    std::optional<double> iris{};                                          ///< percent, 0 to 100
-    std::optional<double> gain{};                                          ///< percent, 0 to 100
-    std::optional<std::uint16_t> frame_rate{};                             ///< frames per second
-    std::optional<std::uint16_t> shutter_speed{};                          ///< seconds
-    std::optional<wire::flags<jaus::imaging_controls>> imaging_controls{}; ///< what to switch on
-    std::optional<wire::flags<jaus::audio_controls>> audio_controls{};     ///< what to switch on
+    std::uint8_t camera_id{};                                                ///< which camera
+    std::optional<double> horizontal_fov{};                                  ///< radians, 0 to pi
+    std::optional<double> vertical_fov{};                                    ///< radians, 0 to pi
+    std::optional<std::uint16_t> horizontal_resolution{};                    ///< pixels
+    std::optional<std::uint16_t> vertical_resolution{};                      ///< pixels
+    std::optional<double> focus{};                                           ///< percent, 0 to 100
+    std::optional<double> iris{};                                            ///< percent, 0 to 100
+    std::optional<double> gain{};                                            ///< percent, 0 to 100
+    std::optional<std::uint16_t> frame_rate{};                               ///< frames per second
+    std::optional<std::uint16_t> shutter_speed{};                            ///< seconds
+    std::optional<wire::bit_set<jaus::imaging_controls>> imaging_controls{}; ///< what to switch on
+    std::optional<wire::bit_set<jaus::audio_controls>> audio_controls{};     ///< what to switch on
     friend constexpr bool operator==(const set_camera_capabilities&, const set_camera_capabilities&) = default;
 };
 
@@ -242,22 +242,22 @@ struct report_selected_camera {
 /// Code 4805h, inform class, 3 to 81 bytes.
 struct report_camera_capabilities {
     static constexpr std::uint16_t command_code = 0x4805;
-    std::uint8_t camera_id{};                                              ///< which camera
-    std::optional<std::string_view> description{};                         ///< up to 50 characters
-    std::optional<double> maximum_horizontal_fov{};                        ///< radians, 0 to pi
-    std::optional<double> minimum_horizontal_fov{};                        ///< radians, 0 to pi
-    std::optional<double> maximum_vertical_fov{};                          ///< radians, 0 to pi
-    std::optional<double> minimum_vertical_fov{};                          ///< radians, 0 to pi
-    std::optional<std::uint16_t> maximum_horizontal_resolution{};          ///< pixels
-    std::optional<std::uint16_t> minimum_horizontal_resolution{};          ///< pixels
-    std::optional<std::uint16_t> maximum_vertical_resolution{};            ///< pixels
-    std::optional<std::uint16_t> minimum_vertical_resolution{};            ///< pixels
-    std::optional<std::uint16_t> maximum_frame_rate{};                     ///< frames per second
-    std::optional<std::uint16_t> minimum_frame_rate{};                     ///< frames per second
-    std::optional<std::uint16_t> maximum_shutter_speed{};                  ///< seconds
-    std::optional<std::uint16_t> minimum_shutter_speed{};                  ///< seconds
-    std::optional<wire::flags<jaus::imaging_controls>> imaging_controls{}; ///< what is available
-    std::optional<wire::flags<jaus::audio_controls>> audio_controls{};     ///< what is available
+    std::uint8_t camera_id{};                                                ///< which camera
+    std::optional<std::string_view> description{};                           ///< up to 50 characters
+    std::optional<double> maximum_horizontal_fov{};                          ///< radians, 0 to pi
+    std::optional<double> minimum_horizontal_fov{};                          ///< radians, 0 to pi
+    std::optional<double> maximum_vertical_fov{};                            ///< radians, 0 to pi
+    std::optional<double> minimum_vertical_fov{};                            ///< radians, 0 to pi
+    std::optional<std::uint16_t> maximum_horizontal_resolution{};            ///< pixels
+    std::optional<std::uint16_t> minimum_horizontal_resolution{};            ///< pixels
+    std::optional<std::uint16_t> maximum_vertical_resolution{};              ///< pixels
+    std::optional<std::uint16_t> minimum_vertical_resolution{};              ///< pixels
+    std::optional<std::uint16_t> maximum_frame_rate{};                       ///< frames per second
+    std::optional<std::uint16_t> minimum_frame_rate{};                       ///< frames per second
+    std::optional<std::uint16_t> maximum_shutter_speed{};                    ///< seconds
+    std::optional<std::uint16_t> minimum_shutter_speed{};                    ///< seconds
+    std::optional<wire::bit_set<jaus::imaging_controls>> imaging_controls{}; ///< what is available
+    std::optional<wire::bit_set<jaus::audio_controls>> audio_controls{};     ///< what is available
     friend constexpr bool operator==(const report_camera_capabilities&, const report_camera_capabilities&) = default;
 };
 
@@ -298,7 +298,7 @@ template <> struct wire::schema<jaus::set_camera_pose> {
     using type = layout<
         presence<u8,
             field<&T::camera_id, u8>,
-            field<&T::mode_indicator, flag_bits<jaus::mode_indicator, u8>>,
+            field<&T::mode_indicator, bit_set_codec<jaus::mode_indicator, u8>>,
             field<&T::linear_x_displacement_or_rate, scaled<i16le, jaus::signed_percent>>,
             field<&T::linear_y_displacement_or_rate, scaled<i16le, jaus::signed_percent>>,
             field<&T::linear_z_displacement_or_rate, scaled<i16le, jaus::signed_percent>>,
@@ -326,8 +326,8 @@ template <> struct wire::schema<jaus::set_camera_capabilities> {
             field<&T::gain, scaled<u8, jaus::percent>>,
             field<&T::frame_rate, in_units<u16le, jaus::frames_per_second>>,
             field<&T::shutter_speed, in_units<u16le, jaus::whole_seconds>>,
-            field<&T::imaging_controls, flag_bits<jaus::imaging_controls, u16le>>,
-            field<&T::audio_controls, flag_bits<jaus::audio_controls, u16le>>>>;
+            field<&T::imaging_controls, bit_set_codec<jaus::imaging_controls, u16le>>,
+            field<&T::audio_controls, bit_set_codec<jaus::audio_controls, u16le>>>>;
 };
 
 template <> struct wire::schema<jaus::set_camera_format_options> {
@@ -432,8 +432,8 @@ template <> struct wire::schema<jaus::report_camera_capabilities> {
             field<&T::minimum_frame_rate, in_units<u16le, jaus::frames_per_second>>,
             field<&T::maximum_shutter_speed, in_units<u16le, jaus::whole_seconds>>,
             field<&T::minimum_shutter_speed, in_units<u16le, jaus::whole_seconds>>,
-            field<&T::imaging_controls, flag_bits<jaus::imaging_controls, u16le>>,
-            field<&T::audio_controls, flag_bits<jaus::audio_controls, u16le>>>>;
+            field<&T::imaging_controls, bit_set_codec<jaus::imaging_controls, u16le>>,
+            field<&T::audio_controls, bit_set_codec<jaus::audio_controls, u16le>>>>;
 };
 
 template <> struct wire::schema<jaus::report_camera_format_options> {

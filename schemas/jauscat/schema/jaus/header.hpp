@@ -68,19 +68,19 @@ template <> struct wire::schema<jaus::address> {
 template <> struct wire::schema<jaus::header> {
     using T = jaus::header;
     using type = layout<
-        bits<u16le,
-            bit<&T::priority, 4>,
-            bit<&T::ack_nak, 2>,
-            bit<&T::service_connection, 1>,
-            bit<&T::experimental, 1>,
-            bit<&T::version, 6>,
-            bit<&T::reserved, 2>>,
+        bit_fields<u16le,
+            bit_field<&T::priority, 4>,
+            bit_field<&T::ack_nak, 2>,
+            bit_field<&T::service_connection, 1>,
+            bit_field<&T::experimental, 1>,
+            bit_field<&T::version, 6>,
+            bit_field<&T::reserved, 2>>,
         field<&T::command_code, u16le>,
         nested<&T::destination>,
         nested<&T::source>,
-        bits<u16le,
-            bit<&T::data_size, 12>,
-            bit<&T::data_flag, 4>>,
+        bit_fields<u16le,
+            bit_field<&T::data_size, 12>,
+            bit_field<&T::data_flag, 4>>,
         field<&T::sequence_number, u16le>>;
 };
 

@@ -301,11 +301,11 @@ template <> struct wire::schema<jaus::report_payload_interface> {
     using T = jaus::report_payload_interface;
     using type = layout<
         presence<u8,
-            flag<&T::hmi_recommendation_present>,
-            flag<&T::hmi_recommended_x_position_present>,
-            flag<&T::hmi_recommended_y_position_present>,
-            flag<&T::hmi_recommended_width_present>,
-            flag<&T::hmi_recommended_height_present>,
+            presence_flag<&T::hmi_recommendation_present>,
+            presence_flag<&T::hmi_recommended_x_position_present>,
+            presence_flag<&T::hmi_recommended_y_position_present>,
+            presence_flag<&T::hmi_recommended_width_present>,
+            presence_flag<&T::hmi_recommended_height_present>,
             field<&T::number_of_command_interfaces, u8>,
             field<&T::number_of_information_interfaces, u8>,
             repeated<&T::command_interface, counted_by<&T::number_of_command_interfaces>>,

@@ -75,10 +75,10 @@ enum class transfer_case : std::uint8_t {
 /// Code 0406h, command class, 1 to 5 bytes.
 struct set_discrete_devices {
     static constexpr std::uint16_t command_code = 0x0406;
-    std::optional<wire::flags<main_propulsion_device>> main_propulsion{};              ///< what to switch on
-    std::optional<wire::flags<jaus::parking_brake_and_horn>> parking_brake_and_horn{}; ///< what to switch on
-    std::optional<jaus::gear> gear{};                                                  ///< gear to engage
-    std::optional<jaus::transfer_case> transfer_case{};                                ///< transfer case to engage
+    std::optional<wire::bit_set<main_propulsion_device>> main_propulsion{};              ///< what to switch on
+    std::optional<wire::bit_set<jaus::parking_brake_and_horn>> parking_brake_and_horn{}; ///< what to switch on
+    std::optional<jaus::gear> gear{};                                                    ///< gear to engage
+    std::optional<jaus::transfer_case> transfer_case{};                                  ///< transfer case to engage
     friend constexpr bool operator==(const set_discrete_devices&, const set_discrete_devices&) = default;
 };
 
@@ -412,10 +412,10 @@ struct report_wrench_effort {
 /// Code 4406h, inform class, 1 to 5 bytes.
 struct report_discrete_devices {
     static constexpr std::uint16_t command_code = 0x4406;
-    std::optional<wire::flags<main_propulsion_device>> main_propulsion{};              ///< what is on
-    std::optional<wire::flags<jaus::parking_brake_and_horn>> parking_brake_and_horn{}; ///< what is on
-    std::optional<jaus::gear> gear{};                                                  ///< gear engaged
-    std::optional<jaus::transfer_case> transfer_case{};                                ///< transfer case engaged
+    std::optional<wire::bit_set<main_propulsion_device>> main_propulsion{};              ///< what is on
+    std::optional<wire::bit_set<jaus::parking_brake_and_horn>> parking_brake_and_horn{}; ///< what is on
+    std::optional<jaus::gear> gear{};                                                    ///< gear engaged
+    std::optional<jaus::transfer_case> transfer_case{};                                  ///< transfer case engaged
     friend constexpr bool operator==(const report_discrete_devices&, const report_discrete_devices&) = default;
 };
 
@@ -565,8 +565,8 @@ template <> struct wire::schema<jaus::set_discrete_devices> {
     using T = jaus::set_discrete_devices;
     using type = layout<
         presence<u8,
-            field<&T::main_propulsion, flag_bits<jaus::main_propulsion_device, u8>>,
-            field<&T::parking_brake_and_horn, flag_bits<jaus::parking_brake_and_horn, u8>>,
+            field<&T::main_propulsion, bit_set_codec<jaus::main_propulsion_device, u8>>,
+            field<&T::parking_brake_and_horn, bit_set_codec<jaus::parking_brake_and_horn, u8>>,
             field<&T::gear, enumeration<jaus::gear, u8>>,
             field<&T::transfer_case, enumeration<jaus::transfer_case, u8>>>>;
 };
@@ -825,8 +825,8 @@ template <> struct wire::schema<jaus::report_discrete_devices> {
     using T = jaus::report_discrete_devices;
     using type = layout<
         presence<u8,
-            field<&T::main_propulsion, flag_bits<jaus::main_propulsion_device, u8>>,
-            field<&T::parking_brake_and_horn, flag_bits<jaus::parking_brake_and_horn, u8>>,
+            field<&T::main_propulsion, bit_set_codec<jaus::main_propulsion_device, u8>>,
+            field<&T::parking_brake_and_horn, bit_set_codec<jaus::parking_brake_and_horn, u8>>,
             field<&T::gear, enumeration<jaus::gear, u8>>,
             field<&T::transfer_case, enumeration<jaus::transfer_case, u8>>>>;
 };

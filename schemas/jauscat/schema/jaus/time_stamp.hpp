@@ -31,21 +31,21 @@ namespace jauscat {
 template <> struct wire::schema<jaus::time_stamp> {
     using T = jaus::time_stamp;
     using type = layout<
-        bits<u32le,
-            bit<&T::milliseconds, 10>,
-            bit<&T::seconds, 6>,
-            bit<&T::minutes, 6>,
-            bit<&T::hours, 5>,
-            bit<&T::day, 5>>>;
+        bit_fields<u32le,
+            bit_field<&T::milliseconds, 10>,
+            bit_field<&T::seconds, 6>,
+            bit_field<&T::minutes, 6>,
+            bit_field<&T::hours, 5>,
+            bit_field<&T::day, 5>>>;
 };
 
 template <> struct wire::schema<jaus::date_stamp> {
     using T = jaus::date_stamp;
     using type = layout<
-        bits<u16le,
-            bit<&T::day, 5>,
-            bit<&T::month, 4>,
-            bit<&T::year, 7>>>;
+        bit_fields<u16le,
+            bit_field<&T::day, 5>,
+            bit_field<&T::month, 4>,
+            bit_field<&T::year, 7>>>;
 };
 
 } // namespace jauscat

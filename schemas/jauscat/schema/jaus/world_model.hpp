@@ -70,10 +70,10 @@ enum class create_objects_property : std::uint8_t {
 /// Code 0A20h, command class, 5 bytes or more.
 struct create_vector_knowledge_store_objects {
     static constexpr std::uint16_t command_code = 0x0A20;
-    bool object_buffer_present{};                              ///< each object has a buffer
-    wire::flags<create_objects_property> message_properties{}; ///< how the store is to answer
-    std::uint8_t local_request_id{};                           ///< returned with the answer
-    wire::list<new_vks_object> object{};                       ///< what to add
+    bool object_buffer_present{};                                ///< each object has a buffer
+    wire::bit_set<create_objects_property> message_properties{}; ///< how the store is to answer
+    std::uint8_t local_request_id{};                             ///< returned with the answer
+    wire::list<new_vks_object> object{};                         ///< what to add
     friend constexpr bool operator==(const create_vector_knowledge_store_objects&,
                                      const create_vector_knowledge_store_objects&) = default;
 };
@@ -262,8 +262,8 @@ template <> struct wire::schema<jaus::create_vector_knowledge_store_objects> {
     using T = jaus::create_vector_knowledge_store_objects;
     using type = layout<
         presence<u8,
-            flag<&T::object_buffer_present>,
-            field<&T::message_properties, flag_bits<jaus::create_objects_property, u8>>,
+            presence_flag<&T::object_buffer_present>,
+            field<&T::message_properties, bit_set_codec<jaus::create_objects_property, u8>>,
             field<&T::local_request_id, u8>,
             repeated<&T::object, count<"number_of_objects", u16le>>>>;
 };
@@ -287,8 +287,8 @@ template <> struct wire::schema<jaus::delete_vector_knowledge_store_objects> {
             field<&T::region_type, enumeration<jaus::region_type, u8>>,
             field<&T::region_buffer, in_units<f32le, jaus::metres>>,
             repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
-            flag<&T::feature_class_id_present>,
-            flag<&T::feature_class_attribute_present>,
+            presence_flag<&T::feature_class_id_present>,
+            presence_flag<&T::feature_class_attribute_present>,
             repeated<&T::region_point, count<"number_of_region_points", u16le>>>>;
 };
 
@@ -314,8 +314,8 @@ template <> struct wire::schema<jaus::query_vector_knowledge_store_objects> {
             field<&T::region_type, enumeration<jaus::region_type, u8>>,
             field<&T::region_buffer, in_units<f32le, jaus::metres>>,
             repeated<&T::feature_class, count<"number_of_feature_classes", u8>>,
-            flag<&T::feature_class_id_present>,
-            flag<&T::feature_class_attribute_present>,
+            presence_flag<&T::feature_class_id_present>,
+            presence_flag<&T::feature_class_attribute_present>,
             repeated<&T::region_point, count<"number_of_region_points", u16le>>>>;
 };
 

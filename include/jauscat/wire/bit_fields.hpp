@@ -9,7 +9,7 @@ namespace jauscat::wire {
 
 /// A bit-field of `Width` bits: the member is bool, an unsigned integer or an enumeration of one.
 /// A value wider than its bits does not encode (`out_of_range`).
-template <auto Member, std::size_t Width> struct bit {
+template <auto Member, std::size_t Width> struct bit_field {
     static constexpr auto key = Member;
     using keys = key_list<Member>;
     static constexpr std::size_t width = Width;
@@ -17,9 +17,9 @@ template <auto Member, std::size_t Width> struct bit {
     using raw_type = value_type;
     static constexpr bool optional = false;
     static_assert(std::is_enum_v<value_type> || std::unsigned_integral<value_type>,
-                  "bit: the member must be bool, an unsigned integer or an enumeration");
+                  "bit_field: the member must be bool, an unsigned integer or an enumeration");
     static_assert(Width >= 1 && Width <= (std::is_same_v<value_type, bool> ? 1 : sizeof(value_type) * 8),
-                  "bit: the member is narrower than its bits");
+                  "bit_field: the member is narrower than its bits");
 
     static consteval std::string_view name() { return name_of<Member>(); }
 
@@ -36,7 +36,7 @@ template <auto Member, std::size_t Width> struct bit {
         object.*place_in<decltype(object), Member> = static_cast<value_type>(raw);
     }
     JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(bit{}, object.*place_in<decltype(object), Member>);
+        visitor(bit_field{}, object.*place_in<decltype(object), Member>);
     }
 };
 
@@ -51,7 +51,7 @@ template <std::size_t Width> struct reserved {
 };
 
 /// Bit-fields of one integer, least significant first; their widths fill it exactly.
-template <codec Carrier, class... Fields> struct bits {
+template <codec Carrier, class... Fields> struct bit_fields {
     using carrier_type = typename Carrier::value_type;
     using word_type = word_for<Carrier>;
     using fields = std::tuple<Fields...>;
@@ -59,7 +59,7 @@ template <codec Carrier, class... Fields> struct bits {
     static constexpr bool optional = false;
     static constexpr std::size_t min_size = Carrier::size, max_size = Carrier::size;
     static_assert((Fields::width + ... + 0) == Carrier::size * 8,
-                  "bits: the widths must fill the carrier exactly (add reserved<n> for unused bits)");
+                  "bit_fields: the widths must fill the carrier exactly (add reserved<n> for unused bits)");
 
     JAUSCAT_PART static constexpr errc put(const auto& object, std::byte* out) noexcept {
         if (!(Fields::fits(object) && ...)) return errc::out_of_range;

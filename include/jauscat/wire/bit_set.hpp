@@ -10,22 +10,22 @@ namespace jauscat::wire {
 /// Bits without a name pass through unchanged, because standards assign them later.
 template <class Bit>
 requires std::is_enum_v<Bit>
-class flags {
+class bit_set {
   public:
     /// The enumeration of bit numbers.
     using bit_type = Bit;
     /// The unsigned integer that holds them.
     using bits_type = std::underlying_type_t<Bit>;
-    static_assert(std::unsigned_integral<bits_type>, "flags: the enumeration's underlying type must be unsigned");
+    static_assert(std::unsigned_integral<bits_type>, "bit_set: the enumeration's underlying type must be unsigned");
 
-    constexpr flags() noexcept = default;
+    constexpr bit_set() noexcept = default;
     /// With these bits set.
-    constexpr flags(std::initializer_list<Bit> set_bits) noexcept {
+    constexpr bit_set(std::initializer_list<Bit> set_bits) noexcept {
         for (const Bit bit : set_bits) set(bit);
     }
     /// With all bits as in `bits`, also those without a name.
-    [[nodiscard]] static constexpr flags from_bits(bits_type bits) noexcept {
-        flags made;
+    [[nodiscard]] static constexpr bit_set from_bits(bits_type bits) noexcept {
+        bit_set made;
         made.bits_ = bits;
         return made;
     }
@@ -35,7 +35,7 @@ class flags {
         return (bits_ >> static_cast<unsigned>(bit) & 1u) != 0;
     }
     /// Sets or clears a bit.
-    constexpr flags& set(Bit bit, bool value = true) noexcept {
+    constexpr bit_set& set(Bit bit, bool value = true) noexcept {
         const auto mask = static_cast<bits_type>(bits_type{1} << static_cast<unsigned>(bit));
         bits_ = static_cast<bits_type>(value ? bits_ | mask : bits_ & ~mask);
         return *this;
@@ -43,19 +43,19 @@ class flags {
     /// All bits, bit 0 in the lowest place.
     [[nodiscard]] constexpr bits_type bits() const noexcept { return bits_; }
 
-    friend constexpr bool operator==(const flags&, const flags&) = default;
+    friend constexpr bool operator==(const bit_set&, const bit_set&) = default;
 
   private:
     bits_type bits_{};
 };
 
-/// A set of flags carried by the integer codec `Carrier`.
-template <class Bit, codec Carrier> struct flag_bits {
-    using value_type = flags<Bit>;
+/// A set of bit_set carried by the integer codec `Carrier`.
+template <class Bit, codec Carrier> struct bit_set_codec {
+    using value_type = bit_set<Bit>;
     static constexpr std::size_t size = Carrier::size;
     static constexpr bool as_in_memory = Carrier::as_in_memory;
     static_assert(std::is_same_v<typename value_type::bits_type, typename Carrier::value_type>,
-                  "flag_bits: the enumeration's underlying type must be the carrier's integer type");
+                  "bit_set_codec: the enumeration's underlying type must be the carrier's integer type");
 
     JAUSCAT_PART static constexpr errc store(std::byte* out, value_type value) noexcept {
         return Carrier::store(out, value.bits());
