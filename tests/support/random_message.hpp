@@ -100,7 +100,7 @@ class randomiser {
     template <auto Member, class Codec> void value(wire::field<Member, Codec>, auto& member, auto&, const auto&) {
         number<Codec>(member);
     }
-    template <auto Member> void value(wire::unsent<Member>, auto& member, auto&, const auto&) {
+    template <auto Member> void value(wire::not_on_wire<Member>, auto& member, auto&, const auto&) {
         member = static_cast<std::remove_reference_t<decltype(member)>>(integer());
     }
     template <auto Member> void value(wire::nested<Member>, auto& member, auto&, const auto& here) {

@@ -244,7 +244,7 @@ template <> struct wire::schema<samples::measure> {
 template <> struct wire::schema<samples::agreed> {
     using T = samples::agreed;
     using type = layout<
-        unsent<&T::kind>,
+        not_on_wire<&T::kind>,
         selected<&T::value, by<&T::kind>,
             when<samples::kind::byte, u8>,
             when<samples::kind::real, f32le>,

@@ -36,7 +36,7 @@ class annotating_trace : public wire::detail::decode_trace {
             });
             line(end, row);
         } else if constexpr (is_leaf<Item>) {
-            const auto& value = wire::held(wire::member_of<Item::key>(object));
+            const auto& value = wire::value_of(wire::member_of<Item::key>(object));
             if (!is_structure(value)) line(end, prefix() + std::string{Item::name()} + " = " + to_text(Item{}, value));
         }
     }

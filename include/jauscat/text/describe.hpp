@@ -82,7 +82,7 @@ template <class T, class Item> constexpr void append(member*& out) {
             made.how = &list_form_of<Item>;
             if constexpr (!Item::of_records) made.name = Item::element_type::name();
         } else if constexpr (std::is_enum_v<value_type> || std::integral<value_type>) {
-            made.what = member::role::unsent;
+            made.what = member::role::not_on_wire;
             made.how = &bit_form<value_type, sizeof(value_type) * 8>;
         } else {
             made.how = &octets_run_form<Item>;

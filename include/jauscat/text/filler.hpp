@@ -64,7 +64,7 @@ class filler {
                 else if (mask)
                     std::get<integer_form>(one.how->is).set(one.make(object), *mask >> bit & 1u);
                 break;
-            case member::role::unsent: break;
+            case member::role::not_on_wire: break;
             case member::role::count:
                 if (const input* const list = in.find(type.members[i + 1].name); part != nullptr && list == nullptr) {
                     std::uint64_t zero{};

@@ -48,7 +48,7 @@ class json_writer {
             const member& one = type.members[i];
             switch (one.what) {
             case member::role::flag:
-            case member::role::unsent: break;
+            case member::role::not_on_wire: break;
             case member::role::presence_vector: // the message's own stands beside the fields
                 if (!outermost) made[std::string{one.name}] = one.number(object);
                 break;

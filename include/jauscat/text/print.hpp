@@ -39,7 +39,7 @@ class printer {
         for (std::size_t i = 0; i != type.members.size(); ++i) {
             const member& one = type.members[i];
             switch (one.what) {
-            case member::role::unsent: break;
+            case member::role::not_on_wire: break;
             case member::role::presence_vector:
                 line(one.name, hex_number(one.number(object), std::get<integer_form>(one.how->is).bits / 4));
                 break;

@@ -133,7 +133,7 @@ struct member {
     enum class role : std::uint8_t {
         value,           ///< an ordinary member
         flag,            ///< a bool that only shows in the presence vector
-        unsent,          ///< does not travel
+        not_on_wire,     ///< does not travel
         count,           ///< no member: how many the next one has
         presence_vector, ///< no member: which of the following optional ones are there
     };

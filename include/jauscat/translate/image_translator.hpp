@@ -53,21 +53,22 @@ template <class Table> struct image_translator {
     /// elements that the message does not have keep it. Errors: truncated, wrong_size (more bytes than the message
     /// has), no_space, out_of_range, reserved_value (also a presence bit without an element); the image is then
     /// unchanged.
-    JAUSCAT_WHOLE static constexpr errc to_image(std::span<const std::byte> body, std::span<std::byte> image) noexcept {
+    JAUSCAT_FLATTEN static constexpr errc to_image(std::span<const std::byte> body,
+                                                   std::span<std::byte> image) noexcept {
         return fill<false>(body, image);
     }
 
     /// The same, where the message before it may not have been seen: its presence bits stay set beside the new ones, so
     /// that the image says both commands.
-    JAUSCAT_WHOLE static constexpr errc merge(std::span<const std::byte> body, std::span<std::byte> image) noexcept {
+    JAUSCAT_FLATTEN static constexpr errc merge(std::span<const std::byte> body, std::span<std::byte> image) noexcept {
         static_assert(!std::is_void_v<typename Table::presence_row>, "merge: the table has no row presence_bits");
         return fill<true>(body, image);
     }
 
     /// Makes the body of the message that `image` says; returns its size. Errors: truncated, no_space, out_of_range,
     /// reserved_value, wrong_packet (a constant has another value).
-    JAUSCAT_WHOLE static constexpr result from_image(std::span<const std::byte> image,
-                                                     std::span<std::byte> body) noexcept {
+    JAUSCAT_FLATTEN static constexpr result from_image(std::span<const std::byte> image,
+                                                       std::span<std::byte> body) noexcept {
         image_message<message_type> message{};
         if (const errc error = read(image, message); error != errc::ok) return error;
         const auto size = wire::encode(message, body);

@@ -22,22 +22,22 @@ template <class Table> struct translator {
 
     /// Translates one JAUS message (header and body) into a packet; returns the packet's size.
     /// Errors: truncated, wrong_size, too_large, no_space, unknown_command_code, reserved_value.
-    JAUSCAT_WHOLE static constexpr result to_packet(std::span<const std::byte> message,
-                                                    std::span<std::byte> packet) noexcept {
+    JAUSCAT_FLATTEN static constexpr result to_packet(std::span<const std::byte> message,
+                                                      std::span<std::byte> packet) noexcept {
         return fill(message, packet, {});
     }
 
     /// The same with what is the caller's own, such as a packet number, taken from `given`.
-    JAUSCAT_WHOLE static constexpr result to_packet(std::span<const std::byte> message, std::span<std::byte> packet,
-                                                    const packet_type& given) noexcept {
+    JAUSCAT_FLATTEN static constexpr result to_packet(std::span<const std::byte> message, std::span<std::byte> packet,
+                                                      const packet_type& given) noexcept {
         return fill(message, packet, given);
     }
 
     /// Translates a packet back into the JAUS message it was made of; returns the message's size.
     /// Errors: truncated, wrong_size, too_large, no_space, unknown_index, unknown_subindex, reserved_value,
     /// out_of_range, wrong_packet.
-    JAUSCAT_WHOLE static constexpr result from_packet(std::span<const std::byte> packet,
-                                                      std::span<std::byte> message) noexcept {
+    JAUSCAT_FLATTEN static constexpr result from_packet(std::span<const std::byte> packet,
+                                                        std::span<std::byte> message) noexcept {
         packet_type fields{};
         if (!wire::decode_prefix(fields, packet)) return errc::truncated;
         const std::size_t data_size = Table::data_count_row::counts_data::of(fields);
@@ -46,8 +46,8 @@ template <class Table> struct translator {
     }
 
     /// The same for a packet whose fields and data are at hand apart.
-    JAUSCAT_WHOLE static constexpr result from_packet(const packet_type& fields, std::span<const std::byte> data,
-                                                      std::span<std::byte> message) noexcept {
+    JAUSCAT_FLATTEN static constexpr result from_packet(const packet_type& fields, std::span<const std::byte> data,
+                                                        std::span<std::byte> message) noexcept {
         return restore(fields, data, message);
     }
 

@@ -23,19 +23,19 @@ template <auto Member, std::size_t Width> struct bit_field {
 
     static consteval std::string_view name() { return name_of<Member>(); }
 
-    JAUSCAT_PART static constexpr std::uint64_t value(const auto& object) noexcept {
+    JAUSCAT_INLINE static constexpr std::uint64_t value(const auto& object) noexcept {
         return static_cast<std::uint64_t>(object.*place_in<decltype(object), Member>);
     }
-    JAUSCAT_PART static constexpr bool fits(const auto& object) noexcept {
+    JAUSCAT_INLINE static constexpr bool fits(const auto& object) noexcept {
         if constexpr (std::is_same_v<value_type, bool> || Width >= sizeof(value_type) * 8)
             return true;
         else
             return value(object) >> Width == 0;
     }
-    JAUSCAT_PART static constexpr void assign(auto& object, std::uint64_t raw) noexcept {
+    JAUSCAT_INLINE static constexpr void assign(auto& object, std::uint64_t raw) noexcept {
         object.*place_in<decltype(object), Member> = static_cast<value_type>(raw);
     }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(bit_field{}, object.*place_in<decltype(object), Member>);
     }
 };
@@ -44,10 +44,10 @@ template <auto Member, std::size_t Width> struct bit_field {
 template <std::size_t Width> struct reserved {
     using keys = key_list<>;
     static constexpr std::size_t width = Width;
-    JAUSCAT_PART static constexpr std::uint64_t value(const auto&) noexcept { return 0; }
-    JAUSCAT_PART static constexpr bool fits(const auto&) noexcept { return true; }
-    JAUSCAT_PART static constexpr void assign(auto&, std::uint64_t) noexcept {}
-    JAUSCAT_PART static constexpr void visit(auto&, auto&&) {}
+    JAUSCAT_INLINE static constexpr std::uint64_t value(const auto&) noexcept { return 0; }
+    JAUSCAT_INLINE static constexpr bool fits(const auto&) noexcept { return true; }
+    JAUSCAT_INLINE static constexpr void assign(auto&, std::uint64_t) noexcept {}
+    JAUSCAT_INLINE static constexpr void visit(auto&, auto&&) {}
 };
 
 /// Bit-fields of one integer, least significant first; their widths fill it exactly.
@@ -61,21 +61,22 @@ template <codec Carrier, class... Fields> struct bit_fields {
     static_assert((Fields::width + ... + 0) == Carrier::size * 8,
                   "bit_fields: the widths must fill the carrier exactly (add reserved<n> for unused bits)");
 
-    JAUSCAT_PART static constexpr errc put(const auto& object, std::byte* out) noexcept {
+    JAUSCAT_INLINE static constexpr errc put(const auto& object, std::byte* out) noexcept {
         if (!(Fields::fits(object) && ...)) return errc::out_of_range;
         std::size_t at = 0;
         word_type word{};
         ((word |= static_cast<word_type>(Fields::value(object)) << at, at += Fields::width), ...);
         return Carrier::store(out, static_cast<carrier_type>(word));
     }
-    JAUSCAT_PART static constexpr errc get(auto& object, const std::byte* in) noexcept {
+    JAUSCAT_INLINE static constexpr errc get(auto& object, const std::byte* in) noexcept {
         const word_type word = loaded(in);
         std::size_t at = 0;
         ((Fields::assign(object, (word >> at) & mask<Fields::width>), at += Fields::width), ...);
         return errc::ok;
     }
 
-    template <auto Member, reading> JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto&) noexcept {
+    template <auto Member, reading>
+    JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto&) noexcept {
         const word_type word = loaded(in);
         std::size_t at = 0;
         word_type raw = 0;
@@ -84,7 +85,7 @@ template <codec Carrier, class... Fields> struct bit_fields {
         return static_cast<member_t<Member>>(raw);
     }
 
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) { (Fields::visit(object, visitor), ...); }
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) { (Fields::visit(object, visitor), ...); }
 
     /// Where a member lies: its first bit, counted from the least significant.
     template <auto Member>
@@ -96,7 +97,7 @@ template <codec Carrier, class... Fields> struct bit_fields {
     }();
 
   private:
-    JAUSCAT_PART static constexpr word_type loaded(const std::byte* in) noexcept {
+    JAUSCAT_INLINE static constexpr word_type loaded(const std::byte* in) noexcept {
         carrier_type carrier{};
         Carrier::load(in, carrier);
         return carrier;

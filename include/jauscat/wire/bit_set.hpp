@@ -57,10 +57,10 @@ template <class Bit, codec Carrier> struct bit_set_codec {
     static_assert(std::is_same_v<typename value_type::bits_type, typename Carrier::value_type>,
                   "bit_set_codec: the enumeration's underlying type must be the carrier's integer type");
 
-    JAUSCAT_PART static constexpr errc store(std::byte* out, value_type value) noexcept {
+    JAUSCAT_INLINE static constexpr errc store(std::byte* out, value_type value) noexcept {
         return Carrier::store(out, value.bits());
     }
-    JAUSCAT_PART static constexpr errc load(const std::byte* in, value_type& value) noexcept {
+    JAUSCAT_INLINE static constexpr errc load(const std::byte* in, value_type& value) noexcept {
         typename Carrier::value_type raw{};
         Carrier::load(in, raw);
         value = value_type::from_bits(raw);

@@ -27,7 +27,7 @@ template <label Name, codec Codec> struct count {
         sizeof(value_type) < sizeof(std::size_t) ? std::numeric_limits<value_type>::max() : ~std::size_t{};
     static consteval std::string_view name() { return Name.view(); }
 
-    JAUSCAT_PART static constexpr out_cursor put(std::size_t elements, out_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put(std::size_t elements, out_cursor c, const auto& here) noexcept {
         detail::reach_number<Codec>(Name.view(), c.at, here);
         if (elements > limit) return {c.at, errc::count_above_capacity};
         detail::write<Codec::size>(
@@ -35,7 +35,7 @@ template <label Name, codec Codec> struct count {
         return c;
     }
     // Reads it and steps over it; false where a trace sees that the bytes end before.
-    JAUSCAT_PART static constexpr bool get(std::size_t& elements, in_cursor& c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr bool get(std::size_t& elements, in_cursor& c, const auto& here) noexcept {
         if (!detail::reach_number<Codec>(Name.view(), c.at, here)) {
             c = in_cursor::failed(errc::truncated);
             return false;
@@ -46,7 +46,7 @@ template <label Name, codec Codec> struct count {
             root_of(here).tracer.template passed_number<Codec>(Name.view(), elements, c.at);
         return true;
     }
-    JAUSCAT_PART static constexpr std::size_t peek(const std::byte* in, const auto&) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t peek(const std::byte* in, const auto&) noexcept {
         value_type value{};
         Codec::load(in, value);
         return static_cast<std::size_t>(value);
@@ -59,15 +59,15 @@ template <std::size_t Less, auto... Path> struct count_elsewhere {
     static constexpr std::size_t prefix_size = 0;
     static constexpr bool contextual = true;
 
-    JAUSCAT_PART static constexpr out_cursor put(std::size_t elements, out_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put(std::size_t elements, out_cursor c, const auto& here) noexcept {
         if (elements != peek(nullptr, here)) c.error = errc::count_mismatch;
         return c;
     }
-    JAUSCAT_PART static constexpr bool get(std::size_t& elements, in_cursor& c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr bool get(std::size_t& elements, in_cursor& c, const auto& here) noexcept {
         elements = peek(c.at, here);
         return true;
     }
-    JAUSCAT_PART static constexpr std::size_t peek(const std::byte*, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t peek(const std::byte*, const auto& here) noexcept {
         const auto value = static_cast<std::size_t>(look_up<Path...>(here));
         return value < Less ? 0 : value - Less;
     }

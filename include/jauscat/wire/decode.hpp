@@ -9,8 +9,8 @@ namespace jauscat::wire {
 namespace detail {
 /// See put_message. The slack that is left counts the bytes behind the message.
 template <message T, class Root = plain_root>
-JAUSCAT_WHOLE constexpr in_cursor get_message(T& __restrict value, const std::byte* __restrict in, std::size_t slack,
-                                              Root root = {}) noexcept {
+JAUSCAT_FLATTEN constexpr in_cursor get_message(T& __restrict value, const std::byte* __restrict in, std::size_t slack,
+                                                Root root = {}) noexcept {
     return layout_of<T>::get(value, {in, slack}, object_scope{value, root});
 }
 

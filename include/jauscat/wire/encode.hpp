@@ -10,7 +10,7 @@ namespace detail {
 /// The one function per message that a compiler may keep out of line. All below it is forced inline, so the promise
 /// made here, that value and bytes do not overlap, lets neighbouring loads and stores merge.
 template <message T>
-JAUSCAT_WHOLE constexpr out_cursor put_message(const T& __restrict value, std::byte* __restrict out) noexcept {
+JAUSCAT_FLATTEN constexpr out_cursor put_message(const T& __restrict value, std::byte* __restrict out) noexcept {
     return layout_of<T>::put(value, {out, errc::ok}, object_scope{value, plain_root{}});
 }
 } // namespace detail
@@ -18,7 +18,7 @@ JAUSCAT_WHOLE constexpr out_cursor put_message(const T& __restrict value, std::b
 /// Bytes that `value` takes on the wire.
 // Out of line, so that encode, which asks only when the buffer is short, stays small enough to be inlined itself.
 template <message T>
-[[nodiscard, gnu::noinline]] JAUSCAT_WHOLE constexpr std::size_t encoded_size(const T& value) noexcept {
+[[nodiscard, gnu::noinline]] JAUSCAT_FLATTEN constexpr std::size_t encoded_size(const T& value) noexcept {
     if constexpr (fixed_message<T>)
         return max_size<T>;
     else

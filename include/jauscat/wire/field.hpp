@@ -30,15 +30,15 @@ template <auto Member, class Codec> struct field {
                                          typename codec_in_mode<Codec, true>::value_type>;
     using raw_type = std::conditional_t<optional, std::optional<raw_value>, raw_value>;
 
-    JAUSCAT_PART static constexpr errc put(const auto& object, std::byte* out) noexcept {
+    JAUSCAT_INLINE static constexpr errc put(const auto& object, std::byte* out) noexcept {
         using used = codec_in_mode<Codec, raw_object<decltype(object)>>;
         auto& value = object.*place_in<decltype(object), Member>;
-        if constexpr (optional) // not held(): a call for each type of member costs compile time
+        if constexpr (optional) // not value_of(): a call for each type of member costs compile time
             return used::store(out, static_cast<typename used::value_type>(*value));
         else
             return used::store(out, static_cast<typename used::value_type>(value));
     }
-    JAUSCAT_PART static constexpr errc get(auto& object, const std::byte* in) noexcept {
+    JAUSCAT_INLINE static constexpr errc get(auto& object, const std::byte* in) noexcept {
         using used = codec_in_mode<Codec, raw_object<decltype(object)>>;
         typename used::value_type value{};
         if (const errc error = used::load(in, value); error != errc::ok) return error;
@@ -47,7 +47,7 @@ template <auto Member, class Codec> struct field {
         return errc::ok;
     }
 
-    template <auto, reading Mode> JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto&) noexcept {
+    template <auto, reading Mode> JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto&) noexcept {
         using used = codec_in_mode<Codec, Mode == reading::raw>;
         using value = typename used::value_type;
         value loaded{};
@@ -59,13 +59,13 @@ template <auto Member, class Codec> struct field {
             return loaded;
     }
 
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(field{}, object.*place_in<decltype(object), Member>);
     }
 };
 
 /// A member that does not travel: the caller sets it before decoding, where the type of what follows was agreed before.
-template <auto Member> struct unsent {
+template <auto Member> struct not_on_wire {
     static constexpr auto key = Member;
     using keys = key_list<Member>;
     using value_type = member_t<Member>;
@@ -74,10 +74,10 @@ template <auto Member> struct unsent {
     static constexpr std::size_t min_size = 0, max_size = 0;
 
     static consteval std::string_view name() { return name_of<Member>(); }
-    JAUSCAT_PART static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
-    JAUSCAT_PART static constexpr errc get(auto&, const std::byte*) noexcept { return errc::ok; }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(unsent{}, object.*place_in<decltype(object), Member>);
+    JAUSCAT_INLINE static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
+    JAUSCAT_INLINE static constexpr errc get(auto&, const std::byte*) noexcept { return errc::ok; }
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
+        visitor(not_on_wire{}, object.*place_in<decltype(object), Member>);
     }
 };
 

@@ -19,36 +19,36 @@ template <auto Flag, class Item> struct gated_by {
 
     static consteval std::string_view name() { return item_label<Item>(); }
 
-    JAUSCAT_PART static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
         return (object.*place_in<decltype(object), key>).has_value() ? detail::size_of_item<Item>(object, here) : 0;
     }
-    JAUSCAT_PART static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
         const bool there = look_up<Flag>(here);
         if (there != (object.*place_in<decltype(object), key>).has_value()) return {c.at, errc::presence_mismatch};
         if (there) detail::put_item<Item>(object, c, here);
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         if (!look_up<Flag>(here))
             (object.*place_in<decltype(object), key>).reset();
         else if (detail::spend(c, Item::min_size, here))
             detail::get_item<Item>(object, c, here);
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         if (look_up<Flag>(here) && detail::spend(c, Item::min_size, here)) detail::measure_item<Item>(c, here);
         return c;
     }
-    JAUSCAT_PART static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
         return look_up<Flag>(here) ? detail::extent_of_item<Item>(in, here) : 0;
     }
     template <auto Member, reading Mode>
-    JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         using value = decltype(Item::template read<Member, Mode>(in, here));
         using found = std::conditional_t<detail::optional_value<value>::is_optional, value, std::optional<value>>;
         return look_up<Flag>(here) ? found{Item::template read<Member, Mode>(in, here)} : found{};
     }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) { Item::visit(object, visitor); }
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) { Item::visit(object, visitor); }
 };
 
 } // namespace jauscat::wire

@@ -6,11 +6,11 @@
 #pragma once
 
 #ifdef __clang__
-#    define JAUSCAT_WHOLE
-#    define JAUSCAT_PART [[gnu::always_inline]]
+#    define JAUSCAT_FLATTEN
+#    define JAUSCAT_INLINE [[gnu::always_inline]]
 #else
 /// Before a function for a whole message: all that it calls becomes part of it.
-#    define JAUSCAT_WHOLE [[gnu::flatten]]
+#    define JAUSCAT_FLATTEN [[gnu::flatten]]
 /// Before a function for a part of a message: it becomes part of the whole.
-#    define JAUSCAT_PART
+#    define JAUSCAT_INLINE
 #endif

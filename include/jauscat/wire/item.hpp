@@ -85,14 +85,14 @@ inline constexpr bool takes_rest<Item> = Item::to_the_end;
 template <class Item> concept fixed_item = Item::min_size == Item::max_size && !is_contextual<Item>;
 
 /// What a std::optional member holds, or the member itself.
-JAUSCAT_PART constexpr auto& held(auto& member) noexcept {
+JAUSCAT_INLINE constexpr auto& value_of(auto& member) noexcept {
     if constexpr (requires { member.has_value(); })
         return *member;
     else
         return member;
 }
 /// The same for a member that is about to be decoded.
-JAUSCAT_PART constexpr auto& made(auto& member) noexcept {
+JAUSCAT_INLINE constexpr auto& emplace_in(auto& member) noexcept {
     if constexpr (requires { member.has_value(); })
         return member.emplace();
     else

@@ -29,7 +29,7 @@ template <class Item> consteval std::string_view item_label() {
 namespace detail {
 /// Lets `put` write `Size` bytes, and steps over them. Where a trace watches there is no buffer, only a count.
 template <std::size_t Size>
-JAUSCAT_PART constexpr void write(out_cursor& c, [[maybe_unused]] const auto& here, auto&& put) noexcept {
+JAUSCAT_INLINE constexpr void write(out_cursor& c, [[maybe_unused]] const auto& here, auto&& put) noexcept {
     if constexpr (traced<decltype(here)>) {
         std::array<std::byte, Size + 1> scratch{};
         c.error = put(scratch.data());
@@ -41,32 +41,32 @@ JAUSCAT_PART constexpr void write(out_cursor& c, [[maybe_unused]] const auto& he
 }
 /// Tells a trace that an integer which no member carries comes next: a presence vector, a count.
 template <codec Codec>
-JAUSCAT_PART constexpr bool reach_number([[maybe_unused]] std::string_view name, [[maybe_unused]] const std::byte* at,
-                                         [[maybe_unused]] const auto& here) noexcept {
+JAUSCAT_INLINE constexpr bool reach_number([[maybe_unused]] std::string_view name, [[maybe_unused]] const std::byte* at,
+                                           [[maybe_unused]] const auto& here) noexcept {
     if constexpr (traced<decltype(here)>)
         return root_of(here).tracer.template reach_number<Codec>(name, at);
     else
         return true;
 }
 /// Tells a trace that it goes into a structure, to an element of a list, and out again.
-template <class Item> JAUSCAT_PART constexpr void enter([[maybe_unused]] const auto& here) noexcept {
+template <class Item> JAUSCAT_INLINE constexpr void enter([[maybe_unused]] const auto& here) noexcept {
     if constexpr (traced<decltype(here)>) root_of(here).tracer.template enter<Item>();
 }
-JAUSCAT_PART constexpr void element([[maybe_unused]] const auto& here, [[maybe_unused]] std::size_t index) noexcept {
+JAUSCAT_INLINE constexpr void element([[maybe_unused]] const auto& here, [[maybe_unused]] std::size_t index) noexcept {
     if constexpr (traced<decltype(here)>) root_of(here).tracer.element(index);
 }
-JAUSCAT_PART constexpr void leave([[maybe_unused]] const auto& here) noexcept {
+JAUSCAT_INLINE constexpr void leave([[maybe_unused]] const auto& here) noexcept {
     if constexpr (traced<decltype(here)>) root_of(here).tracer.leave();
 }
 /// The error that decoding ends with; ok where a trace looks for another one and goes on.
-JAUSCAT_PART constexpr errc unless_passed(errc error, [[maybe_unused]] const auto& here) noexcept {
+JAUSCAT_INLINE constexpr errc unless_passed(errc error, [[maybe_unused]] const auto& here) noexcept {
     if constexpr (traced<decltype(here)>) {
         if (root_of(here).tracer.passes(error)) return errc::ok;
     }
     return error;
 }
 /// Bytes that an item which takes the rest of the body finds.
-JAUSCAT_PART constexpr std::size_t rest_of(in_cursor c, [[maybe_unused]] const auto& here) noexcept {
+JAUSCAT_INLINE constexpr std::size_t rest_of(in_cursor c, [[maybe_unused]] const auto& here) noexcept {
     if constexpr (traced<decltype(here)>)
         return root_of(here).tracer.remaining(c.at);
     else
@@ -74,7 +74,7 @@ JAUSCAT_PART constexpr std::size_t rest_of(in_cursor c, [[maybe_unused]] const a
 }
 /// Takes `size` bytes from those beyond the layout's minimum; false where there are not so many. A trace has checked
 /// against the end of the bytes themselves.
-JAUSCAT_PART constexpr bool spend(in_cursor& c, std::size_t size, [[maybe_unused]] const auto& here) noexcept {
+JAUSCAT_INLINE constexpr bool spend(in_cursor& c, std::size_t size, [[maybe_unused]] const auto& here) noexcept {
     if constexpr (!traced<decltype(here)>) {
         if (size > c.slack) {
             c = in_cursor::failed(errc::truncated);
@@ -88,7 +88,7 @@ JAUSCAT_PART constexpr bool spend(in_cursor& c, std::size_t size, [[maybe_unused
 template <class Item, class Here>
 inline constexpr bool in_one_go = fixed_item<Item> && !(traced<Here> && requires { typename Item::inner; });
 
-template <class Item> JAUSCAT_PART constexpr std::size_t size_of_item(const auto& object, const auto& here) noexcept {
+template <class Item> JAUSCAT_INLINE constexpr std::size_t size_of_item(const auto& object, const auto& here) noexcept {
     if constexpr (fixed_item<Item>)
         return Item::max_size;
     else
@@ -96,7 +96,7 @@ template <class Item> JAUSCAT_PART constexpr std::size_t size_of_item(const auto
 }
 // Few layers: each is a function for each field, and the compiler's time goes by their number.
 template <class Item>
-JAUSCAT_PART constexpr bool put_item(const auto& object, out_cursor& c, const auto& here) noexcept {
+JAUSCAT_INLINE constexpr bool put_item(const auto& object, out_cursor& c, const auto& here) noexcept {
     if constexpr (traced<decltype(here)>) {
         root_of(here).tracer.template reach<Item>(object, c.at);
         if constexpr (in_one_go<Item, decltype(here)>)
@@ -111,7 +111,7 @@ JAUSCAT_PART constexpr bool put_item(const auto& object, out_cursor& c, const au
     }
     return c.error == errc::ok;
 }
-template <class Item> JAUSCAT_PART constexpr bool get_item(auto& object, in_cursor& c, const auto& here) noexcept {
+template <class Item> JAUSCAT_INLINE constexpr bool get_item(auto& object, in_cursor& c, const auto& here) noexcept {
     if constexpr (traced<decltype(here)>) {
         if (!root_of(here).tracer.template reach<Item>(object, c.at)) {
             c = in_cursor::failed(errc::truncated);
@@ -129,7 +129,7 @@ template <class Item> JAUSCAT_PART constexpr bool get_item(auto& object, in_curs
     }
     return c.at != nullptr;
 }
-template <class Item> JAUSCAT_PART constexpr bool measure_item(in_cursor& c, const auto& here) noexcept {
+template <class Item> JAUSCAT_INLINE constexpr bool measure_item(in_cursor& c, const auto& here) noexcept {
     if constexpr (fixed_item<Item>)
         c.at += Item::max_size;
     else
@@ -137,20 +137,20 @@ template <class Item> JAUSCAT_PART constexpr bool measure_item(in_cursor& c, con
     return c.at != nullptr;
 }
 template <class Item>
-JAUSCAT_PART constexpr std::size_t extent_of_item([[maybe_unused]] const std::byte* in,
-                                                  [[maybe_unused]] const auto& here) noexcept {
+JAUSCAT_INLINE constexpr std::size_t extent_of_item([[maybe_unused]] const std::byte* in,
+                                                    [[maybe_unused]] const auto& here) noexcept {
     if constexpr (fixed_item<Item>)
         return Item::max_size;
     else
         return Item::extent(in, here);
 }
 // Past an item of `Size` bytes; for all items of that size, so that layouts of fixed items need no function for each.
-template <std::size_t Size> JAUSCAT_PART constexpr bool put_next(errc error, out_cursor& c) noexcept {
+template <std::size_t Size> JAUSCAT_INLINE constexpr bool put_next(errc error, out_cursor& c) noexcept {
     c.error = error;
     if (error == errc::ok) c.at += Size;
     return error == errc::ok;
 }
-template <std::size_t Size> JAUSCAT_PART constexpr bool get_next(errc error, in_cursor& c) noexcept {
+template <std::size_t Size> JAUSCAT_INLINE constexpr bool get_next(errc error, in_cursor& c) noexcept {
     c = error == errc::ok ? in_cursor{c.at + Size, c.slack} : in_cursor::failed(error);
     return error == errc::ok;
 }
@@ -173,12 +173,12 @@ template <class... Items> struct layout {
         }(),
         "layout: an item that takes the rest of the body must be the last one");
 
-    JAUSCAT_PART static constexpr std::size_t size([[maybe_unused]] const auto& object,
-                                                   [[maybe_unused]] const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t size([[maybe_unused]] const auto& object,
+                                                     [[maybe_unused]] const auto& here) noexcept {
         return (detail::size_of_item<Items>(object, here) + ... + 0);
     }
-    JAUSCAT_PART static constexpr out_cursor put([[maybe_unused]] const auto& object, out_cursor c,
-                                                 [[maybe_unused]] const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put([[maybe_unused]] const auto& object, out_cursor c,
+                                                   [[maybe_unused]] const auto& here) noexcept {
         if constexpr (all_fixed && !traced<decltype(here)>)
             static_cast<void>((detail::put_next<Items::max_size>(Items::put(object, c.at), c) && ...));
         else if constexpr (sizeof...(Items) == 1 && !traced<decltype(here)>)
@@ -187,8 +187,8 @@ template <class... Items> struct layout {
             static_cast<void>((detail::put_item<Items>(object, c, here) && ...));
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor get([[maybe_unused]] auto& object, in_cursor c,
-                                                [[maybe_unused]] const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor get([[maybe_unused]] auto& object, in_cursor c,
+                                                  [[maybe_unused]] const auto& here) noexcept {
         if constexpr (all_fixed && !traced<decltype(here)>)
             static_cast<void>((detail::get_next<Items::max_size>(Items::get(object, c.at), c) && ...));
         else if constexpr (sizeof...(Items) == 1 && !traced<decltype(here)>)
@@ -197,18 +197,18 @@ template <class... Items> struct layout {
             static_cast<void>((detail::get_item<Items>(object, c, here) && ...));
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor measure(in_cursor c, [[maybe_unused]] const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, [[maybe_unused]] const auto& here) noexcept {
         static_cast<void>((detail::measure_item<Items>(c, here) && ...));
         return c;
     }
-    JAUSCAT_PART static constexpr std::size_t extent([[maybe_unused]] const std::byte* in,
-                                                     [[maybe_unused]] const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t extent([[maybe_unused]] const std::byte* in,
+                                                       [[maybe_unused]] const auto& here) noexcept {
         std::size_t total = 0;
         ((total += detail::extent_of_item<Items>(in + total, here)), ...);
         return total;
     }
     template <auto Member, reading Mode>
-    JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         static_assert(keys::template holds<Member>, "view: the message has no such member in its layout");
         constexpr std::size_t index = index_of<Member>;
         [&]<std::size_t... Before>(std::index_sequence<Before...>) {
@@ -217,7 +217,7 @@ template <class... Items> struct layout {
         (std::make_index_sequence<index>{});
         return std::tuple_element_t<index, std::tuple<Items...>>::template read<Member, Mode>(in, here);
     }
-    JAUSCAT_PART static constexpr void visit([[maybe_unused]] auto& object, [[maybe_unused]] auto&& visitor) {
+    JAUSCAT_INLINE static constexpr void visit([[maybe_unused]] auto& object, [[maybe_unused]] auto&& visitor) {
         (Items::visit(object, visitor), ...);
     }
     /// Calls f.template operator()<Item>() for each item in wire order; stops when it returns false.

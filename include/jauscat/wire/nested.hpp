@@ -56,8 +56,8 @@ template <auto Member> struct nested {
 
     static consteval std::string_view name() { return name_of<Member>(); }
 
-    JAUSCAT_PART static constexpr errc put(const auto& object, std::byte* out) noexcept requires fixed_item<inner> {
-        const auto& value = held(object.*place_in<decltype(object), Member>);
+    JAUSCAT_INLINE static constexpr errc put(const auto& object, std::byte* out) noexcept requires fixed_item<inner> {
+        const auto& value = value_of(object.*place_in<decltype(object), Member>);
         if constexpr (detail::copied_whole<value_type> && !raw_object<decltype(object)>) {
             if (!std::is_constant_evaluated()) {
                 std::memcpy(out, &value, max_size);
@@ -66,8 +66,8 @@ template <auto Member> struct nested {
         }
         return inner::put(value, out_cursor{out, errc::ok}, plain_root{}).error;
     }
-    JAUSCAT_PART static constexpr errc get(auto& object, const std::byte* in) noexcept requires fixed_item<inner> {
-        auto& value = made(object.*place_in<decltype(object), Member>);
+    JAUSCAT_INLINE static constexpr errc get(auto& object, const std::byte* in) noexcept requires fixed_item<inner> {
+        auto& value = emplace_in(object.*place_in<decltype(object), Member>);
         if constexpr (detail::copied_whole<value_type> && !raw_object<decltype(object)>) {
             if (!std::is_constant_evaluated()) {
                 std::memcpy(&value, in, max_size);
@@ -76,43 +76,43 @@ template <auto Member> struct nested {
         }
         return inner::get(value, in_cursor{in, 0}, plain_root{}).error();
     }
-    JAUSCAT_PART static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
-        const auto& value = held(object.*place_in<decltype(object), Member>);
+    JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
+        const auto& value = value_of(object.*place_in<decltype(object), Member>);
         return inner::size(value, object_scope{value, here});
     }
-    JAUSCAT_PART static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        const auto& value = held(object.*place_in<decltype(object), Member>);
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
+        const auto& value = value_of(object.*place_in<decltype(object), Member>);
         detail::enter<nested>(here);
         c = inner::put(value, c, object_scope{value, here});
         if (c.error == errc::ok) detail::leave(here);
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        auto& value = made(object.*place_in<decltype(object), Member>);
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+        auto& value = emplace_in(object.*place_in<decltype(object), Member>);
         detail::enter<nested>(here);
         c = inner::get(value, c, object_scope{value, here});
         if (c.at != nullptr) detail::leave(here);
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         return inner::measure(c, inside(c.at, here));
     }
-    JAUSCAT_PART static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
         return inner::extent(in, inside(in, here));
     }
-    template <auto, reading> JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+    template <auto, reading> JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         const std::span<const std::byte> bytes{in, inner::extent(in, inside(in, here))};
         if constexpr (contextual)
             return view<value_type, std::remove_cvref_t<decltype(here)>>::of_measured(bytes, here);
         else
             return view<value_type, plain_root>::of_measured(bytes, plain_root{});
     }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(nested{}, object.*place_in<decltype(object), Member>);
     }
 
   private:
-    JAUSCAT_PART static constexpr auto inside(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr auto inside(const std::byte* in, const auto& here) noexcept {
         return byte_scope<value_type, std::remove_cvref_t<decltype(here)>>{in, here.end, here};
     }
 };

@@ -54,13 +54,13 @@ template <auto Member> struct presence_flag {
     static_assert(std::is_same_v<member_t<Member>, bool>, "presence_flag: the member must be a bool");
 
     static consteval std::string_view name() { return name_of<Member>(); }
-    JAUSCAT_PART static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
+    JAUSCAT_INLINE static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
     // Not called for a bit that is clear: presence_group clears the member.
-    JAUSCAT_PART static constexpr errc get(auto& object, const std::byte*) noexcept {
+    JAUSCAT_INLINE static constexpr errc get(auto& object, const std::byte*) noexcept {
         object.*place_in<decltype(object), Member> = true;
         return errc::ok;
     }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(presence_flag{}, object.*place_in<decltype(object), Member>);
     }
 };
@@ -93,20 +93,20 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     static constexpr mask_type known_bits = static_cast<mask_type>(detail::low_bits<optional_count>);
 
     /// The presence vector that `object` encodes with.
-    JAUSCAT_PART static constexpr mask_type mask(const auto& object) noexcept {
+    JAUSCAT_INLINE static constexpr mask_type mask(const auto& object) noexcept {
         mask_type m{};
         std::size_t at = 0;
         ((m |= present<Items>(object, at)), ...);
         return m;
     }
 
-    JAUSCAT_PART static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
         if constexpr (all_fixed)
             return min_size + announced(mask(object));
         else
             return Carrier::size + (size_if_present<Items>(object, here) + ... + 0);
     }
-    JAUSCAT_PART static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
         [[maybe_unused]] std::byte* const vector = c.at;
         if constexpr (traced<decltype(here)>) {
             detail::reach_number<Carrier>("presence_vector", c.at, here);
@@ -120,7 +120,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         if constexpr (!traced<decltype(here)>) Carrier::store(vector, static_cast<typename Carrier::value_type>(m));
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         if constexpr (traced<decltype(here)>) {
             if (!detail::reach_number<Carrier>("presence_vector", c.at, here))
                 return in_cursor::failed(errc::truncated);
@@ -150,7 +150,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             });
         }
     }
-    JAUSCAT_PART static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         const mask_type m = loaded(c.at);
         if constexpr (all_fixed)
             return end_of(c, m);
@@ -159,7 +159,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
                 return !present || detail::measure_item<Item>(cursor, here);
             });
     }
-    JAUSCAT_PART static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
         const mask_type m = loaded(in);
         if constexpr (all_fixed)
             return min_size + announced(m);
@@ -168,7 +168,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
     /// A member of a presence vector is read as a std::optional.
     template <auto Member, reading Mode>
-    JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         using item = std::tuple_element_t<index_of<Member>, std::tuple<Items...>>;
         const mask_type m = loaded(in);
         if constexpr (requires { item::takes_bit; }) {
@@ -189,17 +189,17 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
                                             : std::optional<value>{};
         }
     }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) { (Items::visit(object, visitor), ...); }
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) { (Items::visit(object, visitor), ...); }
     static constexpr bool all_items(auto&& f) { return (f.template operator()<Items>() && ...); }
 
-    JAUSCAT_PART static constexpr mask_type loaded(const std::byte* in) noexcept {
+    JAUSCAT_INLINE static constexpr mask_type loaded(const std::byte* in) noexcept {
         typename Carrier::value_type carrier{};
         Carrier::load(in, carrier);
         return carrier;
     }
 
     /// Whether `Item` travels with `object`.
-    template <class Item> JAUSCAT_PART static constexpr bool is_present(const auto& object) noexcept {
+    template <class Item> JAUSCAT_INLINE static constexpr bool is_present(const auto& object) noexcept {
         if constexpr (Item::optional)
             return (object.*place_in<decltype(object), Item::key>).has_value();
         else if constexpr (detail::takes_bit<Item>)
@@ -210,7 +210,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
 
   private:
     template <class Item>
-    JAUSCAT_PART static constexpr mask_type present(const auto& object, std::size_t& at) noexcept {
+    JAUSCAT_INLINE static constexpr mask_type present(const auto& object, std::size_t& at) noexcept {
         if constexpr (!detail::takes_bit<Item>)
             return 0;
         else
@@ -218,7 +218,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
 
     // Bytes that the set bits stand for.
-    JAUSCAT_PART static constexpr std::size_t announced(mask_type m) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t announced(mask_type m) noexcept {
         constexpr auto& sizes =
             detail::sizes_by_nibble<(detail::takes_bit<Items> ? Items::max_size : detail::always_there)...>;
         return [&]<std::size_t... Nibble>(std::index_sequence<Nibble...>) {
@@ -227,7 +227,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         (std::make_index_sequence<sizes.size()>{});
     }
 
-    JAUSCAT_PART static constexpr in_cursor end_of(in_cursor c, mask_type m) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor end_of(in_cursor c, mask_type m) noexcept {
         const std::size_t extra = announced(m);
         if (extra > c.slack) return in_cursor::failed(errc::truncated);
         if ((m & ~known_bits) != 0) {
@@ -240,12 +240,12 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
 
     template <class Item>
-    JAUSCAT_PART static constexpr std::size_t size_if_present(const auto& object, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t size_if_present(const auto& object, const auto& here) noexcept {
         return is_present<Item>(object) ? detail::size_of_item<Item>(object, here) : 0;
     }
     template <class Item>
-    JAUSCAT_PART static constexpr bool put_if_present(const auto& object, mask_type& m, std::size_t& at, out_cursor& c,
-                                                      const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr bool put_if_present(const auto& object, mask_type& m, std::size_t& at,
+                                                        out_cursor& c, const auto& here) noexcept {
         if constexpr (detail::takes_bit<Item>) {
             const auto bit = mask_type{1} << at++;
             if (!(object.*place_in<decltype(object), Item::key>)) return true;
@@ -260,15 +260,15 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             return detail::put_item<Item>(object, c, here);
         }
     }
-    template <class Item> JAUSCAT_PART static constexpr void absent(auto& object) noexcept {
+    template <class Item> JAUSCAT_INLINE static constexpr void absent(auto& object) noexcept {
         if constexpr (Item::optional)
             (object.*place_in<decltype(object), Item::key>).reset();
         else
             object.*place_in<decltype(object), Item::key> = false;
     }
     template <class Item>
-    JAUSCAT_PART static constexpr bool get_fixed(auto& object, mask_type m, std::size_t& at, const std::byte*& in,
-                                                 errc& error) noexcept {
+    JAUSCAT_INLINE static constexpr bool get_fixed(auto& object, mask_type m, std::size_t& at, const std::byte*& in,
+                                                   errc& error) noexcept {
         if constexpr (detail::takes_bit<Item>) {
             if ((m >> at++ & 1u) == 0) {
                 absent<Item>(object);
@@ -282,15 +282,15 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
 
     template <class Item>
-    JAUSCAT_PART static constexpr void set_flag([[maybe_unused]] auto& object, [[maybe_unused]] mask_type m,
-                                                [[maybe_unused]] std::size_t& at) noexcept {
+    JAUSCAT_INLINE static constexpr void set_flag([[maybe_unused]] auto& object, [[maybe_unused]] mask_type m,
+                                                  [[maybe_unused]] std::size_t& at) noexcept {
         if constexpr (requires { Item::takes_bit; })
             object.*place_in<decltype(object), Item::key> = (m >> at & 1u) != 0;
         if constexpr (detail::takes_bit<Item>) ++at;
     }
 
     // Steps over the items one by one: `step<Item>(present, cursor)`.
-    JAUSCAT_PART static constexpr in_cursor each(in_cursor c, mask_type m, const auto& here, auto&& step) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor each(in_cursor c, mask_type m, const auto& here, auto&& step) noexcept {
         if constexpr (Unknown == unknown_bits::refused) {
             if ((m & ~known_bits) != 0 && detail::unless_passed(errc::unknown_presence_bit, here) != errc::ok)
                 return in_cursor::failed(errc::unknown_presence_bit);
@@ -304,8 +304,8 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         return c;
     }
     template <class Item>
-    JAUSCAT_PART static constexpr bool step_over(in_cursor& c, mask_type m, std::size_t& at,
-                                                 [[maybe_unused]] const auto& here, auto&& step) noexcept {
+    JAUSCAT_INLINE static constexpr bool step_over(in_cursor& c, mask_type m, std::size_t& at,
+                                                   [[maybe_unused]] const auto& here, auto&& step) noexcept {
         bool present = true;
         if constexpr (detail::takes_bit<Item>) {
             present = (m >> at++ & 1u) != 0;
@@ -315,8 +315,8 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
     // Bytes of the vector and of the first `Count` items.
     template <std::size_t Count>
-    JAUSCAT_PART static constexpr std::size_t extent_of_first(const std::byte* in, mask_type m,
-                                                              const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t extent_of_first(const std::byte* in, mask_type m,
+                                                                const auto& here) noexcept {
         std::size_t total = Carrier::size, at = 0, index = 0;
         const auto add = [&]<class Item>() {
             bool present = true;

@@ -35,12 +35,12 @@ template <class Codec, bool Raw> struct value_form {
     using used = wire::codec_in_mode<Codec, Raw>;
     static constexpr std::size_t min_size = Codec::size, max_size = Codec::size;
     static constexpr bool fixed = true;
-    JAUSCAT_PART static constexpr std::size_t size(const auto&, const auto&) noexcept { return Codec::size; }
-    JAUSCAT_PART static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t size(const auto&, const auto&) noexcept { return Codec::size; }
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
         write<Codec::size>(c, here, [&](std::byte* out) { return used::store(out, value); });
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
         if constexpr (traced<decltype(here)>) {
             if (!root_of(here).tracer.reach_element(c.at, Codec::size)) return in_cursor::failed(errc::truncated);
         }
@@ -53,16 +53,16 @@ template <class T> struct record_form {
     using inner = layout_of<T>;
     static constexpr std::size_t min_size = inner::min_size, max_size = inner::max_size;
     static constexpr bool fixed = fixed_item<inner>;
-    [[gnu::noinline]] JAUSCAT_WHOLE static constexpr std::size_t size(const auto& value, const auto& here) noexcept {
+    [[gnu::noinline]] JAUSCAT_FLATTEN static constexpr std::size_t size(const auto& value, const auto& here) noexcept {
         return inner::size(value, object_scope{value, here});
     }
-    JAUSCAT_PART static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
         if constexpr (fixed)
             return inner::put(value, c, object_scope{value, here});
         else
             return put_called(value, c, here);
     }
-    JAUSCAT_PART static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
         if constexpr (fixed)
             return inner::get(value, c, object_scope{value, here});
         else
@@ -73,12 +73,12 @@ template <class T> struct record_form {
     }
 
   private:
-    [[gnu::noinline]] JAUSCAT_WHOLE static constexpr out_cursor put_called(const auto& value, out_cursor c,
-                                                                           const auto& here) noexcept {
+    [[gnu::noinline]] JAUSCAT_FLATTEN static constexpr out_cursor put_called(const auto& value, out_cursor c,
+                                                                             const auto& here) noexcept {
         return inner::put(value, c, object_scope{value, here});
     }
-    [[gnu::noinline]] JAUSCAT_WHOLE static constexpr in_cursor get_called(auto& value, in_cursor c,
-                                                                          const auto& here) noexcept {
+    [[gnu::noinline]] JAUSCAT_FLATTEN static constexpr in_cursor get_called(auto& value, in_cursor c,
+                                                                            const auto& here) noexcept {
         return inner::get(value, c, object_scope{value, here});
     }
 };
@@ -149,16 +149,16 @@ template <auto Member, class Count, class Element = record> struct repeated {
     using raw_list = typename traits::template of<typename raw_element<value_type>::type>;
     using raw_type = std::conditional_t<optional, std::optional<raw_list>, raw_list>;
 
-    JAUSCAT_PART static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
-        const auto& elements = held(object.*place_in<decltype(object), Member>);
+    JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
+        const auto& elements = value_of(object.*place_in<decltype(object), Member>);
         using form = form_in<decltype(object)>;
         if constexpr (form::fixed) return Count::prefix_size + elements.size() * form::max_size;
         std::size_t total = Count::prefix_size;
         for (std::size_t i = 0; i != elements.size(); ++i) total += form::size(elements[i], here);
         return total;
     }
-    JAUSCAT_PART static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        const auto& elements = held(object.*place_in<decltype(object), Member>);
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
+        const auto& elements = value_of(object.*place_in<decltype(object), Member>);
         c = Count::put(elements.size(), c, here);
         if (c.error != errc::ok) return c;
         detail::enter<repeated>(here);
@@ -170,9 +170,9 @@ template <auto Member, class Count, class Element = record> struct repeated {
         detail::leave(here);
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         using form = form_in<decltype(object)>;
-        auto& elements = made(object.*place_in<decltype(object), Member>);
+        auto& elements = emplace_in(object.*place_in<decltype(object), Member>);
         using stored = typename detail::list_traits<std::remove_reference_t<decltype(elements)>>::value_type;
         std::size_t size{};
         if (!Count::get(size, c, here)) return c;
@@ -211,7 +211,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
             }
         }
     }
-    JAUSCAT_PART static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         const std::size_t size = Count::peek(c.at, here);
         if (!spend_elements<plain_form>(c, size)) return c;
         c.at += Count::prefix_size;
@@ -223,7 +223,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
         }
         return c;
     }
-    JAUSCAT_PART static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
         const std::size_t size = Count::peek(in, here);
         std::size_t total = Count::prefix_size;
         if constexpr (plain_form::fixed) {
@@ -235,22 +235,22 @@ template <auto Member, class Count, class Element = record> struct repeated {
         return total;
     }
     template <auto, reading Mode>
-    JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         return list_view<repeated, std::remove_cvref_t<decltype(here)>>{in + Count::prefix_size, Count::peek(in, here),
                                                                         here};
     }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(repeated{}, object.*place_in<decltype(object), Member>);
     }
 
   private:
     template <class Object>
     using form_in =
-        typename form_of<raw_object<Object>, std::remove_cvref_t<decltype(held(std::declval<Object&>().*
-                                                                               place_in<Object, Member>)[0])>>::type;
+        typename form_of<raw_object<Object>, std::remove_cvref_t<decltype(value_of(
+                                                 std::declval<Object&>().*place_in<Object, Member>)[0])>>::type;
 
     // Takes the fewest bytes of `size` elements from the slack.
-    template <class Form> JAUSCAT_PART static constexpr bool spend_elements(in_cursor& c, std::size_t size) noexcept {
+    template <class Form> JAUSCAT_INLINE static constexpr bool spend_elements(in_cursor& c, std::size_t size) noexcept {
         if constexpr (Form::min_size != 0) {
             if (size > c.slack / Form::min_size) {
                 c = in_cursor::failed(errc::truncated);
@@ -261,8 +261,8 @@ template <auto Member, class Count, class Element = record> struct repeated {
         return true;
     }
     template <class Form, class T>
-    JAUSCAT_PART static constexpr in_cursor fill(T* elements, std::size_t size, in_cursor c,
-                                                 const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor fill(T* elements, std::size_t size, in_cursor c,
+                                                   const auto& here) noexcept {
         for (std::size_t i = 0; i != size && c.at != nullptr; ++i) c = Form::get(elements[i], c, here);
         return c;
     }

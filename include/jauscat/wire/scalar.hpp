@@ -30,7 +30,7 @@ template <std::integral T, boost::endian::order Order> struct integer {
     static constexpr bool as_in_memory = size == 1 || Order == boost::endian::order::native;
 
     // The loop serves constant evaluation; memcpy lets the optimiser merge neighbouring fields into one access.
-    JAUSCAT_PART static constexpr errc store(std::byte* out, T value) noexcept {
+    JAUSCAT_INLINE static constexpr errc store(std::byte* out, T value) noexcept {
         const T ordered = boost::endian::conditional_reverse<boost::endian::order::native, Order>(value);
         if (std::is_constant_evaluated()) {
             const auto bytes = std::bit_cast<std::array<std::byte, size>>(ordered);
@@ -41,7 +41,7 @@ template <std::integral T, boost::endian::order Order> struct integer {
         return errc::ok;
     }
 
-    JAUSCAT_PART static constexpr errc load(const std::byte* in, T& value) noexcept {
+    JAUSCAT_INLINE static constexpr errc load(const std::byte* in, T& value) noexcept {
         T ordered{};
         if (std::is_constant_evaluated()) {
             std::array<std::byte, size> bytes{};
@@ -67,10 +67,10 @@ template <std::floating_point T, class Bits> struct floating {
     static constexpr std::size_t size = Bits::size;
     static_assert(sizeof(T) == size, "floating: the value and its carrier differ in size");
 
-    JAUSCAT_PART static constexpr errc store(std::byte* out, T value) noexcept {
+    JAUSCAT_INLINE static constexpr errc store(std::byte* out, T value) noexcept {
         return Bits::store(out, std::bit_cast<typename Bits::value_type>(value));
     }
-    JAUSCAT_PART static constexpr errc load(const std::byte* in, T& value) noexcept {
+    JAUSCAT_INLINE static constexpr errc load(const std::byte* in, T& value) noexcept {
         typename Bits::value_type bits{};
         Bits::load(in, bits);
         value = std::bit_cast<T>(bits);
@@ -108,10 +108,10 @@ struct enumeration {
     static_assert(std::is_same_v<std::underlying_type_t<Enum>, typename Carrier::value_type>,
                   "enumeration: the enumeration's underlying type must be the carrier's integer type");
 
-    JAUSCAT_PART static constexpr errc store(std::byte* out, Enum value) noexcept {
+    JAUSCAT_INLINE static constexpr errc store(std::byte* out, Enum value) noexcept {
         return Carrier::store(out, static_cast<typename Carrier::value_type>(value));
     }
-    JAUSCAT_PART static constexpr errc load(const std::byte* in, Enum& value) noexcept {
+    JAUSCAT_INLINE static constexpr errc load(const std::byte* in, Enum& value) noexcept {
         typename Carrier::value_type raw{};
         Carrier::load(in, raw);
         value = static_cast<Enum>(raw);
@@ -125,11 +125,11 @@ template <std::size_t N> struct octets {
     static constexpr std::size_t size = N;
     static constexpr bool as_in_memory = true;
 
-    JAUSCAT_PART static constexpr errc store(std::byte* out, const value_type& value) noexcept {
+    JAUSCAT_INLINE static constexpr errc store(std::byte* out, const value_type& value) noexcept {
         for (std::size_t i = 0; i != N; ++i) out[i] = value[i];
         return errc::ok;
     }
-    JAUSCAT_PART static constexpr errc load(const std::byte* in, value_type& value) noexcept {
+    JAUSCAT_INLINE static constexpr errc load(const std::byte* in, value_type& value) noexcept {
         for (std::size_t i = 0; i != N; ++i) value[i] = in[i];
         return errc::ok;
     }

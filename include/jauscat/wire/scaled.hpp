@@ -32,7 +32,7 @@ template <codec Raw, real_range Range> struct scaled {
     static constexpr raw_type bottom = static_cast<raw_type>(std::is_signed_v<raw_type> ? -top : 0);
 
     /// The real value of a legal raw value.
-    JAUSCAT_PART static constexpr double to_real(raw_type raw) noexcept {
+    JAUSCAT_INLINE static constexpr double to_real(raw_type raw) noexcept {
         const double centred = static_cast<double>(raw) * scale;
         if constexpr (bias == 0)
             return centred; // x + 0.0 is not a no-op for the optimiser: it turns -0.0 into 0.0
@@ -43,7 +43,7 @@ template <codec Raw, real_range Range> struct scaled {
     /// The raw value nearest to a real value that lies within `lowest` and `highest`.
     // Multiplied before it is divided: a precomputed reciprocal misses ties (50 % on 8 bits is 127.5 and must give
     // 128). Counted from the lower end, so that truncation is rounding and no libm is needed.
-    JAUSCAT_PART static constexpr raw_type to_raw(double real) noexcept {
+    JAUSCAT_INLINE static constexpr raw_type to_raw(double real) noexcept {
         const double count = (real - Range::min) * steps / (Range::max - Range::min) + 0.5;
         if constexpr (sizeof(raw_type) == 8) {
             if (count >= steps) return top; // 2^64 - 1 is not a double; the next one does not fit the integer
@@ -53,10 +53,10 @@ template <codec Raw, real_range Range> struct scaled {
         return static_cast<raw_type>(static_cast<counter>(count) + static_cast<counter>(bottom));
     }
 
-    JAUSCAT_PART static constexpr errc store(std::byte* out, double real) noexcept {
+    JAUSCAT_INLINE static constexpr errc store(std::byte* out, double real) noexcept {
         return smaller_when_called ? called_store(out, real) : inlined_store(out, real);
     }
-    JAUSCAT_PART static constexpr errc load(const std::byte* in, double& real) noexcept {
+    JAUSCAT_INLINE static constexpr errc load(const std::byte* in, double& real) noexcept {
         return smaller_when_called ? called_load(in, real) : inlined_load(in, real);
     }
 
@@ -68,11 +68,11 @@ template <codec Raw, real_range Range> struct scaled {
 #else
     static constexpr bool smaller_when_called = false;
 #endif
-    JAUSCAT_PART static constexpr errc inlined_store(std::byte* out, double real) noexcept {
+    JAUSCAT_INLINE static constexpr errc inlined_store(std::byte* out, double real) noexcept {
         if (!(real >= lowest && real <= highest)) return errc::out_of_range; // NaN fails both
         return Raw::store(out, to_raw(real));
     }
-    JAUSCAT_PART static constexpr errc inlined_load(const std::byte* in, double& real) noexcept {
+    JAUSCAT_INLINE static constexpr errc inlined_load(const std::byte* in, double& real) noexcept {
         raw_type raw{};
         Raw::load(in, raw);
         if constexpr (std::is_signed_v<raw_type>) {

@@ -37,7 +37,7 @@ template <class T, class Outer> struct byte_scope {
     Outer outer;
 };
 
-JAUSCAT_PART constexpr const auto& root_of(const auto& scope) noexcept {
+JAUSCAT_INLINE constexpr const auto& root_of(const auto& scope) noexcept {
     if constexpr (requires { scope.outer; })
         return root_of(scope.outer);
     else
@@ -59,14 +59,14 @@ namespace detail {
 template <class Object> struct owner_of { using type = std::remove_const_t<Object>; };
 template <raw_object Object> struct owner_of<Object> { using type = typename Object::raw_of; };
 
-template <auto First, auto... Rest> JAUSCAT_PART constexpr auto along(const auto& object) noexcept {
+template <auto First, auto... Rest> JAUSCAT_INLINE constexpr auto along(const auto& object) noexcept {
     const auto& member = object.*place_in<decltype(object), First>;
     if constexpr (sizeof...(Rest) == 0)
         return member;
     else
         return along<Rest...>(member);
 }
-template <auto First, auto... Rest> JAUSCAT_PART constexpr auto along_view(const auto& view) noexcept {
+template <auto First, auto... Rest> JAUSCAT_INLINE constexpr auto along_view(const auto& view) noexcept {
     if constexpr (sizeof...(Rest) == 0)
         return view.template get_raw<First>();
     else
@@ -80,7 +80,7 @@ template <class T, class Outer> struct structure_at<byte_scope<T, Outer>> { usin
 } // namespace detail
 
 /// The value of a member of this structure or of one around it; further pointers lead into it.
-template <auto First, auto... Rest> JAUSCAT_PART constexpr auto look_up(const auto& scope) noexcept {
+template <auto First, auto... Rest> JAUSCAT_INLINE constexpr auto look_up(const auto& scope) noexcept {
     using here = std::remove_cvref_t<decltype(scope)>;
     static_assert(
         requires { scope.outer; }, "layout: a count, tag or flag names a member of no enclosing structure");

@@ -9,7 +9,7 @@ namespace jauscat::wire {
 /// The member that selects; further pointers lead into it.
 template <auto... Path> struct by {
     /// The tag, out of the structures around.
-    JAUSCAT_PART static constexpr auto value(const auto& here) noexcept { return look_up<Path...>(here); }
+    JAUSCAT_INLINE static constexpr auto value(const auto& here) noexcept { return look_up<Path...>(here); }
 };
 
 /// One case: for `Tag` the value has the form `Form`, a codec or a struct with a schema; without one it has no bytes.
@@ -28,14 +28,14 @@ template <class Form> struct case_form {
     static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return {c.at + Form::size, c.slack}; }
     static constexpr std::size_t extent(const std::byte*, const auto&) noexcept { return Form::size; }
     template <bool Raw>
-    JAUSCAT_PART static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
         using used = wire::codec_in_mode<Form, Raw>;
         write<Form::size>(
             c, here, [&](std::byte* out) { return used::store(out, static_cast<typename used::value_type>(value)); });
         return c;
     }
     template <bool Raw>
-    JAUSCAT_PART static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
         using used = wire::codec_in_mode<Form, Raw>;
         typename used::value_type loaded{};
         const errc error = unless_passed(used::load(c.at, loaded), here);
@@ -58,10 +58,10 @@ template <message Form> struct case_form<Form> {
         return inner::extent(in, byte_scope<Form, Here>{in, here.end, here});
     }
     template <bool>
-    JAUSCAT_PART static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
         return inner::put(value, c, object_scope{value, here});
     }
-    template <bool> JAUSCAT_PART static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
+    template <bool> JAUSCAT_INLINE static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
         return inner::get(value, c, object_scope{value, here});
     }
 };
@@ -85,7 +85,7 @@ template <class Value, bool Raw, class... Cases> struct case_table {
     static constexpr std::size_t max_size = std::max({case_form<typename Cases::form>::max_size...});
 
     /// Calls f.template operator()<form>() for the form of a tag; false where there is none.
-    JAUSCAT_PART static constexpr bool with_form(auto tag, auto&& f) {
+    JAUSCAT_INLINE static constexpr bool with_form(auto tag, auto&& f) {
         return (... || (tag == Cases::tag && (f.template operator()<case_form<typename Cases::form>>(), true)));
     }
     [[nodiscard]] static constexpr std::size_t min_size_of(auto tag, std::size_t size) noexcept {
@@ -180,15 +180,15 @@ template <auto Member, class Selector, class... Cases> struct selected {
         return (... || (tag == Cases::tag && (f.template operator()<Cases>(), true)));
     }
 
-    JAUSCAT_PART static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
-        return table_in<decltype(object)>::size(held(object.*place_in<decltype(object), Member>),
+    JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
+        return table_in<decltype(object)>::size(value_of(object.*place_in<decltype(object), Member>),
                                                 Selector::value(here));
     }
-    JAUSCAT_PART static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        return table_in<decltype(object)>::put(held(object.*place_in<decltype(object), Member>), Selector::value(here),
-                                               c, root_of(here));
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
+        return table_in<decltype(object)>::put(value_of(object.*place_in<decltype(object), Member>),
+                                               Selector::value(here), c, root_of(here));
     }
-    JAUSCAT_PART static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         using table = table_in<decltype(object)>;
         const auto tag = Selector::value(here);
         if constexpr (traced<decltype(here)>) {
@@ -197,29 +197,29 @@ template <auto Member, class Selector, class... Cases> struct selected {
             if (!root_of(here).tracer.template reach_octets<selected>(c.at, fewest))
                 return in_cursor::failed(errc::truncated);
         }
-        return table::get(made(object.*place_in<decltype(object), Member>), tag, c, root_of(here));
+        return table::get(emplace_in(object.*place_in<decltype(object), Member>), tag, c, root_of(here));
     }
-    JAUSCAT_PART static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         return table<value_type, false>::measure(Selector::value(here), c, here.end);
     }
-    JAUSCAT_PART static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
         return table<value_type, false>::extent(Selector::value(here), in, here.end);
     }
     /// Decoded; empty where a scaled raw value is not legal. A view reads the raw value of a scaled case as a real one
     /// too: only a `raw` holds it.
-    template <auto, reading> JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+    template <auto, reading> JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         value_type value{};
         const in_cursor c{in, static_cast<std::size_t>(here.end - in) - min_size};
         const bool legal = table<value_type, false>::get(value, Selector::value(here), c, plain_root{}).at != nullptr;
         return legal ? std::optional{value} : std::nullopt;
     }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(selected{}, object.*place_in<decltype(object), Member>);
     }
 
   private:
     template <class Object>
-    using table_in = table<std::remove_cvref_t<decltype(held(std::declval<Object&>().*place_in<Object, Member>))>,
+    using table_in = table<std::remove_cvref_t<decltype(value_of(std::declval<Object&>().*place_in<Object, Member>))>,
                            raw_object<Object>>;
 };
 

@@ -18,29 +18,31 @@ template <auto Member, class Extent> struct octet_run {
 
   protected:
     /// The member that points at `size` octets.
-    JAUSCAT_PART static constexpr value_type pointing_at(const std::byte* in, std::size_t size) noexcept {
+    JAUSCAT_INLINE static constexpr value_type pointing_at(const std::byte* in, std::size_t size) noexcept {
         if constexpr (std::is_same_v<value_type, std::string_view>)
             return {reinterpret_cast<const char*>(in), size}; // not in a constant expression
         else
             return value_type{std::span{in, size}};
     }
-    JAUSCAT_PART static constexpr void copy(const value_type& value, std::byte* out) noexcept {
+    JAUSCAT_INLINE static constexpr void copy(const value_type& value, std::byte* out) noexcept {
         for (const auto octet : value) *out++ = static_cast<std::byte>(octet);
     }
     /// Fills up with zeros to `size`.
-    JAUSCAT_PART static constexpr errc put_filled(const value_type& value, std::byte* out, std::size_t size) noexcept {
+    JAUSCAT_INLINE static constexpr errc put_filled(const value_type& value, std::byte* out,
+                                                    std::size_t size) noexcept {
         if (value.size() > size) return errc::out_of_range;
         copy(value, out);
         for (std::size_t i = value.size(); i != size; ++i) out[i] = std::byte{};
         return errc::ok;
     }
     /// Without the zeros that fill it up.
-    JAUSCAT_PART static constexpr std::size_t filled(const std::byte* in, std::size_t size) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t filled(const std::byte* in, std::size_t size) noexcept {
         while (size != 0 && in[size - 1] == std::byte{}) --size;
         return size;
     }
     /// Writes the octets behind what stands before them.
-    JAUSCAT_PART static constexpr out_cursor append(const value_type& value, out_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor append(const value_type& value, out_cursor c,
+                                                      const auto& here) noexcept {
         if (c.error != errc::ok) return c;
         if constexpr (traced<decltype(here)>) {
             root_of(here).tracer.advance(value.size());
@@ -59,14 +61,14 @@ template <auto Member, class Count> struct counted_run : octet_run<Member, Count
     static constexpr bool contextual = Count::contextual;
     static constexpr std::size_t min_size = Count::prefix_size, max_size = unbounded;
 
-    JAUSCAT_PART static constexpr std::size_t size(const auto& object, const auto&) noexcept {
-        return Count::prefix_size + held(object.*place_in<decltype(object), Member>).size();
+    JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto&) noexcept {
+        return Count::prefix_size + value_of(object.*place_in<decltype(object), Member>).size();
     }
-    JAUSCAT_PART static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        const auto& value = held(object.*place_in<decltype(object), Member>);
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
+        const auto& value = value_of(object.*place_in<decltype(object), Member>);
         return base::append(value, Count::put(value.size(), c, here), here);
     }
-    JAUSCAT_PART static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         std::size_t size{};
         if (!Count::get(size, c, here)) return c;
         if constexpr (traced<decltype(here)>) {
@@ -74,23 +76,23 @@ template <auto Member, class Count> struct counted_run : octet_run<Member, Count
                 return in_cursor::failed(errc::truncated);
         }
         if (!spend(c, size, here)) return c;
-        made(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, size);
+        emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, size);
         c.at += size;
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         const std::size_t size = Count::peek(c.at, here);
         if (!spend(c, size, here)) return c;
         c.at += Count::prefix_size + size;
         return c;
     }
-    JAUSCAT_PART static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
         return Count::prefix_size + Count::peek(in, here);
     }
-    template <auto, reading> JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+    template <auto, reading> JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         return base::pointing_at(in + Count::prefix_size, Count::peek(in, here));
     }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(counted_run{}, object.*place_in<decltype(object), Member>);
     }
 };
@@ -103,26 +105,26 @@ template <auto Member> struct run_to_end : octet_run<Member, rest> {
     static constexpr bool to_the_end = true;
     static constexpr std::size_t min_size = 0, max_size = unbounded;
 
-    JAUSCAT_PART static constexpr std::size_t size(const auto& object, const auto&) noexcept {
-        return held(object.*place_in<decltype(object), Member>).size();
+    JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto&) noexcept {
+        return value_of(object.*place_in<decltype(object), Member>).size();
     }
-    JAUSCAT_PART static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        return base::append(held(object.*place_in<decltype(object), Member>), c, here);
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
+        return base::append(value_of(object.*place_in<decltype(object), Member>), c, here);
     }
-    JAUSCAT_PART static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         const std::size_t size = rest_of(c, here);
-        made(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, size);
+        emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, size);
         return {c.at + size, 0};
     }
-    JAUSCAT_PART static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return {c.at + c.slack, 0}; }
+    JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return {c.at + c.slack, 0}; }
     // How far it reaches is known to the view alone, which reads it as the last item.
-    JAUSCAT_PART static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
         return static_cast<std::size_t>(here.end - in);
     }
-    template <auto, reading> JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+    template <auto, reading> JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         return base::pointing_at(in, extent(in, here));
     }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(run_to_end{}, object.*place_in<decltype(object), Member>);
     }
 };
@@ -134,25 +136,25 @@ template <auto Member, std::size_t Size> struct lenient_run : octet_run<Member, 
     static constexpr bool to_the_end = true;
     static constexpr std::size_t min_size = 0, max_size = Size;
 
-    JAUSCAT_PART static constexpr std::size_t size(const auto&, const auto&) noexcept { return Size; }
-    JAUSCAT_PART static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        const auto& value = held(object.*place_in<decltype(object), Member>);
+    JAUSCAT_INLINE static constexpr std::size_t size(const auto&, const auto&) noexcept { return Size; }
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
+        const auto& value = value_of(object.*place_in<decltype(object), Member>);
         write<Size>(c, here, [&](std::byte* out) { return base::put_filled(value, out, Size); });
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         const std::size_t size = rest_of(c, here);
-        made(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, base::filled(c.at, size));
+        emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, base::filled(c.at, size));
         return {c.at + size, 0};
     }
-    JAUSCAT_PART static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return {c.at + c.slack, 0}; }
-    JAUSCAT_PART static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return {c.at + c.slack, 0}; }
+    JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
         return static_cast<std::size_t>(here.end - in);
     }
-    template <auto, reading> JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+    template <auto, reading> JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         return base::pointing_at(in, base::filled(in, extent(in, here)));
     }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(lenient_run{}, object.*place_in<decltype(object), Member>);
     }
 };
@@ -165,17 +167,17 @@ template <auto Member, std::size_t Size> struct fixed_run : octet_run<Member, fi
     using base = octet_run<Member, fixed<Size>>;
     static constexpr std::size_t min_size = Size, max_size = Size;
 
-    JAUSCAT_PART static constexpr errc put(const auto& object, std::byte* out) noexcept {
-        return base::put_filled(held(object.*place_in<decltype(object), Member>), out, Size);
+    JAUSCAT_INLINE static constexpr errc put(const auto& object, std::byte* out) noexcept {
+        return base::put_filled(value_of(object.*place_in<decltype(object), Member>), out, Size);
     }
-    JAUSCAT_PART static constexpr errc get(auto& object, const std::byte* in) noexcept {
-        made(object.*place_in<decltype(object), Member>) = base::pointing_at(in, base::filled(in, Size));
+    JAUSCAT_INLINE static constexpr errc get(auto& object, const std::byte* in) noexcept {
+        emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(in, base::filled(in, Size));
         return errc::ok;
     }
-    template <auto, reading> JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto&) noexcept {
+    template <auto, reading> JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto&) noexcept {
         return base::pointing_at(in, base::filled(in, Size));
     }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(fixed_run{}, object.*place_in<decltype(object), Member>);
     }
 };
@@ -186,18 +188,18 @@ template <auto Member> struct terminated_run : octet_run<Member, zero_terminated
     using base = octet_run<Member, zero_terminated>;
     static constexpr std::size_t min_size = 1, max_size = unbounded;
 
-    JAUSCAT_PART static constexpr std::size_t size(const auto& object, const auto&) noexcept {
-        return held(object.*place_in<decltype(object), Member>).size() + 1;
+    JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto&) noexcept {
+        return value_of(object.*place_in<decltype(object), Member>).size() + 1;
     }
-    JAUSCAT_PART static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        const auto& value = held(object.*place_in<decltype(object), Member>);
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
+        const auto& value = value_of(object.*place_in<decltype(object), Member>);
         for (const auto octet : value)
             if (static_cast<std::byte>(octet) == std::byte{}) return {c.at, errc::out_of_range};
         c = base::append(value, c, here);
         write<1>(c, here, [](std::byte* out) { return *out = std::byte{}, errc::ok; });
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         const std::size_t most = traced<decltype(here)> ? rest_of(c, here) : c.slack + 1;
         const std::size_t size = length(c.at, most);
         if (size == most) {
@@ -206,28 +208,28 @@ template <auto Member> struct terminated_run : octet_run<Member, zero_terminated
             return in_cursor::failed(errc::truncated);
         }
         if (!spend(c, size, here)) return c;
-        made(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, size);
+        emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, size);
         c.at += size + 1;
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor measure(in_cursor c, const auto&) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto&) noexcept {
         const std::size_t size = length(c.at, c.slack + 1);
         if (size == c.slack + 1) return in_cursor::failed(errc::truncated);
         return {c.at + size + 1, c.slack - size};
     }
-    JAUSCAT_PART static constexpr std::size_t extent(const std::byte* in, const auto&) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto&) noexcept {
         return length(in, unbounded) + 1;
     }
-    template <auto, reading> JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+    template <auto, reading> JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         return base::pointing_at(in, extent(in, here) - 1);
     }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(terminated_run{}, object.*place_in<decltype(object), Member>);
     }
 
   private:
     /// Octets before the zero, or `most` where there is none among so many.
-    JAUSCAT_PART static constexpr std::size_t length(const std::byte* in, std::size_t most) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t length(const std::byte* in, std::size_t most) noexcept {
         std::size_t size = 0;
         while (size != most && in[size] != std::byte{}) ++size;
         return size;

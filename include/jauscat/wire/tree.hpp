@@ -51,13 +51,13 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
         return (one.*place_in<decltype(one), Children>);
     }
 
-    JAUSCAT_PART static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
         std::size_t total = 0;
         for (const auto& one : object.*place_in<decltype(object), Member>)
             total += inner_layout::size(one, object_scope{one, here});
         return total;
     }
-    JAUSCAT_PART static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
         const auto& nodes = object.*place_in<decltype(object), Member>;
         tree_walk<MaxDepth> walk;
         detail::enter<tree>(here);
@@ -72,7 +72,7 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
         detail::leave(here);
         return c;
     }
-    JAUSCAT_PART static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         auto& nodes = object.*place_in<decltype(object), Member>;
         using stored = typename std::remove_reference_t<decltype(nodes)>::value_type;
         if constexpr (traced<decltype(here)>) {
@@ -111,20 +111,20 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
             return c;
         }
     }
-    JAUSCAT_PART static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         std::size_t count = 0;
         return walk_bytes(c, count, here);
     }
-    JAUSCAT_PART static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
         std::size_t count = 0;
         return static_cast<std::size_t>(walk_bytes({in, unbounded}, count, here).at - in);
     }
-    template <auto, reading> JAUSCAT_PART static constexpr auto read(const std::byte* in, const auto& here) noexcept {
+    template <auto, reading> JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         std::size_t count = 0;
         walk_bytes({in, unbounded}, count, here);
         return list_view<tree, std::remove_cvref_t<decltype(here)>>{in, count, here};
     }
-    JAUSCAT_PART static constexpr void visit(auto& object, auto&& visitor) {
+    JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(tree{}, object.*place_in<decltype(object), Member>);
     }
 

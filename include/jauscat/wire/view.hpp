@@ -46,13 +46,13 @@ template <message T, class Outer = plain_root> class view {
     constexpr view(std::span<const std::byte> bytes, const Outer& outer) noexcept
         : bytes_{bytes}, error_{errc::ok}, outer_{outer} {}
 
-    template <auto Member, reading Mode> [[nodiscard]] JAUSCAT_WHOLE constexpr auto read() const noexcept {
+    template <auto Member, reading Mode> [[nodiscard]] JAUSCAT_FLATTEN constexpr auto read() const noexcept {
         return layout_of<T>::template read<Member, Mode>(bytes_.data(), inside(bytes_));
     }
     [[nodiscard]] constexpr auto inside(std::span<const std::byte> bytes) const noexcept {
         return byte_scope<T, Outer>{bytes.data(), bytes.data() + bytes.size(), outer_};
     }
-    JAUSCAT_WHOLE constexpr errc check(std::span<const std::byte> bytes) const noexcept {
+    JAUSCAT_FLATTEN constexpr errc check(std::span<const std::byte> bytes) const noexcept {
         if (bytes.size() < min_size<T>) return errc::truncated;
         const in_cursor end = layout_of<T>::measure({bytes.data(), bytes.size() - min_size<T>}, inside(bytes));
         if (end.at == nullptr) return end.error();
@@ -70,7 +70,7 @@ template <class Item> inline constexpr bool lists_records = !requires { typename
 
 /// Bytes of the element at `at`.
 template <class Item, class Outer>
-[[nodiscard]] JAUSCAT_WHOLE constexpr std::size_t element_extent(const std::byte* at, const Outer& outer) noexcept {
+[[nodiscard]] JAUSCAT_FLATTEN constexpr std::size_t element_extent(const std::byte* at, const Outer& outer) noexcept {
     if constexpr (lists_records<Item>) {
         using record_type = typename Item::value_type;
         return layout_of<record_type>::extent(at, byte_scope<record_type, Outer>{at, outer.end, outer});
@@ -79,7 +79,7 @@ template <class Item, class Outer>
     }
 }
 template <class Item, class Outer>
-[[nodiscard]] JAUSCAT_WHOLE constexpr auto element_at(const std::byte* at, const Outer& outer) noexcept {
+[[nodiscard]] JAUSCAT_FLATTEN constexpr auto element_at(const std::byte* at, const Outer& outer) noexcept {
     if constexpr (lists_records<Item>) {
         return view<typename Item::value_type, Outer>::of_measured({at, element_extent<Item>(at, outer)}, outer);
     } else {

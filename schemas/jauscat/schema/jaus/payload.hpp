@@ -184,7 +184,7 @@ template <> struct wire::schema<jaus::payload_string> {
 template <> struct wire::schema<jaus::payload_value> {
     using T = jaus::payload_value;
     using type = layout<
-        unsent<&T::type_code>,
+        not_on_wire<&T::type_code>,
         selected<&T::value, by<&T::type_code>,
             when<jaus::payload_type::short_integer, i16le>,
             when<jaus::payload_type::integer, i32le>,
