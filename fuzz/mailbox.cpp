@@ -61,7 +61,7 @@ void check_slave(std::span<const std::byte> message, std::size_t room) {
     auto transfer = request.header.specifier == sdo_specifier::upload_request
                         ? sdo_transfer::upload(request.header.index, request.header.subindex, into)
                         : sdo_transfer::download(request.header.index, request.header.subindex, {});
-    check(transfer.take(reply) == mail::final, "a master takes a slave's answer");
+    check(transfer.take(reply) == reply_kind::complete, "a master takes a slave's answer");
     const bool aborted = sdo.header.specifier == sdo_specifier::abort;
     check(transfer.result().error == (aborted ? master_errc::sdo_abort : master_errc::ok),
           "master and slave agree on how it ended");
@@ -91,7 +91,7 @@ void check_information(std::span<const std::byte> message, std::size_t room) {
 void check_master(std::span<const std::byte> message, sdo_transfer transfer, std::size_t room) {
     const auto before = transfer.result();
     const auto what = transfer.take(message);
-    if (what == mail::other) {
+    if (what == reply_kind::unrelated) {
         check(transfer.result().error == before.error && transfer.result().size == before.size,
               "what is not the answer changes no result");
         return;

@@ -46,8 +46,8 @@ class session {
                                                      {.clear_subindex_0 = cleared, .empty_start = (options & 16) != 0});
         transfer.use_mailbox(out_room + wire::max_size<mailbox_header>);
 
-        auto what = mail::next;
-        for (std::size_t messages = 0; what == mail::next; ++messages) {
+        auto what = reply_kind::proceed;
+        for (std::size_t messages = 0; what == reply_kind::proceed; ++messages) {
             check(messages <= data.size() + 2, "a transfer comes to an end");
             bytes request(transfer.size());
             check(request.size() <= out_room, "a request fits the mailbox");
@@ -62,10 +62,10 @@ class session {
         }
 
         const auto& result = transfer.result();
-        check((what == mail::final) == transfer.finished(), "a transfer knows whether it is finished");
+        check((what == reply_kind::complete) == transfer.finished(), "a transfer knows whether it is finished");
         check(result.size <= into.size(), "an upload fits its buffer");
         if (!clean_) return;
-        check(what == mail::final, "a clean transfer is answered");
+        check(what == reply_kind::complete, "a clean transfer is answered");
         const auto first_room = (uploads ? in_room : out_room) - 10;
         const bool too_large = data.size() > std::max(memory.size(), first_room);
         const bool refused = too_large || (ruled && !cleared && !uploads);

@@ -5,7 +5,7 @@
 
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
-#include <jauscat/ethercat/master/mail.hpp>
+#include <jauscat/ethercat/master/reply_kind.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
@@ -24,7 +24,7 @@ concept mailbox_protocol = requires(T& protocol, std::span<std::byte> out, std::
     protocol.size();
     protocol.encode(out);
     { protocol.expects_answer() } -> std::same_as<bool>;
-    { protocol.take(message) } -> std::same_as<mail>;
+    { protocol.take(message) } -> std::same_as<reply_kind>;
     protocol.unexpected();
     protocol.result();
 };
@@ -146,8 +146,8 @@ class mailbox_exchange {
         case step::collect:
             if (executed) {
                 const auto before = slave.last_reply_mark;
-                const auto letter = open(datagram.data, slave);
-                if (!repeated_ || slave.last_reply_mark != before) note_emergency(letter, slave);
+                const auto reply = open(datagram.data, slave);
+                if (!repeated_ || slave.last_reply_mark != before) note_emergency(reply, slave);
                 return progress::send;
             }
             if (!may_write_) {
@@ -206,55 +206,55 @@ class mailbox_exchange {
 
     // A message from the reply mailbox.
     static envelope open(std::span<const std::byte> data, slave_record& slave) noexcept {
-        envelope letter{};
-        static_cast<void>(wire::decode_prefix(letter.header, data));
+        envelope reply{};
+        static_cast<void>(wire::decode_prefix(reply.header, data));
         const auto body = data.subspan(wire::max_size<mailbox_header>);
-        if (letter.header.length <= body.size()) letter.message = body.first(letter.header.length);
-        slave.last_reply_mark = mark_of(letter);
-        return letter;
+        if (reply.header.length <= body.size()) reply.message = body.first(reply.header.length);
+        slave.last_reply_mark = mark_of(reply);
+        return reply;
     }
 
     // Counter, length and the bytes in which messages differ that follow each other: fragments have the same counter.
-    static std::uint32_t mark_of(const envelope& letter) noexcept {
+    static std::uint32_t mark_of(const envelope& reply) noexcept {
         constexpr std::size_t telling = 16;
-        std::uint32_t mark = letter.header.counter * 65'536u + letter.header.length;
-        for (const std::byte byte : letter.message.first(std::min(telling, letter.message.size())))
+        std::uint32_t mark = reply.header.counter * 65'536u + reply.header.length;
+        for (const std::byte byte : reply.message.first(std::min(telling, reply.message.size())))
             mark = mark * 31u + std::to_integer<std::uint32_t>(byte);
         return mark;
     }
 
-    static void note_emergency(const envelope& letter, slave_record& slave) noexcept {
+    static void note_emergency(const envelope& reply, slave_record& slave) noexcept {
         coe_header coe{};
-        const auto used = wire::decode_prefix(coe, letter.message);
+        const auto used = wire::decode_prefix(coe, reply.message);
         coe_emergency emergency{};
-        if (letter.header.type == mailbox_type::coe && used && coe.service == coe_service::emergency &&
-            wire::decode_prefix(emergency, letter.message.subspan(used.size())))
+        if (reply.header.type == mailbox_type::coe && used && coe.service == coe_service::emergency &&
+            wire::decode_prefix(emergency, reply.message.subspan(used.size())))
             slave.emergencies.note(emergency);
     }
 
     // A message in the reply mailbox: the answer, or something to pass over.
     progress take(std::span<const std::byte> data, slave_record& slave, mailbox_protocol auto& protocol) noexcept {
         const auto before = slave.last_reply_mark;
-        const auto letter = open(data, slave);
-        const auto& header = letter.header;
+        const auto reply = open(data, slave);
+        const auto& header = reply.header;
         // Slaves may count on their own, so only two counters say for sure that a message is an old one.
         const bool again = repeated_ && slave.last_reply_mark == before;
         const bool abandoned = header.counter == slave.abandoned_counter && header.counter != slave.last_counter;
         if (header.counter != 0 && again) return progress::send;
-        note_emergency(letter, slave);
+        note_emergency(reply, slave);
         if (header.counter != 0 && abandoned) return progress::send;
         if (!accepted_ && !unsure_) return progress::send; // nothing was asked yet
 
         if (header.type == mailbox_type::error) {
             mailbox_error_reply error{};
-            if (!wire::decode_prefix(error, letter.message)) return progress::send;
+            if (!wire::decode_prefix(error, reply.message)) return progress::send;
             return fail(master_errc::mailbox_error, slave, static_cast<std::uint32_t>(error.code));
         }
-        const auto meaning = header.type == mailbox_type::coe ? protocol.take(letter.message) : mail::other;
-        if (meaning == mail::other) return progress::send;
+        const auto meaning = header.type == mailbox_type::coe ? protocol.take(reply.message) : reply_kind::unrelated;
+        if (meaning == reply_kind::unrelated) return progress::send;
         slave.abandoned_counter = 0; // a slave answers in order: what was given up cannot come any more
         patience_.renew();
-        if (meaning == mail::more) return progress::send;
+        if (meaning == reply_kind::fragment) return progress::send;
         result_ = protocol.result(); // ok where another request follows
         return progress::done;
     }

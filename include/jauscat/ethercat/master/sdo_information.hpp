@@ -2,7 +2,7 @@
 // answer may come in several fragments; the mailbox around it is mailbox_exchange's.
 #pragma once
 
-#include <jauscat/ethercat/master/mail.hpp>
+#include <jauscat/ethercat/master/reply_kind.hpp>
 #include <jauscat/schema/ethercat/coe.hpp>
 #include <jauscat/schema/ethercat/sdo_information.hpp>
 #include <jauscat/wire/decode.hpp>
@@ -58,21 +58,21 @@ class sdo_information {
     }
 
     /// Takes a CoE message, CoE header on.
-    mail take(std::span<const std::byte> message) noexcept {
+    reply_kind take(std::span<const std::byte> message) noexcept {
         coe_header coe{};
         message = message.subspan(wire::decode_prefix(coe, message).size());
         sdo_information_header header{};
         const auto used = wire::decode_prefix(header, message);
-        if (coe.service != coe_service::sdo_information || !used) return mail::other;
+        if (coe.service != coe_service::sdo_information || !used) return reply_kind::unrelated;
         message = message.subspan(used.size());
         if (header.opcode == sdo_information_opcode::error) return refused(message);
         const auto answer = static_cast<sdo_information_opcode>(static_cast<unsigned>(request_) + 1);
-        if (header.opcode != answer) return mail::other;
+        if (header.opcode != answer) return reply_kind::unrelated;
         if (!begun_) {
             // What the question named comes first, and says that this is its answer. A list does not repeat it.
             const auto asked = std::span{question_}.first(std::min<std::size_t>(size_, name_size));
             if (message.size() < asked.size() || !std::ranges::equal(asked, message.first(asked.size())))
-                return mail::other;
+                return reply_kind::unrelated;
             message = message.subspan(repeated_);
         }
         if (message.size() > into_.size() - done_)
@@ -83,7 +83,7 @@ class sdo_information {
         left_ = header.fragments_left;
         std::ranges::copy(message, into_.subspan(done_).begin());
         done_ += message.size();
-        if (left_ != 0 || header.incomplete) return mail::more;
+        if (left_ != 0 || header.incomplete) return reply_kind::fragment;
         return finish({.size = done_});
     }
 
@@ -97,14 +97,14 @@ class sdo_information {
         size_ = wire::encode(question, question_).size();
     }
 
-    mail refused(std::span<const std::byte> message) noexcept {
+    reply_kind refused(std::span<const std::byte> message) noexcept {
         sdo_information_error error{};
         static_cast<void>(wire::decode_prefix(error, message));
         return finish({.error = master_errc::sdo_abort, .detail = static_cast<std::uint32_t>(error.code)});
     }
-    mail finish(const outcome& result) noexcept {
+    reply_kind finish(const outcome& result) noexcept {
         result_ = result;
-        return mail::final;
+        return reply_kind::complete;
     }
 
     sdo_information_opcode request_{};

@@ -2,7 +2,7 @@
 // several messages. The mailbox around it is mailbox_exchange's.
 #pragma once
 
-#include <jauscat/ethercat/master/mail.hpp>
+#include <jauscat/ethercat/master/reply_kind.hpp>
 #include <jauscat/ethercat/master/sdo_options.hpp>
 #include <jauscat/ethercat/sdo_segment.hpp>
 #include <jauscat/schema/ethercat/mailbox.hpp>
@@ -101,12 +101,12 @@ class sdo_transfer {
     }
 
     /// Takes a CoE message, CoE header on.
-    mail take(std::span<const std::byte> message) noexcept {
+    reply_kind take(std::span<const std::byte> message) noexcept {
         coe_header coe{};
         const auto sdo = message.subspan(wire::decode_prefix(coe, message).size());
         sdo_segment_header segment{}; // its specifier is where the one of any SDO message is
         const bool is_sdo = coe.service == coe_service::sdo_response || coe.service == coe_service::sdo_request;
-        if (!expects_answer() || !is_sdo || !wire::decode_prefix(segment, sdo)) return mail::other;
+        if (!expects_answer() || !is_sdo || !wire::decode_prefix(segment, sdo)) return reply_kind::unrelated;
         const bool is_response = coe.service == coe_service::sdo_response && segment.specifier == expected_response();
         if (phase_ == phase::segments && is_response) return take_segment(segment, sdo);
 
@@ -118,13 +118,13 @@ class sdo_transfer {
         // Slaves abort with the service of a request or of a response, and leave other bits of the command as they are.
         if (segment.specifier == sdo_specifier::abort) {
             // In an answer to a segment, where requests name no object, some slaves' aborts do not name it either.
-            if (names_object && !is_ours && phase_ != phase::segments) return mail::other;
+            if (names_object && !is_ours && phase_ != phase::segments) return reply_kind::unrelated;
             return aborted(is_whole ? abort.code : abort_code::none);
         }
-        if (!is_whole || !is_ours) return mail::other;
+        if (!is_whole || !is_ours) return reply_kind::unrelated;
         if (is_response) return is_download() ? go_on(phase_ == phase::clear) : take_upload(header, sdo);
         unexpected_ = header.specifier;
-        return mail::other;
+        return reply_kind::unrelated;
     }
 
   private:
@@ -168,32 +168,32 @@ class sdo_transfer {
         return is_download() ? sdo_specifier::download_response : sdo_specifier::upload_response;
     }
 
-    mail finish(const outcome& result) noexcept {
+    reply_kind finish(const outcome& result) noexcept {
         result_ = result;
         finished_ = true;
-        return mail::final;
+        return reply_kind::complete;
     }
-    mail aborted(abort_code code) noexcept {
+    reply_kind aborted(abort_code code) noexcept {
         open_ = false;
         if (!spoilt_) return finish(spoilt_);
         const auto error = phase_ == phase::clear ? master_errc::clear_refused : master_errc::sdo_abort;
         return finish({.error = error, .detail = static_cast<std::uint32_t>(code)});
     }
-    mail next_request(phase next) noexcept {
+    reply_kind next_request(phase next) noexcept {
         phase_ = next;
         unexpected_.reset();
-        return mail::next;
+        return reply_kind::proceed;
     }
 
     // The slave has confirmed what a download sent last.
-    mail go_on(bool cleared) noexcept {
+    reply_kind go_on(bool cleared) noexcept {
         if (cleared) return next_request(phase::initiate);
         done_ += phase_ == phase::segments ? next_segment().size() : initial_data().size();
         open_ = done_ != data_.size();
         return open_ ? next_request(phase::segments) : finish({});
     }
 
-    mail take_upload(const sdo_header& header, std::span<const std::byte> sdo) noexcept {
+    reply_kind take_upload(const sdo_header& header, std::span<const std::byte> sdo) noexcept {
         if (header.expedited) {
             sdo_expedited expedited{};
             static_cast<void>(wire::decode_prefix(expedited, sdo));
@@ -207,7 +207,7 @@ class sdo_transfer {
         return keep(data, normal.size > data.size());
     }
 
-    mail take_segment(const sdo_segment_header& segment, std::span<const std::byte> sdo) noexcept {
+    reply_kind take_segment(const sdo_segment_header& segment, std::span<const std::byte> sdo) noexcept {
         if (segment.toggle != toggle_) return finish({.error = master_errc::toggle_bit});
         toggle_ = !toggle_;
         if (is_download()) return go_on(false);
@@ -219,11 +219,11 @@ class sdo_transfer {
         return keep(data, !segment.last);
     }
 
-    mail mismatch() noexcept { return finish({.error = master_errc::size_mismatch, .detail = announced_}); }
+    reply_kind mismatch() noexcept { return finish({.error = master_errc::size_mismatch, .detail = announced_}); }
 
     // Data of an upload, all of it or with more to follow. What is of no use is read to its end all the same: some
     // slaves serve nothing else before that, whatever they are told.
-    mail keep(std::span<const std::byte> data, bool more) noexcept {
+    reply_kind keep(std::span<const std::byte> data, bool more) noexcept {
         open_ = more;
         const std::size_t size = std::max<std::size_t>(more ? announced_ : 0, done_ + data.size());
         if (size > into_.size())

@@ -8,11 +8,11 @@
 namespace jauscat::ethercat {
 
 /// What a mailbox message meant to the protocol that waits for it.
-enum class mail : std::uint8_t {
-    other, ///< not the answer: keep waiting
-    more,  ///< a part of the answer: the next part comes unasked
-    next,  ///< the answer; the protocol goes on with another request
-    final, ///< the last answer: see the outcome
+enum class reply_kind : std::uint8_t {
+    unrelated, ///< not the answer: keep waiting
+    fragment,  ///< a part of the answer: the next part comes unasked
+    proceed,   ///< the answer; the protocol goes on with another request
+    complete,  ///< the last answer: see the outcome
 };
 
 } // namespace jauscat::ethercat
