@@ -272,7 +272,7 @@ struct watcher {
 
     std::array<jaus::configured_component, 2> others{{{33, 1}, {33, 2}}};
     jaus::node_description description{.components = others};
-    std::array<jaus::presence_table::place, 64> places{};
+    std::array<jaus::liveness_table::place, 64> places{};
     std::array<std::byte, 1000> lists{}, report{};
     jaus::node_manager manager;
     bool runs = true;

@@ -70,7 +70,7 @@ struct node {
                                        .node = {"arm", 40001, 5},
                                        .manager = {"manager", 60001, 3},
                                        .components = components};
-    std::array<jaus::presence_table::place, 16> places{};
+    std::array<jaus::liveness_table::place, 16> places{};
     std::array<std::byte, 1024> list_memory{};
     std::array<std::byte, 10000> report{};
     lines seen{};
@@ -283,7 +283,7 @@ TEST_CASE("the configuration of the node has what is described and what sends he
 // The report counts a node's components in one byte.
 TEST_CASE("of more than 255 components of one node 255 are reported, those of the description among them") {
     node n;
-    std::vector<jaus::presence_table::place> places(2048);
+    std::vector<jaus::liveness_table::place> places(2048);
     bytes lists(1 << 16), report(1 << 16);
     n.components = {{{250, 9}, {251, 9}}};
     jaus::node_manager manager{make(1, 2), n.description, {places, lists, report}};

@@ -2,7 +2,7 @@
 #pragma once
 #include <jauscat/jaus/component/described_component.hpp>
 #include <jauscat/jaus/message/callback.hpp>
-#include <jauscat/jaus/routing/presence_table.hpp>
+#include <jauscat/jaus/routing/liveness_table.hpp>
 
 namespace jauscat::jaus {
 
@@ -37,7 +37,7 @@ struct node_manager_options {
 
 /// The caller's memory. None of it may be shared.
 struct node_manager_memory {
-    std::span<presence_table::place> presences{}; ///< for all components heard of; see presence_table
+    std::span<liveness_table::place> presences{}; ///< for all components heard of; see liveness_table
     std::span<std::byte> lists{}; ///< 8 bytes for each of them and of the node's own, 32 for each node of the subsystem
     std::span<std::byte> report{}; ///< the longest report; see answer
 };

@@ -60,7 +60,7 @@ class node_manager {
         });
         if (lost.any())
             present_.remove_if(
-                [&](const presence_table::place& one) {
+                [&](const liveness_table::place& one) {
                     return one.address.subsystem == self_.subsystem && lost[one.address.node];
                 },
                 [&](const address& who) { tell(options_.disappeared, who); });
@@ -78,7 +78,7 @@ class node_manager {
     }
 
     /// Who is there.
-    [[nodiscard]] const presence_table& present() const noexcept { return present_; }
+    [[nodiscard]] const liveness_table& present() const noexcept { return present_; }
     /// `who` counts as there for good, also if it sends no heartbeats; false when there is no room.
     bool keep(const address& who) noexcept { return present_.keep(who); }
     /// The body of Report Configuration of the subsystem or the node, at the front of `body`; its size, or nothing
@@ -100,7 +100,7 @@ class node_manager {
     }
     static message_outcome done(bool sent) noexcept { return sent ? message_outcome::taken : message_outcome::refused; }
     heard remember(const address& who, time now, time patience) noexcept {
-        const heard what = present_.hear(who, now, patience);
+        const heard what = present_.on_heard(who, now, patience);
         if (what == heard::no_room) ++not_remembered_;
         if (what == heard::appeared) tell(options_.appeared, who);
         return what;
@@ -231,7 +231,7 @@ class node_manager {
     node_manager_memory memory_;
     node_manager_options options_;
     described_component own_;
-    presence_table present_;
+    liveness_table present_;
     time next_survey_{time::min()};
     std::uint64_t not_remembered_{};
 };

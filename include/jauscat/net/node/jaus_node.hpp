@@ -118,7 +118,7 @@ class jaus_node {
     /// The node manager's address, also where another program has it.
     [[nodiscard]] const jaus::address& manager() const noexcept { return machine_.manager(); }
     /// Whom the node manager hears, or nullptr where this program has none or was never started.
-    [[nodiscard]] const jaus::presence_table* present() const noexcept { return machine_.present(); }
+    [[nodiscard]] const jaus::liveness_table* present() const noexcept { return machine_.present(); }
     /// What it was made with.
     [[nodiscard]] const jaus_config& config() const noexcept { return machine_.config(); }
     /// Of the socket and the group's together, since the last start.

@@ -226,7 +226,7 @@ class node_machine {
     /// The node manager's address, also where another program has it.
     [[nodiscard]] const jaus::address& manager() const noexcept { return self_; }
     /// Whom the node manager hears, or nullptr where this program has none or was never started.
-    [[nodiscard]] const jaus::presence_table* present() const noexcept {
+    [[nodiscard]] const jaus::liveness_table* present() const noexcept {
         return manager_ ? &manager_->present() : nullptr;
     }
     /// What it was made with.

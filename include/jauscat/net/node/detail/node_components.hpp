@@ -3,7 +3,7 @@
 
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/message/later.hpp>
-#include <jauscat/jaus/routing/presence_table.hpp>
+#include <jauscat/jaus/routing/liveness_table.hpp>
 #include <jauscat/net/config/jaus_node_options.hpp>
 #include <jauscat/net/config/jausip.hpp>
 #include <jauscat/net/limited_log.hpp>
@@ -55,7 +55,7 @@ class node_components {
 
     /// Memory for large data sets anew: up to 64 KiB for the node manager, which is the first component if there is
     /// one, equal parts of the rest for the others. `present`: whom the node manager hears, or nullptr.
-    void start(std::size_t memory, const jaus::presence_table* present) {
+    void start(std::size_t memory, const jaus::liveness_table* present) {
         const bool first_is_manager = present != nullptr;
         const std::size_t of_manager = first_is_manager ? std::min(memory / 4, std::size_t{64} << 10U) : 0;
         const std::size_t others = std::max<std::size_t>(all_.size() - (first_is_manager ? 1 : 0), 1);
@@ -267,7 +267,7 @@ class node_components {
     limited_log& log_;
     std::vector<entry> all_{};
     peer_watch peers_;
-    const jaus::presence_table* present_{};
+    const jaus::liveness_table* present_{};
     time stale_at_{time::max()}; ///< when a large data set may have to be given up
     bool going_{};
 };

@@ -40,7 +40,7 @@ class own_manager {
     own_manager(const own_manager&) = delete;
     own_manager& operator=(const own_manager&) = delete;
 
-    [[nodiscard]] const jaus::presence_table& present() const noexcept { return manager_.present(); }
+    [[nodiscard]] const jaus::liveness_table& present() const noexcept { return manager_.present(); }
     /// Tells those who asked for it that `who` has appeared or disappeared.
     void tell_change(const jaus::address& who, std::chrono::nanoseconds now, jaus::message_sink out) {
         if (who.subsystem == core.self().subsystem) events_.changed(now, out);
@@ -89,7 +89,7 @@ class own_manager {
 
     std::vector<jaus::configured_component> components_;
     jaus::node_description description_;
-    std::vector<jaus::presence_table::place> presences_;
+    std::vector<jaus::liveness_table::place> presences_;
     std::vector<std::byte> lists_, report_;
     jaus::node_manager manager_;
     configuration_events events_;

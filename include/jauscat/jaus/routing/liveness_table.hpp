@@ -24,17 +24,17 @@ enum class heard : std::uint8_t {
 
 /// The components that are there, each until it has been silent for the patience it was heard with. A flood of new
 /// addresses takes places, never more memory, and displaces nobody. Found in constant time.
-class presence_table {
+class liveness_table {
   public:
     using time = std::chrono::nanoseconds;
     /// A place in the caller's memory.
     using place = address_place<presence>;
 
     /// `places` must outlive this; three quarters of a power of two of them can be used.
-    constexpr explicit presence_table(std::span<place> places) noexcept : map_{places} {}
+    constexpr explicit liveness_table(std::span<place> places) noexcept : map_{places} {}
 
     /// `who`, with an ID on each level, was heard at `now`. `patience`: 0 or more.
-    constexpr heard hear(const address& who, time now, time patience) noexcept {
+    constexpr heard on_heard(const address& who, time now, time patience) noexcept {
         const time gone_at = later(now, patience);
         if (place* const found = map_.exactly(who)) {
             found->value.last_heard_at = now;
@@ -46,7 +46,7 @@ class presence_table {
         return heard::appeared;
     }
     /// `who` is there for good, whether it is heard or not; false when the table is full.
-    constexpr bool keep(const address& who) noexcept { return hear(who, time{}, time::max()) != heard::no_room; }
+    constexpr bool keep(const address& who) noexcept { return on_heard(who, time{}, time::max()) != heard::no_room; }
 
     /// Gives up who has been silent too long: `gone(const address&)` hears of each, which is no longer in the table.
     constexpr void on_time(time now, auto&& gone) {
