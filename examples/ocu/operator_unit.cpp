@@ -48,7 +48,7 @@ operator_unit::operator_unit(const net::jaus_config& config, const jaus::address
       manager_of_robot_{.instance = 1, .component = 1, .node = robot.node, .subsystem = robot.subsystem},
       timeout_{timeout},
       acknowledged_{acknowledged},
-      held_{self_, robot, {.patience = timeout, .requests = retries + 1, .renewal = std::chrono::seconds{5}}},
+      held_{self_, robot, {.timeout = timeout, .requests = retries + 1, .renewal = std::chrono::seconds{5}}},
       described_{self_,
                  {.name = {.identification = "operator control unit", .type = 60001}},
                  jaus::heartbeat_to_node_manager(self_),

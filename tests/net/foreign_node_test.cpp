@@ -31,7 +31,7 @@ struct robot {
     net::jaus_node_options options(net::access who) {
         net::jaus_node_options made{.who = who};
         made.beat.period = period;
-        made.patience = patience;
+        made.timeout = patience;
         made.log = [this](std::string_view line) { log.emplace_back(line); };
         made.appeared = [this](const jaus::address& one) { appeared.push_back(one); };
         made.disappeared = [this](const jaus::address& one) { disappeared.push_back(one); };

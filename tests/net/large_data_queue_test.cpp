@@ -300,7 +300,7 @@ TEST_CASE("a patience without end does not end, and wakes nobody") {
     jaus::component_memory<> memory{};
     jaus::component core{screen, memory, {}, {}};
     auto application = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::taken; };
-    const jauscat::net::jaus_node_options options{.large_data_patience = nanoseconds::max()};
+    const jauscat::net::jaus_node_options options{.large_data_timeout = nanoseconds::max()};
     std::size_t lines = 0;
     jauscat::net::limited_log log{[&](std::string_view) { ++lines; }};
     jauscat::net::detail::node_components components{options, log};

@@ -64,7 +64,7 @@ struct program {
 
     net::jaus_node_options with_hooks(net::jaus_node_options options) {
         options.beat.period = 50ms;
-        options.patience = 2s;
+        options.timeout = 2s;
         options.log = [this](std::string_view line) { log.emplace_back(line); };
         options.seen = [this](const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
                               jaus::component_outcome what) {
@@ -96,7 +96,7 @@ struct program {
     std::vector<bytes> large{};
     hooks_type hooks{};
     jaus::component_memory<> memory{};
-    jaus::held_control other{self, make(2, 1, 33), {.patience = 2s}};
+    jaus::held_control other{self, make(2, 1, 33), {.timeout = 2s}};
     jaus::component<jaus::held_control> core{
         self, memory, {.on_delivered = jaus::bound<&hooks_type::on_delivered>(hooks)}, {}, other};
     struct handler {

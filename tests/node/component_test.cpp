@@ -214,7 +214,7 @@ TEST_CASE("a controller that renews its control keeps it, one that falls silent 
     jaus::component_memory<1, 64, 4> memory{};
     std::vector<control_state> states{};
     const auto changed = [&](control_state s) { states.push_back(s); };
-    jaus::held_control control{ocu_address, arm_address, {.patience = 100ms, .renewal = 400ms}, changed};
+    jaus::held_control control{ocu_address, arm_address, {.timeout = 100ms, .renewal = 400ms}, changed};
     jaus::component core{ocu_address, memory, {}, {}, control};
     bool alive = true;
     channel.listen(ocu_address, [&](const jaus::header& head, std::span<const std::byte> body) {

@@ -56,7 +56,7 @@ void operator_program::add_components(net::node_machine& node) {
     memory_ = {};
     control_.emplace(
         id_, target_,
-        jaus::held_control_options{.patience = milliseconds{200}, .requests = 3, .renewal = milliseconds{150}},
+        jaus::held_control_options{.timeout = milliseconds{200}, .requests = 3, .renewal = milliseconds{150}},
         control_listener_);
     jaus::component_options options{};
     options.acknowledgement.first_number = static_cast<std::uint16_t>(random_.next());

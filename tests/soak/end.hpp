@@ -88,7 +88,7 @@ class end {
     net::jaus_node_options options() {
         net::jaus_node_options made{};
         made.beat.period = 200ms;
-        made.patience = 2s; // 9 of 10 heartbeats may be lost
+        made.timeout = 2s; // 9 of 10 heartbeats may be lost
         made.socket.receive_buffer = std::size_t{4} << 20U;
         made.log_limit.per_second = 0; // none: a line that is left out might be one that matters
         made.log = [this](std::string_view line) {

@@ -24,7 +24,7 @@ struct commander {
     commander(const jaus::address& self, large_traffic& large, listener tell)
         : on_delivered{std::move(tell)},
           application{large},
-          control{self, robot_id, {.patience = 100ms, .requests = 10, .renewal = 250ms}},
+          control{self, robot_id, {.timeout = 100ms, .requests = 10, .renewal = 250ms}},
           core{self,
                memory,
                {.on_delivered = on_delivered},

@@ -41,7 +41,7 @@ struct bridge_options {
     std::chrono::nanoseconds stop_interval{std::chrono::milliseconds{20}};
     /// A job of the master for another slave that stands in the way of a stop order for longer is given up. If it was a
     /// transfer, that slave is lost.
-    std::chrono::nanoseconds stop_patience{std::chrono::milliseconds{50}};
+    std::chrono::nanoseconds stop_timeout{std::chrono::milliseconds{50}};
     /// A message that still waits for its slave after so long is refused.
     std::chrono::nanoseconds order_timeout{std::chrono::milliseconds{500}};
 };

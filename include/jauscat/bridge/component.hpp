@@ -156,7 +156,8 @@ class component {
             return jaus::message_outcome::refused;
         };
         if (!front_.up()) return refuse(refusal::slave_down);
-        const order message{.header = head, .unit = this, .expires = jaus::later(now, front_.timing().order_timeout)};
+        const order message{
+            .header = head, .unit = this, .expires = jaus::saturating_add(now, front_.timing().order_timeout)};
         switch (front_.orders().push(message, body, [&](const jaus::header& older) {
             on_not_executed(older, {.why = refusal::superseded}, now, out);
         })) {

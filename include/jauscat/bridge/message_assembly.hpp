@@ -19,9 +19,9 @@ template <std::size_t MaxBody, std::size_t Places = 4> class message_assembly {
   public:
     static_assert(MaxBody <= jaus::max_body_size, "message_assembly: a header cannot state such a size");
 
-    /// `patience`: a data set that has been silent so long gives its place up to another.
-    explicit message_assembly(std::chrono::nanoseconds patience) noexcept
-        : large_{places_, packets_, memory_, patience} {}
+    /// `timeout`: a data set that has been silent so long gives its place up to another.
+    explicit message_assembly(std::chrono::nanoseconds timeout) noexcept
+        : large_{places_, packets_, memory_, timeout} {}
     message_assembly(const message_assembly&) = delete;
     message_assembly& operator=(const message_assembly&) = delete;
 

@@ -86,7 +86,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (cycles()) consider(next_cycle_);
         for (const place& each : places()) {
             consider(each.front->orders().next_expiry());
-            if (each.at == phase::up) consider(jaus::later(each.last_seen, options_.longest_silence));
+            if (each.at == phase::up) consider(jaus::saturating_add(each.last_seen, options_.longest_silence));
             if (master_.idle()) consider(next_work_of(each));
         }
         return next;
@@ -333,7 +333,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     void brought_up(place& at, const ethercat::outcome& result, time now) {
         at.bring_up = result;
-        at.next_try = jaus::later(now, options_.bring_up_interval);
+        at.next_try = jaus::saturating_add(now, options_.bring_up_interval);
         if (!result) return at.front->watcher().bring_up_failed(*at.front, result);
         is_cleared_ = true;
         at.takes_keep_alive = true;
@@ -349,7 +349,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         }
         at.at = next;
         if (next == phase::safe_op) rebuild_process_data(now);
-        if (next == phase::settling) at.settling_until = jaus::later(now, options_.master.state_timeout);
+        if (next == phase::settling) at.settling_until = jaus::saturating_add(now, options_.master.state_timeout);
     }
     void ready(place& at, time now) {
         at.at = phase::up;
@@ -376,7 +376,7 @@ template <class Image = wrench_effort_path> class basic_ring {
                                  .status = exchange().status(),
                                  .outcome = result};
         const bool answers = was_executed || is_of_slave(result);
-        if (answers) at.next_keep_alive = jaus::later(now, options_.keep_alive);
+        if (answers) at.next_keep_alive = jaus::saturating_add(now, options_.keep_alive);
         const auto report = std::span{packet_}.first(was_executed ? step.size : 0);
         job_.reset();
         switch (purpose_) {
@@ -419,12 +419,12 @@ template <class Image = wrench_effort_path> class basic_ring {
     // A job that stands in the way of a stop order is given up; one that is itself a stop order is not.
     [[nodiscard]] std::optional<time> hindered_until() const {
         if (!hindered_since_) return std::nullopt;
-        return jaus::later(*hindered_since_, options_.stop_patience);
+        return jaus::saturating_add(*hindered_since_, options_.stop_timeout);
     }
     void stop_what_hinders(time now) {
         if (!is_hindered(now)) return hindered_since_.reset();
         if (!hindered_since_) hindered_since_ = now;
-        if (now - *hindered_since_ < options_.stop_patience) return;
+        if (now - *hindered_since_ < options_.stop_timeout) return;
         hindered_since_.reset();
         // Its answer could be taken for the next one's: a slave whose transfer is given up is lost, and brought up
         // anew.
@@ -474,7 +474,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (at.at == phase::absent) return; // its last job has ended only now
         const bool was_up = at.front->up();
         at.at = phase::absent;
-        at.next_try = was_up ? now : jaus::later(now, options_.bring_up_interval);
+        at.next_try = was_up ? now : jaus::saturating_add(now, options_.bring_up_interval);
         at.front->set_up(false);
         at.image.reset();
         at.front->watcher().slave_lost(*at.front, what, why);
@@ -514,7 +514,7 @@ template <class Image = wrench_effort_path> class basic_ring {
             if (stays && record != nullptr) std::ranges::copy(data_.outputs(*record), next.outputs(*record).begin());
         }
         has_process_data_ = next.image().size != 0;
-        if (exchanged_ == 0 || next_cycle_ > jaus::later(now, interval())) next_cycle_ = now;
+        if (exchanged_ == 0 || next_cycle_ > jaus::saturating_add(now, interval())) next_cycle_ = now;
         next.follow(data_);
         data_ = next;
         exchanged_ = count;
@@ -653,7 +653,8 @@ template <class Image = wrench_effort_path> class basic_ring {
         const auto error = at.image->on_command(plain, body, outputs(at), inputs(at), now);
         if (error != translate::errc::ok) return refusal_reason{.why = refusal::not_translated, .error = error};
         const auto count = at.image->given(outputs(at));
-        at.waiting[at.waiting_count++] = {&unit, head, count, jaus::later(now, options_.longest_silence), is_stop};
+        at.waiting[at.waiting_count++] = {&unit, head, count, jaus::saturating_add(now, options_.longest_silence),
+                                          is_stop};
         at.front->watcher().into_image(*at.front, count, outputs(at));
         return std::nullopt;
     }

@@ -1,6 +1,6 @@
 // What an actuator has to be told until it confirms: stop orders, and the end of an emergency.
 #pragma once
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -77,7 +77,7 @@ class stop_debt {
     /// owes rest alone. False where the end of an emergency is given up.
     constexpr bool refused(stop_order what, bool unknown, time now) noexcept {
         ++refusals_;
-        next_attempt_ = jaus::later(now, interval_ * std::min(refusals_, slowest));
+        next_attempt_ = jaus::saturating_add(now, interval_ * std::min(refusals_, slowest));
         if (what == stop_order::emergency && unknown) {
             emergency_is_unknown_ = true;
             if (!rest_) emergency_ = false;

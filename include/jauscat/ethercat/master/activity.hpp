@@ -56,12 +56,12 @@ using replies = std::span<const datagram_view>;
 }
 
 /// Limits how long a state machine polls for one thing.
-class patience {
+class timeout {
   public:
     /// Starts over: something else is waited for.
     constexpr void renew() noexcept { since_.reset(); }
     /// True once `limit` has passed since the first call after `renew`.
-    constexpr bool exhausted(time_point now, std::chrono::nanoseconds limit) noexcept {
+    constexpr bool expired(time_point now, std::chrono::nanoseconds limit) noexcept {
         if (!since_) since_ = now;
         return now - *since_ >= limit;
     }

@@ -101,7 +101,7 @@ class mailbox_exchange {
         if (was_refused_) step_ = asked_; // another copy
         const auto next = advance(datagram, slave, protocol);
         if (was_refused_ && asked_ == step::write && config.frames_may_be_copied) unsure_ = true; // a copy may be taken
-        if (next == progress::done || !patience_.exhausted(now, config.mailbox_timeout)) return next;
+        if (next == progress::done || !timeout_.expired(now, config.mailbox_timeout)) return next;
         if (!accepted_) return fail(master_errc::mailbox_full, slave);
         if (const auto specifier = protocol.unexpected())
             return fail(master_errc::unexpected_reply, slave, static_cast<std::uint32_t>(*specifier));
@@ -253,7 +253,7 @@ class mailbox_exchange {
         const auto meaning = header.type == mailbox_type::coe ? protocol.take(reply.message) : reply_kind::unrelated;
         if (meaning == reply_kind::unrelated) return progress::send;
         slave.abandoned_counter = 0; // a slave answers in order: what was given up cannot come any more
-        patience_.renew();
+        timeout_.renew();
         if (meaning == reply_kind::fragment) return progress::send;
         result_ = protocol.result(); // ok where another request follows
         return progress::done;
@@ -269,7 +269,7 @@ class mailbox_exchange {
     step asked_{};         // the step of the last frame
     bool was_refused_{};   // it came back without being executed
     bool repeated_{};      // a repeat was asked for: the message before may come again
-    patience patience_{};
+    timeout timeout_{};
     outcome result_{};
 };
 

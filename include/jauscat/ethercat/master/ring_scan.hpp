@@ -58,7 +58,7 @@ class ring_scan {
             result_ = {.size = slaves_};
             return progress::done;
         }
-        if (!patience_.exhausted(now, config.state_timeout)) {
+        if (!timeout_.expired(now, config.state_timeout)) {
             if (all.error) step_ = step::clear; // one that came up since
             return progress::wait;
         }
@@ -72,7 +72,7 @@ class ring_scan {
 
     step step_{};
     std::uint16_t slaves_{};
-    patience patience_{};
+    timeout timeout_{};
     outcome result_{};
 };
 

@@ -34,13 +34,13 @@ class sii_read {
     progress reply(const datagram_view& datagram, time_point now, const master_config& config) noexcept {
         if (!started_) {
             started_ = true;
-            patience_.renew();
+            timeout_.renew();
             return progress::send;
         }
         sii_access access{};
         static_cast<void>(wire::decode(access, datagram.data));
         if (access.request.busy)
-            return patience_.exhausted(now, config.sii_timeout) ? fail(master_errc::sii_busy) : progress::wait;
+            return timeout_.expired(now, config.sii_timeout) ? fail(master_errc::sii_busy) : progress::wait;
         if (access.request.command_error) return fail(master_errc::sii_error, word_);
         const std::size_t count = std::min<std::size_t>(access.request.eight_byte_reads ? 8 : 4, rest_.size());
         std::ranges::copy(std::span{access.data}.first(count), rest_.begin());
@@ -59,7 +59,7 @@ class sii_read {
     std::uint32_t word_{}; // to be read next
     std::span<std::byte> rest_{};
     bool started_{};
-    patience patience_{};
+    timeout timeout_{};
     outcome result_{};
 };
 

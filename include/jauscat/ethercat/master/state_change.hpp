@@ -55,7 +55,7 @@ class state_change {
 
         al_status status{};
         static_cast<void>(wire::decode(status, datagrams.front().data));
-        const bool late = patience_.exhausted(now, config.state_timeout);
+        const bool late = timeout_.expired(now, config.state_timeout);
         const auto code = static_cast<std::uint32_t>(status.code);
         switch (step_) {
         case step::look: from_ = status.state; return status.error ? go(step::acknowledge) : on_the_way();
@@ -101,7 +101,7 @@ class state_change {
 
     progress go(step next) noexcept {
         step_ = next;
-        patience_.renew();
+        timeout_.renew();
         return progress::send;
     }
     progress fail(master_errc error, std::uint32_t detail = 0) noexcept {
@@ -112,7 +112,7 @@ class state_change {
     std::uint16_t station_{};
     al_state goal_{}, from_{}, next_{};
     step step_{};
-    patience patience_{};
+    timeout timeout_{};
     outcome result_{};
 };
 

@@ -1,7 +1,7 @@
 // Acknowledges messages that ask for it, and hands each on once although its sender repeats it. RA 3.3 part 2, ACK/NAK.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
 #include <algorithm>
@@ -94,7 +94,7 @@ class acknowledged_receiver {
         acknowledged_message& place = *found.free;
         place = key;
         place.answer = ack_nak::request; // pending while it is handled
-        place.until = later(now, memory_);
+        place.until = saturating_add(now, memory_);
         knows_unnumbered_ = knows_unnumbered_ || key.sequence_number == 0;
         const message_outcome outcome = obey();
         if (outcome == message_outcome::deferred) return received::handed_on;
@@ -119,7 +119,7 @@ class acknowledged_receiver {
         if (may_be_repeated(head.command_code)) return acknowledge(head, self_, answer, out);
         acknowledged_message* const place = first_pending(head);
         if (place == nullptr) return false;
-        place->until = later(now, memory_);
+        place->until = saturating_add(now, memory_);
         settle(*place, head, answer, out);
         return true;
     }

@@ -1,7 +1,7 @@
 // Messages that are sent again until they are acknowledged, without anybody waiting: RA 3.3 part 2, ACK/NAK.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -150,7 +150,7 @@ class acknowledged_sender {
             if (place.size == 0 || now < place.due) continue;
             if (place.sent <= options_.retries && now < place.until) {
                 ++place.sent;
-                place.due = later(now, options_.timeout);
+                place.due = saturating_add(now, options_.timeout);
                 out(copy_of(place).first(place.size));
             } else {
                 const awaited_message m = std::exchange(place, {});
@@ -185,7 +185,7 @@ class acknowledged_sender {
             return {large ? send_errc::too_large : send_errc::invalid};
         }
         head.data_size = static_cast<std::uint16_t>(size.size() - header_size);
-        *place = {head, size.size(), 1, later(now, options_.timeout), later(now, options_.longest())};
+        *place = {head, size.size(), 1, saturating_add(now, options_.timeout), saturating_add(now, options_.longest())};
         next_ = following(head.sequence_number);
         out(copy.first(size.size()));
         return {send_errc::ok, head.sequence_number};

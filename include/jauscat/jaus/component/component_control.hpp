@@ -3,7 +3,7 @@
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/component/command_rules.hpp>
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
@@ -131,14 +131,14 @@ class component_control {
     constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
         const auto due = next_event();
         if (!due || now < *due) return;
-        if (now >= later(heard_, options_.timeout)) return take_back(control_change::lost, out);
+        if (now >= saturating_add(heard_, options_.timeout)) return take_back(control_change::lost, out);
         asked_ = (now - heard_) / quarter();
         if (pulses_ != 255) ++pulses_;
         static_cast<void>(put({.destination = controller_->address, .source = self_}, query_heartbeat_pulse{}, out));
     }
     [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
         if (!controller_ || options_.timeout == options_.timeout.zero()) return std::nullopt;
-        return later(heard_, std::min((asked_ + 1) * quarter(), options_.timeout));
+        return saturating_add(heard_, std::min((asked_ + 1) * quarter(), options_.timeout));
     }
 
   private:

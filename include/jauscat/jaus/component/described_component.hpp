@@ -2,7 +2,7 @@
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/component/core_messages.hpp>
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
 
@@ -79,8 +79,8 @@ class described_component {
     /// Sends a heartbeat when it is time, the first at once. A late call sends one, not what has been missed.
     constexpr void on_time(time now, message_sink out) noexcept {
         if (beat_.period <= time{} || now < next_) return;
-        const time following = later(next_, beat_.period);
-        next_ = following > now ? following : later(now, beat_.period);
+        const time following = saturating_add(next_, beat_.period);
+        next_ = following > now ? following : saturating_add(now, beat_.period);
         static_cast<void>(put({.destination = beat_.to, .source = self_}, report_heartbeat_pulse{}, out));
     }
     [[nodiscard]] constexpr std::optional<time> next_event() const noexcept {

@@ -3,7 +3,7 @@
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/message/callback.hpp>
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/core.hpp>
@@ -26,8 +26,8 @@ enum class control_state : std::uint8_t {
 
 /// How control is asked for, and kept.
 struct held_control_options {
-    std::chrono::nanoseconds patience{std::chrono::seconds{1}}; ///< between requests that are not answered
-    unsigned requests{3};                                       ///< unanswered ones, before it is given up
+    std::chrono::nanoseconds timeout{std::chrono::seconds{1}}; ///< between requests that are not answered
+    unsigned requests{3};                                      ///< unanswered ones, before it is given up
     /// Control is asked for again so long after it was confirmed, as a sign of life for a component that takes it away
     /// from silent controllers, and to see whether the component is still there. 0: never.
     std::chrono::nanoseconds renewal{};
@@ -106,9 +106,9 @@ class held_control {
     }
     [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
         if (state_ == control_state::asking || (state_ == control_state::held && asked_ != 0))
-            return later(at_, options_.patience);
+            return saturating_add(at_, options_.timeout);
         if (state_ == control_state::held && options_.renewal != options_.renewal.zero())
-            return later(at_, options_.renewal);
+            return saturating_add(at_, options_.renewal);
         return std::nullopt;
     }
     /// The component `who` has disappeared, or all of a level for which an octet is 255.

@@ -10,9 +10,9 @@ namespace jauscat::jaus {
 /// Where a connection stands.
 enum class consumed_state : std::uint8_t {
     free,       ///< no connection
-    asking,     ///< not confirmed yet; asked again at each patience
+    asking,     ///< not confirmed yet; asked again at each timeout
     active,     ///< confirmed, and reports come
-    stale,      ///< no report for three periods; asked again at each patience
+    stale,      ///< no report for three periods; asked again at each timeout
     suspended,  ///< by suspend()
     refused,    ///< by the provider, for the reason in `response`
     unanswered, ///< given up: no answer to as many requests as were to be made
@@ -58,9 +58,9 @@ struct consumer_outcome {
 
 /// What a consumer does about silence.
 struct consumer_options {
-    std::chrono::nanoseconds patience{std::chrono::seconds{1}}; ///< between requests that are not answered
-    unsigned requests{5};       ///< unanswered ones, before a new connection is given up
-    unsigned silent_periods{3}; ///< without a report make a connection stale
+    std::chrono::nanoseconds timeout{std::chrono::seconds{1}}; ///< between requests that are not answered
+    unsigned requests{5};                                      ///< unanswered ones, before a new connection is given up
+    unsigned silent_periods{3};                                ///< without a report make a connection stale
 };
 
 } // namespace jauscat::jaus

@@ -3,7 +3,7 @@
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/requested_event.hpp>
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 
 namespace jauscat::jaus {
@@ -19,13 +19,13 @@ namespace jauscat::jaus {
 /// has one of these.
 template <std::size_t Capacity> class event_consumer {
   public:
-    /// `patience`: between requests that are not answered; `requests`: how many of those. `silence`: without an event
+    /// `timeout`: between requests that are not answered; `requests`: how many of those. `silence`: without an event
     /// that is not periodic, before its provider is asked; nanoseconds::max() for one that does not answer Query
     /// Events.
-    constexpr explicit event_consumer(const address& self, std::chrono::nanoseconds patience = std::chrono::seconds{1},
+    constexpr explicit event_consumer(const address& self, std::chrono::nanoseconds timeout = std::chrono::seconds{1},
                                       unsigned requests = 5,
                                       std::chrono::nanoseconds silence = std::chrono::seconds{5}) noexcept
-        : self_{self}, patience_{patience}, most_requests_{requests}, silence_{silence} {}
+        : self_{self}, timeout_{timeout}, most_requests_{requests}, silence_{silence} {}
 
     /// Sends `wanted`, whose local request ID is replaced. Returns the event's place in requested(); none where all are
     /// taken, a rate rounds to 0 or the message cannot be made.
@@ -174,7 +174,7 @@ template <std::size_t Capacity> class event_consumer {
     constexpr void activate(requested_event& e, std::chrono::nanoseconds now) const noexcept {
         constexpr int silent_periods = 3;
         e.state = requested_state::active;
-        e.due = later(now, comes_at_rate(e) ? silent_periods * period_of(e.rate) : silence_);
+        e.due = saturating_add(now, comes_at_rate(e) ? silent_periods * period_of(e.rate) : silence_);
     }
     // A confirmation that comes late makes an event at the provider all the same, which must be cancelled.
     [[nodiscard]] static constexpr bool may_be_answered(const requested_event& e) noexcept {
@@ -207,12 +207,12 @@ template <std::size_t Capacity> class event_consumer {
                      .local_request_id = e.local_request_id, .message_code = e.message_code, .event_id = e.event_id},
                  out);
         ++e.requests;
-        e.due = later(now, patience_);
+        e.due = saturating_add(now, timeout_);
     }
     constexpr void query(requested_event& e, std::chrono::nanoseconds now, message_sink out) noexcept {
         send(e, query_events{.message_code = e.message_code, .event_id = e.event_id}, out);
         ++e.requests;
-        e.due = later(now, patience_);
+        e.due = saturating_add(now, timeout_);
     }
     // A list without an event may be the answer about another, so it says nothing about this one.
     constexpr void listed(const address& source, std::span<const std::byte> body,
@@ -282,7 +282,7 @@ template <std::size_t Capacity> class event_consumer {
         const auto ahead = static_cast<std::uint8_t>(m.event_sequence_number - e->sequence_number);
         const bool is_newer = ahead != 0 && ahead < 128;
         // 8 bits say nothing about a gap of 128 events and more. After a silence none is late.
-        const bool may_be_late = e->state != requested_state::stale && now - e->heard_at < patience_;
+        const bool may_be_late = e->state != requested_state::stale && now - e->heard_at < timeout_;
         if (e->heard && !is_newer && may_be_late) {
             outcome.what = event_news::repeated;
             return;
@@ -315,13 +315,13 @@ template <std::size_t Capacity> class event_consumer {
                      .message_code = m.message_code,
                      .local_request_id = ++last_id_,
                      .event_id = m.event_id,
-                     .due = later(now, patience_)};
+                     .due = saturating_add(now, timeout_)};
         send(unwanted_,
              cancel_event{.local_request_id = last_id_, .message_code = m.message_code, .event_id = m.event_id}, out);
     }
 
     address self_;
-    std::chrono::nanoseconds patience_;
+    std::chrono::nanoseconds timeout_;
     unsigned most_requests_;
     std::chrono::nanoseconds silence_;
     std::array<requested_event, Capacity> requested_{};

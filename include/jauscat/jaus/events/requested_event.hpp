@@ -9,9 +9,9 @@ namespace jauscat::jaus {
 /// Where a requested event stands.
 enum class requested_state : std::uint8_t {
     free,       ///< no event
-    asking,     ///< not answered yet; asked again at each patience
+    asking,     ///< not answered yet; asked again at each timeout
     active,     ///< confirmed
-    stale,      ///< the provider is silent, or has not the event any more; asked for again at each patience
+    stale,      ///< the provider is silent, or has not the event any more; asked for again at each timeout
     updating,   ///< by update(), not answered yet; until then it goes on as it was, or as it will be
     rejected,   ///< by the provider, for the reason in `response`
     unanswered, ///< given up: no answer to as many requests as were to be made, or the provider has disappeared

@@ -6,7 +6,7 @@
 #include <jauscat/jaus/events/consumed_connection.hpp>
 #include <jauscat/jaus/events/update_rate.hpp>
 #include <jauscat/jaus/message/callback.hpp>
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 
 #include <optional>
 
@@ -55,17 +55,17 @@ template <std::size_t Capacity> class service_consumer {
         if (place >= Capacity || connections_[place].state != consumed_state::suspended) return false;
         consumed_connection& c = connections_[place];
         tell<activate_service_connection>(c, now, out);
-        c.due = later(now, silence(c));
+        c.due = saturating_add(now, silence(c));
         enter(c, consumed_state::active);
         return true;
     }
     /// Terminates a connection. Its place is free when the provider has been silent for three periods, and for the
-    /// patience: a report that still comes shows that the message was lost, and has it sent again.
+    /// timeout: a report that still comes shows that the message was lost, and has it sent again.
     constexpr void end(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
         if (place >= Capacity || connections_[place].state == consumed_state::free) return;
         consumed_connection& c = connections_[place];
         if (c.confirmed) tell<terminate_service_connection>(c, now, out);
-        c.due = later(now, std::max(silence(c), options_.patience));
+        c.due = saturating_add(now, std::max(silence(c), options_.timeout));
         enter(c, consumed_state::ending);
     }
 
@@ -82,13 +82,12 @@ template <std::size_t Capacity> class service_consumer {
         case consumed_state::active:
         case consumed_state::stale: return count(*c, head.sequence_number, place, now);
         case consumed_state::suspended: // the message got lost
-            if (now - c->asked_at >= options_.patience) tell<suspend_service_connection>(*c, now, out);
+            if (now - c->asked_at >= options_.timeout) tell<suspend_service_connection>(*c, now, out);
             break;
         case consumed_state::refused:
         case consumed_state::ending:
-            if (c->confirmed && now - c->asked_at >= options_.patience)
-                tell<terminate_service_connection>(*c, now, out);
-            c->due = later(now, std::max(silence(*c), options_.patience));
+            if (c->confirmed && now - c->asked_at >= options_.timeout) tell<terminate_service_connection>(*c, now, out);
+            c->due = saturating_add(now, std::max(silence(*c), options_.timeout));
             break;
         default: break;
         }
@@ -157,7 +156,7 @@ template <std::size_t Capacity> class service_consumer {
         static_cast<void>(put(head_to(c), c.request, out));
         ++c.requests;
         c.asked_at = now;
-        c.due = later(now, options_.patience);
+        c.due = saturating_add(now, options_.timeout);
     }
     template <class Message>
     constexpr void tell(consumed_connection& c, std::chrono::nanoseconds now, message_sink out) noexcept {
@@ -193,7 +192,7 @@ template <std::size_t Capacity> class service_consumer {
         c->rate = answered.confirmed_periodic_update_rate;
         if (c->state != consumed_state::active) {
             if (c->state == consumed_state::stale) c->heard = false; // it may have started anew, and count from 0
-            c->due = later(now, silence(*c));
+            c->due = saturating_add(now, silence(*c));
             enter(*c, consumed_state::active);
         }
         return {consumer_news::confirmed, place};
@@ -214,7 +213,7 @@ template <std::size_t Capacity> class service_consumer {
         ++c.received;
         c.lost += lost;
         if (c.state != consumed_state::asking) {
-            c.due = later(now, silence(c));
+            c.due = saturating_add(now, silence(c));
             enter(c, consumed_state::active);
         }
         return {consumer_news::report, place, lost};

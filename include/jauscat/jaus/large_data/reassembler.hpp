@@ -83,7 +83,7 @@ struct reassembly_limits {
 /// Puts data sets together by command code and source. Packets may come out of order and more than once.
 ///
 /// Memory is what the caller gives: a flood takes places, never more memory. A data set of which a second packet has
-/// come goes on, and keeps its place until it has been silent for the patience. One with a single packet gives its
+/// come goes on, and keeps its place until it has been silent for the timeout. One with a single packet gives its
 /// place to the packet 0 of a newcomer where no other is free, the longest silent one first, so a flood of first
 /// packets, from whatever sources, neither displaces what goes on nor keeps others out.
 ///
@@ -107,12 +107,12 @@ struct reassembly_limits {
 class reassembler {
   public:
     /// Each place has an equal share of `packets` and of `memory`. A packet that
-    /// comes late has what is held behind it moved: a place's share bounds what that costs. `patience`: a data set that
+    /// comes late has what is held behind it moved: a place's share bounds what that costs. `timeout`: a data set that
     /// has been silent so long is given up when its place is wanted, or by on_time. All three must outlive this.
     constexpr reassembler(std::span<partial_data_set> places, std::span<held_packet> packets,
-                          std::span<std::byte> memory, std::chrono::nanoseconds patience,
+                          std::span<std::byte> memory, std::chrono::nanoseconds timeout,
                           reassembly_limits limits = {}) noexcept
-        : places_{places}, packets_{packets}, memory_{memory}, patience_{patience}, limits_{limits} {
+        : places_{places}, packets_{packets}, memory_{memory}, timeout_{timeout}, limits_{limits} {
         if (limits_.places_per_source == 0) limits_.places_per_source = (places.size() + 1) / 2;
     }
 
@@ -174,7 +174,7 @@ class reassembler {
         return reassembled::whole;
     }
 
-    /// Gives up what has been silent for the patience. Not needed for safety: on_packet does so for the place it wants.
+    /// Gives up what has been silent for the timeout. Not needed for safety: on_packet does so for the place it wants.
     constexpr void on_time(std::chrono::nanoseconds now, auto&& lost) {
         for (partial_data_set& set : places_)
             if (set.packets != 0 && stale(set, now)) forget(set, lost);
@@ -279,7 +279,7 @@ class reassembler {
         return best;
     }
     [[nodiscard]] constexpr bool stale(const partial_data_set& set, std::chrono::nanoseconds now) const noexcept {
-        return now - set.last_heard_at >= patience_;
+        return now - set.last_heard_at >= timeout_;
     }
     static constexpr void forget(partial_data_set& set, auto& lost) {
         lost(std::as_const(set));
@@ -302,7 +302,7 @@ class reassembler {
     std::span<partial_data_set> places_;
     std::span<held_packet> packets_;
     std::span<std::byte> memory_;
-    std::chrono::nanoseconds patience_;
+    std::chrono::nanoseconds timeout_;
     reassembly_limits limits_;
     std::uint64_t order_{};
 };

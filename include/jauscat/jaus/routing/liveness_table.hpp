@@ -1,6 +1,6 @@
 // Who has been heard of lately.
 #pragma once
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/routing/address_map.hpp>
 
 #include <chrono>
@@ -22,7 +22,7 @@ enum class heard : std::uint8_t {
     no_room,  ///< is new and not remembered: the table is full
 };
 
-/// The components that are there, each until it has been silent for the patience it was heard with. A flood of new
+/// The components that are there, each until it has been silent for the timeout it was heard with. A flood of new
 /// addresses takes places, never more memory, and displaces nobody. Found in constant time.
 class liveness_table {
   public:
@@ -33,9 +33,9 @@ class liveness_table {
     /// `places` must outlive this; three quarters of a power of two of them can be used.
     constexpr explicit liveness_table(std::span<place> places) noexcept : map_{places} {}
 
-    /// `who`, with an ID on each level, was heard at `now`. `patience`: 0 or more.
-    constexpr heard on_heard(const address& who, time now, time patience) noexcept {
-        const time gone_at = later(now, patience);
+    /// `who`, with an ID on each level, was heard at `now`. `timeout`: 0 or more.
+    constexpr heard on_heard(const address& who, time now, time timeout) noexcept {
+        const time gone_at = saturating_add(now, timeout);
         if (place* const found = map_.exactly(who)) {
             found->value.last_heard_at = now;
             found->value.gone_at = std::max(found->value.gone_at, gone_at);

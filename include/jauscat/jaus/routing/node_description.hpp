@@ -28,7 +28,7 @@ struct node_description {
 struct node_manager_options {
     heartbeat beat = heartbeat_to_all(); ///< to whom, and how often
     /// A component that sends no heartbeat for so long is gone; with a node manager goes what it reported.
-    std::chrono::nanoseconds patience{std::chrono::seconds{3}};
+    std::chrono::nanoseconds timeout{std::chrono::seconds{3}};
     /// How often the other nodes of the subsystem are asked for their components; 0: only when they appear.
     std::chrono::nanoseconds survey{std::chrono::seconds{10}};
     callback<void(const address&)> appeared{};    ///< a component is new

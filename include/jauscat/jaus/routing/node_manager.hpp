@@ -65,7 +65,7 @@ class node_manager {
                 },
                 [&](const address& who) { tell(options_.disappeared, who); });
         if (options_.survey <= time{} || now < next_survey_) return;
-        next_survey_ = later(now, options_.survey);
+        next_survey_ = saturating_add(now, options_.survey);
         present_.for_each([&](const address& who) { ask(who, out); });
     }
     /// Never later than that on_time has something to do.
@@ -99,8 +99,8 @@ class node_manager {
         if (whom) whom(who);
     }
     static message_outcome done(bool sent) noexcept { return sent ? message_outcome::taken : message_outcome::refused; }
-    heard remember(const address& who, time now, time patience) noexcept {
-        const heard what = present_.on_heard(who, now, patience);
+    heard remember(const address& who, time now, time timeout) noexcept {
+        const heard what = present_.on_heard(who, now, timeout);
         if (what == heard::no_room) ++not_remembered_;
         if (what == heard::appeared) tell(options_.appeared, who);
         return what;
@@ -108,7 +108,7 @@ class node_manager {
 
     message_outcome on_heartbeat(const header& head, time now, message_sink out) noexcept {
         if (head.source == self_) return message_outcome::taken; // our own to all
-        const heard what = remember(head.source, now, options_.patience);
+        const heard what = remember(head.source, now, options_.timeout);
         if (what == heard::appeared) ask(head.source, out);
         return done(what != heard::no_room);
     }
@@ -128,14 +128,15 @@ class node_manager {
         const wire::result read = wire::decode(report, body, lists);
         if (!read)
             return read.error() == wire::errc::arena_full ? message_outcome::refused : message_outcome::malformed;
-        const time patience =
-            options_.survey > time{} ? later(later(options_.survey, options_.survey), options_.survey) : time::max();
+        const time timeout = options_.survey > time{}
+                                 ? saturating_add(saturating_add(options_.survey, options_.survey), options_.survey)
+                                 : time::max();
         bool all = true;
         for (const configured_node& node : report.node)
             for (const auto& [component, instance] : node.component) {
                 const address who{instance, component, node.node_id, from.subsystem};
                 if (who.node != from.node || who == from || !names_one_component(who)) continue;
-                all = remember(who, now, patience) != heard::no_room && all;
+                all = remember(who, now, timeout) != heard::no_room && all;
             }
         return done(all);
     }

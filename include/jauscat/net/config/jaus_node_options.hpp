@@ -32,13 +32,13 @@ struct jaus_node_options {
     jaus::heartbeat beat = jaus::heartbeat_to_all(); ///< of the node manager
     /// A component that sends no heartbeat for so long is gone; and a peer that a component here depends on, whose node
     /// is not heard, when it sends nothing and does not answer for so long. See detail::peer_watch.
-    std::chrono::nanoseconds patience{std::chrono::seconds{3}};
+    std::chrono::nanoseconds timeout{std::chrono::seconds{3}};
 
     /// Large data sets that each component can receive at a time. They share the configuration's `largedata` bytes, of
     /// which the node manager has up to 64 KiB and the components equal parts of the rest.
     std::size_t large_data_sets{4};
     /// A large data set of which nothing has come for so long is given up.
-    std::chrono::nanoseconds large_data_patience{std::chrono::seconds{5}};
+    std::chrono::nanoseconds large_data_timeout{std::chrono::seconds{5}};
     /// How fast large data sets are sent, in packets of 4 KiB each millisecond.
     unsigned large_data_pace{4};
     /// Between two large data sets of the same source and code to the same destination, unless the first one was

@@ -5,7 +5,7 @@
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/net/link/cycle_timer.hpp>
 
 #include <algorithm>
@@ -90,7 +90,7 @@ template <ethercat::link Link> class cycle_runner {
     /// The same with the job that runs.
     template <class Prepare, class Each>
     ethercat::outcome run_job(std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
-        const auto deadline = jaus::later(now(), limit);
+        const auto deadline = jaus::saturating_add(now(), limit);
         while (!master_.idle()) {
             if (now() >= deadline) master_.cancel(ethercat::master_errc::timeout);
             each(run(prepare));

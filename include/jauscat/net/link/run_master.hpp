@@ -3,7 +3,7 @@
 
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/master/master.hpp>
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ ethercat::outcome run(Link& link, ethercat::master& master, std::chrono::nanosec
             std::chrono::steady_clock::now().time_since_epoch());
     };
     std::array<std::byte, ethercat::max_frame_size> frame;
-    const auto deadline = jaus::later(clock(), limit);
+    const auto deadline = jaus::saturating_add(clock(), limit);
     while (!master.idle()) {
         const auto now = clock();
         if (now >= deadline) master.cancel(ethercat::master_errc::timeout);

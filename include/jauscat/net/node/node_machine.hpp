@@ -74,7 +74,7 @@ class node_machine {
         at_ = now;
         gate_.emplace(config_, options_.who, seed_);
         core_.start(config_, self_, options_.primary,
-                    gate_->list().is_open() ? std::optional{options_.patience} : std::nullopt);
+                    gate_->list().is_open() ? std::optional{options_.timeout} : std::nullopt);
         if (has_manager()) {
             make_manager(core_.components.addresses());
             core_.components.replace(0, {manager_->core, *manager_});

@@ -1,7 +1,7 @@
 // Waiting for an answer in a program that has no main loop of its own.
 #pragma once
 
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 
 #include <boost/asio/io_context.hpp>
 
@@ -18,7 +18,7 @@ template <std::predicate Done>
 bool run_until(boost::asio::io_context& context, std::chrono::nanoseconds timeout, Done done) {
     using clock = std::chrono::steady_clock;
     const clock::time_point deadline{
-        jaus::later(clock::now().time_since_epoch(), std::max(timeout, std::chrono::nanoseconds{}))};
+        jaus::saturating_add(clock::now().time_since_epoch(), std::max(timeout, std::chrono::nanoseconds{}))};
     context.restart();
     while (!done())
         if (context.run_one_until(deadline) == 0) return done();

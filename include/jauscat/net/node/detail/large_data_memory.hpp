@@ -13,12 +13,12 @@ namespace jauscat::net::detail {
 /// A reassembler and its memory: `size` bytes of bodies, for `sets` at a time.
 class large_data_memory {
   public:
-    large_data_memory(std::size_t sets, std::size_t size, std::chrono::nanoseconds patience,
+    large_data_memory(std::size_t sets, std::size_t size, std::chrono::nanoseconds timeout,
                       const jaus::reassembly_limits& limits)
         : places_(std::max<std::size_t>(sets, 1)),
           packets_(places_.size() * (size / places_.size() / smallest_packet + 1)),
           bytes_(size),
-          reassembler_{places_, packets_, bytes_, patience, limits} {}
+          reassembler_{places_, packets_, bytes_, timeout, limits} {}
     large_data_memory(const large_data_memory&) = delete;
     large_data_memory& operator=(const large_data_memory&) = delete;
 

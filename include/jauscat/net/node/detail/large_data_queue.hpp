@@ -3,7 +3,7 @@
 
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/jaus/large_data/large_data_sender.hpp>
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/net/node/detail/body_digest.hpp>
 
@@ -115,7 +115,7 @@ class large_data_queue {
     void start(time now) {
         clear();
         rests_.clear();
-        begins_at_ = jaus::later(now, pacing_.pause);
+        begins_at_ = jaus::saturating_add(now, pacing_.pause);
     }
     /// May be called from a handler.
     void clear() noexcept {
@@ -172,9 +172,9 @@ class large_data_queue {
             if (one.head.command_code != set.head.command_code || one.head.source != set.head.source ||
                 !(jaus::stands_for(to, before) || jaus::stands_for(before, to)))
                 continue;
-            at = std::max(at, jaus::later(one.since, one.pause));
+            at = std::max(at, jaus::saturating_add(one.since, one.pause));
             if (!set.packets.empty() && one.known_since && one.digest == set.digest)
-                at = std::max(at, jaus::later(*one.known_since, jaus::later(memory, pacing_.pause)));
+                at = std::max(at, jaus::saturating_add(*one.known_since, jaus::saturating_add(memory, pacing_.pause)));
         }
         return at;
     }
@@ -187,7 +187,7 @@ class large_data_queue {
     void note_alike(entry& set, time now) const noexcept {
         for (const rest& one : rests_) {
             if (one.head.command_code != set.head.command_code || one.head.source != set.head.source ||
-                one.head.destination != set.head.destination || jaus::later(one.since, pacing_.pause) <= now)
+                one.head.destination != set.head.destination || jaus::saturating_add(one.since, pacing_.pause) <= now)
                 continue;
             for (std::size_t i = 0; i != std::min(set.digests.size(), one.digests.size()); ++i)
                 set.packets[i].is_alike = set.digests[i] == one.digests[i];
@@ -197,8 +197,8 @@ class large_data_queue {
     bool choose(time now) {
         if (now < next_) return false;
         next_ = time::max();
-        const auto longest = jaus::later(jaus::later(memory, pacing_.pause), pacing_.pause);
-        std::erase_if(rests_, [&](const rest& one) { return jaus::later(one.since, longest) <= now; });
+        const auto longest = jaus::saturating_add(jaus::saturating_add(memory, pacing_.pause), pacing_.pause);
+        std::erase_if(rests_, [&](const rest& one) { return jaus::saturating_add(one.since, longest) <= now; });
         for (auto at = sets_.begin(); at != sets_.end(); ++at) {
             const time ready = ready_at(**at);
             if (ready <= now) {
@@ -220,7 +220,7 @@ class large_data_queue {
         while (set.first_open != last && set.packets[set.first_open].acknowledged) ++set.first_open;
         const auto behind = set.first_open == 0 ? std::size_t{1} : set.first_open == last ? last + 1 : last;
         unsigned left = pacing_.packets;
-        next_ = jaus::later(now, pacing_.acknowledgement.timeout);
+        next_ = jaus::saturating_add(now, pacing_.acknowledgement.timeout);
         for (auto i = set.first_open; i != behind; ++i) {
             auto& packet = set.packets[i];
             if (packet.acknowledged) continue;
@@ -243,7 +243,7 @@ class large_data_queue {
                 ++packet.sent;
                 ++packet.tries;
                 const bool is_doubted = packet.is_alike && !again;
-                packet.due = jaus::later(now, is_doubted ? beat : pacing_.acknowledgement.timeout);
+                packet.due = jaus::saturating_add(now, is_doubted ? beat : pacing_.acknowledgement.timeout);
                 if (again && i != 0)
                     set.sender.repeat(i, out);
                 else
@@ -283,7 +283,7 @@ class large_data_queue {
     [[nodiscard]] time pause_after(const entry& set) const noexcept {
         if (set.packets.empty()) return pacing_.pause;
         // Packets may be on their way, and then their acknowledgements.
-        if (set.outcome == jaus::delivered::timed_out) return jaus::later(pacing_.pause, pacing_.pause);
+        if (set.outcome == jaus::delivered::timed_out) return jaus::saturating_add(pacing_.pause, pacing_.pause);
         const bool repeated =
             std::ranges::any_of(set.packets, [](const auto& p) { return p.sent > (p.is_alike ? 2U : 1U); });
         const bool is_clean = set.outcome == jaus::delivered::acknowledged && !repeated;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <jauscat/jaus/component/answer.hpp>
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/routing/liveness_table.hpp>
 #include <jauscat/net/config/jaus_node_options.hpp>
 #include <jauscat/net/config/jausip.hpp>
@@ -43,7 +43,7 @@ class node_components {
     using bytes = std::span<const std::byte>;
 
     node_components(const jaus_node_options& options, limited_log& log)
-        : options_{options}, log_{log}, peers_{options.patience} {}
+        : options_{options}, log_{log}, peers_{options.timeout} {}
 
     void add(attached_component component) { all_.push_back({.it = std::move(component)}); }
     void replace(std::size_t place, attached_component component) { all_[place] = {.it = std::move(component)}; }
@@ -62,7 +62,7 @@ class node_components {
         for (std::size_t i = 0; i != all_.size(); ++i)
             all_[i].large = std::make_unique<large_data_memory>(
                 options_.large_data_sets, first_is_manager && i == 0 ? of_manager : (memory - of_manager) / others,
-                options_.large_data_patience,
+                options_.large_data_timeout,
                 jaus::reassembly_limits{.linger_of_copies = options_.large_data_pause * 3 / 4,
                                         .linger_of_repeats = large_data_queue::memory,
                                         .longest_gap = longest_gap()});
@@ -112,7 +112,8 @@ class node_components {
             (*one.large)->on_time(now, tell_lost(now, one.it.self));
             for (const auto& set : (*one.large)->places())
                 if (set.packets != 0)
-                    stale_at_ = std::min(stale_at_, jaus::later(set.last_heard_at, options_.large_data_patience));
+                    stale_at_ =
+                        std::min(stale_at_, jaus::saturating_add(set.last_heard_at, options_.large_data_timeout));
         }
     }
     /// Asks those that have got, sent or done something since: each looks through all that it waits for.
@@ -193,10 +194,10 @@ class node_components {
         if (what == reassembled::no_room || what == reassembled::too_large)
             log_(now, [&] { return in_text(head) + ": refused: " + std::string{describe(what)}; });
         if (what == reassembled::waiting || what == reassembled::doubtful)
-            stale_at_ = std::min(stale_at_, jaus::later(now, options_.large_data_patience));
+            stale_at_ = std::min(stale_at_, jaus::saturating_add(now, options_.large_data_timeout));
         if (!is_acknowledged(head) || !has_outcome) return;
         if (const auto before = find_whole(receiver, head); before != receiver.whole.end())
-            before->until = jaus::later(now, large_data_queue::memory);
+            before->until = jaus::saturating_add(now, large_data_queue::memory);
         if (const auto answer = answer_to(receiver, head, what))
             jaus::acknowledge(head, receiver.it.self, *answer, out);
     }
@@ -218,7 +219,7 @@ class node_components {
         const bool taken = what == jaus::component_outcome::taken || what == jaus::component_outcome::deferred;
         if (is_acknowledged(last))
             receiver.whole.push_back(
-                {last.source, last.command_code, taken, digest, jaus::later(now, large_data_queue::memory)});
+                {last.source, last.command_code, taken, digest, jaus::saturating_add(now, large_data_queue::memory)});
         return true;
     }
     [[nodiscard]] static std::vector<whole_set>::iterator find_whole(entry& receiver, const jaus::header& head) {

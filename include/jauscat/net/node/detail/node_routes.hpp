@@ -1,7 +1,7 @@
 // The configuration as a router needs it: neighbours with a number, and which addresses lead to whom.
 #pragma once
 
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/routing/router.hpp>
 #include <jauscat/net/config/access_list.hpp>
 #include <jauscat/net/config/jaus_config.hpp>
@@ -77,7 +77,7 @@ class node_routes {
     /// else it comes from the group that heard it, or from nobody that is known.
     [[nodiscard]] jaus::hop origin(const jaus::address& source, const endpoint& from, jaus::framing framing,
                                    bool by_group, const access_list& list, time now) {
-        if (strangers_) learn(source, {from, framing, jaus::later(now, *strangers_)}, by_group);
+        if (strangers_) learn(source, {from, framing, jaus::saturating_add(now, *strangers_)}, by_group);
         if (const auto found = by_endpoint_.find(from); found != by_endpoint_.end()) return found->second;
         if (const auto peer = list.check(source, from).peer) return hop_of_system_[*peer];
         return by_group ? group_.value_or(jaus::unknown_hop) : jaus::unknown_hop;

@@ -30,7 +30,7 @@ class own_manager {
                    description_,
                    {presences_, lists_, report_},
                    {.beat = options.beat,
-                    .patience = options.patience,
+                    .timeout = options.timeout,
                     .appeared = changes.appeared,
                     .disappeared = changes.disappeared}},
           events_{self, manager_},

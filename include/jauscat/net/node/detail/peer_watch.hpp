@@ -2,7 +2,7 @@
 #pragma once
 
 #include <jauscat/jaus/component/answer.hpp>
-#include <jauscat/jaus/message/later.hpp>
+#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/core.hpp>
@@ -20,14 +20,14 @@ namespace jauscat::net::detail {
 /// Heartbeats go to node managers, so a program without one does not notice who is gone; neither does one with a node
 /// manager where a peer's node sends none. A peer that asks a local component for control, for a service connection or
 /// for events, sets its emergency, or confirms its event, is therefore watched: after a silence it is asked for its
-/// pulse (2202h), and it is lost when nothing at all has come from it for the patience. Watched is who has a place;
+/// pulse (2202h), and it is lost when nothing at all has come from it for the timeout. Watched is who has a place;
 /// their number is bounded.
 class peer_watch {
   public:
     using time = std::chrono::nanoseconds;
     static constexpr std::size_t most = 4096;
 
-    explicit peer_watch(time patience) : patience_{std::max(patience, 3 * shortest)} {}
+    explicit peer_watch(time timeout) : timeout_{std::max(timeout, 3 * shortest)} {}
 
     /// Whether a component depends on the sender of a message that it has taken.
     [[nodiscard]] static constexpr bool binds(std::uint16_t command_code) noexcept {
@@ -45,7 +45,7 @@ class peer_watch {
         if (peers_.size() == most && !peers_.contains(peer)) return;
         auto& bound = peers_.try_emplace(peer, entry{.component = component}).first->second;
         bound.heard_at = now;
-        bound.due = jaus::later(now, silence());
+        bound.due = jaus::saturating_add(now, silence());
         next_ = std::min(next_, bound.due);
     }
     /// A message of anybody. True: it is the answer to a pulse that was asked for here, and nobody else's.
@@ -76,7 +76,7 @@ class peer_watch {
         for (auto at = peers_.begin(); at != peers_.end();) {
             auto& [who, peer] = *at;
             if (peer.due <= now && is_known(who)) peer.heard_at = now;
-            if (now - peer.heard_at >= patience_) {
+            if (now - peer.heard_at >= timeout_) {
                 const auto gone = who;
                 at = peers_.erase(at);
                 lost(gone);
@@ -109,20 +109,20 @@ class peer_watch {
         }
     };
 
-    [[nodiscard]] time silence() const noexcept { return patience_ / 3; }
+    [[nodiscard]] time silence() const noexcept { return timeout_ / 3; }
     void ask(const jaus::address& who, entry& peer, time now, jaus::message_sink out) const {
-        const auto silent_at = jaus::later(peer.heard_at, silence());
+        const auto silent_at = jaus::saturating_add(peer.heard_at, silence());
         if (silent_at > now) {
             peer.due = silent_at;
             return;
         }
         peer.asked = true;
-        peer.due = std::min(jaus::later(now, patience_ / 12), jaus::later(peer.heard_at, patience_));
+        peer.due = std::min(jaus::saturating_add(now, timeout_ / 12), jaus::saturating_add(peer.heard_at, timeout_));
         static_cast<void>(
             jaus::put({.destination = who, .source = peer.component}, jaus::query_heartbeat_pulse{}, out));
     }
 
-    time patience_;
+    time timeout_;
     std::map<jaus::address, entry, by_number> peers_{};
     time next_{time::max()};
 };
