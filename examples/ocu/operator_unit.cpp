@@ -150,7 +150,7 @@ net::jaus_node_options operator_unit::node_options() {
         if (const auto shown = log_lines_.shown(line)) say(*shown); // the node limits them
     };
     options.explain_malformed = &why_malformed;
-    options.seen = [this](const jaus::address& component, const jaus::header& head, bytes body, auto) {
+    options.on_message = [this](const jaus::address& component, const jaus::header& head, bytes body, auto) {
         seen(component, head, body);
     };
     options.appeared = [this](const jaus::address& who) { robot_is_there(who, true); };

@@ -66,8 +66,8 @@ struct program {
         options.beat.period = 50ms;
         options.timeout = 2s;
         options.log = [this](std::string_view line) { log.emplace_back(line); };
-        options.seen = [this](const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
-                              jaus::component_outcome what) {
+        options.on_message = [this](const jaus::address& component, const jaus::header& head,
+                                    std::span<const std::byte> body, jaus::component_outcome what) {
             seen.push_back({component, head, {body.begin(), body.end()}, what});
         };
         options.appeared = [this](const jaus::address& who) { appeared.push_back(who); };

@@ -26,7 +26,8 @@ struct simulated_program {
             log.emplace_back(line);
             if (on_log) on_log(line);
         };
-        options.seen = [this](const jaus::address&, const jaus::header& head, std::span<const std::byte> body, auto) {
+        options.on_message = [this](const jaus::address&, const jaus::header& head, std::span<const std::byte> body,
+                                    auto) {
             if (heard) heard(head, body);
         };
         options.appeared = [this](const jaus::address& who) { appeared.push_back(who); };

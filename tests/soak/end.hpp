@@ -100,8 +100,8 @@ class end {
         };
         made.appeared = [this](const jaus::address&) { ++appeared; };
         made.disappeared = [this](const jaus::address&) { ++disappeared; };
-        made.seen = [this](const jaus::address&, const jaus::header& head, std::span<const std::byte>,
-                           jaus::component_outcome) {
+        made.on_message = [this](const jaus::address&, const jaus::header& head, std::span<const std::byte>,
+                                 jaus::component_outcome) {
             if (head.command_code == jaus::report_heartbeat_pulse::command_code) ++heartbeats;
         };
         made.large_data_pause = 100ms; // three each second

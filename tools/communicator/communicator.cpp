@@ -137,8 +137,9 @@ class communicator {
             const auto shown = log_lines_.shown(line);
             if (shown || log_) show("log: " + shown.value_or(std::string{line}) + "\n"); // the node limits them
         };
-        options.seen = [this](const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
-                              jaus::component_outcome what) { seen(component, head, body, what); };
+        options.on_message = [this](const jaus::address& component, const jaus::header& head,
+                                    std::span<const std::byte> body,
+                                    jaus::component_outcome what) { seen(component, head, body, what); };
         options.appeared = [this](const jaus::address& who) { tell("presence", text::to_text(who) + " is there\n"); };
         options.disappeared = [this](const jaus::address& who) { tell("presence", text::to_text(who) + " is gone\n"); };
         options.explain_malformed = &why_malformed;

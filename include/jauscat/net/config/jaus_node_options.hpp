@@ -60,7 +60,7 @@ struct jaus_node_options {
     /// Hears of each message that a component of the node got, the node manager's included, and what became of it.
     std::function<void(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
                        jaus::component_outcome what)>
-        seen{};
+        on_message{};
     /// The node manager has heard of a component for the first time, or no longer hears it.
     std::function<void(const jaus::address&who)> appeared{}, disappeared{};
     /// What became of a large data set that asked for acknowledgement. Acknowledged: the receiving component has all of

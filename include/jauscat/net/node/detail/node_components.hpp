@@ -259,7 +259,7 @@ class node_components {
                                      : std::string{};
                 return why.empty() ? line : line + ": " + why;
             });
-        if (going_ && options_.seen) options_.seen(to.self, head, body, what);
+        if (going_ && options_.on_message) options_.on_message(to.self, head, body, what);
         return what;
     }
     static constexpr std::size_t most_whole = 256;
