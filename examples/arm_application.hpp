@@ -55,7 +55,7 @@ class arm {
             return obedience::malformed;
         }
         ++messages_;
-        if (message.header.command_code != jauscat::jaus::report_heartbeat_pulse::command_code)
+        if (message.header.command_code != jauscat::jaus::command_code_of<jauscat::jaus::report_heartbeat_pulse>)
             say_("received " + jauscat::text::summary(message.header));
         refused_ = false;
         switch (dispatch(message.header, message.body)) {
@@ -179,7 +179,7 @@ class arm {
     }
 
     // A report lies in the object of the arm's own component, so it is a message from the arm to itself.
-    void prepare(const header& query, const auto& report) {
+    template <class Report> void prepare(const header& query, const Report& report) {
         report_.clear();
         auto head = jauscat::jaus::answer_to(query);
         head.destination = query.destination;
@@ -191,7 +191,7 @@ class arm {
             return;
         }
         report_.assign(message.begin(), message.begin() + static_cast<std::ptrdiff_t>(size.size()));
-        say_("prepared " + jauscat::text::message_name(report.command_code));
+        say_("prepared " + jauscat::text::message_name(jauscat::jaus::command_code_of<Report>));
     }
 
     std::function<void(const std::string&)> say_;

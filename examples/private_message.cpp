@@ -22,7 +22,6 @@ struct opening_range {
 
 /// Set Gripper: opens or closes the gripper. Code D101h, in the range that RA 3.3 leaves to experimental messages.
 struct set_gripper {
-    static constexpr std::uint16_t command_code = 0xD101;
     std::uint8_t finger{};           ///< 1 is the first; 0 moves all of them
     std::optional<double> opening{}; ///< millimetres, 0 to 200
     std::optional<double> force{};   ///< percent of the most, 0 to 100
@@ -32,6 +31,7 @@ struct set_gripper {
 } // namespace gripper
 
 template <> struct jauscat::wire::schema<gripper::set_gripper> {
+    static constexpr std::uint16_t command_code = 0xD101;
     using T = gripper::set_gripper;
     using type = layout<field<&T::finger, u8>, presence<u8, field<&T::opening, scaled<u16le, gripper::opening_range>>,
                                                         field<&T::force, scaled<u8, jaus::percent>>>>;
@@ -42,7 +42,7 @@ namespace {
 using namespace jauscat;
 
 /// The codes of RA 3.3 keep their ranks; Set Gripper is appended and has rank 159.
-constexpr auto command_codes = translation::ra_command_codes_and<gripper::set_gripper::command_code>;
+constexpr auto command_codes = translation::ra_command_codes_and<jaus::command_code_of<gripper::set_gripper>>;
 using table = translation::self_contained_table_of<translation::manufacturer_index_base, command_codes>::type;
 using messages = jaus::message_list<gripper::set_gripper>;
 

@@ -22,7 +22,7 @@ template <class T> struct take_message {
     record* seen;
     void operator()(const jaus::header& head, const T& message) const {
         ++seen->handled;
-        seen->code = T::command_code;
+        seen->code = jaus::command_code_of<T>;
         bytes out(jaus::header_size + wire::encoded_size(message));
         const auto size = jaus::make_message(head, message, out);
         if (!size) return;

@@ -58,7 +58,7 @@ void write_messages(const std::filesystem::path& root) {
         translation.add(whole);
         add_packet<translation::seed_table>(translation, whole);
         add_packet<translation::self_contained_table>(translation, whole);
-        if (golden.code == jaus::set_wrench_effort::command_code) {
+        if (golden.code == jaus::command_code_of<jaus::set_wrench_effort>) {
             bytes image_and_body(wire::max_size<translation::wrench_effort_image>);
             append(image_and_body, whole.subspan(16));
             image.add(image_and_body);

@@ -19,7 +19,6 @@ struct millimetres {
 
 /// Set Gripper: the body of the message.
 struct set_gripper {
-    static constexpr std::uint16_t command_code = 0xD101;
     std::optional<double> opening{};      ///< millimetres, 0 to 200
     std::optional<std::uint8_t> finger{}; ///< 1 is the first
 };
@@ -35,6 +34,7 @@ struct gripper_outputs {
 
 // clang-format off
 template <> struct jauscat::wire::schema<set_gripper> {
+    static constexpr std::uint16_t command_code = 0xD101;
     using T = set_gripper;
     using type = layout<presence<u8,
         field<&T::opening, scaled<u16le, millimetres>>,

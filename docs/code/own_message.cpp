@@ -19,7 +19,6 @@ struct newtons {
 
 /// Set Gripper, code D101h: RA 3.3 reserves D000h to FFFFh for experimental messages.
 struct set_gripper {
-    static constexpr std::uint16_t command_code = 0xD101;
     std::uint8_t finger{};
     std::optional<double> force{}; ///< newtons, 0 to 500
 };
@@ -27,6 +26,7 @@ struct set_gripper {
 } // namespace gripper
 
 template <> struct jauscat::wire::schema<gripper::set_gripper> {
+    static constexpr std::uint16_t command_code = 0xD101;
     using T = gripper::set_gripper;
     using type = layout<field<&T::finger, u8>, presence<u8, field<&T::force, scaled<u16le, gripper::newtons>>>>;
 };

@@ -15,18 +15,18 @@ namespace translation = jauscat::translation;
 
 /// Set Gripper, a message of one's own.
 struct set_gripper {
-    static constexpr std::uint16_t command_code = 0xD101;
     std::uint8_t finger{};
     std::uint8_t percent{};
 };
 template <> struct jauscat::wire::schema<set_gripper> {
+    static constexpr std::uint16_t command_code = 0xD101;
     using T = set_gripper;
     using type = layout<field<&T::finger, u8>, field<&T::percent, u8>>;
 };
 
 // [table]
 /// RA 3.3's 158 codes keep their ranks; D101h is appended and has rank 159. The index base is 2000h.
-inline constexpr auto command_codes = translation::ra_command_codes_and<set_gripper::command_code>;
+inline constexpr auto command_codes = translation::ra_command_codes_and<jaus::command_code_of<set_gripper>>;
 using gripper_table = translation::self_contained_table_of<translation::manufacturer_index_base, command_codes>::type;
 // [table end]
 

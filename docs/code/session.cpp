@@ -49,7 +49,7 @@ class driver {
     };
     static constexpr jaus::address self{.instance = 1, .component = 33, .node = 2, .subsystem = 2};
     static constexpr std::array reports{
-        jaus::connectable_report{.command_code = jaus::report_wrench_effort::command_code, .max_rate = 100}};
+        jaus::connectable_report{.command_code = jaus::command_code_of<jaus::report_wrench_effort>, .max_rate = 100}};
 
     jaus::report_wrench_effort effort_{.propulsive_linear_effort_x = 0.0};
     application_type application_{*this};
@@ -117,7 +117,7 @@ int main() try {
 
     const auto asked =
         node.send({.destination = target, .source = self},
-                  jaus::create_service_connection{.command_code_ = jaus::report_wrench_effort::command_code,
+                  jaus::create_service_connection{.command_code = jaus::command_code_of<jaus::report_wrench_effort>,
                                                   .requested_periodic_update_rate = 20,
                                                   .requested_presence_vector = 1});
     if (!asked) return std::cerr << asked.problem() << '\n', 1;

@@ -20,9 +20,9 @@ using namespace jauscat;
 using files = std::map<std::filesystem::path, std::string>; // what is to be in the folder, by name in it
 
 template <class T> void describe(std::vector<reference::message>& messages) {
-    const auto entry = std::ranges::find(jaus::catalog, T::command_code, &jaus::catalog_entry::command_code);
-    const auto rank = std::ranges::find(translation::ra_command_codes, T::command_code);
-    messages.push_back({.code = T::command_code,
+    const auto entry = std::ranges::find(jaus::catalog, jaus::command_code_of<T>, &jaus::catalog_entry::command_code);
+    const auto rank = std::ranges::find(translation::ra_command_codes, jaus::command_code_of<T>);
+    messages.push_back({.code = jaus::command_code_of<T>,
                         .name = entry->name,
                         .structure = reference::plain_name(typeid(T)),
                         .least = wire::min_size<T>,

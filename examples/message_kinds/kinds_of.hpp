@@ -32,9 +32,10 @@ template <std::uint16_t First, std::uint16_t Last, class... Messages>
 std::vector<message_kind> kinds_of(jauscat::jaus::message_list<Messages...>) {
     std::vector<message_kind> made;
     const auto add = [&]<class Message>() {
-        if constexpr (Message::command_code >= First && Message::command_code <= Last)
-            made.push_back(
-                {Message::command_code, &body_from_words<Message>, &body_to_text<Message>, &fault_of_body<Message>});
+        if constexpr (jauscat::jaus::command_code_of<Message> >= First &&
+                      jauscat::jaus::command_code_of<Message> <= Last)
+            made.push_back({jauscat::jaus::command_code_of<Message>, &body_from_words<Message>, &body_to_text<Message>,
+                            &fault_of_body<Message>});
     };
     (add.template operator()<Messages>(), ...);
     return made;

@@ -59,7 +59,7 @@ order random_command(std::uint32_t seed) {
         using range = typename Item::codec_type::range_type;
         if (random() % 2 != 0) effort = std::uniform_real_distribution<double>{range::min, range::max}(random);
     });
-    order made{command.command_code, std::vector<std::byte>(wire::max_size<jaus::set_wrench_effort>)};
+    order made{jaus::command_code_of<jaus::set_wrench_effort>, std::vector<std::byte>(wire::max_size<jaus::set_wrench_effort>)};
     made.body.resize(wire::encode(command, made.body).size());
     return made;
 }
@@ -67,7 +67,7 @@ order random_command(std::uint32_t seed) {
 order query_efforts(std::uint16_t presence_vector) {
     std::vector<std::byte> body(wire::max_size<jaus::query_wrench_effort>);
     body.resize(wire::encode(jaus::query_wrench_effort{presence_vector}, body).size());
-    return {jaus::query_wrench_effort::command_code, std::move(body)};
+    return {jaus::command_code_of<jaus::query_wrench_effort>, std::move(body)};
 }
 
 /// Asks for the fields of the command and compares. Both messages have the same layout, so equal efforts are equal
@@ -89,7 +89,7 @@ bool is_in_force(operator_unit& unit, const order& command, bool is_acknowledged
 /// Whether a component under control takes the command from its controller only. Who has set an emergency may clear it
 /// without.
 bool needs_control(std::uint16_t command_code) {
-    return command_code != jaus::clear_emergency::command_code &&
+    return command_code != jaus::command_code_of<jaus::clear_emergency> &&
            jaus::rule_of(command_code) != jaus::command_rule::open;
 }
 

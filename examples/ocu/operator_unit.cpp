@@ -165,7 +165,7 @@ void operator_unit::robot_is_there(const jaus::address& who, bool is_there) {
 }
 
 void operator_unit::seen(const jaus::address& component, const jaus::header& head, bytes body) {
-    if (head.command_code == jaus::report_heartbeat_pulse::command_code) { // counted: they come all the time
+    if (head.command_code == jaus::command_code_of<jaus::report_heartbeat_pulse>) { // counted: they come all the time
         if (is_of_robot(head.source)) {
             ++heartbeats_;
             heard_ = head.source;
@@ -173,8 +173,8 @@ void operator_unit::seen(const jaus::address& component, const jaus::header& hea
         return;
     }
     if (component != self_) return;
-    const bool renews =
-        head.command_code == jaus::confirm_component_control::command_code && told_state_ == control_state::held;
+    const bool renews = head.command_code == jaus::command_code_of<jaus::confirm_component_control> &&
+                        told_state_ == control_state::held;
     const bool is_second_answer =
         head.ack_nak == jaus::ack_nak::ack && jaus::report_code_of(head.command_code) != 0; // the report is the first
     std::vector<std::byte> message(jaus::header_size + body.size());
@@ -291,14 +291,16 @@ void operator_unit::tell_why() {
     quiet_ = true;
     const auto name = text::to_text(robot_);
     jaus::report_component_control control{};
-    if (exchange({jaus::query_component_control::command_code}) == reply::taken && wire::decode(control, report())) {
+    if (exchange({jaus::command_code_of<jaus::query_component_control>}) == reply::taken &&
+        wire::decode(control, report())) {
         const jaus::address who{control.instance_id, control.component_id, control.node_id, control.subsystem_id};
         say(who == jaus::address{} ? "nobody controls " + name
                                    : name + " is controlled by " + text::to_text(who) + ", authority " +
                                          std::to_string(control.authority_code));
     }
     jaus::report_component_status status{};
-    if (exchange({jaus::query_component_status::command_code}) == reply::taken && wire::decode(status, report()))
+    if (exchange({jaus::command_code_of<jaus::query_component_status>}) == reply::taken &&
+        wire::decode(status, report()))
         say(name + " is in the state " + text::to_text(status.primary_status_code));
     quiet_ = false;
 }

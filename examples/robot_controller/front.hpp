@@ -115,8 +115,9 @@ class front {
         /// The slave has objects for these, and may have more.
         static void list_messages(auto&& takes, auto&& sends) {
             const auto list = [&]<class M>() {
-                const jauscat::jaus::supported_message m{M::command_code, jauscat::jaus::presence_bits_of<M>};
-                M::command_code < 0x4000 ? takes(m) : sends(m);
+                const jauscat::jaus::supported_message m{jauscat::jaus::command_code_of<M>,
+                                                         jauscat::jaus::presence_bits_of<M>};
+                jauscat::jaus::command_code_of<M> < 0x4000 ? takes(m) : sends(m);
             };
             [&]<class... M>(jauscat::jaus::message_list<M...>) {
                 (list.template operator()<M>(), ...);

@@ -14,8 +14,8 @@ namespace example {
 
 /// Pulses come and go several times a second.
 inline bool is_pulse(const jauscat::jaus::header& head) {
-    return head.command_code == jauscat::jaus::query_heartbeat_pulse::command_code ||
-           head.command_code == jauscat::jaus::report_heartbeat_pulse::command_code;
+    return head.command_code == jauscat::jaus::command_code_of<jauscat::jaus::query_heartbeat_pulse> ||
+           head.command_code == jauscat::jaus::command_code_of<jauscat::jaus::report_heartbeat_pulse>;
 }
 
 /// Says what it passes on.

@@ -50,7 +50,7 @@ int main() {
 
     // Bodies that do not decode never reach the handler of their type.
     jaus::header short_one = head;
-    short_one.command_code = jaus::set_wrench_effort::command_code;
+    short_one.command_code = jaus::command_code_of<jaus::set_wrench_effort>;
     vehicle(short_one, std::array{std::byte{0x01}, std::byte{0x00}});
 
     jaus::header acknowledgement = short_one;

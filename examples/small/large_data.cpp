@@ -50,7 +50,7 @@ int main() {
 
     // The sender makes one packet at each call, so that its caller paces them.
     std::array<std::byte, jaus::header_size + jaus::max_body_size> packet{};
-    jaus::large_data_sender sender{{.command_code = jaus::report_image::command_code,
+    jaus::large_data_sender sender{{.command_code = jaus::command_code_of<jaus::report_image>,
                                     .destination = {.instance = 1, .component = 32, .node = 1, .subsystem = 1},
                                     .source = {.instance = 1, .component = 37, .node = 2, .subsystem = 2}},
                                    body,

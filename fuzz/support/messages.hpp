@@ -32,7 +32,8 @@ using one_of_each_kind = jauscat::jaus::message_list<
 /// Calls `call.operator()<T>()` with the message type whose command code is `code`, if there is one.
 template <class... Messages>
 void with_message(std::uint16_t code, jauscat::jaus::message_list<Messages...>, auto&& call) {
-    static_cast<void>((... || (Messages::command_code == code && (call.template operator()<Messages>(), true))));
+    static_cast<void>(
+        (... || (jauscat::jaus::command_code_of<Messages> == code && (call.template operator()<Messages>(), true))));
 }
 
 /// An input is a command code (little-endian) and a body: calls `call.operator()<T>(body)` with one of `messages`.

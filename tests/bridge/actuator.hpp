@@ -63,18 +63,18 @@ class actuator {
             ++aborted;
             return abort;
         }
-        if (code == jaus::set_wrench_effort::command_code) {
+        if (code == jaus::command_code_of<jaus::set_wrench_effort>) {
             if (emergency) return abort_code::device_state;
             jaus::set_wrench_effort told{};
             if (!jauscat::wire::decode(told, parts.body)) return abort_code::value_range;
             drive(told);
         }
-        if (code == jaus::set_emergency::command_code) {
+        if (code == jaus::command_code_of<jaus::set_emergency>) {
             emergency = true;
             effort = 0;
         }
-        if (code == jaus::clear_emergency::command_code) emergency = false;
-        if (code == jaus::query_wrench_effort::command_code) prepare(parts.header);
+        if (code == jaus::command_code_of<jaus::clear_emergency>) emergency = false;
+        if (code == jaus::command_code_of<jaus::query_wrench_effort>) prepare(parts.header);
         executed.push_back(code);
         return abort_code::none;
     }

@@ -15,7 +15,7 @@ TEST_CASE("a command by process data is acknowledged when the slave's inputs say
     CHECK(took <= 30ms);
     CHECK(r.motor().effort == Approx(50).margin(0.01));
     // Not by mailbox.
-    CHECK(std::ranges::count(r.motor().executed, jaus::set_wrench_effort::command_code) == 0);
+    CHECK(std::ranges::count(r.motor().executed, jaus::command_code_of<jaus::set_wrench_effort>) == 0);
 }
 
 TEST_CASE("of two commands between two cycles only the one that the slave has taken is acknowledged") {
@@ -223,7 +223,7 @@ TEST_CASE("a query that is answered from the inputs leaves the bytes of a runnin
     r.run_until([&] { return r.answer(number).has_value(); });
     CHECK(r.received<jaus::report_wrench_effort>().size() == 8);
     CHECK(r.is_acknowledged(number));
-    CHECK(std::ranges::count(r.motor().executed, jaus::set_travel_speed::command_code) == 1);
+    CHECK(std::ranges::count(r.motor().executed, jaus::command_code_of<jaus::set_travel_speed>) == 1);
 }
 
 TEST_CASE("of two cyclic slaves one that is lost does not take the other's process data with it") {
@@ -253,7 +253,7 @@ TEST_CASE(
     REQUIRE(r.unit().state() == status::ready);
     const auto number = r.drive(20);
     r.run_until([&] { return r.is_acknowledged(number); });
-    CHECK(std::ranges::count(r.motor().executed, jaus::set_wrench_effort::command_code) == 0);
+    CHECK(std::ranges::count(r.motor().executed, jaus::command_code_of<jaus::set_wrench_effort>) == 0);
     REQUIRE(r.motor().efforts.size() >= 3);
     CHECK(*(r.motor().efforts.end() - 2) == 0);
     CHECK(r.motor().efforts.back() == Approx(20).margin(0.01));

@@ -37,7 +37,7 @@ TEST_CASE("the status says what the actuator has not confirmed") {
     CHECK(asks() == jaus::report_component_status{status::initialize, slave_away | rest_owed});
     r.run_until_ready();
     CHECK(asks() == jaus::report_component_status{status::ready, 0});
-    r.motor().abort_code_of = jaus::set_emergency::command_code;
+    r.motor().abort_code_of = jaus::command_code_of<jaus::set_emergency>;
     r.motor().aborts = 1;
     const auto number = r.tell(rig::stop());
     CHECK(asks() == jaus::report_component_status{status::emergency, rest_owed | emergency_owed});
@@ -53,7 +53,7 @@ TEST_CASE("the status says what the actuator has not confirmed") {
 TEST_CASE("a command that the slave aborts is refused") {
     rig r;
     r.run_until_ready();
-    r.motor().abort_code_of = jaus::set_wrench_effort::command_code;
+    r.motor().abort_code_of = jaus::command_code_of<jaus::set_wrench_effort>;
     r.motor().aborts = 1;
     const auto number = r.drive(50);
     r.run_until([&] { return r.answer(number).has_value(); });
@@ -65,7 +65,7 @@ TEST_CASE("an emergency stop that the slave aborts is repeated until it is confi
     rig r;
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
-    r.motor().abort_code_of = jaus::set_emergency::command_code;
+    r.motor().abort_code_of = jaus::command_code_of<jaus::set_emergency>;
     r.motor().aborts = 3;
     const auto number = r.tell(rig::stop());
     CHECK(r.unit().state() == status::emergency);
@@ -82,7 +82,7 @@ TEST_CASE("while an emergency is refused the slave gets zeros") {
     rig r;
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
-    r.motor().abort_code_of = jaus::set_emergency::command_code;
+    r.motor().abort_code_of = jaus::command_code_of<jaus::set_emergency>;
     r.motor().aborts = 1'000'000;
     const auto number = r.tell(rig::stop());
     const auto took = r.run_until([&] { return r.motor().effort == 0; });
@@ -96,7 +96,7 @@ TEST_CASE("a slave that has no object for emergencies is at rest with zeros") {
     rig r;
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
-    r.motor().abort_code_of = jaus::set_emergency::command_code;
+    r.motor().abort_code_of = jaus::command_code_of<jaus::set_emergency>;
     r.motor().aborts = 1'000'000;
     r.motor().abort = ethercat::abort_code::no_subindex;
     const auto number = r.tell(rig::stop());
@@ -119,7 +119,7 @@ TEST_CASE("stop orders go before commands that wait, and those are refused") {
     CHECK(took < 150ms);
     r.run(1s);
     CHECK(r.motor().effort == 0);
-    CHECK(r.motor().executed.back() != jaus::set_wrench_effort::command_code);
+    CHECK(r.motor().executed.back() != jaus::command_code_of<jaus::set_wrench_effort>);
     for (const auto each : numbers) CHECK(r.answer(each).has_value());
 }
 
@@ -227,7 +227,7 @@ TEST_CASE("a clear emergency that the slave refuses is refused") {
     rig r;
     r.run_until_ready();
     r.run_until([&, number = r.tell(rig::stop())] { return r.is_acknowledged(number); });
-    r.motor().abort_code_of = jaus::clear_emergency::command_code;
+    r.motor().abort_code_of = jaus::command_code_of<jaus::clear_emergency>;
     r.motor().aborts = 1000;
     const auto number = r.tell(rig::clear());
     r.run_until([&] { return r.answer(number).has_value(); });
@@ -268,7 +268,7 @@ TEST_CASE("a command that comes while the slave refuses zeros is not executed be
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
     r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
-    r.motor().abort_code_of = jaus::set_wrench_effort::command_code;
+    r.motor().abort_code_of = jaus::command_code_of<jaus::set_wrench_effort>;
     r.motor().aborts = 1;
     r.lose(rig::operator_unit);
     r.run_until([&] { return r.motor().aborted == 1; });
@@ -335,7 +335,7 @@ TEST_CASE("a repeat of a message that is not executed yet is not executed twice"
     r.run_until([&] { return r.is_acknowledged(number); });
     r.repeat(body, number);
     r.run(200ms);
-    CHECK(std::ranges::count(r.motor().executed, jaus::set_travel_speed::command_code) == 1);
+    CHECK(std::ranges::count(r.motor().executed, jaus::command_code_of<jaus::set_travel_speed>) == 1);
 }
 
 TEST_CASE("an emergency of a slave is told also when no message goes to it") {
@@ -372,7 +372,7 @@ TEST_CASE("a slave that gets no message gets heartbeats") {
     r.run_until_ready();
     r.motor().executed.clear();
     r.run(1s);
-    const auto beats = std::ranges::count(r.motor().executed, jaus::report_heartbeat_pulse::command_code);
+    const auto beats = std::ranges::count(r.motor().executed, jaus::command_code_of<jaus::report_heartbeat_pulse>);
     CHECK(beats >= 8);
     CHECK(beats <= 11);
 }

@@ -32,7 +32,7 @@ TEST_CASE("messages leave in the order in which they came, and places are used a
     const auto body = body_of(jaus::set_global_waypoint{});
     for (int round = 0; round != 10; ++round) {
         for (int i = 0; i != 3; ++i)
-            CHECK(queue.push(order_of(jaus::set_global_waypoint::command_code, ++in), body, nobody) ==
+            CHECK(queue.push(order_of(jaus::command_code_of<jaus::set_global_waypoint>, ++in), body, nobody) ==
                   bridge::queued::last);
         while (const auto* const next = queue.first(any)) {
             CHECK(next->header.sequence_number == ++out);
@@ -57,7 +57,7 @@ TEST_CASE("a full queue and a body without room are refused") {
 TEST_CASE("a newer command of the same sender takes the place of the older one and keeps its other fields") {
     bridge::order_memory<4, 64> memory;
     bridge::order_queue queue{memory};
-    const auto code = jaus::set_wrench_effort::command_code;
+    const auto code = jaus::command_code_of<jaus::set_wrench_effort>;
     auto other = sender;
     other.node = 7;
     CHECK(
@@ -83,7 +83,8 @@ TEST_CASE("waypoints are never merged: each counts") {
     bridge::order_queue queue{memory};
     const auto body = body_of(jaus::set_global_waypoint{});
     for (std::uint16_t i = 1; i != 4; ++i)
-        CHECK(queue.push(order_of(jaus::set_global_waypoint::command_code, i), body, nobody) == bridge::queued::last);
+        CHECK(queue.push(order_of(jaus::command_code_of<jaus::set_global_waypoint>, i), body, nobody) ==
+              bridge::queued::last);
     CHECK(queue.size() == 3);
 }
 
@@ -91,7 +92,7 @@ TEST_CASE("a command that does not decode is queued as it is: the slave refuses 
     bridge::order_memory<4, 64> memory;
     bridge::order_queue queue{memory};
     const std::array<std::byte, 3> bad{std::byte{0xFF}, std::byte{0xFF}, std::byte{0xFF}};
-    const auto code = jaus::set_wrench_effort::command_code;
+    const auto code = jaus::command_code_of<jaus::set_wrench_effort>;
     CHECK(queue.push(order_of(code, 1), bad, nobody) == bridge::queued::last);
     CHECK(queue.push(order_of(code, 2), body_of(jaus::set_wrench_effort{.propulsive_linear_effort_x = 1}), nobody) ==
           bridge::queued::last);

@@ -104,7 +104,7 @@ class rig {
     void repeat(const T& body, std::uint16_t number, std::size_t to = 0, jaus::ack_nak ack = jaus::ack_nak::request,
                 const jaus::address& source = operator_unit) {
         const jaus::header head{.ack_nak = ack,
-                                .command_code = T::command_code,
+                                .command_code = jaus::command_code_of<T>,
                                 .destination = unit_address(to),
                                 .source = source,
                                 .sequence_number = number};
@@ -144,7 +144,7 @@ class rig {
         for (const auto& message : messages) {
             const auto parts = jaus::split(message);
             T body{};
-            if (!jaus::is_acknowledgement(parts.header) && parts.header.command_code == T::command_code &&
+            if (!jaus::is_acknowledgement(parts.header) && parts.header.command_code == jaus::command_code_of<T> &&
                 jauscat::wire::decode(body, parts.body))
                 all.push_back(body);
         }

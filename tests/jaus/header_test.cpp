@@ -94,7 +94,7 @@ TEST_CASE("Set Emergency with code 5 has the bytes derived by hand") {
     // Priority 15, version 2: 0F 02. Code 0006h. Destination and source. Two bytes of body, only packet. Sequence 34.
     constexpr jaus::header header{.priority = 15,
                                   .version = 2,
-                                  .command_code = jaus::set_emergency::command_code,
+                                  .command_code = jaus::command_code_of<jaus::set_emergency>,
                                   .destination = {.instance = 1, .component = 1, .node = 1, .subsystem = 1},
                                   .source = {.instance = 2, .component = 2, .node = 2, .subsystem = 2},
                                   .data_size = 2,

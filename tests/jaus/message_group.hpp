@@ -115,7 +115,7 @@ template <wire::message T> octets build(const std::function<void(void*, wire::ar
 template <class... Messages>
 jaus::dispatched dispatch(const jaus::header& head, std::span<const std::byte> body, std::vector<handled>& seen) {
     jaus::dispatcher all{jaus::on<Messages>([&](const jaus::header& header, const Messages& message) {
-        seen.push_back({.code = Messages::command_code, .header = header, .body = encode(message)});
+        seen.push_back({.code = jaus::command_code_of<Messages>, .header = header, .body = encode(message)});
     })...};
     wire::arena memory{scratch()};
     return all(head, body, memory);
@@ -125,7 +125,7 @@ template <class... Messages> struct chosen {};
 template <unsigned Digit, class... Chosen> auto choose(chosen<Chosen...> list, jaus::message_list<>) { return list; }
 template <unsigned Digit, class... Chosen, class First, class... Rest>
 auto choose(chosen<Chosen...>, jaus::message_list<First, Rest...>) {
-    if constexpr ((First::command_code >> 8 & 0xFu) == Digit)
+    if constexpr (jaus::command_code_of<First> / 0x100 % 0x10 == Digit)
         return choose<Digit>(chosen<Chosen..., First>{}, jaus::message_list<Rest...>{});
     else
         return choose<Digit>(chosen<Chosen...>{}, jaus::message_list<Rest...>{});
@@ -133,7 +133,7 @@ auto choose(chosen<Chosen...>, jaus::message_list<First, Rest...>) {
 
 template <class... Messages> const group& make_group(chosen<Messages...>) {
     static const std::array<message, sizeof...(Messages)> all{message{.name = wire::type_name<Messages>(),
-                                                                      .code = Messages::command_code,
+                                                                      .code = jaus::command_code_of<Messages>,
                                                                       .min_size = wire::min_size<Messages>,
                                                                       .max_size = wire::max_size<Messages>,
                                                                       .structure = &jauscat::text::describe<Messages>(),

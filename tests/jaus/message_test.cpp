@@ -14,14 +14,12 @@ using jaus::errc;
 namespace {
 
 /// A user's message, as large as one packet takes or one byte larger.
-template <std::size_t Size> struct bulk {
-    static constexpr std::uint16_t command_code = 0xD001;
-    std::array<std::byte, Size> data{};
-};
+template <std::size_t Size> struct bulk { std::array<std::byte, Size> data{}; };
 
 } // namespace
 
 template <std::size_t Size> struct jauscat::wire::schema<bulk<Size>> {
+    static constexpr std::uint16_t command_code = 0xD001;
     using T = bulk<Size>;
     using type = layout<field<&T::data, octets<Size>>>;
 };

@@ -23,7 +23,7 @@ TEST_CASE("a message is printed a field a line, with units, raw integers and nam
           "primary_status_code = 0xC8\n"
           "secondary_status_code = 0\n");
     CHECK(text::to_text(jaus::resume{}).empty());
-    CHECK(text::to_text(jaus::create_service_connection{.command_code_ = 0x4405,
+    CHECK(text::to_text(jaus::create_service_connection{.command_code = 0x4405,
                                                         .requested_periodic_update_rate = 1092,
                                                         .requested_presence_vector = 7},
                         0) == "command_code = 0x4405\n"

@@ -227,5 +227,5 @@ TEST_CASE("a storm through a socket is counted to the last datagram, and the nex
     buffer.resize(console.receive(boost::asio::buffer(buffer)));
     const auto answer = jaus::split(buffer);
     REQUIRE(answer);
-    CHECK(answer.header.command_code == jaus::report_component_status::command_code);
+    CHECK(answer.header.command_code == jaus::command_code_of<jaus::report_component_status>);
 }

@@ -47,7 +47,8 @@ struct robot {
     struct handler {
         std::vector<jaus::set_wrench_effort> efforts{};
         jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) {
-            if (head.command_code != jaus::set_wrench_effort::command_code) return jaus::message_outcome::not_mine;
+            if (head.command_code != jaus::command_code_of<jaus::set_wrench_effort>)
+                return jaus::message_outcome::not_mine;
             return jaus::decode_for<jaus::set_wrench_effort>(body, [&](const auto& m) { efforts.push_back(m); });
         }
     } application{};
@@ -380,9 +381,9 @@ TEST_CASE("what a recorded foreign node asked for is answered as its recorded pe
         int waypoints{}, speeds{};
         jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) {
             using jaus::decode_for;
-            if (head.command_code == jaus::set_global_waypoint::command_code)
+            if (head.command_code == jaus::command_code_of<jaus::set_global_waypoint>)
                 return decode_for<jaus::set_global_waypoint>(body, [&](const auto&) { ++waypoints; });
-            if (head.command_code == jaus::set_travel_speed::command_code)
+            if (head.command_code == jaus::command_code_of<jaus::set_travel_speed>)
                 return decode_for<jaus::set_travel_speed>(body, [&](const auto&) { ++speeds; });
             return jaus::message_outcome::not_mine;
         }

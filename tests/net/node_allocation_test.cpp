@@ -23,7 +23,7 @@ struct asked_node {
     jaus::component<> core{self, memory, {}, {.memory = 20ms}};
     std::size_t efforts{};
     jaus::message_outcome apply(const jaus::header& head, std::span<const std::byte> body) {
-        if (head.command_code != jaus::set_wrench_effort::command_code) return jaus::message_outcome::not_mine;
+        if (head.command_code != jaus::command_code_of<jaus::set_wrench_effort>) return jaus::message_outcome::not_mine;
         return jaus::decode_for<jaus::set_wrench_effort>(body, [&](const auto&) { ++efforts; });
     }
     struct handler {
@@ -58,7 +58,7 @@ struct asked_node {
             const auto got = asking.receive_from(boost::asio::buffer(in), from, 0, none);
             jaus::header head{};
             if (none || !wire::decode_prefix(head, std::span{in}.first(got))) continue;
-            if (head.command_code == jaus::report_heartbeat_pulse::command_code) ++beats;
+            if (head.command_code == jaus::command_code_of<jaus::report_heartbeat_pulse>) ++beats;
             if (head.source == self && wanted(head)) return;
         }
     }
@@ -78,7 +78,7 @@ struct asked_node {
     void command() {
         REQUIRE(core.send({.destination = other}, jaus::resume{}, net::jaus_node::now(), node.out()));
         run_until_heard([&](const jaus::header& head) {
-            if (head.command_code != jaus::resume::command_code) return false;
+            if (head.command_code != jaus::command_code_of<jaus::resume>) return false;
             const auto size = jaus::make_acknowledgement(head, jaus::ack_nak::ack, out);
             REQUIRE(size);
             send(size.size());

@@ -81,7 +81,7 @@ TEST_CASE("a node sends a typed message whose size has no bound, a large one as 
     const bytes pixels(100'000, std::byte{7});
     jaus::report_image image{.camera_id = 1, .image_data = std::span{pixels}.first(10)};
     p.robot.heard = [&](const jaus::header& h, std::span<const std::byte> body) {
-        if (h.command_code == jaus::report_image::command_code) sizes.push_back(body.size());
+        if (h.command_code == jaus::command_code_of<jaus::report_image>) sizes.push_back(body.size());
     };
     p.network.run(now + 1s);
     REQUIRE(p.ocu.node.send(head, image, now));

@@ -103,7 +103,7 @@ struct program {
         program& mine;
         jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) const {
             if (head.command_code != 0xD111) {
-                const bool is_wrench = head.command_code == jaus::set_wrench_effort::command_code;
+                const bool is_wrench = head.command_code == jaus::command_code_of<jaus::set_wrench_effort>;
                 return is_wrench ? jaus::message_outcome::taken : jaus::message_outcome::not_mine;
             }
             mine.large.emplace_back(body.begin(), body.end());

@@ -20,7 +20,7 @@ struct node_in_two_programs {
     }
     void connect() {
         REQUIRE(ocu.node.send({.destination = second.self, .source = ocu.self},
-                              jaus::create_service_connection{jaus::report_wrench_effort::command_code, 10, 0},
+                              jaus::create_service_connection{jaus::command_code_of<jaus::report_wrench_effort>, 10, 0},
                               network.now));
         REQUIRE(run_for(1s, [&] { return second.connections.next_event().has_value(); }));
     }

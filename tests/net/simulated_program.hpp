@@ -57,7 +57,8 @@ struct simulated_program {
     hooks_type hooks{};
     jaus::component_memory<> memory{};
     jaus::held_control other{self, make(2, 1, 33), {.timeout = 2s}};
-    std::array<jaus::connectable_report, 1> reports{{{.command_code = jaus::report_wrench_effort::command_code}}};
+    std::array<jaus::connectable_report, 1> reports{
+        {{.command_code = jaus::command_code_of<jaus::report_wrench_effort>}}};
     std::optional<std::size_t> operator()(std::uint16_t, std::uint32_t, std::span<std::byte>) const { return 0; }
     std::array<std::byte, 64> report{};
     jaus::service_connections<2> connections{self, reports, *this, report};

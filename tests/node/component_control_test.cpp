@@ -120,7 +120,8 @@ TEST_CASE("what the reference architecture refuses from those without control is
     for (const std::uint16_t code : std::to_array<std::uint16_t>({0x0801, 0x0802, 0x0805, 0x0806}))
         list.push_back(code);
     for (const std::uint16_t code : list)
-        REQUIRE((jaus::rule_of(code) == jaus::command_rule::open) == (code == jaus::set_emergency::command_code));
+        REQUIRE((jaus::rule_of(code) == jaus::command_rule::open) ==
+                (code == jaus::command_code_of<jaus::set_emergency>));
 }
 
 TEST_CASE("0404h, payload and missions move something, and so does what is not known") {
@@ -268,7 +269,7 @@ TEST_CASE("the component can take control back") {
     a.request(1, ocu);
     a.sent.clear();
     a.control.reject(a.sent.sink());
-    REQUIRE(a.sent.header(0).command_code == jaus::reject_component_control::command_code);
+    REQUIRE(a.sent.header(0).command_code == jaus::command_code_of<jaus::reject_component_control>);
     REQUIRE(a.sent.header(0).destination == ocu);
     REQUIRE_FALSE(a.control.controller());
 }

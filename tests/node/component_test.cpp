@@ -218,7 +218,7 @@ TEST_CASE("a controller that renews its control keeps it, one that falls silent 
     jaus::component core{ocu_address, memory, {}, {}, control};
     bool alive = true;
     channel.listen(ocu_address, [&](const jaus::header& head, std::span<const std::byte> body) {
-        if (!alive && head.command_code == jaus::query_heartbeat_pulse::command_code) return;
+        if (!alive && head.command_code == jaus::command_code_of<jaus::query_heartbeat_pulse>) return;
         core.on_message(head, body, channel.now, channel.sink(),
                         [](const jaus::header&, auto) { return message_outcome::not_mine; });
     });
@@ -698,7 +698,7 @@ TEST_CASE("service connections, events, a description and control of another are
     REQUIRE(sent.header(0).command_code == 0x4202);
     REQUIRE(core.next_event() == 11s);
 
-    REQUIRE(hear(jaus::create_service_connection{.command_code_ = 0x440A, .requested_periodic_update_rate = 10}) ==
+    REQUIRE(hear(jaus::create_service_connection{.command_code = 0x440A, .requested_periodic_update_rate = 10}) ==
             taken);
     REQUIRE(sent.size() == 2);
     REQUIRE(sent.header(0).command_code == 0x0009);

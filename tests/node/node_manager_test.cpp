@@ -51,7 +51,7 @@ struct outbox {
     template <class T> T only(wire::arena& lists) {
         REQUIRE(messages.size() == 1);
         const auto split = jaus::split(messages.front());
-        REQUIRE(split.header.command_code == T::command_code);
+        REQUIRE(split.header.command_code == jaus::command_code_of<T>);
         T message{};
         if constexpr (wire::needs_memory<T>)
             REQUIRE(wire::decode(message, split.body, lists));
@@ -289,14 +289,15 @@ TEST_CASE("of more than 255 components of one node 255 are reported, those of th
     jaus::node_manager manager{make(1, 2), n.description, {places, lists, report}};
     for (unsigned i = 0; i != 600; ++i)
         for (const unsigned of : {2U, 3U})
-            manager.on_message({.command_code = jaus::report_heartbeat_pulse::command_code,
+            manager.on_message({.command_code = jaus::command_code_of<jaus::report_heartbeat_pulse>,
                                 .source = make(1, of, 2 + i % 200, 1 + i / 200)},
                                {}, 0s, n.out);
     for (const auto field : {jaus::query_field::node_configuration, jaus::query_field::subsystem_configuration}) {
         n.out.take();
         const std::array query{static_cast<std::byte>(field)};
-        REQUIRE(manager.on_message({.command_code = jaus::query_configuration::command_code, .source = make(9, 9)},
-                                   query, 0s, n.out) == message_outcome::taken);
+        REQUIRE(
+            manager.on_message({.command_code = jaus::command_code_of<jaus::query_configuration>, .source = make(9, 9)},
+                               query, 0s, n.out) == message_outcome::taken);
         n.lists.reset();
         const auto told = n.out.only<jaus::report_configuration>(n.lists);
         REQUIRE(told.node[0].component.size() == 255);

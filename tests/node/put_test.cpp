@@ -53,7 +53,7 @@ TEST_CASE("with memory a larger body goes as a large data set") {
     bytes whole;
     for (std::size_t i = 0; i != sent.size(); ++i) {
         CHECK(sent.header(i).sequence_number == i);
-        CHECK(sent.header(i).command_code == jaus::report_image::command_code);
+        CHECK(sent.header(i).command_code == jaus::command_code_of<jaus::report_image>);
         whole.insert(whole.end(), sent[i].begin() + jaus::header_size, sent[i].end());
     }
     CHECK(sent.header(0).data_flag == jaus::data_flag::first);

@@ -48,7 +48,7 @@ struct provider {
                  time_point now = 0s) {
         const auto outcome = hear(from, jaus::create_service_connection{code, rate, fields}, now);
         const auto confirmed = sent.body<jaus::confirm_service_connection>(sent.size() - 1);
-        REQUIRE(confirmed.command_code_ == code);
+        REQUIRE(confirmed.command_code == code);
         REQUIRE(sent.header(sent.size() - 1).destination == from);
         REQUIRE((confirmed.response_code == response::connection_created) == (outcome == message_outcome::taken));
         REQUIRE((confirmed.confirmed_periodic_update_rate == 0) == (outcome == message_outcome::refused));
@@ -150,7 +150,7 @@ TEST_CASE("what cannot be connected is answered with the reason") {
 TEST_CASE("a judge refuses with its own reason") {
     provider p;
     const auto judge = [](const jaus::header& head, const jaus::create_service_connection& request) {
-        REQUIRE(request.command_code_ == pose);
+        REQUIRE(request.command_code == pose);
         return head.source == viewer ? response::connection_created : response::insufficient_authority;
     };
     p.connections = {sensor, p.reports, p, p.memory, judge};

@@ -51,8 +51,8 @@ void arm_unit::note_emergency(std::uint16_t index, std::uint8_t subindex, bytes 
     const auto size = delivery::message_of({self.station, index, subindex, data}, self, message);
     if (!size) return;
     const auto code = jaus::split(bytes{message}.first(size.size())).header.command_code;
-    if (code == jaus::set_emergency::command_code) emergency_ = true;
-    if (code == jaus::clear_emergency::command_code) emergency_ = false;
+    if (code == jaus::command_code_of<jaus::set_emergency>) emergency_ = true;
+    if (code == jaus::command_code_of<jaus::clear_emergency>) emergency_ = false;
 }
 
 void arm_unit::tell_efforts() {

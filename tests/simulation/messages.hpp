@@ -62,12 +62,12 @@ template <class Message> [[nodiscard]] std::optional<command_number> command_of_
 
 /// What moves something, of the codes that the simulation uses.
 [[nodiscard]] constexpr bool moves(std::uint16_t code) noexcept {
-    return code == jaus::set_wrench_effort::command_code;
+    return code == jaus::command_code_of<jaus::set_wrench_effort>;
 }
 /// What brings to rest.
 [[nodiscard]] constexpr bool stops(std::uint16_t code) noexcept {
-    return code == jaus::set_emergency::command_code || code == jaus::standby::command_code ||
-           code == jaus::shutdown::command_code;
+    return code == jaus::command_code_of<jaus::set_emergency> || code == jaus::command_code_of<jaus::standby> ||
+           code == jaus::command_code_of<jaus::shutdown>;
 }
 
 } // namespace simulation

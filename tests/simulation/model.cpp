@@ -226,8 +226,8 @@ void model::answers(std::uint8_t which, bytes message) {
     if (!m) return;
     const auto& head = m.header;
     if (!jaus::is_acknowledgement(head)) {
-        if (head.command_code == jaus::confirm_component_control::command_code) confirmed(a, head, m.body);
-        if (head.command_code == jaus::reject_component_control::command_code) {
+        if (head.command_code == jaus::command_code_of<jaus::confirm_component_control>) confirmed(a, head, m.body);
+        if (head.command_code == jaus::command_code_of<jaus::reject_component_control>) {
             const auto to = account_of(head.destination);
             if (to && a.controller == to) a.controller.reset();
         }
@@ -264,10 +264,11 @@ void model::later_acknowledged(actuator_account& a, const jaus::header& head) {
 bool model::state_is_right(const actuator_account& a, std::uint16_t code) {
     using enum primary_status_code;
     switch (code) {
-    case jaus::set_emergency::command_code: return a.state == emergency || a.state == primary_status_code::shutdown;
-    case jaus::standby::command_code: return a.state != ready;
-    case jaus::shutdown::command_code: return a.state == primary_status_code::shutdown;
-    case jaus::resume::command_code: return a.state == ready;
+    case jaus::command_code_of<jaus::set_emergency>:
+        return a.state == emergency || a.state == primary_status_code::shutdown;
+    case jaus::command_code_of<jaus::standby>: return a.state != ready;
+    case jaus::command_code_of<jaus::shutdown>: return a.state == primary_status_code::shutdown;
+    case jaus::command_code_of<jaus::resume>: return a.state == ready;
     default: return true;
     }
 }
@@ -282,8 +283,8 @@ void model::look(actuator_account& a) const {
 bool model::has_effect(const actuator_account& a, const sent_message& sent) const {
     const bool has_rested = a.rest_seen_at >= sent.arrived_at;
     switch (sent.code) {
-    case jaus::set_wrench_effort::command_code: return sent.command == 0 && has_rested;
-    case jaus::set_emergency::command_code: {
+    case jaus::command_code_of<jaus::set_wrench_effort>: return sent.command == 0 && has_rested;
+    case jaus::command_code_of<jaus::set_emergency>: {
         // One that has restarted unseen does not know of its emergency any more.
         const bool just_on = world_.now() - a.program->jumped_at() <= 2 * a.at_rest_in;
         const time unseen = (just_on ? a.program->last_silence() : sent.arrived_at) - 2 * a.at_rest_in;
@@ -292,9 +293,9 @@ bool model::has_effect(const actuator_account& a, const sent_message& sent) cons
         const bool ended = a.state == primary_status_code::shutdown;
         return sent.state_was_right && has_rested && (ended || was_restarted || a.emergency_seen_at >= sent.arrived_at);
     }
-    case jaus::standby::command_code:
-    case jaus::shutdown::command_code: return sent.state_was_right && has_rested;
-    case jaus::clear_emergency::command_code:
+    case jaus::command_code_of<jaus::standby>:
+    case jaus::command_code_of<jaus::shutdown>: return sent.state_was_right && has_rested;
+    case jaus::command_code_of<jaus::clear_emergency>:
         return a.wire == nullptr || a.state == primary_status_code::emergency ||
                !(*a.wire)[a.slave].arm->in_emergency();
     default: return sent.state_was_right;
@@ -360,24 +361,24 @@ void model::handled(std::uint8_t which) {
             breaks(contract::s1, a, sent->number, "ACK or nothing for what was executed", "a NAK");
     }
     take_emergency_codes(a, *sent);
-    if (sent->code == jaus::set_emergency::command_code && a.state != primary_status_code::emergency &&
+    if (sent->code == jaus::command_code_of<jaus::set_emergency> && a.state != primary_status_code::emergency &&
         a.state != primary_status_code::shutdown && a.state != primary_status_code::failure)
         breaks(contract::s2, a, sent->number, "Set Emergency stops, whoever sends it", "the state is " + text(a.state));
-    if (sent->code == jaus::release_component_control::command_code && a.controller == sent->sender && !a.was_repeat &&
-        !a.refused)
+    if (sent->code == jaus::command_code_of<jaus::release_component_control> && a.controller == sent->sender &&
+        !a.was_repeat && !a.refused)
         a.controller.reset();
 }
 
 void model::take_emergency_codes(actuator_account& a, const sent_message& sent) {
     const auto held = std::ranges::find(a.holders, sent.source, &emergency_holder::id);
-    if (sent.code == jaus::set_emergency::command_code && a.state == primary_status_code::emergency) {
+    if (sent.code == jaus::command_code_of<jaus::set_emergency> && a.state == primary_status_code::emergency) {
         if (held == a.holders.end())
             a.holders.push_back({sent.source, world_.now(), false});
         else
             *held = {sent.source, world_.now(), false};
         look_for_lost_holders(a); // it may be given up before the next check
     }
-    if (sent.code == jaus::clear_emergency::command_code && !a.refused && held != a.holders.end())
+    if (sent.code == jaus::command_code_of<jaus::clear_emergency> && !a.refused && held != a.holders.end())
         a.holders.erase(held);
 }
 
@@ -488,18 +489,19 @@ void model::enters(std::uint8_t which, primary_status_code from, primary_status_
     if (cause != nullptr && (from == ready || to == emergency)) cause->stopped_it = true;
     const auto is = [&](std::uint16_t code) { return cause != nullptr && cause->code == code; };
     const bool by_controller = cause != nullptr && (!a.controller || *a.controller == cause->sender);
-    if (from == primary_status_code::standby && to == ready && (!is(jaus::resume::command_code) || !by_controller))
+    if (from == primary_status_code::standby && to == ready &&
+        (!is(jaus::command_code_of<jaus::resume>) || !by_controller))
         breaks(contract::s5, a, a.current, "only Resume of the controller leads from Standby to Ready",
                cause == nullptr ? "nobody's message" : "command code " + hex(cause->code));
     if (to == emergency || from != emergency) return;
-    if (is(jaus::clear_emergency::command_code)) {
+    if (is(jaus::command_code_of<jaus::clear_emergency>)) {
         const bool others_are_gone = std::ranges::all_of(a.holders, [&](const emergency_holder& holder) {
             return holder.id == cause->source || holder.may_be_lost;
         });
         if (!others_are_gone)
             breaks(contract::s5, a, a.current, "an emergency ends when each who set it has cleared it",
                    "Clear Emergency of one ended it, and another had set it");
-    } else if (!is(jaus::shutdown::command_code) && a.current != 0) {
+    } else if (!is(jaus::command_code_of<jaus::shutdown>) && a.current != 0) {
         breaks(contract::s5, a, a.current, "an emergency ends by Clear Emergency or Shutdown only",
                "it ended with command code " + hex(cause == nullptr ? 0 : cause->code));
     }
@@ -528,7 +530,7 @@ void model::controlled(std::uint8_t which, const std::optional<jaus::address>& n
     a.controlled_since = world_.now();
     if (now) return;
     const auto* cause = find(a.current);
-    const bool is_released = cause != nullptr && cause->code == jaus::release_component_control::command_code;
+    const bool is_released = cause != nullptr && cause->code == jaus::command_code_of<jaus::release_component_control>;
     if (a.controller && a.command != 0 && !is_released) a.orphaned_since = unreachable_since(*a.controller, a);
     a.controller.reset();
 }
@@ -543,13 +545,13 @@ void model::confirmed(actuator_account& a, const jaus::header& head, bytes body)
 }
 
 void model::reported(const actuator_account& a, const jaus::header& head, bytes body) {
-    if (head.command_code == jaus::report_component_status::command_code) {
+    if (head.command_code == jaus::command_code_of<jaus::report_component_status>) {
         jaus::report_component_status m{};
         if (wire::decode(m, body) && m.primary_status_code != a.state)
             breaks(contract::s4, a, 0, "the state that is: " + text(a.state),
                    "reported: " + text(m.primary_status_code));
     }
-    if (head.command_code == jaus::report_wrench_effort::command_code) {
+    if (head.command_code == jaus::command_code_of<jaus::report_wrench_effort>) {
         const auto told = command_in<jaus::report_wrench_effort>(body);
         const time since = world_.now() - a.at_rest_in;
         if (told && !were_in_force(a, *told, since))

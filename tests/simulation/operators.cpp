@@ -100,8 +100,8 @@ void operator_program::on_delivered(const jaus::awaited_message& message, jaus::
     if (what == jaus::delivered::timed_out) return model_.learns_nothing(account_, message.header);
     model_.learns(account_, message.header, what == jaus::delivered::acknowledged);
     if (what != jaus::delivered::acknowledged) return;
-    if (message.header.command_code == jaus::set_emergency::command_code) holds_emergency_ = true;
-    if (message.header.command_code == jaus::clear_emergency::command_code) holds_emergency_ = false;
+    if (message.header.command_code == jaus::command_code_of<jaus::set_emergency>) holds_emergency_ = true;
+    if (message.header.command_code == jaus::command_code_of<jaus::clear_emergency>) holds_emergency_ = false;
 }
 
 void operator_program::large_data_done(const jaus::header& head, jaus::delivered what) {
@@ -217,23 +217,23 @@ void foreign_operator::receive(const datagram& one) {
         const bool acknowledged = head.ack_nak == jaus::ack_nak::ack;
         model_.learns(account_, mine, acknowledged);
         waiting_.size = 0;
-        if (acknowledged && mine.command_code == jaus::set_emergency::command_code) holds_emergency_ = true;
-        if (acknowledged && mine.command_code == jaus::clear_emergency::command_code) holds_emergency_ = false;
+        if (acknowledged && mine.command_code == jaus::command_code_of<jaus::set_emergency>) holds_emergency_ = true;
+        if (acknowledged && mine.command_code == jaus::command_code_of<jaus::clear_emergency>) holds_emergency_ = false;
         return;
     }
     switch (head.command_code) {
-    case jaus::confirm_component_control::command_code: {
+    case jaus::command_code_of<jaus::confirm_component_control>: {
         jaus::confirm_component_control answer{};
         controls_ =
             wire::decode(answer, m.body) && answer.response_code == jaus::component_control_response::control_accepted;
         renew_at_ = controls_ ? local() + milliseconds{150} : time::max();
         return;
     }
-    case jaus::reject_component_control::command_code:
+    case jaus::command_code_of<jaus::reject_component_control>:
         controls_ = false;
         renew_at_ = time::max();
         return;
-    case jaus::query_heartbeat_pulse::command_code: return put(head.source, jaus::report_heartbeat_pulse{});
+    case jaus::command_code_of<jaus::query_heartbeat_pulse>: return put(head.source, jaus::report_heartbeat_pulse{});
     default: return;
     }
 }

@@ -20,7 +20,7 @@ actuator::actuator(const jaus::address& self, const process& program, model& m, 
 jaus::message_outcome actuator::operator()(const jaus::header& head, bytes body) {
     using jaus::message_outcome;
     switch (head.command_code) {
-    case jaus::set_wrench_effort::command_code: {
+    case jaus::command_code_of<jaus::set_wrench_effort>: {
         const auto command = command_in<jaus::set_wrench_effort>(body);
         if (!command) return message_outcome::malformed;
         command_ = *command;

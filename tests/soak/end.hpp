@@ -102,7 +102,7 @@ class end {
         made.disappeared = [this](const jaus::address&) { ++disappeared; };
         made.on_message = [this](const jaus::address&, const jaus::header& head, std::span<const std::byte>,
                                  jaus::component_outcome) {
-            if (head.command_code == jaus::report_heartbeat_pulse::command_code) ++heartbeats;
+            if (head.command_code == jaus::command_code_of<jaus::report_heartbeat_pulse>) ++heartbeats;
         };
         made.large_data_pause = 100ms; // three each second
         made.large_data_done = [this](const jaus::header&, jaus::delivered what) { large.done(what); };

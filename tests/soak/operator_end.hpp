@@ -125,7 +125,7 @@ class operator_end : public end {
         ++sent;
     }
     void on_delivered(commander& who, const jaus::awaited_message& m, jaus::delivered what) {
-        if (m.header.command_code != jaus::set_wrench_effort::command_code) {
+        if (m.header.command_code != jaus::command_code_of<jaus::set_wrench_effort>) {
             who.released = what;
             return;
         }

@@ -42,7 +42,8 @@ class robot_end : public end {
     struct handler {
         robot_end& mine;
         jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) const {
-            if (head.command_code != jaus::set_wrench_effort::command_code) return take_large(mine.large, head, body);
+            if (head.command_code != jaus::command_code_of<jaus::set_wrench_effort>)
+                return take_large(mine.large, head, body);
             return jaus::decode_for<jaus::set_wrench_effort>(body, [&](const jaus::set_wrench_effort& effort) {
                 mine.book_.applied(number_of(effort));
                 ++mine.applied;

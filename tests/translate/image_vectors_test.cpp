@@ -10,7 +10,7 @@ TEST_CASE("every golden Set Wrench Effort goes into the image and comes back to 
     image bytes{};
     wrench_effort_image expected{};
     for (const auto& vector : golden::vectors()) {
-        if (vector.code != jaus::set_wrench_effort::command_code) continue;
+        if (vector.code != jaus::command_code_of<jaus::set_wrench_effort>) continue;
         const auto body = std::span{vector.bytes}.subspan(16);
         INFO("body " << to_hex(body));
         REQUIRE(command::to_image(body, bytes) == translate::errc::ok);
@@ -42,7 +42,7 @@ TEST_CASE("every golden Set Wrench Effort goes into the image and comes back to 
 TEST_CASE("every golden Report Wrench Effort comes out of the image that it was put into") {
     std::size_t seen = 0;
     for (const auto& vector : golden::vectors()) {
-        if (vector.code != jaus::report_wrench_effort::command_code) continue;
+        if (vector.code != jaus::command_code_of<jaus::report_wrench_effort>) continue;
         const auto body = std::span{vector.bytes}.subspan(16);
         image bytes{};
         REQUIRE(report::to_image(body, bytes) == translate::errc::ok);

@@ -17,34 +17,34 @@ namespace {
 
 /// Private messages, the second with a body of any length.
 struct set_gripper {
-    static constexpr std::uint16_t command_code = 0xD123;
     std::uint8_t opening{}; ///< percent
     std::uint16_t force{};  ///< N
 };
 struct report_gripper_log {
-    static constexpr std::uint16_t command_code = 0xD124;
     std::string_view text{};
 };
-
-constexpr auto codes_with_private_messages = [] {
-    std::array<std::uint16_t, 160> codes{};
-    std::ranges::copy(translation::ra_command_codes, codes.begin());
-    codes[158] = set_gripper::command_code;
-    codes[159] = report_gripper_log::command_code;
-    return codes;
-}();
-using private_table = translation::seed_table_of<0x2000, codes_with_private_messages>::type;
 
 } // namespace
 
 template <> struct jauscat::wire::schema<set_gripper> {
+    static constexpr std::uint16_t command_code = 0xD123;
     using type = layout<field<&set_gripper::opening, u8>, field<&set_gripper::force, u16le>>;
 };
 template <> struct jauscat::wire::schema<report_gripper_log> {
+    static constexpr std::uint16_t command_code = 0xD124;
     using type = layout<string<&report_gripper_log::text, rest>>;
 };
 
 namespace {
+
+constexpr auto codes_with_private_messages = [] {
+    std::array<std::uint16_t, 160> codes{};
+    std::ranges::copy(translation::ra_command_codes, codes.begin());
+    codes[158] = jaus::command_code_of<set_gripper>;
+    codes[159] = jaus::command_code_of<report_gripper_log>;
+    return codes;
+}();
+using private_table = translation::seed_table_of<0x2000, codes_with_private_messages>::type;
 
 /// Not in the order of their ranks.
 using wrench_efforts =

@@ -129,8 +129,8 @@ struct entry {
 };
 
 template <std::uint16_t First, std::uint16_t Last, class T> consteval entry entry_of() {
-    if constexpr (T::command_code >= First && T::command_code <= Last)
-        return {T::command_code, &decode_as<T>};
+    if constexpr (jaus::command_code_of<T> >= First && jaus::command_code_of<T> <= Last)
+        return {jaus::command_code_of<T>, &decode_as<T>};
     else
         return {};
 }

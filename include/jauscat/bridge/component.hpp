@@ -170,8 +170,8 @@ class component {
     // The core has obeyed a command that changes its state: acknowledged when the actuator has, too.
     jaus::message_outcome state_command(const jaus::header& head) {
         using enum jaus::message_outcome;
-        if (head.command_code == jaus::resume::command_code) return taken;
-        if (head.command_code == jaus::clear_emergency::command_code) {
+        if (head.command_code == jaus::command_code_of<jaus::resume>) return taken;
+        if (head.command_code == jaus::command_code_of<jaus::clear_emergency>) {
             if (core_.state() == jaus::primary_status_code::emergency) return taken; // others hold it
             debt_.owe_clear();
             front_.wake();
@@ -191,7 +191,7 @@ class component {
     void answer_waiting(bool clears, bool executed, time now, jaus::message_sink out) {
         std::size_t left = 0;
         for (const jaus::header& each : std::span{waiting_}.first(waiting_count_))
-            if ((each.command_code == jaus::clear_emergency::command_code) == clears)
+            if ((each.command_code == jaus::command_code_of<jaus::clear_emergency>) == clears)
                 core_.finish(each, executed, now, out);
             else
                 waiting_[left++] = each;

@@ -28,8 +28,8 @@ class image_exchange {
   public:
     using command = translate::image_translator<CommandTable>;
     using report = translate::image_translator<ReportTable>;
-    static constexpr std::uint16_t command_code = CommandTable::message_type::command_code;
-    static constexpr std::uint16_t report_code = ReportTable::message_type::command_code;
+    static constexpr std::uint16_t command_code = jaus::command_code_of<typename CommandTable::message_type>;
+    static constexpr std::uint16_t report_code = jaus::command_code_of<typename ReportTable::message_type>;
     static constexpr std::uint16_t query_code = report_code - 0x2000; // RA 3.3 part 3
     static_assert(jaus::report_code_of(query_code) == report_code, "image_exchange: the inputs must be a report");
     /// The type of the command counter.
@@ -81,7 +81,7 @@ class image_exchange {
     template <class Query>
     constexpr std::size_t on_query(const jaus::header& head, std::span<const std::byte> body,
                                    std::span<const std::byte> inputs, std::span<std::byte> out) const noexcept {
-        static_assert(Query::command_code == query_code, "on_query: not the query of this report");
+        static_assert(jaus::command_code_of<Query> == query_code, "on_query: not the query of this report");
         Query query{};
         translate::image_message<typename ReportTable::message_type> values{};
         if (!wire::decode(query, body) || report::read(inputs, values) != translate::errc::ok) return 0;

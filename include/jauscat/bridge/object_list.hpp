@@ -2,6 +2,7 @@
 // that it accepts. Made at compile time from the message types and the table, for whatever has to create or describe
 // the objects: a slave's dictionary, creation packets, an ESI file.
 #pragma once
+#include <jauscat/schema/jaus/command_code.hpp>
 #include <jauscat/translate/table.hpp>
 #include <jauscat/wire/schema.hpp>
 
@@ -71,11 +72,12 @@ template <class Table, class Row> constexpr std::uint32_t number_of(auto value) 
 constexpr bool is_readable(std::uint16_t command_code) noexcept { return command_code >= 0x4000; }
 
 template <class Table, class T> constexpr sub_object sub_object_of() noexcept {
-    return {.subindex = static_cast<std::uint8_t>(number_of<Table, typename Table::subindex_row>(T::command_code)),
-            .command_code = T::command_code,
+    return {.subindex =
+                static_cast<std::uint8_t>(number_of<Table, typename Table::subindex_row>(jaus::command_code_of<T>)),
+            .command_code = jaus::command_code_of<T>,
             .name = wire::type_name<T>(),
             .max_size = static_cast<std::uint16_t>(translate::largest_data<T, Table::overhead, Table::max_data>),
-            .readable = is_readable(T::command_code),
+            .readable = is_readable(jaus::command_code_of<T>),
             .writable = true};
 }
 

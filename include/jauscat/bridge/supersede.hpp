@@ -20,16 +20,16 @@ namespace jauscat::bridge {
 /// Commands that set what an actuator does from now on, so that a newer one of the same sender replaces one that has
 /// not been executed. Waypoints, path segments and motions with a number are not among them: each of those counts.
 inline constexpr std::array<std::uint16_t, 10> superseding_commands{
-    jaus::set_wrench_effort::command_code,
-    jaus::set_global_vector::command_code,
-    jaus::set_local_vector::command_code,
-    jaus::set_travel_speed::command_code,
-    jaus::set_joint_efforts::command_code,
-    jaus::set_joint_positions::command_code,
-    jaus::set_joint_velocities::command_code,
-    jaus::set_end_effector_pose::command_code,
-    jaus::set_end_effector_velocity_state::command_code,
-    jaus::set_camera_pose::command_code,
+    jaus::command_code_of<jaus::set_wrench_effort>,
+    jaus::command_code_of<jaus::set_global_vector>,
+    jaus::command_code_of<jaus::set_local_vector>,
+    jaus::command_code_of<jaus::set_travel_speed>,
+    jaus::command_code_of<jaus::set_joint_efforts>,
+    jaus::command_code_of<jaus::set_joint_positions>,
+    jaus::command_code_of<jaus::set_joint_velocities>,
+    jaus::command_code_of<jaus::set_end_effector_pose>,
+    jaus::command_code_of<jaus::set_end_effector_velocity_state>,
+    jaus::command_code_of<jaus::set_camera_pose>,
 };
 
 [[nodiscard]] constexpr bool is_superseding(std::uint16_t command_code) noexcept {
@@ -68,10 +68,14 @@ constexpr std::optional<std::size_t> merge_fields(std::span<const std::byte> old
                                                          std::span<const std::byte> newer,
                                                          std::span<std::byte> out) noexcept {
     switch (command_code) {
-    case jaus::set_wrench_effort::command_code: return detail::merge_fields<jaus::set_wrench_effort>(older, newer, out);
-    case jaus::set_global_vector::command_code: return detail::merge_fields<jaus::set_global_vector>(older, newer, out);
-    case jaus::set_local_vector::command_code: return detail::merge_fields<jaus::set_local_vector>(older, newer, out);
-    case jaus::set_camera_pose::command_code: return detail::merge_fields<jaus::set_camera_pose>(older, newer, out);
+    case jaus::command_code_of<jaus::set_wrench_effort>:
+        return detail::merge_fields<jaus::set_wrench_effort>(older, newer, out);
+    case jaus::command_code_of<jaus::set_global_vector>:
+        return detail::merge_fields<jaus::set_global_vector>(older, newer, out);
+    case jaus::command_code_of<jaus::set_local_vector>:
+        return detail::merge_fields<jaus::set_local_vector>(older, newer, out);
+    case jaus::command_code_of<jaus::set_camera_pose>:
+        return detail::merge_fields<jaus::set_camera_pose>(older, newer, out);
     default: // all fields are mandatory
         if (newer.size() > out.size()) return std::nullopt;
         std::ranges::copy(newer, out.begin());

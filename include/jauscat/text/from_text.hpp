@@ -10,6 +10,7 @@
 // an empty text.
 #pragma once
 #include <jauscat/schema/jaus/catalog.hpp>
+#include <jauscat/schema/jaus/command_code.hpp>
 #include <jauscat/text/describe.hpp>
 #include <jauscat/text/filler.hpp>
 
@@ -86,7 +87,7 @@ template <wire::message T> [[nodiscard]] std::string from_text(std::string_view 
 /// Calls use.template operator()<Message>() for the message type of a code; false where the list has none.
 template <template <class...> class List, class... Messages>
 bool with_message(std::uint16_t command_code, List<Messages...>, auto&& use) {
-    return (... || (Messages::command_code == command_code && (use.template operator()<Messages>(), true)));
+    return (... || (jaus::command_code_of<Messages> == command_code && (use.template operator()<Messages>(), true)));
 }
 
 /// The message that a line names in its first word, with the fields of the others: calls use(message). Memory as in

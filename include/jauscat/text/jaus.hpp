@@ -36,7 +36,7 @@ template <jaus::coded_message... Messages>
                                         jaus::message_list<Messages...>) {
     wire::diagnosis why{};
     static_cast<void>(
-        (... || (Messages::command_code == command_code && (why = wire::diagnose<Messages>(body), true))));
+        (... || (jaus::command_code_of<Messages> == command_code && (why = wire::diagnose<Messages>(body), true))));
     return why.error == wire::errc::ok ? std::string{} : to_text(why);
 }
 
@@ -48,7 +48,7 @@ template <jaus::coded_message... Messages>
     if (!wire::decode_prefix(head, bytes)) return text;
     const auto body = bytes.subspan(jaus::header_size);
     const bool known =
-        (... || (Messages::command_code == head.command_code &&
+        (... || (jaus::command_code_of<Messages> == head.command_code &&
                  (text += body.empty() && jaus::is_acknowledgement(head) ? std::string{}
                                                                          : annotate<Messages>(body, jaus::header_size),
                   true)));

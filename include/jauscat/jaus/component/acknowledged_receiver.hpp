@@ -145,7 +145,7 @@ class acknowledged_receiver {
         return first;
     }
     [[nodiscard]] static constexpr bool may_be_repeated(std::uint16_t command_code) noexcept {
-        return command_code == set_emergency::command_code || report_code_of(command_code) != 0;
+        return command_code == command_code_of<set_emergency> || report_code_of(command_code) != 0;
     }
     [[nodiscard]] static constexpr bool is_command(std::uint16_t command_code) noexcept {
         return command_code < 0x2000 || command_code >= 0x6000; // or private, and not known to be none

@@ -168,7 +168,7 @@ template <class... Parts> class component {
     // `what` tells in more detail what the outcome is.
     constexpr message_outcome decide(const header& head, std::span<const std::byte> body, time now, message_sink out,
                                      auto& application, component_outcome& what) {
-        const bool clears_own = head.command_code == clear_emergency::command_code &&
+        const bool clears_own = head.command_code == command_code_of<clear_emergency> &&
                                 state_.holds_emergency(head.source) && !control_.controls(head.source);
         if (!clears_own && !control_.admits(head)) {
             what = component_outcome::not_controller;
@@ -200,7 +200,7 @@ template <class... Parts> class component {
         case message_outcome::not_mine: what = component_outcome::unknown; break;
         }
         const bool is_obeyed = outcome == message_outcome::taken || outcome == message_outcome::deferred;
-        if (is_obeyed && head.command_code == set_emergency::command_code && !says_emergency(body))
+        if (is_obeyed && head.command_code == command_code_of<set_emergency> && !says_emergency(body))
             what = component_outcome::stopped_anyway;
         return outcome;
     }

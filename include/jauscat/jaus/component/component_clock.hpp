@@ -88,11 +88,11 @@ class component_clock {
     constexpr message_outcome on_message(const header& head, std::span<const std::byte> body,
                                          std::chrono::nanoseconds now, message_sink out) noexcept {
         switch (head.command_code) {
-        case set_time::command_code:
+        case command_code_of<set_time>:
             return decode_for<set_time>(body, [&](const set_time& m) {
                 return set_from(m, now) ? message_outcome::taken : message_outcome::refused;
             });
-        case query_time::command_code:
+        case command_code_of<query_time>:
             return decode_for<query_time>(body, [&](const query_time& query) {
                 report_time report = report_at(now);
                 keep_requested(report, query.presence_vector);

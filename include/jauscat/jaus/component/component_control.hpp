@@ -82,7 +82,7 @@ class component_control {
     /// Whether this message is the pulse that the controller was asked for: it is nobody else's business.
     constexpr bool takes_pulse(const header& head) noexcept {
         const bool is_it =
-            pulses_ != 0 && head.command_code == report_heartbeat_pulse::command_code && controls(head.source);
+            pulses_ != 0 && head.command_code == command_code_of<report_heartbeat_pulse> && controls(head.source);
         pulses_ = static_cast<std::uint8_t>(pulses_ - is_it);
         return is_it;
     }
@@ -96,20 +96,20 @@ class component_control {
     constexpr message_outcome on_message(const header& head, std::span<const std::byte> body,
                                          std::chrono::nanoseconds now, message_sink out) noexcept {
         switch (head.command_code) {
-        case set_component_authority::command_code:
+        case command_code_of<set_component_authority>:
             return decode_for<set_component_authority>(body, [&](const auto& m) { authority_ = m.authority_code; });
-        case request_component_control::command_code:
+        case command_code_of<request_component_control>:
             return decode_for<request_component_control>(
                 body, [&](const auto& m) { request(head, m.authority_code, now, out); });
-        case release_component_control::command_code:
+        case command_code_of<release_component_control>:
             return decode_for<release_component_control>(body, [&](const auto&) {
                 if (controls(head.source)) end(control_change::released);
             });
-        case query_component_authority::command_code:
+        case command_code_of<query_component_authority>:
             return decode_for<query_component_authority>(body, [&](const auto&) {
                 static_cast<void>(answer(head, self_, report_component_authority{authority_}, out));
             });
-        case query_component_control::command_code:
+        case command_code_of<query_component_control>:
             return decode_for<query_component_control>(body, [&](const auto&) {
                 const auto [who, code] = controller_.value_or(jaus::controller{});
                 static_cast<void>(

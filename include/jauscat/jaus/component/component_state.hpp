@@ -60,7 +60,7 @@ enum class state_event : std::uint8_t {
 
 /// Whether a component's state takes this command: Shutdown, Standby, Resume, Reset, Set and Clear Emergency.
 [[nodiscard]] constexpr bool is_state_command(std::uint16_t command_code) noexcept {
-    return command_code >= shutdown::command_code && command_code <= clear_emergency::command_code;
+    return command_code >= command_code_of<shutdown> && command_code <= command_code_of<clear_emergency>;
 }
 
 /// Whether the body of a Set Emergency says what the message is for. A component stops without it, too: there are nodes
@@ -119,18 +119,18 @@ template <std::size_t Holders = 8> class component_state {
     constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds,
                                          message_sink out) noexcept {
         switch (head.command_code) {
-        case shutdown::command_code: return command<shutdown>(body, state_event::shutdown);
-        case standby::command_code: return command<standby>(body, state_event::standby);
-        case resume::command_code: return command<resume>(body, state_event::resume);
-        case reset::command_code: return command<reset>(body, state_event::reset);
-        case set_emergency::command_code: hold(head.source); return message_outcome::taken;
-        case clear_emergency::command_code:
+        case command_code_of<shutdown>: return command<shutdown>(body, state_event::shutdown);
+        case command_code_of<standby>: return command<standby>(body, state_event::standby);
+        case command_code_of<resume>: return command<resume>(body, state_event::resume);
+        case command_code_of<reset>: return command<reset>(body, state_event::reset);
+        case command_code_of<set_emergency>: hold(head.source); return message_outcome::taken;
+        case command_code_of<clear_emergency>:
             return decode_for<clear_emergency>(body, [&](const clear_emergency& m) {
                 return !m.emergency_code.test(clear_emergency_code::clear_emergency) || release(head.source)
                            ? message_outcome::taken
                            : message_outcome::refused;
             });
-        case query_component_status::command_code:
+        case command_code_of<query_component_status>:
             return decode_for<query_component_status>(body, [&](const query_component_status&) {
                 static_cast<void>(answer(head, self_, report_component_status{state_, secondary_status}, out));
             });

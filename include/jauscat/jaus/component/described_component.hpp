@@ -60,15 +60,15 @@ class described_component {
         if (is_acknowledgement(head)) return message_outcome::not_mine;
         const auto done = [](bool sent) { return sent ? message_outcome::taken : message_outcome::refused; };
         switch (head.command_code) {
-        case query_heartbeat_pulse::command_code:
+        case command_code_of<query_heartbeat_pulse>:
             return decode_for<query_heartbeat_pulse>(
                 body, [&](const auto&) { return done(answer(head, self_, report_heartbeat_pulse{}, out)); });
-        case query_identification::command_code:
+        case command_code_of<query_identification>:
             return decode_for<query_identification>(body, [&](const query_identification& query) {
                 return done(query.query_type == query_type::component_identification &&
                             answer(head, self_, identification(query.query_type, description_.name), out));
             });
-        case query_services::command_code:
+        case command_code_of<query_services>:
             return decode_for<query_services>(body, [&](const auto&) {
                 return done(answer(head, self_, report_services{description_.services}, memory_, out));
             });

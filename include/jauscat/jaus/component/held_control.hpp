@@ -69,18 +69,18 @@ class held_control {
                                          std::chrono::nanoseconds now, message_sink out) noexcept {
         if (from.source != target_ || is_acknowledgement(from)) return message_outcome::not_mine;
         switch (from.command_code) {
-        case confirm_component_control::command_code:
+        case command_code_of<confirm_component_control>:
             return decode_for<confirm_component_control>(body, [&](const confirm_component_control& m) {
                 confirm(m.response_code == component_control_response::control_accepted, now, out);
             });
-        case reject_component_control::command_code:
+        case command_code_of<reject_component_control>:
             // There are components that answer a request so.
             return decode_for<reject_component_control>(body, [&](const reject_component_control&) {
                 if (state_ == control_state::held) enter(control_state::lost);
                 if (state_ == control_state::asking) enter(control_state::refused);
                 releases_ = 0;
             });
-        case query_heartbeat_pulse::command_code:
+        case command_code_of<query_heartbeat_pulse>:
             return decode_for<query_heartbeat_pulse>(body, [&](const query_heartbeat_pulse&) {
                 if (is_wanted()) {
                     static_cast<void>(answer(from, self_, report_heartbeat_pulse{}, out));

@@ -83,7 +83,7 @@ template <std::size_t Capacity> class event_consumer {
             return outcome;
         };
         switch (head.command_code) {
-        case confirm_event_request::command_code:
+        case command_code_of<confirm_event_request>:
             return decoded_by(confirm_event_request{}, [&](const confirm_event_request& m) {
                 answered(head.source, m.local_request_id, outcome, [&](requested_event& e) {
                     e.response = m.response_code;
@@ -93,7 +93,7 @@ template <std::size_t Capacity> class event_consumer {
                     confirmed(e, outcome, now, out);
                 });
             });
-        case reject_event_request::command_code:
+        case command_code_of<reject_event_request>:
             return decoded_by(reject_event_request{}, [&](const reject_event_request& m) {
                 answered(head.source, m.local_request_id, outcome, [&](requested_event& e) {
                     const bool gone = e.state == requested_state::cancelling;
@@ -106,9 +106,9 @@ template <std::size_t Capacity> class event_consumer {
                     if (gone) e = {};
                 });
             });
-        case event::command_code:
+        case command_code_of<event>:
             return decoded_by(event{}, [&](const event& m) { heard(head.source, m, outcome, now, out); });
-        case report_events::command_code: listed(head.source, body, now); return outcome;
+        case command_code_of<report_events>: listed(head.source, body, now); return outcome;
         default: return outcome;
         }
     }

@@ -38,13 +38,13 @@ template <std::size_t Capacity> class events {
                                          std::chrono::nanoseconds now, message_sink out) noexcept {
         if (is_acknowledgement(head)) return message_outcome::not_mine;
         switch (head.command_code) {
-        case create_event::command_code:
+        case command_code_of<create_event>:
             return decode_for<create_event>(body, [&](const auto& m) { return create(head, m, now, out); });
-        case update_event::command_code:
+        case command_code_of<update_event>:
             return decode_for<update_event>(body, [&](const auto& m) { return update(head, m, now, out); });
-        case cancel_event::command_code:
+        case command_code_of<cancel_event>:
             return decode_for<cancel_event>(body, [&](const auto& m) { return cancel(head, m, out); });
-        case query_events::command_code:
+        case command_code_of<query_events>:
             return decode_for<query_events>(body, [&](const auto& m) { return report(head, m, out); });
         default: return message_outcome::not_mine;
         }
@@ -95,11 +95,11 @@ template <std::size_t Capacity> class events {
     /// Calls `takes(supported_message)` and `sends` for each message of events, and for the reports.
     constexpr void list_messages(auto&& takes, auto&& sends) const {
         if (reports_.empty()) return;
-        for (const auto code : {create_event::command_code, update_event::command_code, cancel_event::command_code,
-                                query_events::command_code})
+        for (const auto code : {command_code_of<create_event>, command_code_of<update_event>,
+                                command_code_of<cancel_event>, command_code_of<query_events>})
             takes(supported_message{code});
-        for (const auto code : {confirm_event_request::command_code, reject_event_request::command_code,
-                                event::command_code, report_events::command_code})
+        for (const auto code : {command_code_of<confirm_event_request>, command_code_of<reject_event_request>,
+                                command_code_of<event>, command_code_of<report_events>})
             sends(supported_message{code});
         for (const auto& report : reports_) sends(supported_message{report.command_code});
     }

@@ -72,17 +72,17 @@ template <std::size_t Capacity> class service_connections {
                                          std::chrono::nanoseconds now, message_sink out) noexcept {
         if (is_acknowledgement(head)) return message_outcome::not_mine;
         switch (head.command_code) {
-        case create_service_connection::command_code:
+        case command_code_of<create_service_connection>:
             return decode_for<create_service_connection>(
                 body, [&](const create_service_connection& request) { return create(head, request, now, out); });
-        case activate_service_connection::command_code:
+        case command_code_of<activate_service_connection>:
             return change<activate_service_connection>(head, body, [&](service_connection& c) {
                 if (!c.active) c.due = now;
                 c.active = true;
             });
-        case suspend_service_connection::command_code:
+        case command_code_of<suspend_service_connection>:
             return change<suspend_service_connection>(head, body, [](service_connection& c) { c.active = false; });
-        case terminate_service_connection::command_code:
+        case command_code_of<terminate_service_connection>:
             return change<terminate_service_connection>(head, body, [](service_connection& c) { c = {}; });
         default: return message_outcome::not_mine;
         }
@@ -120,10 +120,11 @@ template <std::size_t Capacity> class service_connections {
     /// Calls `takes(supported_message)` and `sends` for each message of service connections, and for the reports.
     constexpr void list_messages(auto&& takes, auto&& sends) const {
         if (reports_.empty()) return;
-        for (const auto code : {create_service_connection::command_code, activate_service_connection::command_code,
-                                suspend_service_connection::command_code, terminate_service_connection::command_code})
+        for (const auto code :
+             {command_code_of<create_service_connection>, command_code_of<activate_service_connection>,
+              command_code_of<suspend_service_connection>, command_code_of<terminate_service_connection>})
             takes(supported_message{code});
-        sends(supported_message{confirm_service_connection::command_code});
+        sends(supported_message{command_code_of<confirm_service_connection>});
         for (const auto& report : reports_) sends(supported_message{report.command_code, report.presence_vector});
     }
 
@@ -140,9 +141,9 @@ template <std::size_t Capacity> class service_connections {
     }
     constexpr message_outcome create(const header& head, const create_service_connection& request,
                                      std::chrono::nanoseconds now, message_sink out) noexcept {
-        confirm_service_connection confirmed{.command_code_ = request.command_code_};
-        const auto report = std::ranges::find(reports_, request.command_code_, &connectable_report::command_code);
-        service_connection* const place = place_for(head.source, request.command_code_);
+        confirm_service_connection confirmed{.command_code = request.command_code};
+        const auto report = std::ranges::find(reports_, request.command_code, &connectable_report::command_code);
+        service_connection* const place = place_for(head.source, request.command_code);
         double rate{};
         if (reports_.empty()) {
             confirmed.response_code = response::component_does_not_support_service_connections;
@@ -161,7 +162,7 @@ template <std::size_t Capacity> class service_connections {
         if (confirmed.response_code == response::connection_created) {
             if (place->command_code == 0 || !place->active || place->rate != rate) place->due = now;
             *place = {.consumer = head.source,
-                      .command_code = request.command_code_,
+                      .command_code = request.command_code,
                       .presence_vector = request.requested_presence_vector,
                       .priority = head.priority,
                       .active = true,
@@ -187,9 +188,9 @@ template <std::size_t Capacity> class service_connections {
     template <class Message, class F>
     constexpr message_outcome change(const header& head, std::span<const std::byte> body, F change) noexcept {
         return decode_for<Message>(body, [&](const Message& request) {
-            if (request.command_code_ == 0 || request.instance_id >= Capacity) return message_outcome::refused;
+            if (request.command_code == 0 || request.instance_id >= Capacity) return message_outcome::refused;
             service_connection& c = connections_[request.instance_id];
-            if (c.command_code != request.command_code_ || c.consumer != head.source) return message_outcome::refused;
+            if (c.command_code != request.command_code || c.consumer != head.source) return message_outcome::refused;
             change(c);
             return message_outcome::taken;
         });

@@ -36,7 +36,7 @@ template <std::size_t Capacity> class service_consumer {
         *c = {.provider = provider,
               .instance_id = before.instance_id,
               .confirmed = before.confirmed,
-              .request = {.command_code_ = code,
+              .request = {.command_code = code,
                           .requested_periodic_update_rate = rate,
                           .requested_presence_vector = presence_vector}};
         enter(*c, consumed_state::asking);
@@ -73,7 +73,7 @@ template <std::size_t Capacity> class service_consumer {
     constexpr consumer_outcome on_message(const header& head, std::span<const std::byte> body,
                                           std::chrono::nanoseconds now, message_sink out) noexcept {
         if (is_acknowledgement(head)) return {};
-        if (head.command_code == confirm_service_connection::command_code) return confirm(head, body, now, out);
+        if (head.command_code == command_code_of<confirm_service_connection>) return confirm(head, body, now, out);
         consumed_connection* const c = head.service_connection ? find(head.source, head.command_code) : nullptr;
         if (c == nullptr) return {};
         const auto place = static_cast<std::size_t>(c - connections_.data());
@@ -129,7 +129,7 @@ template <std::size_t Capacity> class service_consumer {
     }
     [[nodiscard]] constexpr consumed_connection* find(const address& provider, std::uint16_t code) noexcept {
         const auto found = std::ranges::find_if(connections_, [&](const consumed_connection& c) {
-            return c.state != consumed_state::free && c.request.command_code_ == code && c.provider == provider;
+            return c.state != consumed_state::free && c.request.command_code == code && c.provider == provider;
         });
         return found == connections_.end() ? nullptr : &*found;
     }
@@ -161,14 +161,14 @@ template <std::size_t Capacity> class service_consumer {
     template <class Message>
     constexpr void tell(consumed_connection& c, std::chrono::nanoseconds now, message_sink out) noexcept {
         static_cast<void>(
-            put(head_to(c), Message{.command_code_ = c.request.command_code_, .instance_id = c.instance_id}, out));
+            put(head_to(c), Message{.command_code = c.request.command_code, .instance_id = c.instance_id}, out));
         c.asked_at = now;
     }
     constexpr consumer_outcome confirm(const header& head, std::span<const std::byte> body,
                                        std::chrono::nanoseconds now, message_sink out) noexcept {
         confirm_service_connection answered{};
         if (!wire::decode(answered, body)) return {.what = consumer_news::malformed};
-        consumed_connection* const c = find(head.source, answered.command_code_);
+        consumed_connection* const c = find(head.source, answered.command_code);
         if (c == nullptr) return {};
         const auto place = static_cast<std::size_t>(c - connections_.data());
         const bool accepted = answered.response_code == service_connection_response::connection_created;

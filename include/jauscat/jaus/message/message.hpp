@@ -1,5 +1,6 @@
 // A whole JAUS message: header and body, put together and taken apart.
 #pragma once
+#include <jauscat/schema/jaus/command_code.hpp>
 #include <jauscat/schema/jaus/header.hpp>
 #include <jauscat/wire/decode.hpp>
 #include <jauscat/wire/encode.hpp>
@@ -11,18 +12,6 @@ namespace jauscat::jaus {
 
 /// Bytes of every message header.
 inline constexpr std::size_t header_size = wire::max_size<header>;
-
-namespace detail {
-template <class T> struct real_form { using type = T; };
-template <wire::raw_object T> struct real_form<T> { using type = typename T::raw_of; };
-} // namespace detail
-
-/// A message of the standard or of a user, or the raw of one: it has a schema and a command code.
-template <class T> concept coded_message = wire::message<T> && requires {
-    { detail::real_form<T>::type::command_code } -> std::convertible_to<std::uint16_t>;
-};
-/// The command code of a message, also of its raw form.
-template <coded_message T> inline constexpr std::uint16_t command_code_of = detail::real_form<T>::type::command_code;
 
 /// Whether an address names one component: no octet is 0 (invalid) or 255 (all).
 [[nodiscard]] constexpr bool names_one_component(const address& a) noexcept {

@@ -33,19 +33,19 @@ class node_manager {
                                message_sink out) noexcept {
         if (is_acknowledgement(head)) return message_outcome::not_mine;
         switch (head.command_code) {
-        case report_heartbeat_pulse::command_code:
+        case command_code_of<report_heartbeat_pulse>:
             return decode_for<report_heartbeat_pulse>(body, [&](const auto&) { return on_heartbeat(head, now, out); });
-        case report_configuration::command_code: return on_configuration(head, body, now);
-        case query_identification::command_code:
+        case command_code_of<report_configuration>: return on_configuration(head, body, now);
+        case command_code_of<query_identification>:
             return decode_for<query_identification>(
                 body, [&](const query_identification& query) { return identify(query.query_type, head, body, out); });
-        case query_configuration::command_code:
+        case command_code_of<query_configuration>:
             return decode_for<query_configuration>(body, [&](const query_configuration& query) {
                 return done(with_components(query.query_field, [&](const report_configuration& report) {
                     return answer(head, self_, report, memory_.report, out);
                 }));
             });
-        case query_subsystem_list::command_code:
+        case command_code_of<query_subsystem_list>:
             return decode_for<query_subsystem_list>(body, [&](const auto&) { return report_subsystems(head, out); });
         default: return own_.on_message(head, body, now, out);
         }

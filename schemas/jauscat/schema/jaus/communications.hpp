@@ -15,7 +15,6 @@ enum class data_link_state : std::uint8_t {
 /// Set Data Link State: switches the receiving component's data link.
 /// Code 0200h, command class, 1 byte. Some peers call it Set Data Link Status.
 struct set_data_link_state {
-    static constexpr std::uint16_t command_code = 0x0200;
     data_link_state state{}; ///< the wanted state
     friend constexpr bool operator==(const set_data_link_state&, const set_data_link_state&) = default;
 };
@@ -23,7 +22,6 @@ struct set_data_link_state {
 /// Set Data Link Select: selects the data link to be used.
 /// Code 0201h, command class, 1 byte.
 struct set_data_link_select {
-    static constexpr std::uint16_t command_code = 0x0201;
     std::uint8_t data_link_id{}; ///< which data link
     friend constexpr bool operator==(const set_data_link_select&, const set_data_link_select&) = default;
 };
@@ -31,7 +29,6 @@ struct set_data_link_select {
 /// Set Selected Data Link State: switches one of several data links.
 /// Code 0202h, command class, 2 bytes.
 struct set_selected_data_link_state {
-    static constexpr std::uint16_t command_code = 0x0202;
     std::uint8_t data_link_id{}; ///< which data link
     data_link_state state{};     ///< the wanted state
     friend constexpr bool operator==(const set_selected_data_link_state&,
@@ -41,7 +38,6 @@ struct set_selected_data_link_state {
 /// Query Data Link Status: asks for Report Data Link Status.
 /// Code 2200h, query class, 1 byte.
 struct query_data_link_status {
-    static constexpr std::uint16_t command_code = 0x2200;
     std::uint8_t data_link_id{}; ///< which data link
     friend constexpr bool operator==(const query_data_link_status&, const query_data_link_status&) = default;
 };
@@ -49,7 +45,6 @@ struct query_data_link_status {
 /// Query Selected Data Link Status: asks for Report Selected Data Link Status.
 /// Code 2201h, query class, no body.
 struct query_selected_data_link_status {
-    static constexpr std::uint16_t command_code = 0x2201;
     friend constexpr bool operator==(const query_selected_data_link_status&,
                                      const query_selected_data_link_status&) = default;
 };
@@ -57,14 +52,12 @@ struct query_selected_data_link_status {
 /// Query Heartbeat Pulse: asks for Report Heartbeat Pulse.
 /// Code 2202h, query class, no body.
 struct query_heartbeat_pulse {
-    static constexpr std::uint16_t command_code = 0x2202;
     friend constexpr bool operator==(const query_heartbeat_pulse&, const query_heartbeat_pulse&) = default;
 };
 
 /// Report Data Link Status: the state of a data link.
 /// Code 4200h, inform class, 2 bytes.
 struct report_data_link_status {
-    static constexpr std::uint16_t command_code = 0x4200;
     std::uint8_t data_link_id{}; ///< which data link
     data_link_state state{};     ///< the state it is in
     friend constexpr bool operator==(const report_data_link_status&, const report_data_link_status&) = default;
@@ -73,7 +66,6 @@ struct report_data_link_status {
 /// Report Selected Data Link Status: which data link is in use.
 /// Code 4201h, inform class, 1 byte.
 struct report_selected_data_link_status {
-    static constexpr std::uint16_t command_code = 0x4201;
     std::uint8_t data_link_id{}; ///< the selected data link
     friend constexpr bool operator==(const report_selected_data_link_status&,
                                      const report_selected_data_link_status&) = default;
@@ -82,7 +74,6 @@ struct report_selected_data_link_status {
 /// Report Heartbeat Pulse: the sender is alive; sent once a second.
 /// Code 4202h, inform class, no body.
 struct report_heartbeat_pulse {
-    static constexpr std::uint16_t command_code = 0x4202;
     friend constexpr bool operator==(const report_heartbeat_pulse&, const report_heartbeat_pulse&) = default;
 };
 
@@ -93,16 +84,19 @@ struct report_heartbeat_pulse {
 namespace jauscat {
 
 template <> struct wire::schema<jaus::set_data_link_state> {
+    static constexpr std::uint16_t command_code = 0x0200;
     using T = jaus::set_data_link_state;
     using type = layout<field<&T::state, enumeration<jaus::data_link_state, u8>>>;
 };
 
 template <> struct wire::schema<jaus::set_data_link_select> {
+    static constexpr std::uint16_t command_code = 0x0201;
     using T = jaus::set_data_link_select;
     using type = layout<field<&T::data_link_id, u8>>;
 };
 
 template <> struct wire::schema<jaus::set_selected_data_link_state> {
+    static constexpr std::uint16_t command_code = 0x0202;
     using T = jaus::set_selected_data_link_state;
     using type = layout<
         field<&T::data_link_id, u8>,
@@ -110,15 +104,21 @@ template <> struct wire::schema<jaus::set_selected_data_link_state> {
 };
 
 template <> struct wire::schema<jaus::query_data_link_status> {
+    static constexpr std::uint16_t command_code = 0x2200;
     using T = jaus::query_data_link_status;
     using type = layout<field<&T::data_link_id, u8>>;
 };
 
-template <> struct wire::schema<jaus::query_selected_data_link_status> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_selected_data_link_status> {
+    static constexpr std::uint16_t command_code = 0x2201;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::query_heartbeat_pulse> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_heartbeat_pulse> {
+    static constexpr std::uint16_t command_code = 0x2202;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::report_data_link_status> {
+    static constexpr std::uint16_t command_code = 0x4200;
     using T = jaus::report_data_link_status;
     using type = layout<
         field<&T::data_link_id, u8>,
@@ -126,10 +126,13 @@ template <> struct wire::schema<jaus::report_data_link_status> {
 };
 
 template <> struct wire::schema<jaus::report_selected_data_link_status> {
+    static constexpr std::uint16_t command_code = 0x4201;
     using T = jaus::report_selected_data_link_status;
     using type = layout<field<&T::data_link_id, u8>>;
 };
 
-template <> struct wire::schema<jaus::report_heartbeat_pulse> { using type = layout<>; };
+template <> struct wire::schema<jaus::report_heartbeat_pulse> {
+    static constexpr std::uint16_t command_code = 0x4202;
+    using type = layout<>; };
 
 } // namespace jauscat

@@ -9,7 +9,6 @@ namespace jauscat::jaus {
 /// Set Component Authority: sets the authority of the receiving component.
 /// Code 0001h, command class, 1 byte.
 struct set_component_authority {
-    static constexpr std::uint16_t command_code = 0x0001;
     std::uint8_t authority_code{}; ///< 0 lowest to 255 highest
     friend constexpr bool operator==(const set_component_authority&, const set_component_authority&) = default;
 };
@@ -17,28 +16,24 @@ struct set_component_authority {
 /// Shutdown: ends the receiving component's work and frees what it holds.
 /// Code 0002h, command class, no body.
 struct shutdown {
-    static constexpr std::uint16_t command_code = 0x0002;
     friend constexpr bool operator==(const shutdown&, const shutdown&) = default;
 };
 
 /// Standby: takes the receiving component to its standby state.
 /// Code 0003h, command class, no body.
 struct standby {
-    static constexpr std::uint16_t command_code = 0x0003;
     friend constexpr bool operator==(const standby&, const standby&) = default;
 };
 
 /// Resume: takes the receiving component from standby back to its ready state.
 /// Code 0004h, command class, no body.
 struct resume {
-    static constexpr std::uint16_t command_code = 0x0004;
     friend constexpr bool operator==(const resume&, const resume&) = default;
 };
 
 /// Reset: makes the receiving component start anew.
 /// Code 0005h, command class, no body.
 struct reset {
-    static constexpr std::uint16_t command_code = 0x0005;
     friend constexpr bool operator==(const reset&, const reset&) = default;
 };
 
@@ -50,7 +45,6 @@ enum class set_emergency_code : std::uint16_t {
 /// Set Emergency: tells the receiving component of an emergency.
 /// Code 0006h, command class, 2 bytes.
 struct set_emergency {
-    static constexpr std::uint16_t command_code = 0x0006;
     wire::bit_set<set_emergency_code> emergency_code{}; ///< bits 1 to 15 are unassigned, sent as zero
     friend constexpr bool operator==(const set_emergency&, const set_emergency&) = default;
 };
@@ -63,7 +57,6 @@ enum class clear_emergency_code : std::uint16_t {
 /// Clear Emergency: ends an emergency that the sender has set.
 /// Code 0007h, command class, 2 bytes.
 struct clear_emergency {
-    static constexpr std::uint16_t command_code = 0x0007;
     wire::bit_set<clear_emergency_code> emergency_code{}; ///< bits 1 to 15 are unassigned, sent as zero
     friend constexpr bool operator==(const clear_emergency&, const clear_emergency&) = default;
 };
@@ -71,8 +64,7 @@ struct clear_emergency {
 /// Create Service Connection: asks for a report to be sent periodically.
 /// Code 0008h, command class, 8 bytes.
 struct create_service_connection {
-    static constexpr std::uint16_t command_code = 0x0008;
-    std::uint16_t command_code_{};             ///< the connected report
+    std::uint16_t command_code{};              ///< the connected report
     double requested_periodic_update_rate{};   ///< hertz, 0 to 1092
     std::uint32_t requested_presence_vector{}; ///< wanted fields; shorter vectors are in the low bits
     friend constexpr bool operator==(const create_service_connection&, const create_service_connection&) = default;
@@ -92,8 +84,7 @@ enum class service_connection_response : std::uint8_t {
 /// Confirm Service Connection: answers Create Service Connection.
 /// Code 0009h, command class, 6 bytes.
 struct confirm_service_connection {
-    static constexpr std::uint16_t command_code = 0x0009;
-    std::uint16_t command_code_{};               ///< the connected report
+    std::uint16_t command_code{};                ///< the connected report
     std::uint8_t instance_id{};                  ///< the number of the new connection
     double confirmed_periodic_update_rate{};     ///< hertz, 0 to 1092
     service_connection_response response_code{}; ///< created, or why not
@@ -103,27 +94,24 @@ struct confirm_service_connection {
 /// Activate Service Connection: makes a suspended connection send again.
 /// Code 000Ah, command class, 3 bytes.
 struct activate_service_connection {
-    static constexpr std::uint16_t command_code = 0x000A;
-    std::uint16_t command_code_{}; ///< the connected report
-    std::uint8_t instance_id{};    ///< the service connection, as the confirmation numbered it
+    std::uint16_t command_code{}; ///< the connected report
+    std::uint8_t instance_id{};   ///< the service connection, as the confirmation numbered it
     friend constexpr bool operator==(const activate_service_connection&, const activate_service_connection&) = default;
 };
 
 /// Suspend Service Connection: makes a connection pause.
 /// Code 000Bh, command class, 3 bytes.
 struct suspend_service_connection {
-    static constexpr std::uint16_t command_code = 0x000B;
-    std::uint16_t command_code_{}; ///< the connected report
-    std::uint8_t instance_id{};    ///< the service connection, as the confirmation numbered it
+    std::uint16_t command_code{}; ///< the connected report
+    std::uint8_t instance_id{};   ///< the service connection, as the confirmation numbered it
     friend constexpr bool operator==(const suspend_service_connection&, const suspend_service_connection&) = default;
 };
 
 /// Terminate Service Connection: ends a connection.
 /// Code 000Ch, command class, 3 bytes.
 struct terminate_service_connection {
-    static constexpr std::uint16_t command_code = 0x000C;
-    std::uint16_t command_code_{}; ///< the connected report
-    std::uint8_t instance_id{};    ///< the service connection, as the confirmation numbered it
+    std::uint16_t command_code{}; ///< the connected report
+    std::uint8_t instance_id{};   ///< the service connection, as the confirmation numbered it
     friend constexpr bool operator==(const terminate_service_connection&,
                                      const terminate_service_connection&) = default;
 };
@@ -131,7 +119,6 @@ struct terminate_service_connection {
 /// Request Component Control: asks for sole control of the receiving component.
 /// Code 000Dh, command class, 1 byte.
 struct request_component_control {
-    static constexpr std::uint16_t command_code = 0x000D;
     std::uint8_t authority_code{}; ///< the sender's; 0 lowest to 255 highest
     friend constexpr bool operator==(const request_component_control&, const request_component_control&) = default;
 };
@@ -139,7 +126,6 @@ struct request_component_control {
 /// Release Component Control: gives up the control that the sender holds.
 /// Code 000Eh, command class, no body.
 struct release_component_control {
-    static constexpr std::uint16_t command_code = 0x000E;
     friend constexpr bool operator==(const release_component_control&, const release_component_control&) = default;
 };
 
@@ -153,7 +139,6 @@ enum class component_control_response : std::uint8_t {
 /// Confirm Component Control: answers Request Component Control.
 /// Code 000Fh, command class, 1 byte.
 struct confirm_component_control {
-    static constexpr std::uint16_t command_code = 0x000F;
     component_control_response response_code{}; ///< granted, or why not
     friend constexpr bool operator==(const confirm_component_control&, const confirm_component_control&) = default;
 };
@@ -161,14 +146,12 @@ struct confirm_component_control {
 /// Reject Component Control: tells a component that it does not, or no longer, control the sender.
 /// Code 0010h, command class, no body.
 struct reject_component_control {
-    static constexpr std::uint16_t command_code = 0x0010;
     friend constexpr bool operator==(const reject_component_control&, const reject_component_control&) = default;
 };
 
 /// Set Time: sets the receiving component's clock.
 /// Code 0011h, command class, 1 to 7 bytes.
 struct set_time {
-    static constexpr std::uint16_t command_code = 0x0011;
     std::optional<jaus::time_stamp> time_stamp{}; ///< time of day, day of the month
     std::optional<jaus::date_stamp> date_stamp{}; ///< day, month, year
     friend constexpr bool operator==(const set_time&, const set_time&) = default;
@@ -177,28 +160,24 @@ struct set_time {
 /// Query Component Authority: asks for Report Component Authority.
 /// Code 2001h, query class, no body.
 struct query_component_authority {
-    static constexpr std::uint16_t command_code = 0x2001;
     friend constexpr bool operator==(const query_component_authority&, const query_component_authority&) = default;
 };
 
 /// Query Component Status: asks for Report Component Status.
 /// Code 2002h, query class, no body.
 struct query_component_status {
-    static constexpr std::uint16_t command_code = 0x2002;
     friend constexpr bool operator==(const query_component_status&, const query_component_status&) = default;
 };
 
 /// Query Component Control: asks for Report Component Control.
 /// Code 200Dh, query class, no body.
 struct query_component_control {
-    static constexpr std::uint16_t command_code = 0x200D;
     friend constexpr bool operator==(const query_component_control&, const query_component_control&) = default;
 };
 
 /// Query Time: asks for Report Time.
 /// Code 2011h, query class, 1 byte.
 struct query_time {
-    static constexpr std::uint16_t command_code = 0x2011;
     std::uint8_t presence_vector{}; ///< the fields of Report Time that are asked for
     friend constexpr bool operator==(const query_time&, const query_time&) = default;
 };
@@ -206,7 +185,6 @@ struct query_time {
 /// Report Component Authority: the authority that the component acts with.
 /// Code 4001h, inform class, 1 byte.
 struct report_component_authority {
-    static constexpr std::uint16_t command_code = 0x4001;
     std::uint8_t authority_code{}; ///< 0 lowest to 255 highest
     friend constexpr bool operator==(const report_component_authority&, const report_component_authority&) = default;
 };
@@ -224,7 +202,6 @@ enum class primary_status_code : std::uint8_t {
 /// Report Component Status: the state that the component is in.
 /// Code 4002h, inform class, 5 bytes.
 struct report_component_status {
-    static constexpr std::uint16_t command_code = 0x4002;
     jaus::primary_status_code primary_status_code{}; ///< the component's state
     std::uint32_t secondary_status_code{};           ///< 32 bits of the component's own meaning
     friend constexpr bool operator==(const report_component_status&, const report_component_status&) = default;
@@ -233,7 +210,6 @@ struct report_component_status {
 /// Report Component Control: who controls the component; all zero where nobody does.
 /// Code 400Dh, inform class, 5 bytes. The address begins with the subsystem, unlike the header's.
 struct report_component_control {
-    static constexpr std::uint16_t command_code = 0x400D;
     std::uint8_t subsystem_id{};   ///< of the controlling component
     std::uint8_t node_id{};        ///< of the controlling component
     std::uint8_t component_id{};   ///< of the controlling component
@@ -245,7 +221,6 @@ struct report_component_control {
 /// Report Time: the component's clock.
 /// Code 4011h, inform class, 1 to 7 bytes.
 struct report_time {
-    static constexpr std::uint16_t command_code = 0x4011;
     std::optional<jaus::time_stamp> time_stamp{}; ///< time of day, day of the month
     std::optional<jaus::date_stamp> date_stamp{}; ///< day, month, year
     friend constexpr bool operator==(const report_time&, const report_time&) = default;
@@ -258,74 +233,94 @@ struct report_time {
 namespace jauscat {
 
 template <> struct wire::schema<jaus::set_component_authority> {
+    static constexpr std::uint16_t command_code = 0x0001;
     using T = jaus::set_component_authority;
     using type = layout<field<&T::authority_code, u8>>;
 };
 
-template <> struct wire::schema<jaus::shutdown> { using type = layout<>; };
+template <> struct wire::schema<jaus::shutdown> {
+    static constexpr std::uint16_t command_code = 0x0002;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::standby> { using type = layout<>; };
+template <> struct wire::schema<jaus::standby> {
+    static constexpr std::uint16_t command_code = 0x0003;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::resume> { using type = layout<>; };
+template <> struct wire::schema<jaus::resume> {
+    static constexpr std::uint16_t command_code = 0x0004;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::reset> { using type = layout<>; };
+template <> struct wire::schema<jaus::reset> {
+    static constexpr std::uint16_t command_code = 0x0005;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::set_emergency> {
+    static constexpr std::uint16_t command_code = 0x0006;
     using T = jaus::set_emergency;
     using type = layout<field<&T::emergency_code, bit_set_codec<jaus::set_emergency_code, u16le>>>;
 };
 
 template <> struct wire::schema<jaus::clear_emergency> {
+    static constexpr std::uint16_t command_code = 0x0007;
     using T = jaus::clear_emergency;
     using type = layout<field<&T::emergency_code, bit_set_codec<jaus::clear_emergency_code, u16le>>>;
 };
 
 template <> struct wire::schema<jaus::create_service_connection> {
+    static constexpr std::uint16_t command_code = 0x0008;
     using T = jaus::create_service_connection;
     using type = layout<
-        field<&T::command_code_, u16le>,
+        field<&T::command_code, u16le>,
         field<&T::requested_periodic_update_rate, scaled<u16le, jaus::update_rate>>,
         field<&T::requested_presence_vector, u32le>>;
 };
 
 template <> struct wire::schema<jaus::confirm_service_connection> {
+    static constexpr std::uint16_t command_code = 0x0009;
     using T = jaus::confirm_service_connection;
     using type = layout<
-        field<&T::command_code_, u16le>,
+        field<&T::command_code, u16le>,
         field<&T::instance_id, u8>,
         field<&T::confirmed_periodic_update_rate, scaled<u16le, jaus::update_rate>>,
         field<&T::response_code, enumeration<jaus::service_connection_response, u8>>>;
 };
 
 template <> struct wire::schema<jaus::activate_service_connection> {
+    static constexpr std::uint16_t command_code = 0x000A;
     using T = jaus::activate_service_connection;
     using type = layout<
-        field<&T::command_code_, u16le>,
+        field<&T::command_code, u16le>,
         field<&T::instance_id, u8>>;
 };
 
 template <> struct wire::schema<jaus::suspend_service_connection> {
+    static constexpr std::uint16_t command_code = 0x000B;
     using T = jaus::suspend_service_connection;
     using type = layout<
-        field<&T::command_code_, u16le>,
+        field<&T::command_code, u16le>,
         field<&T::instance_id, u8>>;
 };
 
 template <> struct wire::schema<jaus::terminate_service_connection> {
+    static constexpr std::uint16_t command_code = 0x000C;
     using T = jaus::terminate_service_connection;
     using type = layout<
-        field<&T::command_code_, u16le>,
+        field<&T::command_code, u16le>,
         field<&T::instance_id, u8>>;
 };
 
 template <> struct wire::schema<jaus::request_component_control> {
+    static constexpr std::uint16_t command_code = 0x000D;
     using T = jaus::request_component_control;
     using type = layout<field<&T::authority_code, u8>>;
 };
 
-template <> struct wire::schema<jaus::release_component_control> { using type = layout<>; };
+template <> struct wire::schema<jaus::release_component_control> {
+    static constexpr std::uint16_t command_code = 0x000E;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::confirm_component_control> {
+    static constexpr std::uint16_t command_code = 0x000F;
     using T = jaus::confirm_component_control;
     using type = layout<
         bit_fields<u8,
@@ -333,9 +328,12 @@ template <> struct wire::schema<jaus::confirm_component_control> {
             reserved<6>>>;
 };
 
-template <> struct wire::schema<jaus::reject_component_control> { using type = layout<>; };
+template <> struct wire::schema<jaus::reject_component_control> {
+    static constexpr std::uint16_t command_code = 0x0010;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::set_time> {
+    static constexpr std::uint16_t command_code = 0x0011;
     using T = jaus::set_time;
     using type = layout<
         presence<u8,
@@ -343,23 +341,32 @@ template <> struct wire::schema<jaus::set_time> {
             nested<&T::date_stamp>>>;
 };
 
-template <> struct wire::schema<jaus::query_component_authority> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_component_authority> {
+    static constexpr std::uint16_t command_code = 0x2001;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::query_component_status> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_component_status> {
+    static constexpr std::uint16_t command_code = 0x2002;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::query_component_control> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_component_control> {
+    static constexpr std::uint16_t command_code = 0x200D;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_time> {
+    static constexpr std::uint16_t command_code = 0x2011;
     using T = jaus::query_time;
     using type = layout<field<&T::presence_vector, u8>>;
 };
 
 template <> struct wire::schema<jaus::report_component_authority> {
+    static constexpr std::uint16_t command_code = 0x4001;
     using T = jaus::report_component_authority;
     using type = layout<field<&T::authority_code, u8>>;
 };
 
 template <> struct wire::schema<jaus::report_component_status> {
+    static constexpr std::uint16_t command_code = 0x4002;
     using T = jaus::report_component_status;
     using type = layout<
         field<&T::primary_status_code, enumeration<jaus::primary_status_code, u8>>,
@@ -367,6 +374,7 @@ template <> struct wire::schema<jaus::report_component_status> {
 };
 
 template <> struct wire::schema<jaus::report_component_control> {
+    static constexpr std::uint16_t command_code = 0x400D;
     using T = jaus::report_component_control;
     using type = layout<
         field<&T::subsystem_id, u8>,
@@ -377,6 +385,7 @@ template <> struct wire::schema<jaus::report_component_control> {
 };
 
 template <> struct wire::schema<jaus::report_time> {
+    static constexpr std::uint16_t command_code = 0x4011;
     using T = jaus::report_time;
     using type = layout<
         presence<u8,

@@ -15,7 +15,6 @@ enum class query_type : std::uint8_t {
 /// Query Identification: asks for Report Identification.
 /// Code 2B00h, query class, 1 byte.
 struct query_identification {
-    static constexpr std::uint16_t command_code = 0x2B00;
     jaus::query_type query_type{}; ///< whose identification
     friend constexpr bool operator==(const query_identification&, const query_identification&) = default;
 };
@@ -29,7 +28,6 @@ enum class query_field : std::uint8_t {
 /// Query Configuration: asks for Report Configuration.
 /// Code 2B01h, query class, 1 byte.
 struct query_configuration {
-    static constexpr std::uint16_t command_code = 0x2B01;
     jaus::query_field query_field{}; ///< whose configuration
     friend constexpr bool operator==(const query_configuration&, const query_configuration&) = default;
 };
@@ -37,14 +35,12 @@ struct query_configuration {
 /// Query Subsystem List: asks for Report Subsystem List.
 /// Code 2B02h, query class, no body.
 struct query_subsystem_list {
-    static constexpr std::uint16_t command_code = 0x2B02;
     friend constexpr bool operator==(const query_subsystem_list&, const query_subsystem_list&) = default;
 };
 
 /// Query Services: asks for Report Services.
 /// Code 2B03h, query class, no body.
 struct query_services {
-    static constexpr std::uint16_t command_code = 0x2B03;
     friend constexpr bool operator==(const query_services&, const query_services&) = default;
 };
 
@@ -53,7 +49,6 @@ struct query_services {
 /// Types: 10001 vehicle, 20001 operator control unit, 30001 other subsystem, 40001 node, 50001 payload, 60001
 /// component.
 struct report_identification {
-    static constexpr std::uint16_t command_code = 0x4B00;
     jaus::query_type query_type{};     ///< whose identification
     std::uint8_t authority_code{};     ///< 0 lowest to 255 highest
     std::uint16_t type{};              ///< kind of the named thing
@@ -78,7 +73,6 @@ struct configured_node {
 /// Report Configuration: the nodes and components of a subsystem, or the components of a node.
 /// Code 4B01h, inform class, 1 byte or more.
 struct report_configuration {
-    static constexpr std::uint16_t command_code = 0x4B01;
     wire::list<configured_node> node{}; ///< up to 255
     friend constexpr bool operator==(const report_configuration&, const report_configuration&) = default;
 };
@@ -95,7 +89,6 @@ struct listed_subsystem {
 /// Report Subsystem List: the known subsystems, each by the address of a component.
 /// Code 4B02h, inform class, 1 byte or more.
 struct report_subsystem_list {
-    static constexpr std::uint16_t command_code = 0x4B02;
     wire::list<listed_subsystem> subsystem{}; ///< up to 255
     friend constexpr bool operator==(const report_subsystem_list&, const report_subsystem_list&) = default;
 };
@@ -118,7 +111,6 @@ struct offered_service {
 /// Report Services: the services of a component and their messages.
 /// Code 4B03h, inform class, 1 byte or more.
 struct report_services {
-    static constexpr std::uint16_t command_code = 0x4B03;
     wire::list<offered_service> service{}; ///< up to 255
     friend constexpr bool operator==(const report_services&, const report_services&) = default;
 };
@@ -130,20 +122,27 @@ struct report_services {
 namespace jauscat {
 
 template <> struct wire::schema<jaus::query_identification> {
+    static constexpr std::uint16_t command_code = 0x2B00;
     using T = jaus::query_identification;
     using type = layout<field<&T::query_type, enumeration<jaus::query_type, u8>>>;
 };
 
 template <> struct wire::schema<jaus::query_configuration> {
+    static constexpr std::uint16_t command_code = 0x2B01;
     using T = jaus::query_configuration;
     using type = layout<field<&T::query_field, enumeration<jaus::query_field, u8>>>;
 };
 
-template <> struct wire::schema<jaus::query_subsystem_list> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_subsystem_list> {
+    static constexpr std::uint16_t command_code = 0x2B02;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::query_services> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_services> {
+    static constexpr std::uint16_t command_code = 0x2B03;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::report_identification> {
+    static constexpr std::uint16_t command_code = 0x4B00;
     using T = jaus::report_identification;
     using type = layout<
         field<&T::query_type, enumeration<jaus::query_type, u8>>,
@@ -167,6 +166,7 @@ template <> struct wire::schema<jaus::configured_node> {
 };
 
 template <> struct wire::schema<jaus::report_configuration> {
+    static constexpr std::uint16_t command_code = 0x4B01;
     using T = jaus::report_configuration;
     using type = layout<repeated<&T::node, count<"number_of_nodes", u8>>>;
 };
@@ -181,6 +181,7 @@ template <> struct wire::schema<jaus::listed_subsystem> {
 };
 
 template <> struct wire::schema<jaus::report_subsystem_list> {
+    static constexpr std::uint16_t command_code = 0x4B02;
     using T = jaus::report_subsystem_list;
     using type = layout<repeated<&T::subsystem, count<"number_of_subsystems", u8>>>;
 };
@@ -201,6 +202,7 @@ template <> struct wire::schema<jaus::offered_service> {
 };
 
 template <> struct wire::schema<jaus::report_services> {
+    static constexpr std::uint16_t command_code = 0x4B03;
     using T = jaus::report_services;
     using type = layout<repeated<&T::service, count<"number_of_services", u8>>>;
 };

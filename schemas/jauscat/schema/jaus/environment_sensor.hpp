@@ -19,7 +19,6 @@ enum class mode_indicator : std::uint8_t {
 /// Set Camera Pose: moves a camera along and about its axes.
 /// Code 0801h, command class, 3 to 15 bytes.
 struct set_camera_pose {
-    static constexpr std::uint16_t command_code = 0x0801;
     std::uint8_t camera_id{};                               ///< which camera
     wire::bit_set<jaus::mode_indicator> mode_indicator{};   ///< axes given as rates
     std::optional<double> linear_x_displacement_or_rate{};  ///< percent, -100 to 100
@@ -34,7 +33,6 @@ struct set_camera_pose {
 /// Select Camera: selects a camera.
 /// Code 0802h, command class, 1 byte.
 struct select_camera {
-    static constexpr std::uint16_t command_code = 0x0802;
     std::uint8_t camera_id{}; ///< camera to select
     friend constexpr bool operator==(const select_camera&, const select_camera&) = default;
 };
@@ -68,7 +66,6 @@ enum class audio_controls : std::uint16_t {
 /// Code 0805h, command class, 3 to 22 bytes. Some peers take bit 7 for Shutter Speed, Imaging Controls and Audio
 /// Controls too: to those send bits 7 to 10 together or not at all.
 struct set_camera_capabilities {
-    static constexpr std::uint16_t command_code = 0x0805;
     std::uint8_t camera_id{};                                                ///< which camera
     std::optional<double> horizontal_fov{};                                  ///< radians, 0 to pi
     std::optional<double> vertical_fov{};                                    ///< radians, 0 to pi
@@ -121,7 +118,6 @@ enum class image_format : std::uint8_t {
 /// Set Camera Format Options: chooses the coding of sound and pictures.
 /// Code 0806h, command class, 2 to 8 bytes.
 struct set_camera_format_options {
-    static constexpr std::uint16_t command_code = 0x0806;
     std::uint8_t camera_id{};                         ///< which camera
     std::optional<jaus::audio_format> audio_format{}; ///< coding of the sound
     std::optional<jaus::image_format> image_format{}; ///< coding of the pictures
@@ -132,7 +128,6 @@ struct set_camera_format_options {
 /// Query Camera Pose: asks where a camera is and where it looks.
 /// Code 2800h, query class, 3 bytes.
 struct query_camera_pose {
-    static constexpr std::uint16_t command_code = 0x2800;
     std::uint16_t presence_vector{}; ///< the fields of Report Camera Pose that are asked for
     std::uint8_t camera_id{};        ///< which camera
     friend constexpr bool operator==(const query_camera_pose&, const query_camera_pose&) = default;
@@ -141,14 +136,12 @@ struct query_camera_pose {
 /// Query Camera Count: asks how many cameras there are.
 /// Code 2801h, query class, no body.
 struct query_camera_count {
-    static constexpr std::uint16_t command_code = 0x2801;
     friend constexpr bool operator==(const query_camera_count&, const query_camera_count&) = default;
 };
 
 /// Query Relative Object Position: asks where an object is.
 /// Code 2802h, query class, 1 byte.
 struct query_relative_object_position {
-    static constexpr std::uint16_t command_code = 0x2802;
     std::uint8_t presence_vector{}; ///< the fields of Report Relative Object Position that are asked for
     friend constexpr bool operator==(const query_relative_object_position&,
                                      const query_relative_object_position&) = default;
@@ -157,14 +150,12 @@ struct query_relative_object_position {
 /// Query Selected Camera: asks which camera is selected.
 /// Code 2804h, query class, no body.
 struct query_selected_camera {
-    static constexpr std::uint16_t command_code = 0x2804;
     friend constexpr bool operator==(const query_selected_camera&, const query_selected_camera&) = default;
 };
 
 /// Query Camera Capabilities: asks what a camera can do.
 /// Code 2805h, query class, 3 bytes.
 struct query_camera_capabilities {
-    static constexpr std::uint16_t command_code = 0x2805;
     std::uint16_t presence_vector{}; ///< the fields of Report Camera Capabilities that are asked for
     std::uint8_t camera_id{};        ///< which camera
     friend constexpr bool operator==(const query_camera_capabilities&, const query_camera_capabilities&) = default;
@@ -173,7 +164,6 @@ struct query_camera_capabilities {
 /// Query Camera Format Options: asks which codings of sound and pictures a camera has.
 /// Code 2806h, query class, 2 bytes.
 struct query_camera_format_options {
-    static constexpr std::uint16_t command_code = 0x2806;
     std::uint8_t presence_vector{}; ///< the fields of Report Camera Format Options that are asked for
     std::uint8_t camera_id{};       ///< which camera
     friend constexpr bool operator==(const query_camera_format_options&, const query_camera_format_options&) = default;
@@ -182,14 +172,12 @@ struct query_camera_format_options {
 /// Query Image: asks for an image.
 /// Code 2807h, query class, no body.
 struct query_image {
-    static constexpr std::uint16_t command_code = 0x2807;
     friend constexpr bool operator==(const query_image&, const query_image&) = default;
 };
 
 /// Report Camera Pose: where a camera is and where it looks.
 /// Code 4800h, inform class, 3 to 36 bytes.
 struct report_camera_pose {
-    static constexpr std::uint16_t command_code = 0x4800;
     std::uint8_t camera_id{};                                 ///< which camera
     std::optional<std::string_view> camera_name{};            ///< up to 15 characters
     std::optional<double> x_camera_origin{};                  ///< metres, -32.767 to 32.767
@@ -207,7 +195,6 @@ struct report_camera_pose {
 /// Report Camera Count: how many cameras there are.
 /// Code 4801h, inform class, 1 byte.
 struct report_camera_count {
-    static constexpr std::uint16_t command_code = 0x4801;
     std::uint8_t camera_count{}; ///< cameras
     friend constexpr bool operator==(const report_camera_count&, const report_camera_count&) = default;
 };
@@ -216,7 +203,6 @@ struct report_camera_count {
 /// Code 4802h, inform class, 5 to 32 bytes. Some peers take bit 6 for Object ID too: to those send bits 6 and 7
 /// together or not at all.
 struct report_relative_object_position {
-    static constexpr std::uint16_t command_code = 0x4802;
     jaus::time_stamp time_stamp{};             ///< time of the measurement
     std::optional<double> range{};             ///< metres, -10000 to 10000
     std::optional<double> range_error{};       ///< metres, 0 to 1000
@@ -233,7 +219,6 @@ struct report_relative_object_position {
 /// Report Selected Camera: which camera is selected.
 /// Code 4804h, inform class, 1 byte.
 struct report_selected_camera {
-    static constexpr std::uint16_t command_code = 0x4804;
     std::uint8_t camera_id{}; ///< camera selected
     friend constexpr bool operator==(const report_selected_camera&, const report_selected_camera&) = default;
 };
@@ -241,7 +226,6 @@ struct report_selected_camera {
 /// Report Camera Capabilities: what a camera can do; a control bit says that the control is available.
 /// Code 4805h, inform class, 3 to 81 bytes.
 struct report_camera_capabilities {
-    static constexpr std::uint16_t command_code = 0x4805;
     std::uint8_t camera_id{};                                                ///< which camera
     std::optional<std::string_view> description{};                           ///< up to 50 characters
     std::optional<double> maximum_horizontal_fov{};                          ///< radians, 0 to pi
@@ -264,7 +248,6 @@ struct report_camera_capabilities {
 /// Report Camera Format Options: the codings of sound and pictures that a camera has.
 /// Code 4806h, inform class, 2 to 12 bytes.
 struct report_camera_format_options {
-    static constexpr std::uint16_t command_code = 0x4806;
     std::uint8_t camera_id{};                      ///< which camera
     std::optional<audio_format> audio_format_1{};  ///< coding of sound available
     std::optional<audio_format> audio_format_2{};  ///< coding of sound available
@@ -280,7 +263,6 @@ struct report_camera_format_options {
 /// Report Image: an image; a large one comes in several packets.
 /// Code 4807h, inform class, 2 bytes or more. Contested: some peers send the image data alone.
 struct report_image {
-    static constexpr std::uint16_t command_code = 0x4807;
     std::uint8_t camera_id{};    ///< which camera
     image_format video_format{}; ///< coding of the image
     wire::blob image_data{};     ///< in the coding above
@@ -294,6 +276,7 @@ struct report_image {
 namespace jauscat {
 
 template <> struct wire::schema<jaus::set_camera_pose> {
+    static constexpr std::uint16_t command_code = 0x0801;
     using T = jaus::set_camera_pose;
     using type = layout<
         presence<u8,
@@ -308,11 +291,13 @@ template <> struct wire::schema<jaus::set_camera_pose> {
 };
 
 template <> struct wire::schema<jaus::select_camera> {
+    static constexpr std::uint16_t command_code = 0x0802;
     using T = jaus::select_camera;
     using type = layout<field<&T::camera_id, u8>>;
 };
 
 template <> struct wire::schema<jaus::set_camera_capabilities> {
+    static constexpr std::uint16_t command_code = 0x0805;
     using T = jaus::set_camera_capabilities;
     using type = layout<
         presence<u16le,
@@ -331,6 +316,7 @@ template <> struct wire::schema<jaus::set_camera_capabilities> {
 };
 
 template <> struct wire::schema<jaus::set_camera_format_options> {
+    static constexpr std::uint16_t command_code = 0x0806;
     using T = jaus::set_camera_format_options;
     using type = layout<
         presence<u8,
@@ -341,22 +327,29 @@ template <> struct wire::schema<jaus::set_camera_format_options> {
 };
 
 template <> struct wire::schema<jaus::query_camera_pose> {
+    static constexpr std::uint16_t command_code = 0x2800;
     using T = jaus::query_camera_pose;
     using type = layout<
         field<&T::presence_vector, u16le>,
         field<&T::camera_id, u8>>;
 };
 
-template <> struct wire::schema<jaus::query_camera_count> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_camera_count> {
+    static constexpr std::uint16_t command_code = 0x2801;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_relative_object_position> {
+    static constexpr std::uint16_t command_code = 0x2802;
     using T = jaus::query_relative_object_position;
     using type = layout<field<&T::presence_vector, u8>>;
 };
 
-template <> struct wire::schema<jaus::query_selected_camera> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_selected_camera> {
+    static constexpr std::uint16_t command_code = 0x2804;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_camera_capabilities> {
+    static constexpr std::uint16_t command_code = 0x2805;
     using T = jaus::query_camera_capabilities;
     using type = layout<
         field<&T::presence_vector, u16le>,
@@ -364,15 +357,19 @@ template <> struct wire::schema<jaus::query_camera_capabilities> {
 };
 
 template <> struct wire::schema<jaus::query_camera_format_options> {
+    static constexpr std::uint16_t command_code = 0x2806;
     using T = jaus::query_camera_format_options;
     using type = layout<
         field<&T::presence_vector, u8>,
         field<&T::camera_id, u8>>;
 };
 
-template <> struct wire::schema<jaus::query_image> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_image> {
+    static constexpr std::uint16_t command_code = 0x2807;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::report_camera_pose> {
+    static constexpr std::uint16_t command_code = 0x4800;
     using T = jaus::report_camera_pose;
     using type = layout<
         presence<u16le,
@@ -390,11 +387,13 @@ template <> struct wire::schema<jaus::report_camera_pose> {
 };
 
 template <> struct wire::schema<jaus::report_camera_count> {
+    static constexpr std::uint16_t command_code = 0x4801;
     using T = jaus::report_camera_count;
     using type = layout<field<&T::camera_count, u8>>;
 };
 
 template <> struct wire::schema<jaus::report_relative_object_position> {
+    static constexpr std::uint16_t command_code = 0x4802;
     using T = jaus::report_relative_object_position;
     using type = layout<
         presence<u8,
@@ -410,11 +409,13 @@ template <> struct wire::schema<jaus::report_relative_object_position> {
 };
 
 template <> struct wire::schema<jaus::report_selected_camera> {
+    static constexpr std::uint16_t command_code = 0x4804;
     using T = jaus::report_selected_camera;
     using type = layout<field<&T::camera_id, u8>>;
 };
 
 template <> struct wire::schema<jaus::report_camera_capabilities> {
+    static constexpr std::uint16_t command_code = 0x4805;
     using T = jaus::report_camera_capabilities;
     using type = layout<
         presence<u16le,
@@ -437,6 +438,7 @@ template <> struct wire::schema<jaus::report_camera_capabilities> {
 };
 
 template <> struct wire::schema<jaus::report_camera_format_options> {
+    static constexpr std::uint16_t command_code = 0x4806;
     using T = jaus::report_camera_format_options;
     using type = layout<
         presence<u8,
@@ -451,6 +453,7 @@ template <> struct wire::schema<jaus::report_camera_format_options> {
 };
 
 template <> struct wire::schema<jaus::report_image> {
+    static constexpr std::uint16_t command_code = 0x4807;
     using T = jaus::report_image;
     using type = layout<
         field<&T::camera_id, u8>,

@@ -33,7 +33,6 @@ enum class event_boundary : std::uint8_t {
 /// Create Event: asks for a report whenever something happens.
 /// Code 01F0h, command class, 5 bytes or more.
 struct create_event {
-    static constexpr std::uint16_t command_code = 0x01F0;
     std::uint8_t local_request_id{};                      ///< the requester's own number
     std::uint16_t message_code{};                         ///< command code of the report
     jaus::event_type event_type{};                        ///< what triggers the report
@@ -51,7 +50,6 @@ struct create_event {
 /// Update Event: changes an event that has been created.
 /// Code 01F1h, command class, 6 bytes or more.
 struct update_event {
-    static constexpr std::uint16_t command_code = 0x01F1;
     std::uint8_t local_request_id{};                      ///< the requester's own number
     std::uint16_t message_code{};                         ///< command code of the report
     jaus::event_type event_type{};                        ///< what triggers the report
@@ -70,7 +68,6 @@ struct update_event {
 /// Cancel Event: ends an event, or the events of a report.
 /// Code 01F2h, command class, 2 to 5 bytes.
 struct cancel_event {
-    static constexpr std::uint16_t command_code = 0x01F2;
     std::uint8_t local_request_id{};             ///< the requester's own number
     std::optional<std::uint16_t> message_code{}; ///< command code of the report
     std::optional<std::uint8_t> event_id{};      ///< the event, as the confirmation numbered it
@@ -91,7 +88,6 @@ enum class event_response : std::uint8_t {
 /// Confirm Event Request: answers Create Event and Update Event where the event is set up.
 /// Code 01F3h, command class, 6 to 8 bytes.
 struct confirm_event_request {
-    static constexpr std::uint16_t command_code = 0x01F3;
     std::uint8_t local_request_id{};                 ///< as in the request
     std::uint16_t message_code{};                    ///< command code of the report
     std::uint8_t event_id{};                         ///< the number of the event
@@ -104,7 +100,6 @@ struct confirm_event_request {
 /// Code 01F4h, command class, 3 bytes or more. The text goes to the end of the body; some peers add a zero, some fill
 /// it.
 struct reject_event_request {
-    static constexpr std::uint16_t command_code = 0x01F4;
     std::uint8_t local_request_id{};                 ///< as in the request
     event_response response_code{};                  ///< the reason
     std::optional<std::string_view> error_message{}; ///< the reason in words
@@ -114,7 +109,6 @@ struct reject_event_request {
 /// Query Events: asks for Report Events.
 /// Code 21F0h, query class, 1 to 5 bytes.
 struct query_events {
-    static constexpr std::uint16_t command_code = 0x21F0;
     std::optional<std::uint16_t> message_code{};  ///< only events of this report
     std::optional<jaus::event_type> event_type{}; ///< only events of this type
     std::optional<std::uint8_t> event_id{};       ///< only this event
@@ -138,7 +132,6 @@ struct reported_event {
 /// Report Events: the events that are set up.
 /// Code 41F0h, inform class, 1 byte or more.
 struct report_events {
-    static constexpr std::uint16_t command_code = 0x41F0;
     wire::list<reported_event> event{}; ///< up to 255
     friend constexpr bool operator==(const report_events&, const report_events&) = default;
 };
@@ -146,7 +139,6 @@ struct report_events {
 /// Event: the report that an event triggered.
 /// Code 41F1h, inform class, 8 bytes or more.
 struct event {
-    static constexpr std::uint16_t command_code = 0x41F1;
     std::uint8_t event_id{};              ///< the event, as the confirmation numbered it
     std::uint16_t message_code{};         ///< command code of the report
     std::uint8_t event_sequence_number{}; ///< counts occurrences, wraps
@@ -161,6 +153,7 @@ struct event {
 namespace jauscat {
 
 template <> struct wire::schema<jaus::create_event> {
+    static constexpr std::uint16_t command_code = 0x01F0;
     using T = jaus::create_event;
     using type = layout<
         presence<u8,
@@ -178,6 +171,7 @@ template <> struct wire::schema<jaus::create_event> {
 };
 
 template <> struct wire::schema<jaus::update_event> {
+    static constexpr std::uint16_t command_code = 0x01F1;
     using T = jaus::update_event;
     using type = layout<
         presence<u8,
@@ -196,6 +190,7 @@ template <> struct wire::schema<jaus::update_event> {
 };
 
 template <> struct wire::schema<jaus::cancel_event> {
+    static constexpr std::uint16_t command_code = 0x01F2;
     using T = jaus::cancel_event;
     using type = layout<
         presence<u8,
@@ -205,6 +200,7 @@ template <> struct wire::schema<jaus::cancel_event> {
 };
 
 template <> struct wire::schema<jaus::confirm_event_request> {
+    static constexpr std::uint16_t command_code = 0x01F3;
     using T = jaus::confirm_event_request;
     using type = layout<
         presence<u8,
@@ -216,6 +212,7 @@ template <> struct wire::schema<jaus::confirm_event_request> {
 };
 
 template <> struct wire::schema<jaus::reject_event_request> {
+    static constexpr std::uint16_t command_code = 0x01F4;
     using T = jaus::reject_event_request;
     using type = layout<
         presence<u8,
@@ -225,6 +222,7 @@ template <> struct wire::schema<jaus::reject_event_request> {
 };
 
 template <> struct wire::schema<jaus::query_events> {
+    static constexpr std::uint16_t command_code = 0x21F0;
     using T = jaus::query_events;
     using type = layout<
         presence<u8,
@@ -249,11 +247,13 @@ template <> struct wire::schema<jaus::reported_event> {
 };
 
 template <> struct wire::schema<jaus::report_events> {
+    static constexpr std::uint16_t command_code = 0x41F0;
     using T = jaus::report_events;
     using type = layout<repeated<&T::event, count<"number_of_events", u8>>>;
 };
 
 template <> struct wire::schema<jaus::event> {
+    static constexpr std::uint16_t command_code = 0x41F1;
     using T = jaus::event;
     using type = layout<
         field<&T::event_id, u8>,

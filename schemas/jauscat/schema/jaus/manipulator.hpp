@@ -10,7 +10,6 @@ namespace jauscat::jaus {
 /// Set Joint Efforts: drives the joints open-loop, in percent of their capability.
 /// Code 0601h, command class, 1 byte or more.
 template <std::size_t Capacity> struct basic_set_joint_efforts {
-    static constexpr std::uint16_t command_code = 0x0601;
     wire::inline_list<double, Capacity> joint_effort{}; ///< percent, -100 to 100; from joint 1
     friend constexpr bool operator==(const basic_set_joint_efforts&, const basic_set_joint_efforts&) = default;
 };
@@ -19,7 +18,6 @@ using set_joint_efforts = basic_set_joint_efforts<255>;
 /// Set Joint Positions: sends the joints to the given positions.
 /// Code 0602h, command class, 1 byte or more.
 template <std::size_t Capacity> struct basic_set_joint_positions {
-    static constexpr std::uint16_t command_code = 0x0602;
     wire::inline_list<double, Capacity> joint_position{}; ///< radians, -8 pi to 8 pi; from joint 1
     friend constexpr bool operator==(const basic_set_joint_positions&, const basic_set_joint_positions&) = default;
 };
@@ -28,7 +26,6 @@ using set_joint_positions = basic_set_joint_positions<255>;
 /// Set Joint Velocities: moves the joints at the given velocities.
 /// Code 0603h, command class, 1 byte or more.
 template <std::size_t Capacity> struct basic_set_joint_velocities {
-    static constexpr std::uint16_t command_code = 0x0603;
     wire::inline_list<double, Capacity> joint_velocity{}; ///< radians per second, -10 pi to 10 pi; from joint 1
     friend constexpr bool operator==(const basic_set_joint_velocities&, const basic_set_joint_velocities&) = default;
 };
@@ -37,7 +34,6 @@ using set_joint_velocities = basic_set_joint_velocities<255>;
 /// Set Tool Point: says where the tip of the tool is in the end effector's coordinate system.
 /// Code 0604h, command class, 12 bytes.
 struct set_tool_point {
-    static constexpr std::uint16_t command_code = 0x0604;
     double x_coordinate_of_tool_tip{}; ///< metres, -15 to 15
     double y_coordinate_of_tool_tip{}; ///< metres, -15 to 15
     double z_coordinate_of_tool_tip{}; ///< metres, -15 to 15
@@ -47,7 +43,6 @@ struct set_tool_point {
 /// Set End-Effector Pose: sends the tool point to a position and attitude.
 /// Code 0605h, command class, 28 bytes.
 struct set_end_effector_pose {
-    static constexpr std::uint16_t command_code = 0x0605;
     double x_component_of_tool_point{};        ///< metres, -30 to 30
     double y_component_of_tool_point{};        ///< metres, -30 to 30
     double z_component_of_tool_point{};        ///< metres, -30 to 30
@@ -67,7 +62,6 @@ enum class end_effector_coordinate_system : std::uint8_t {
 /// Set End-Effector Velocity State: moves the end effector at the given velocities.
 /// Code 0606h, command class, 25 bytes.
 struct set_end_effector_velocity_state {
-    static constexpr std::uint16_t command_code = 0x0606;
     end_effector_coordinate_system coordinate_system{}; ///< the axes that the velocities are given in
     double angular_velocity_x{};                        ///< radians per second, -20 pi to 20 pi
     double angular_velocity_y{};                        ///< radians per second, -20 pi to 20 pi
@@ -98,7 +92,6 @@ struct joint_motion_pose {
 /// Set Joint Motion: sends all joints through a sequence of poses.
 /// Code 0607h, command class, 2 bytes or more.
 struct set_joint_motion {
-    static constexpr std::uint16_t command_code = 0x0607;
     std::uint8_t number_of_joints{};      ///< joints in each pose
     wire::list<joint_motion_pose> pose{}; ///< in the order of time
     friend constexpr bool operator==(const set_joint_motion&, const set_joint_motion&) = default;
@@ -120,7 +113,6 @@ struct end_effector_path_pose {
 /// Set End-Effector Path Motion: sends the tool point along a path of poses.
 /// Code 0608h, command class, 1 byte or more.
 struct set_end_effector_path_motion {
-    static constexpr std::uint16_t command_code = 0x0608;
     wire::list<end_effector_path_pose> pose{}; ///< in the order of time
     friend constexpr bool operator==(const set_end_effector_path_motion&,
                                      const set_end_effector_path_motion&) = default;
@@ -129,7 +121,6 @@ struct set_end_effector_path_motion {
 /// Query Manipulator Specifications: asks for Report Manipulator Specifications.
 /// Code 2600h, query class, no body.
 struct query_manipulator_specifications {
-    static constexpr std::uint16_t command_code = 0x2600;
     friend constexpr bool operator==(const query_manipulator_specifications&,
                                      const query_manipulator_specifications&) = default;
 };
@@ -137,35 +128,30 @@ struct query_manipulator_specifications {
 /// Query Joint Efforts: asks for Report Joint Efforts.
 /// Code 2601h, query class, no body.
 struct query_joint_efforts {
-    static constexpr std::uint16_t command_code = 0x2601;
     friend constexpr bool operator==(const query_joint_efforts&, const query_joint_efforts&) = default;
 };
 
 /// Query Joint Positions: asks for Report Joint Positions.
 /// Code 2602h, query class, no body.
 struct query_joint_positions {
-    static constexpr std::uint16_t command_code = 0x2602;
     friend constexpr bool operator==(const query_joint_positions&, const query_joint_positions&) = default;
 };
 
 /// Query Joint Velocities: asks for Report Joint Velocities.
 /// Code 2603h, query class, no body.
 struct query_joint_velocities {
-    static constexpr std::uint16_t command_code = 0x2603;
     friend constexpr bool operator==(const query_joint_velocities&, const query_joint_velocities&) = default;
 };
 
 /// Query Tool Point: asks for Report Tool Point.
 /// Code 2604h, query class, no body.
 struct query_tool_point {
-    static constexpr std::uint16_t command_code = 0x2604;
     friend constexpr bool operator==(const query_tool_point&, const query_tool_point&) = default;
 };
 
 /// Query Joint Force/Torques: asks for Report Joint Force/Torques.
 /// Code 2605h, query class, no body.
 struct query_joint_force_torques {
-    static constexpr std::uint16_t command_code = 0x2605;
     friend constexpr bool operator==(const query_joint_force_torques&, const query_joint_force_torques&) = default;
 };
 
@@ -192,7 +178,6 @@ struct joint_specification {
 /// one byte; that is refused. Which of the joint values' two units goes with which type, and their sign, rest on one
 /// peer.
 struct report_manipulator_specifications {
-    static constexpr std::uint16_t command_code = 0x4600;
     std::uint8_t number_of_joints{};           ///< n, 1 to 255
     joint_type joint_n_type{};                 ///< how joint n moves
     std::uint16_t joint_n_offset{};            ///< millimetres or milliradians, by the joint's type
@@ -214,7 +199,6 @@ struct report_manipulator_specifications {
 /// Report Joint Efforts: the efforts in force.
 /// Code 4601h, inform class, 1 byte or more.
 template <std::size_t Capacity> struct basic_report_joint_efforts {
-    static constexpr std::uint16_t command_code = 0x4601;
     wire::inline_list<double, Capacity> joint_effort{}; ///< percent, -100 to 100; from joint 1
     friend constexpr bool operator==(const basic_report_joint_efforts&, const basic_report_joint_efforts&) = default;
 };
@@ -223,7 +207,6 @@ using report_joint_efforts = basic_report_joint_efforts<255>;
 /// Report Joint Positions: where the joints are.
 /// Code 4602h, inform class, 1 byte or more.
 template <std::size_t Capacity> struct basic_report_joint_positions {
-    static constexpr std::uint16_t command_code = 0x4602;
     wire::inline_list<double, Capacity> joint_position{}; ///< radians, -8 pi to 8 pi; from joint 1
     friend constexpr bool operator==(const basic_report_joint_positions&,
                                      const basic_report_joint_positions&) = default;
@@ -233,7 +216,6 @@ using report_joint_positions = basic_report_joint_positions<255>;
 /// Report Joint Velocities: how fast the joints move.
 /// Code 4603h, inform class, 1 byte or more.
 template <std::size_t Capacity> struct basic_report_joint_velocities {
-    static constexpr std::uint16_t command_code = 0x4603;
     wire::inline_list<double, Capacity> joint_velocity{}; ///< radians per second, -10 pi to 10 pi; from joint 1
     friend constexpr bool operator==(const basic_report_joint_velocities&,
                                      const basic_report_joint_velocities&) = default;
@@ -243,7 +225,6 @@ using report_joint_velocities = basic_report_joint_velocities<255>;
 /// Report Tool Point: where the tip of the tool is in the end effector's coordinate system.
 /// Code 4604h, inform class, 12 bytes.
 struct report_tool_point {
-    static constexpr std::uint16_t command_code = 0x4604;
     double x_coordinate_of_tool_tip{}; ///< metres, -15 to 15
     double y_coordinate_of_tool_tip{}; ///< metres, -15 to 15
     double z_coordinate_of_tool_tip{}; ///< metres, -15 to 15
@@ -253,7 +234,6 @@ struct report_tool_point {
 /// Report Joint Force/Torques: what the joints are measured to bear.
 /// Code 4605h, inform class, 1 byte or more.
 template <std::size_t Capacity> struct basic_report_joint_force_torques {
-    static constexpr std::uint16_t command_code = 0x4605;
     wire::inline_list<double, Capacity> joint_force_torque{}; ///< newton metres, -1000 to 1000; from joint 1
     friend constexpr bool operator==(const basic_report_joint_force_torques&,
                                      const basic_report_joint_force_torques&) = default;
@@ -267,6 +247,7 @@ using report_joint_force_torques = basic_report_joint_force_torques<255>;
 namespace jauscat {
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_efforts<Capacity>> {
+    static constexpr std::uint16_t command_code = 0x0601;
     using T = jaus::basic_set_joint_efforts<Capacity>;
     using type = layout<
         repeated<&T::joint_effort, count<"number_of_joints", u8>,
@@ -274,6 +255,7 @@ template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_effort
 };
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_positions<Capacity>> {
+    static constexpr std::uint16_t command_code = 0x0602;
     using T = jaus::basic_set_joint_positions<Capacity>;
     using type = layout<
         repeated<&T::joint_position, count<"number_of_joints", u8>,
@@ -281,6 +263,7 @@ template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_positi
 };
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_velocities<Capacity>> {
+    static constexpr std::uint16_t command_code = 0x0603;
     using T = jaus::basic_set_joint_velocities<Capacity>;
     using type = layout<
         repeated<&T::joint_velocity, count<"number_of_joints", u8>,
@@ -288,6 +271,7 @@ template <std::size_t Capacity> struct wire::schema<jaus::basic_set_joint_veloci
 };
 
 template <> struct wire::schema<jaus::set_tool_point> {
+    static constexpr std::uint16_t command_code = 0x0604;
     using T = jaus::set_tool_point;
     using type = layout<
         field<&T::x_coordinate_of_tool_tip, scaled<u32le, jaus::tool_tip_coordinate>>,
@@ -296,6 +280,7 @@ template <> struct wire::schema<jaus::set_tool_point> {
 };
 
 template <> struct wire::schema<jaus::set_end_effector_pose> {
+    static constexpr std::uint16_t command_code = 0x0605;
     using T = jaus::set_end_effector_pose;
     using type = layout<
         field<&T::x_component_of_tool_point, scaled<u32le, jaus::manipulator_coordinate>>,
@@ -308,6 +293,7 @@ template <> struct wire::schema<jaus::set_end_effector_pose> {
 };
 
 template <> struct wire::schema<jaus::set_end_effector_velocity_state> {
+    static constexpr std::uint16_t command_code = 0x0606;
     using T = jaus::set_end_effector_velocity_state;
     using type = layout<
         field<&T::coordinate_system, enumeration<jaus::end_effector_coordinate_system, u8>>,
@@ -336,6 +322,7 @@ template <> struct wire::schema<jaus::joint_motion_pose> {
 };
 
 template <> struct wire::schema<jaus::set_joint_motion> {
+    static constexpr std::uint16_t command_code = 0x0607;
     using T = jaus::set_joint_motion;
     using type = layout<
         field<&T::number_of_joints, u8>,
@@ -356,21 +343,34 @@ template <> struct wire::schema<jaus::end_effector_path_pose> {
 };
 
 template <> struct wire::schema<jaus::set_end_effector_path_motion> {
+    static constexpr std::uint16_t command_code = 0x0608;
     using T = jaus::set_end_effector_path_motion;
     using type = layout<repeated<&T::pose, count<"number_of_poses", u8>>>;
 };
 
-template <> struct wire::schema<jaus::query_manipulator_specifications> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_manipulator_specifications> {
+    static constexpr std::uint16_t command_code = 0x2600;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::query_joint_efforts> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_joint_efforts> {
+    static constexpr std::uint16_t command_code = 0x2601;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::query_joint_positions> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_joint_positions> {
+    static constexpr std::uint16_t command_code = 0x2602;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::query_joint_velocities> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_joint_velocities> {
+    static constexpr std::uint16_t command_code = 0x2603;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::query_tool_point> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_tool_point> {
+    static constexpr std::uint16_t command_code = 0x2604;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::query_joint_force_torques> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_joint_force_torques> {
+    static constexpr std::uint16_t command_code = 0x2605;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::joint_specification> {
     using T = jaus::joint_specification;
@@ -385,6 +385,7 @@ template <> struct wire::schema<jaus::joint_specification> {
 };
 
 template <> struct wire::schema<jaus::report_manipulator_specifications> {
+    static constexpr std::uint16_t command_code = 0x4600;
     using T = jaus::report_manipulator_specifications;
     using type = layout<
         field<&T::number_of_joints, u8>,
@@ -404,6 +405,7 @@ template <> struct wire::schema<jaus::report_manipulator_specifications> {
 };
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_efforts<Capacity>> {
+    static constexpr std::uint16_t command_code = 0x4601;
     using T = jaus::basic_report_joint_efforts<Capacity>;
     using type = layout<
         repeated<&T::joint_effort, count<"number_of_joints", u8>,
@@ -411,6 +413,7 @@ template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_eff
 };
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_positions<Capacity>> {
+    static constexpr std::uint16_t command_code = 0x4602;
     using T = jaus::basic_report_joint_positions<Capacity>;
     using type = layout<
         repeated<&T::joint_position, count<"number_of_joints", u8>,
@@ -418,6 +421,7 @@ template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_pos
 };
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_velocities<Capacity>> {
+    static constexpr std::uint16_t command_code = 0x4603;
     using T = jaus::basic_report_joint_velocities<Capacity>;
     using type = layout<
         repeated<&T::joint_velocity, count<"number_of_joints", u8>,
@@ -425,6 +429,7 @@ template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_vel
 };
 
 template <> struct wire::schema<jaus::report_tool_point> {
+    static constexpr std::uint16_t command_code = 0x4604;
     using T = jaus::report_tool_point;
     using type = layout<
         field<&T::x_coordinate_of_tool_tip, scaled<u32le, jaus::tool_tip_coordinate>>,
@@ -433,6 +438,7 @@ template <> struct wire::schema<jaus::report_tool_point> {
 };
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_force_torques<Capacity>> {
+    static constexpr std::uint16_t command_code = 0x4605;
     using T = jaus::basic_report_joint_force_torques<Capacity>;
     using type = layout<
         repeated<&T::joint_force_torque, count<"number_of_joints", u8>,

@@ -109,7 +109,6 @@ struct payload_information_interface {
 /// Set Payload Data Element: gives commands to a payload.
 /// Code 0D01h, command class, 1 byte or more.
 struct set_payload_data_element {
-    static constexpr std::uint16_t command_code = 0x0D01;
     std::uint8_t number_of_payload_command_elements{}; ///< elements in the bytes that follow
     wire::blob element{}; ///< for each: number of the command interface from 1 (1 byte), then a payload_value
     friend constexpr bool operator==(const set_payload_data_element&, const set_payload_data_element&) = default;
@@ -118,14 +117,12 @@ struct set_payload_data_element {
 /// Query Payload Interface: asks for Report Payload Interface.
 /// Code 2D00h, query class, no body.
 struct query_payload_interface {
-    static constexpr std::uint16_t command_code = 0x2D00;
     friend constexpr bool operator==(const query_payload_interface&, const query_payload_interface&) = default;
 };
 
 /// Query Payload Data Element: asks for Report Payload Data Element.
 /// Code 2D01h, query class, 1 byte or more.
 struct query_payload_data_element {
-    static constexpr std::uint16_t command_code = 0x2D01;
     wire::inline_list<std::uint8_t, 255> information_interface_number{}; ///< what is asked for, from 1
     friend constexpr bool operator==(const query_payload_data_element&, const query_payload_data_element&) = default;
 };
@@ -133,7 +130,6 @@ struct query_payload_data_element {
 /// Report Payload Interface: the commands that a payload takes and the measurements that it gives.
 /// Code 4D00h, inform class, 3 bytes or more.
 struct report_payload_interface {
-    static constexpr std::uint16_t command_code = 0x4D00;
     bool hmi_recommendation_present{};                                 ///< in every interface
     bool hmi_recommended_x_position_present{};                         ///< in every interface
     bool hmi_recommended_y_position_present{};                         ///< in every interface
@@ -149,7 +145,6 @@ struct report_payload_interface {
 /// Report Payload Data Element: measurements of a payload.
 /// Code 4D01h, inform class, 1 byte or more.
 struct report_payload_data_element {
-    static constexpr std::uint16_t command_code = 0x4D01;
     std::uint8_t number_of_payload_information_elements{}; ///< elements in the bytes that follow
     wire::blob element{}; ///< for each: number of the information interface from 1 (1 byte), then a payload_value
     friend constexpr bool operator==(const report_payload_data_element&, const report_payload_data_element&) = default;
@@ -282,15 +277,19 @@ template <> struct wire::schema<jaus::payload_information_interface> {
 };
 
 template <> struct wire::schema<jaus::set_payload_data_element> {
+    static constexpr std::uint16_t command_code = 0x0D01;
     using T = jaus::set_payload_data_element;
     using type = layout<
         field<&T::number_of_payload_command_elements, u8>,
         bytes<&T::element, rest>>;
 };
 
-template <> struct wire::schema<jaus::query_payload_interface> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_payload_interface> {
+    static constexpr std::uint16_t command_code = 0x2D00;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_payload_data_element> {
+    static constexpr std::uint16_t command_code = 0x2D01;
     using T = jaus::query_payload_data_element;
     using type = layout<
         repeated<&T::information_interface_number, count<"number_of_payload_information_elements", u8>,
@@ -298,6 +297,7 @@ template <> struct wire::schema<jaus::query_payload_data_element> {
 };
 
 template <> struct wire::schema<jaus::report_payload_interface> {
+    static constexpr std::uint16_t command_code = 0x4D00;
     using T = jaus::report_payload_interface;
     using type = layout<
         presence<u8,
@@ -313,6 +313,7 @@ template <> struct wire::schema<jaus::report_payload_interface> {
 };
 
 template <> struct wire::schema<jaus::report_payload_data_element> {
+    static constexpr std::uint16_t command_code = 0x4D01;
     using T = jaus::report_payload_data_element;
     using type = layout<
         field<&T::number_of_payload_information_elements, u8>,

@@ -39,7 +39,6 @@ enum class append_flag : std::uint8_t {
 /// Spool Mission: hands a tree of tasks with their messages to the spooler.
 /// Code 0E00h, command class, 9 bytes or more.
 struct spool_mission {
-    static constexpr std::uint16_t command_code = 0x0E00;
     std::uint16_t mission_id{};              ///< names the mission
     jaus::append_flag append_flag{};         ///< what becomes of the mission at hand
     wire::list<mission_task> mission_tree{}; ///< depth first: each task is followed by its children, left to right
@@ -48,14 +47,12 @@ struct spool_mission {
 
 /// Run Mission: starts a spooled mission. Code 0E01h, command class, 2 bytes.
 struct run_mission {
-    static constexpr std::uint16_t command_code = 0x0E01;
     std::uint16_t mission_id{}; ///< the mission to start
     friend constexpr bool operator==(const run_mission&, const run_mission&) = default;
 };
 
 /// Abort Mission: ends a mission or one of its tasks. Code 0E02h, command class, 4 bytes.
 struct abort_mission {
-    static constexpr std::uint16_t command_code = 0x0E02;
     std::uint16_t mission_id{}; ///< the mission
     std::uint16_t task_id{};    ///< the task, 0 for the whole mission
     friend constexpr bool operator==(const abort_mission&, const abort_mission&) = default;
@@ -63,7 +60,6 @@ struct abort_mission {
 
 /// Pause Mission: holds a mission or one of its tasks. Code 0E03h, command class, 4 bytes.
 struct pause_mission {
-    static constexpr std::uint16_t command_code = 0x0E03;
     std::uint16_t mission_id{}; ///< the mission
     std::uint16_t task_id{};    ///< the task, 0 for the whole mission
     friend constexpr bool operator==(const pause_mission&, const pause_mission&) = default;
@@ -71,7 +67,6 @@ struct pause_mission {
 
 /// Resume Mission: lets a paused mission or task go on. Code 0E04h, command class, 4 bytes.
 struct resume_mission {
-    static constexpr std::uint16_t command_code = 0x0E04;
     std::uint16_t mission_id{}; ///< the mission
     std::uint16_t task_id{};    ///< the task, 0 for the whole mission
     friend constexpr bool operator==(const resume_mission&, const resume_mission&) = default;
@@ -80,7 +75,6 @@ struct resume_mission {
 /// Remove Messages: takes messages out of a spooled task.
 /// Code 0E05h, command class, 6 bytes or more.
 struct remove_messages {
-    static constexpr std::uint16_t command_code = 0x0E05;
     std::uint16_t mission_id{};              ///< the mission
     std::uint16_t task_id{};                 ///< the task
     wire::list<std::uint16_t> message_uid{}; ///< the messages to remove
@@ -90,7 +84,6 @@ struct remove_messages {
 /// Replace Messages: exchanges messages of a spooled task for others.
 /// Code 0E06h, command class, 8 bytes or more.
 struct replace_messages {
-    static constexpr std::uint16_t command_code = 0x0E06;
     std::uint16_t mission_id{};                     ///< the mission
     std::uint16_t task_id{};                        ///< the task
     wire::list<std::uint16_t> message_uid{};        ///< the messages to remove
@@ -101,7 +94,6 @@ struct replace_messages {
 /// Query Spooling Preference: asks for Report Spooling Preference.
 /// Code 2E00h, query class, no body.
 struct query_spooling_preference {
-    static constexpr std::uint16_t command_code = 0x2E00;
     friend constexpr bool operator==(const query_spooling_preference&, const query_spooling_preference&) = default;
 };
 
@@ -116,7 +108,6 @@ enum class mission_status_type : std::uint8_t {
 /// Code 2E01h, query class, 8 bytes. Whether the presence vector gates the three IDs is open; they are always sent
 /// here, as the peer does.
 struct query_mission_status {
-    static constexpr std::uint16_t command_code = 0x2E01;
     std::uint8_t presence_vector{};   ///< bit 0 Mission ID, 1 Task ID, 2 Message UID
     jaus::mission_status_type type{}; ///< what the status is asked of
     std::uint16_t mission_id{};       ///< the mission
@@ -135,7 +126,6 @@ enum class spooling_preference_type : std::uint8_t {
 /// Report Spooling Preference: how far ahead a spooler is to send messages.
 /// Code 4E00h, inform class, 5 bytes.
 struct report_spooling_preference {
-    static constexpr std::uint16_t command_code = 0x4E00;
     jaus::spooling_preference_type spooling_preference_type{}; ///< what data counts
     std::int32_t data{};                                       ///< messages, metres or seconds, by the type
     friend constexpr bool operator==(const report_spooling_preference&, const report_spooling_preference&) = default;
@@ -160,7 +150,6 @@ enum class mission_secondary_status : std::uint8_t {
 /// Report Mission Status: how far a mission, a task or a message is.
 /// Code 4E01h, inform class, 9 bytes.
 struct report_mission_status {
-    static constexpr std::uint16_t command_code = 0x4E01;
     jaus::mission_status_type type{};                  ///< what the status is of
     jaus::mission_status status{};                     ///< how far it is
     jaus::mission_secondary_status secondary_status{}; ///< why
@@ -202,6 +191,7 @@ template <> struct wire::schema<jaus::mission_task> {
 };
 
 template <> struct wire::schema<jaus::spool_mission> {
+    static constexpr std::uint16_t command_code = 0x0E00;
     using T = jaus::spool_mission;
     using type = layout<
         field<&T::mission_id, u16le>,
@@ -210,11 +200,13 @@ template <> struct wire::schema<jaus::spool_mission> {
 };
 
 template <> struct wire::schema<jaus::run_mission> {
+    static constexpr std::uint16_t command_code = 0x0E01;
     using T = jaus::run_mission;
     using type = layout<field<&T::mission_id, u16le>>;
 };
 
 template <> struct wire::schema<jaus::abort_mission> {
+    static constexpr std::uint16_t command_code = 0x0E02;
     using T = jaus::abort_mission;
     using type = layout<
         field<&T::mission_id, u16le>,
@@ -222,6 +214,7 @@ template <> struct wire::schema<jaus::abort_mission> {
 };
 
 template <> struct wire::schema<jaus::pause_mission> {
+    static constexpr std::uint16_t command_code = 0x0E03;
     using T = jaus::pause_mission;
     using type = layout<
         field<&T::mission_id, u16le>,
@@ -229,6 +222,7 @@ template <> struct wire::schema<jaus::pause_mission> {
 };
 
 template <> struct wire::schema<jaus::resume_mission> {
+    static constexpr std::uint16_t command_code = 0x0E04;
     using T = jaus::resume_mission;
     using type = layout<
         field<&T::mission_id, u16le>,
@@ -236,6 +230,7 @@ template <> struct wire::schema<jaus::resume_mission> {
 };
 
 template <> struct wire::schema<jaus::remove_messages> {
+    static constexpr std::uint16_t command_code = 0x0E05;
     using T = jaus::remove_messages;
     using type = layout<
         field<&T::mission_id, u16le>,
@@ -244,6 +239,7 @@ template <> struct wire::schema<jaus::remove_messages> {
 };
 
 template <> struct wire::schema<jaus::replace_messages> {
+    static constexpr std::uint16_t command_code = 0x0E06;
     using T = jaus::replace_messages;
     using type = layout<
         field<&T::mission_id, u16le>,
@@ -252,9 +248,12 @@ template <> struct wire::schema<jaus::replace_messages> {
         repeated<&T::inserted_message, count<"number_of_messages_to_insert", u16le>>>;
 };
 
-template <> struct wire::schema<jaus::query_spooling_preference> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_spooling_preference> {
+    static constexpr std::uint16_t command_code = 0x2E00;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_mission_status> {
+    static constexpr std::uint16_t command_code = 0x2E01;
     using T = jaus::query_mission_status;
     using type = layout<
         field<&T::presence_vector, u8>,
@@ -265,6 +264,7 @@ template <> struct wire::schema<jaus::query_mission_status> {
 };
 
 template <> struct wire::schema<jaus::report_spooling_preference> {
+    static constexpr std::uint16_t command_code = 0x4E00;
     using T = jaus::report_spooling_preference;
     using type = layout<
         field<&T::spooling_preference_type, enumeration<jaus::spooling_preference_type, u8>>,
@@ -272,6 +272,7 @@ template <> struct wire::schema<jaus::report_spooling_preference> {
 };
 
 template <> struct wire::schema<jaus::report_mission_status> {
+    static constexpr std::uint16_t command_code = 0x4E01;
     using T = jaus::report_mission_status;
     using type = layout<
         field<&T::type, enumeration<jaus::mission_status_type, u8>>,

@@ -10,7 +10,6 @@ namespace jauscat::jaus {
 /// Set Velocity State: moves the platform at the given velocities.
 /// Code 0404h, command class, 2 to 30 bytes. Not in RA 3.3 but an experimental message of known peers.
 struct set_velocity_state {
-    static constexpr std::uint16_t command_code = 0x0404;
     std::optional<double> velocity_x{};           ///< metres per second, -65.534 to 65.534
     std::optional<double> velocity_y{};           ///< metres per second, -65.534 to 65.534
     std::optional<double> velocity_z{};           ///< metres per second, -65.534 to 65.534
@@ -26,7 +25,6 @@ struct set_velocity_state {
 /// Set Wrench Effort: drives the platform's actuators open-loop, in percent of their capability.
 /// Code 0405h, command class, 2 to 20 bytes.
 struct set_wrench_effort {
-    static constexpr std::uint16_t command_code = 0x0405;
     std::optional<double> propulsive_linear_effort_x{};     ///< percent, -100 to 100
     std::optional<double> propulsive_linear_effort_y{};     ///< percent, -100 to 100
     std::optional<double> propulsive_linear_effort_z{};     ///< percent, -100 to 100
@@ -74,7 +72,6 @@ enum class transfer_case : std::uint8_t {
 /// Set Discrete Devices: switches engine, brake, horn, gear and transfer case.
 /// Code 0406h, command class, 1 to 5 bytes.
 struct set_discrete_devices {
-    static constexpr std::uint16_t command_code = 0x0406;
     std::optional<wire::bit_set<main_propulsion_device>> main_propulsion{};              ///< what to switch on
     std::optional<wire::bit_set<jaus::parking_brake_and_horn>> parking_brake_and_horn{}; ///< what to switch on
     std::optional<jaus::gear> gear{};                                                    ///< gear to engage
@@ -85,7 +82,6 @@ struct set_discrete_devices {
 /// Set Global Vector: sets speed, elevation, heading and attitude to hold.
 /// Code 0407h, command class, 1 to 13 bytes.
 struct set_global_vector {
-    static constexpr std::uint16_t command_code = 0x0407;
     std::optional<double> desired_speed{};     ///< metres per second, 0 to 10000
     std::optional<double> desired_elevation{}; ///< metres, -10000 to 35000
     std::optional<double> desired_heading{};   ///< radians, -pi to pi
@@ -97,7 +93,6 @@ struct set_global_vector {
 /// Set Local Vector: sets speed and heading to hold.
 /// Code 0408h, command class, 6 bytes. The speed is a signed 32-bit scaled integer here, although it is never negative.
 struct set_local_vector {
-    static constexpr std::uint16_t command_code = 0x0408;
     double desired_speed{};   ///< metres per second, 0 to 10000
     double desired_heading{}; ///< radians, -pi to pi
     friend constexpr bool operator==(const set_local_vector&, const set_local_vector&) = default;
@@ -106,7 +101,6 @@ struct set_local_vector {
 /// Set Travel Speed: sets the speed to travel at.
 /// Code 040Ah, command class, 2 bytes.
 struct set_travel_speed {
-    static constexpr std::uint16_t command_code = 0x040A;
     double desired_speed{}; ///< metres per second, 0 to 10000
     friend constexpr bool operator==(const set_travel_speed&, const set_travel_speed&) = default;
 };
@@ -114,7 +108,6 @@ struct set_travel_speed {
 /// Set Global Waypoint: gives a waypoint by latitude and longitude.
 /// Code 040Ch, command class, 11 to 21 bytes.
 struct set_global_waypoint {
-    static constexpr std::uint16_t command_code = 0x040C;
     std::uint16_t waypoint_number{};       ///< which waypoint
     double latitude{};                     ///< degrees, -90 to 90
     double longitude{};                    ///< degrees, -180 to 180
@@ -128,7 +121,6 @@ struct set_global_waypoint {
 /// Set Local Waypoint: gives a waypoint in local coordinates.
 /// Code 040Dh, command class, 11 to 21 bytes.
 struct set_local_waypoint {
-    static constexpr std::uint16_t command_code = 0x040D;
     std::uint16_t waypoint_number{};       ///< which waypoint
     double waypoint_x{};                   ///< metres, -100000 to 100000
     double waypoint_y{};                   ///< metres, -100000 to 100000
@@ -142,7 +134,6 @@ struct set_local_waypoint {
 /// Set Global Path Segment: gives a path segment by latitude and longitude.
 /// Code 040Fh, command class, 21 to 29 bytes. Both points P1 and P2 are always there; their altitudes need not be.
 struct set_global_path_segment {
-    static constexpr std::uint16_t command_code = 0x040F;
     std::uint16_t path_segment_number{}; ///< which path segment
     double p1_latitude{};                ///< degrees, -90 to 90
     double p1_longitude{};               ///< degrees, -180 to 180
@@ -157,7 +148,6 @@ struct set_global_path_segment {
 /// Set Local Path Segment: gives a path segment in local coordinates.
 /// Code 0410h, command class, 21 to 29 bytes. Both points P1 and P2 are always there; their heights need not be.
 struct set_local_path_segment {
-    static constexpr std::uint16_t command_code = 0x0410;
     std::uint16_t path_segment_number{}; ///< which path segment
     double p1_x{};                       ///< metres, -100000 to 100000
     double p1_y{};                       ///< metres, -100000 to 100000
@@ -172,7 +162,6 @@ struct set_local_path_segment {
 /// Query Platform Specifications: asks for size, balance and limits of the platform.
 /// Code 2400h, query class, 4 bytes.
 struct query_platform_specifications {
-    static constexpr std::uint16_t command_code = 0x2400;
     std::uint32_t presence_vector{}; ///< the fields of Report Platform Specifications that are asked for
     friend constexpr bool operator==(const query_platform_specifications&,
                                      const query_platform_specifications&) = default;
@@ -181,7 +170,6 @@ struct query_platform_specifications {
 /// Query Platform Operational Data: asks for the gauges of the platform.
 /// Code 2401h, query class, 1 byte.
 struct query_platform_operational_data {
-    static constexpr std::uint16_t command_code = 0x2401;
     std::uint8_t presence_vector{}; ///< the fields of Report Platform Operational Data that are asked for
     friend constexpr bool operator==(const query_platform_operational_data&,
                                      const query_platform_operational_data&) = default;
@@ -190,7 +178,6 @@ struct query_platform_operational_data {
 /// Query Global Pose: asks for position by latitude and longitude, and attitude.
 /// Code 2402h, query class, 2 bytes.
 struct query_global_pose {
-    static constexpr std::uint16_t command_code = 0x2402;
     std::uint16_t presence_vector{}; ///< the fields of Report Global Pose that are asked for
     friend constexpr bool operator==(const query_global_pose&, const query_global_pose&) = default;
 };
@@ -198,7 +185,6 @@ struct query_global_pose {
 /// Query Local Pose: asks for position and attitude in local coordinates.
 /// Code 2403h, query class, 2 bytes.
 struct query_local_pose {
-    static constexpr std::uint16_t command_code = 0x2403;
     std::uint16_t presence_vector{}; ///< the fields of Report Local Pose that are asked for
     friend constexpr bool operator==(const query_local_pose&, const query_local_pose&) = default;
 };
@@ -206,7 +192,6 @@ struct query_local_pose {
 /// Query Velocity State: asks for the velocities of the platform.
 /// Code 2404h, query class, 2 bytes.
 struct query_velocity_state {
-    static constexpr std::uint16_t command_code = 0x2404;
     std::uint16_t presence_vector{}; ///< the fields of Report Velocity State that are asked for
     friend constexpr bool operator==(const query_velocity_state&, const query_velocity_state&) = default;
 };
@@ -214,7 +199,6 @@ struct query_velocity_state {
 /// Query Wrench Effort: asks for the efforts in force.
 /// Code 2405h, query class, 2 bytes.
 struct query_wrench_effort {
-    static constexpr std::uint16_t command_code = 0x2405;
     std::uint16_t presence_vector{}; ///< the fields of Report Wrench Effort that are asked for
     friend constexpr bool operator==(const query_wrench_effort&, const query_wrench_effort&) = default;
 };
@@ -222,7 +206,6 @@ struct query_wrench_effort {
 /// Query Discrete Devices: asks for the state of engine, brake, horn, gear and transfer case.
 /// Code 2406h, query class, 1 byte.
 struct query_discrete_devices {
-    static constexpr std::uint16_t command_code = 0x2406;
     std::uint8_t presence_vector{}; ///< the fields of Report Discrete Devices that are asked for
     friend constexpr bool operator==(const query_discrete_devices&, const query_discrete_devices&) = default;
 };
@@ -230,7 +213,6 @@ struct query_discrete_devices {
 /// Query Global Vector: asks for the global vector in force.
 /// Code 2407h, query class, 1 byte.
 struct query_global_vector {
-    static constexpr std::uint16_t command_code = 0x2407;
     std::uint8_t presence_vector{}; ///< the fields of Report Global Vector that are asked for
     friend constexpr bool operator==(const query_global_vector&, const query_global_vector&) = default;
 };
@@ -238,28 +220,24 @@ struct query_global_vector {
 /// Query Local Vector: asks for the local vector in force.
 /// Code 2408h, query class, no body.
 struct query_local_vector {
-    static constexpr std::uint16_t command_code = 0x2408;
     friend constexpr bool operator==(const query_local_vector&, const query_local_vector&) = default;
 };
 
 /// Query Travel Speed: asks for the speed to travel at.
 /// Code 240Ah, query class, no body.
 struct query_travel_speed {
-    static constexpr std::uint16_t command_code = 0x240A;
     friend constexpr bool operator==(const query_travel_speed&, const query_travel_speed&) = default;
 };
 
 /// Query Waypoint Count: asks how many waypoints there are.
 /// Code 240Bh, query class, no body.
 struct query_waypoint_count {
-    static constexpr std::uint16_t command_code = 0x240B;
     friend constexpr bool operator==(const query_waypoint_count&, const query_waypoint_count&) = default;
 };
 
 /// Query Global Waypoint: asks for a waypoint by latitude and longitude.
 /// Code 240Ch, query class, 2 bytes.
 struct query_global_waypoint {
-    static constexpr std::uint16_t command_code = 0x240C;
     std::uint16_t waypoint_number{}; ///< which waypoint
     friend constexpr bool operator==(const query_global_waypoint&, const query_global_waypoint&) = default;
 };
@@ -267,7 +245,6 @@ struct query_global_waypoint {
 /// Query Local Waypoint: asks for a waypoint in local coordinates.
 /// Code 240Dh, query class, 2 bytes.
 struct query_local_waypoint {
-    static constexpr std::uint16_t command_code = 0x240D;
     std::uint16_t waypoint_number{}; ///< which waypoint
     friend constexpr bool operator==(const query_local_waypoint&, const query_local_waypoint&) = default;
 };
@@ -275,14 +252,12 @@ struct query_local_waypoint {
 /// Query Path Segment Count: asks how many path segments there are.
 /// Code 240Eh, query class, no body.
 struct query_path_segment_count {
-    static constexpr std::uint16_t command_code = 0x240E;
     friend constexpr bool operator==(const query_path_segment_count&, const query_path_segment_count&) = default;
 };
 
 /// Query Global Path Segment: asks for a path segment by latitude and longitude.
 /// Code 240Fh, query class, 3 bytes. The number comes first here, unlike in the report.
 struct query_global_path_segment {
-    static constexpr std::uint16_t command_code = 0x240F;
     std::uint16_t path_segment_number{}; ///< which path segment
     std::uint8_t presence_vector{};      ///< the fields of Report Global Path Segment that are asked for
     friend constexpr bool operator==(const query_global_path_segment&, const query_global_path_segment&) = default;
@@ -291,7 +266,6 @@ struct query_global_path_segment {
 /// Query Local Path Segment: asks for a path segment in local coordinates.
 /// Code 2410h, query class, 3 bytes. The number comes first here, unlike in the report.
 struct query_local_path_segment {
-    static constexpr std::uint16_t command_code = 0x2410;
     std::uint16_t path_segment_number{}; ///< which path segment
     std::uint8_t presence_vector{};      ///< the fields of Report Local Path Segment that are asked for
     friend constexpr bool operator==(const query_local_path_segment&, const query_local_path_segment&) = default;
@@ -300,7 +274,6 @@ struct query_local_path_segment {
 /// Report Platform Specifications: size, balance and limits of the platform.
 /// Code 4400h, inform class, 4 to 59 bytes.
 struct report_platform_specifications {
-    static constexpr std::uint16_t command_code = 0x4400;
     std::optional<std::string_view> platform_name{}; ///< up to 15 characters
     std::optional<double> front{};                   ///< metres, 0 to 32.767
     std::optional<double> back{};                    ///< metres, 0 to 32.767
@@ -329,7 +302,6 @@ struct report_platform_specifications {
 /// Report Platform Operational Data: the gauges of the platform.
 /// Code 4401h, inform class, 1 to 10 bytes.
 struct report_platform_operational_data {
-    static constexpr std::uint16_t command_code = 0x4401;
     std::optional<double> engine_temperature{}; ///< degrees Celsius, -75 to 180
     std::optional<std::uint32_t> odometer{};    ///< metres
     std::optional<double> battery_voltage{};    ///< percent, 0 to 127
@@ -343,7 +315,6 @@ struct report_platform_operational_data {
 /// Code 4402h, inform class, 2 to 30 bytes. Peers are known to set presence bit 9 and to append two bytes that RA 3.3
 /// does not define; they are dropped.
 struct report_global_pose {
-    static constexpr std::uint16_t command_code = 0x4402;
     std::optional<double> latitude{};             ///< degrees (WGS 84), -90 to 90
     std::optional<double> longitude{};            ///< degrees (WGS 84), -180 to 180
     std::optional<double> elevation{};            ///< metres, -10000 to 35000
@@ -359,7 +330,6 @@ struct report_global_pose {
 /// Report Local Pose: position and attitude in local coordinates.
 /// Code 4403h, inform class, 2 to 30 bytes.
 struct report_local_pose {
-    static constexpr std::uint16_t command_code = 0x4403;
     std::optional<double> x{};                    ///< metres, -100000 to 100000
     std::optional<double> y{};                    ///< metres, -100000 to 100000
     std::optional<double> z{};                    ///< metres, -10000 to 35000
@@ -376,7 +346,6 @@ struct report_local_pose {
 /// Code 4404h, inform class, 2 to 30 bytes. Peers are known to set presence bit 9 and to append two bytes that RA 3.3
 /// does not define; they are dropped. Others send Velocity RMS in two bytes; RA 3.3 has four.
 struct report_velocity_state {
-    static constexpr std::uint16_t command_code = 0x4404;
     std::optional<double> velocity_x{};           ///< metres per second, -65.534 to 65.534
     std::optional<double> velocity_y{};           ///< metres per second, -65.534 to 65.534
     std::optional<double> velocity_z{};           ///< metres per second, -65.534 to 65.534
@@ -392,7 +361,6 @@ struct report_velocity_state {
 /// Report Wrench Effort: the efforts in force.
 /// Code 4405h, inform class, 2 to 20 bytes.
 struct report_wrench_effort {
-    static constexpr std::uint16_t command_code = 0x4405;
     std::optional<double> propulsive_linear_effort_x{};     ///< percent, -100 to 100
     std::optional<double> propulsive_linear_effort_y{};     ///< percent, -100 to 100
     std::optional<double> propulsive_linear_effort_z{};     ///< percent, -100 to 100
@@ -411,7 +379,6 @@ struct report_wrench_effort {
 /// Report Discrete Devices: the state of engine, brake, horn, gear and transfer case.
 /// Code 4406h, inform class, 1 to 5 bytes.
 struct report_discrete_devices {
-    static constexpr std::uint16_t command_code = 0x4406;
     std::optional<wire::bit_set<main_propulsion_device>> main_propulsion{};              ///< what is on
     std::optional<wire::bit_set<jaus::parking_brake_and_horn>> parking_brake_and_horn{}; ///< what is on
     std::optional<jaus::gear> gear{};                                                    ///< gear engaged
@@ -422,7 +389,6 @@ struct report_discrete_devices {
 /// Report Global Vector: the global vector in force.
 /// Code 4407h, inform class, 1 to 13 bytes.
 struct report_global_vector {
-    static constexpr std::uint16_t command_code = 0x4407;
     std::optional<double> desired_speed{};     ///< metres per second, 0 to 10000
     std::optional<double> desired_elevation{}; ///< metres, -10000 to 35000
     std::optional<double> desired_heading{};   ///< radians, -pi to pi
@@ -434,7 +400,6 @@ struct report_global_vector {
 /// Report Local Vector: the local vector in force.
 /// Code 4408h, inform class, 6 bytes. The speed is a signed 32-bit scaled integer here, although it is never negative.
 struct report_local_vector {
-    static constexpr std::uint16_t command_code = 0x4408;
     double desired_speed{};   ///< metres per second, 0 to 10000
     double desired_heading{}; ///< radians, -pi to pi
     friend constexpr bool operator==(const report_local_vector&, const report_local_vector&) = default;
@@ -443,7 +408,6 @@ struct report_local_vector {
 /// Report Travel Speed: the speed to travel at.
 /// Code 440Ah, inform class, 2 bytes.
 struct report_travel_speed {
-    static constexpr std::uint16_t command_code = 0x440A;
     double desired_speed{}; ///< metres per second, 0 to 10000
     friend constexpr bool operator==(const report_travel_speed&, const report_travel_speed&) = default;
 };
@@ -451,7 +415,6 @@ struct report_travel_speed {
 /// Report Waypoint Count: how many waypoints there are.
 /// Code 440Bh, inform class, 2 bytes.
 struct report_waypoint_count {
-    static constexpr std::uint16_t command_code = 0x440B;
     std::uint16_t waypoint_count{}; ///< waypoints
     friend constexpr bool operator==(const report_waypoint_count&, const report_waypoint_count&) = default;
 };
@@ -459,7 +422,6 @@ struct report_waypoint_count {
 /// Report Global Waypoint: a waypoint by latitude and longitude.
 /// Code 440Ch, inform class, 11 to 21 bytes.
 struct report_global_waypoint {
-    static constexpr std::uint16_t command_code = 0x440C;
     std::uint16_t waypoint_number{};       ///< which waypoint
     double latitude{};                     ///< degrees, -90 to 90
     double longitude{};                    ///< degrees, -180 to 180
@@ -473,7 +435,6 @@ struct report_global_waypoint {
 /// Report Local Waypoint: a waypoint in local coordinates.
 /// Code 440Dh, inform class, 11 to 21 bytes.
 struct report_local_waypoint {
-    static constexpr std::uint16_t command_code = 0x440D;
     std::uint16_t waypoint_number{};       ///< which waypoint
     double waypoint_x{};                   ///< metres, -100000 to 100000
     double waypoint_y{};                   ///< metres, -100000 to 100000
@@ -487,7 +448,6 @@ struct report_local_waypoint {
 /// Report Path Segment Count: how many path segments there are.
 /// Code 440Eh, inform class, 2 bytes.
 struct report_path_segment_count {
-    static constexpr std::uint16_t command_code = 0x440E;
     std::uint16_t path_segment_count{}; ///< path segments
     friend constexpr bool operator==(const report_path_segment_count&, const report_path_segment_count&) = default;
 };
@@ -495,7 +455,6 @@ struct report_path_segment_count {
 /// Report Global Path Segment: a path segment by latitude and longitude.
 /// Code 440Fh, inform class, 21 to 29 bytes.
 struct report_global_path_segment {
-    static constexpr std::uint16_t command_code = 0x440F;
     std::uint16_t path_segment_number{}; ///< which path segment
     double p1_latitude{};                ///< degrees, -90 to 90
     double p1_longitude{};               ///< degrees, -180 to 180
@@ -510,7 +469,6 @@ struct report_global_path_segment {
 /// Report Local Path Segment: a path segment in local coordinates.
 /// Code 4410h, inform class, 21 to 29 bytes.
 struct report_local_path_segment {
-    static constexpr std::uint16_t command_code = 0x4410;
     std::uint16_t path_segment_number{}; ///< which path segment
     double p1_x{};                       ///< metres, -100000 to 100000
     double p1_y{};                       ///< metres, -100000 to 100000
@@ -529,6 +487,7 @@ struct report_local_path_segment {
 namespace jauscat {
 
 template <> struct wire::schema<jaus::set_velocity_state> {
+    static constexpr std::uint16_t command_code = 0x0404;
     using T = jaus::set_velocity_state;
     using type = layout<
         presence<u16le,
@@ -544,6 +503,7 @@ template <> struct wire::schema<jaus::set_velocity_state> {
 };
 
 template <> struct wire::schema<jaus::set_wrench_effort> {
+    static constexpr std::uint16_t command_code = 0x0405;
     using T = jaus::set_wrench_effort;
     using type = layout<
         presence<u16le,
@@ -562,6 +522,7 @@ template <> struct wire::schema<jaus::set_wrench_effort> {
 };
 
 template <> struct wire::schema<jaus::set_discrete_devices> {
+    static constexpr std::uint16_t command_code = 0x0406;
     using T = jaus::set_discrete_devices;
     using type = layout<
         presence<u8,
@@ -572,6 +533,7 @@ template <> struct wire::schema<jaus::set_discrete_devices> {
 };
 
 template <> struct wire::schema<jaus::set_global_vector> {
+    static constexpr std::uint16_t command_code = 0x0407;
     using T = jaus::set_global_vector;
     using type = layout<
         presence<u8,
@@ -583,6 +545,7 @@ template <> struct wire::schema<jaus::set_global_vector> {
 };
 
 template <> struct wire::schema<jaus::set_local_vector> {
+    static constexpr std::uint16_t command_code = 0x0408;
     using T = jaus::set_local_vector;
     using type = layout<
         field<&T::desired_speed, scaled<i32le, jaus::speed_limit>>,
@@ -590,11 +553,13 @@ template <> struct wire::schema<jaus::set_local_vector> {
 };
 
 template <> struct wire::schema<jaus::set_travel_speed> {
+    static constexpr std::uint16_t command_code = 0x040A;
     using T = jaus::set_travel_speed;
     using type = layout<field<&T::desired_speed, scaled<u16le, jaus::speed_limit>>>;
 };
 
 template <> struct wire::schema<jaus::set_global_waypoint> {
+    static constexpr std::uint16_t command_code = 0x040C;
     using T = jaus::set_global_waypoint;
     using type = layout<
         presence<u8,
@@ -608,6 +573,7 @@ template <> struct wire::schema<jaus::set_global_waypoint> {
 };
 
 template <> struct wire::schema<jaus::set_local_waypoint> {
+    static constexpr std::uint16_t command_code = 0x040D;
     using T = jaus::set_local_waypoint;
     using type = layout<
         presence<u8,
@@ -621,6 +587,7 @@ template <> struct wire::schema<jaus::set_local_waypoint> {
 };
 
 template <> struct wire::schema<jaus::set_global_path_segment> {
+    static constexpr std::uint16_t command_code = 0x040F;
     using T = jaus::set_global_path_segment;
     using type = layout<
         presence<u8,
@@ -635,6 +602,7 @@ template <> struct wire::schema<jaus::set_global_path_segment> {
 };
 
 template <> struct wire::schema<jaus::set_local_path_segment> {
+    static constexpr std::uint16_t command_code = 0x0410;
     using T = jaus::set_local_path_segment;
     using type = layout<
         presence<u8,
@@ -649,64 +617,83 @@ template <> struct wire::schema<jaus::set_local_path_segment> {
 };
 
 template <> struct wire::schema<jaus::query_platform_specifications> {
+    static constexpr std::uint16_t command_code = 0x2400;
     using T = jaus::query_platform_specifications;
     using type = layout<field<&T::presence_vector, u32le>>;
 };
 
 template <> struct wire::schema<jaus::query_platform_operational_data> {
+    static constexpr std::uint16_t command_code = 0x2401;
     using T = jaus::query_platform_operational_data;
     using type = layout<field<&T::presence_vector, u8>>;
 };
 
 template <> struct wire::schema<jaus::query_global_pose> {
+    static constexpr std::uint16_t command_code = 0x2402;
     using T = jaus::query_global_pose;
     using type = layout<field<&T::presence_vector, u16le>>;
 };
 
 template <> struct wire::schema<jaus::query_local_pose> {
+    static constexpr std::uint16_t command_code = 0x2403;
     using T = jaus::query_local_pose;
     using type = layout<field<&T::presence_vector, u16le>>;
 };
 
 template <> struct wire::schema<jaus::query_velocity_state> {
+    static constexpr std::uint16_t command_code = 0x2404;
     using T = jaus::query_velocity_state;
     using type = layout<field<&T::presence_vector, u16le>>;
 };
 
 template <> struct wire::schema<jaus::query_wrench_effort> {
+    static constexpr std::uint16_t command_code = 0x2405;
     using T = jaus::query_wrench_effort;
     using type = layout<field<&T::presence_vector, u16le>>;
 };
 
 template <> struct wire::schema<jaus::query_discrete_devices> {
+    static constexpr std::uint16_t command_code = 0x2406;
     using T = jaus::query_discrete_devices;
     using type = layout<field<&T::presence_vector, u8>>;
 };
 
 template <> struct wire::schema<jaus::query_global_vector> {
+    static constexpr std::uint16_t command_code = 0x2407;
     using T = jaus::query_global_vector;
     using type = layout<field<&T::presence_vector, u8>>;
 };
 
-template <> struct wire::schema<jaus::query_local_vector> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_local_vector> {
+    static constexpr std::uint16_t command_code = 0x2408;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::query_travel_speed> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_travel_speed> {
+    static constexpr std::uint16_t command_code = 0x240A;
+    using type = layout<>; };
 
-template <> struct wire::schema<jaus::query_waypoint_count> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_waypoint_count> {
+    static constexpr std::uint16_t command_code = 0x240B;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_global_waypoint> {
+    static constexpr std::uint16_t command_code = 0x240C;
     using T = jaus::query_global_waypoint;
     using type = layout<field<&T::waypoint_number, u16le>>;
 };
 
 template <> struct wire::schema<jaus::query_local_waypoint> {
+    static constexpr std::uint16_t command_code = 0x240D;
     using T = jaus::query_local_waypoint;
     using type = layout<field<&T::waypoint_number, u16le>>;
 };
 
-template <> struct wire::schema<jaus::query_path_segment_count> { using type = layout<>; };
+template <> struct wire::schema<jaus::query_path_segment_count> {
+    static constexpr std::uint16_t command_code = 0x240E;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_global_path_segment> {
+    static constexpr std::uint16_t command_code = 0x240F;
     using T = jaus::query_global_path_segment;
     using type = layout<
         field<&T::path_segment_number, u16le>,
@@ -714,6 +701,7 @@ template <> struct wire::schema<jaus::query_global_path_segment> {
 };
 
 template <> struct wire::schema<jaus::query_local_path_segment> {
+    static constexpr std::uint16_t command_code = 0x2410;
     using T = jaus::query_local_path_segment;
     using type = layout<
         field<&T::path_segment_number, u16le>,
@@ -721,6 +709,7 @@ template <> struct wire::schema<jaus::query_local_path_segment> {
 };
 
 template <> struct wire::schema<jaus::report_platform_specifications> {
+    static constexpr std::uint16_t command_code = 0x4400;
     using T = jaus::report_platform_specifications;
     using type = layout<
         presence<u32le,
@@ -748,6 +737,7 @@ template <> struct wire::schema<jaus::report_platform_specifications> {
 };
 
 template <> struct wire::schema<jaus::report_platform_operational_data> {
+    static constexpr std::uint16_t command_code = 0x4401;
     using T = jaus::report_platform_operational_data;
     using type = layout<
         presence<u8,
@@ -759,6 +749,7 @@ template <> struct wire::schema<jaus::report_platform_operational_data> {
 };
 
 template <> struct wire::schema<jaus::report_global_pose> {
+    static constexpr std::uint16_t command_code = 0x4402;
     using T = jaus::report_global_pose;
     using type = layout<
         open_presence<u16le,
@@ -774,6 +765,7 @@ template <> struct wire::schema<jaus::report_global_pose> {
 };
 
 template <> struct wire::schema<jaus::report_local_pose> {
+    static constexpr std::uint16_t command_code = 0x4403;
     using T = jaus::report_local_pose;
     using type = layout<
         presence<u16le,
@@ -789,6 +781,7 @@ template <> struct wire::schema<jaus::report_local_pose> {
 };
 
 template <> struct wire::schema<jaus::report_velocity_state> {
+    static constexpr std::uint16_t command_code = 0x4404;
     using T = jaus::report_velocity_state;
     using type = layout<
         open_presence<u16le,
@@ -804,6 +797,7 @@ template <> struct wire::schema<jaus::report_velocity_state> {
 };
 
 template <> struct wire::schema<jaus::report_wrench_effort> {
+    static constexpr std::uint16_t command_code = 0x4405;
     using T = jaus::report_wrench_effort;
     using type = layout<
         presence<u16le,
@@ -822,6 +816,7 @@ template <> struct wire::schema<jaus::report_wrench_effort> {
 };
 
 template <> struct wire::schema<jaus::report_discrete_devices> {
+    static constexpr std::uint16_t command_code = 0x4406;
     using T = jaus::report_discrete_devices;
     using type = layout<
         presence<u8,
@@ -832,6 +827,7 @@ template <> struct wire::schema<jaus::report_discrete_devices> {
 };
 
 template <> struct wire::schema<jaus::report_global_vector> {
+    static constexpr std::uint16_t command_code = 0x4407;
     using T = jaus::report_global_vector;
     using type = layout<
         presence<u8,
@@ -843,6 +839,7 @@ template <> struct wire::schema<jaus::report_global_vector> {
 };
 
 template <> struct wire::schema<jaus::report_local_vector> {
+    static constexpr std::uint16_t command_code = 0x4408;
     using T = jaus::report_local_vector;
     using type = layout<
         field<&T::desired_speed, scaled<i32le, jaus::speed_limit>>,
@@ -850,16 +847,19 @@ template <> struct wire::schema<jaus::report_local_vector> {
 };
 
 template <> struct wire::schema<jaus::report_travel_speed> {
+    static constexpr std::uint16_t command_code = 0x440A;
     using T = jaus::report_travel_speed;
     using type = layout<field<&T::desired_speed, scaled<u16le, jaus::speed_limit>>>;
 };
 
 template <> struct wire::schema<jaus::report_waypoint_count> {
+    static constexpr std::uint16_t command_code = 0x440B;
     using T = jaus::report_waypoint_count;
     using type = layout<field<&T::waypoint_count, u16le>>;
 };
 
 template <> struct wire::schema<jaus::report_global_waypoint> {
+    static constexpr std::uint16_t command_code = 0x440C;
     using T = jaus::report_global_waypoint;
     using type = layout<
         presence<u8,
@@ -873,6 +873,7 @@ template <> struct wire::schema<jaus::report_global_waypoint> {
 };
 
 template <> struct wire::schema<jaus::report_local_waypoint> {
+    static constexpr std::uint16_t command_code = 0x440D;
     using T = jaus::report_local_waypoint;
     using type = layout<
         presence<u8,
@@ -886,11 +887,13 @@ template <> struct wire::schema<jaus::report_local_waypoint> {
 };
 
 template <> struct wire::schema<jaus::report_path_segment_count> {
+    static constexpr std::uint16_t command_code = 0x440E;
     using T = jaus::report_path_segment_count;
     using type = layout<field<&T::path_segment_count, u16le>>;
 };
 
 template <> struct wire::schema<jaus::report_global_path_segment> {
+    static constexpr std::uint16_t command_code = 0x440F;
     using T = jaus::report_global_path_segment;
     using type = layout<
         presence<u8,
@@ -905,6 +908,7 @@ template <> struct wire::schema<jaus::report_global_path_segment> {
 };
 
 template <> struct wire::schema<jaus::report_local_path_segment> {
+    static constexpr std::uint16_t command_code = 0x4410;
     using T = jaus::report_local_path_segment;
     using type = layout<
         presence<u8,

@@ -1,5 +1,7 @@
 // Ranges and units that JAUS messages share. RA 3.3 part 3, limits and units columns of the message tables.
 #pragma once
+#include <jauscat/schema/jaus/command_code.hpp>
+
 #include <string_view>
 
 namespace jauscat::jaus {

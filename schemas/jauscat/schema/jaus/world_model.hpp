@@ -69,7 +69,6 @@ enum class create_objects_property : std::uint8_t {
 /// Create Vector Knowledge Store Objects: adds objects to the store.
 /// Code 0A20h, command class, 5 bytes or more.
 struct create_vector_knowledge_store_objects {
-    static constexpr std::uint16_t command_code = 0x0A20;
     bool object_buffer_present{};                                ///< each object has a buffer
     wire::bit_set<create_objects_property> message_properties{}; ///< how the store is to answer
     std::uint8_t local_request_id{};                             ///< returned with the answer
@@ -89,7 +88,6 @@ enum class metadata_options : std::uint8_t {
 /// Set Vector Knowledge Store Feature Class Metadata: changes the text that describes a feature class.
 /// Code 0A21h, command class, 5 bytes or more. A peer is known to send garbage in place of the text.
 struct set_vector_knowledge_store_feature_class_metadata {
-    static constexpr std::uint16_t command_code = 0x0A21;
     jaus::metadata_options metadata_options{}; ///< where the text goes
     std::uint16_t feature_class_id{};          ///< the class
     std::string_view feature_class_metadata{}; ///< the text, up to 65535 characters
@@ -99,7 +97,6 @@ struct set_vector_knowledge_store_feature_class_metadata {
 
 /// Terminate Vector Knowledge Store Data Transfer: stops the reports in progress. Code 0A24h, command class, no body.
 struct terminate_vector_knowledge_store_data_transfer {
-    static constexpr std::uint16_t command_code = 0x0A24;
     friend constexpr bool operator==(const terminate_vector_knowledge_store_data_transfer&,
                                      const terminate_vector_knowledge_store_data_transfer&) = default;
 };
@@ -107,7 +104,6 @@ struct terminate_vector_knowledge_store_data_transfer {
 /// Delete Vector Knowledge Store Objects: removes the objects that have all that is given.
 /// Code 0A25h, command class, 2 bytes or more. A peer is known to send the region buffer by the region type's bit.
 struct delete_vector_knowledge_store_objects {
-    static constexpr std::uint16_t command_code = 0x0A25;
     using feature_class_filter = vks_feature_class_filter<delete_vector_knowledge_store_objects>;
     std::uint8_t local_request_id{};                                 ///< returned with the answer
     std::optional<wire::list<std::uint32_t>> object_id{};            ///< the objects by name
@@ -124,7 +120,6 @@ struct delete_vector_knowledge_store_objects {
 /// Query Vector Knowledge Store Feature Class Metadata: asks for the text that describes a feature class.
 /// Code 2A21h, query class, 2 bytes.
 struct query_vector_knowledge_store_feature_class_metadata {
-    static constexpr std::uint16_t command_code = 0x2A21;
     std::uint16_t feature_class_id{}; ///< the class
     friend constexpr bool operator==(const query_vector_knowledge_store_feature_class_metadata&,
                                      const query_vector_knowledge_store_feature_class_metadata&) = default;
@@ -133,7 +128,6 @@ struct query_vector_knowledge_store_feature_class_metadata {
 /// Query Vector Knowledge Store Bounds: asks for the corners of the area that a feature class covers.
 /// Code 2A22h, query class, 3 bytes.
 struct query_vector_knowledge_store_bounds {
-    static constexpr std::uint16_t command_code = 0x2A22;
     std::uint8_t local_request_id{};  ///< returned with the answer
     std::uint16_t feature_class_id{}; ///< the class
     friend constexpr bool operator==(const query_vector_knowledge_store_bounds&,
@@ -143,7 +137,6 @@ struct query_vector_knowledge_store_bounds {
 /// Query Vector Knowledge Store Objects: asks for the objects that have all that is given.
 /// Code 2A23h, query class, 3 bytes or more. A peer is known to send the region buffer by the region type's bit.
 struct query_vector_knowledge_store_objects {
-    static constexpr std::uint16_t command_code = 0x2A23;
     using feature_class_filter = vks_feature_class_filter<query_vector_knowledge_store_objects>;
     std::uint8_t report_presence_vector{}; ///< the fields of Report Vector Knowledge Store Objects that are asked for
     std::uint8_t local_request_id{};       ///< returned with the answer
@@ -161,7 +154,6 @@ struct query_vector_knowledge_store_objects {
 /// Report Vector Knowledge Store Objects Creation: the names of the objects that a request has created.
 /// Code 4A20h, inform class, 3 bytes or more.
 struct report_vector_knowledge_store_objects_creation {
-    static constexpr std::uint16_t command_code = 0x4A20;
     std::uint8_t local_request_id{};       ///< of the request
     wire::list<std::uint32_t> object_id{}; ///< in the request's order; 0: could not be created
     friend constexpr bool operator==(const report_vector_knowledge_store_objects_creation&,
@@ -171,7 +163,6 @@ struct report_vector_knowledge_store_objects_creation {
 /// Report Vector Knowledge Store Feature Class Metadata: the text that describes a feature class.
 /// Code 4A21h, inform class, 4 bytes or more.
 struct report_vector_knowledge_store_feature_class_metadata {
-    static constexpr std::uint16_t command_code = 0x4A21;
     std::uint16_t feature_class_id{};          ///< the class
     std::string_view feature_class_metadata{}; ///< the text, up to 65535 characters
     friend constexpr bool operator==(const report_vector_knowledge_store_feature_class_metadata&,
@@ -181,7 +172,6 @@ struct report_vector_knowledge_store_feature_class_metadata {
 /// Report Vector Knowledge Store Bounds: the corners of the area that a feature class covers.
 /// Code 4A22h, inform class, 19 bytes.
 struct report_vector_knowledge_store_bounds {
-    static constexpr std::uint16_t command_code = 0x4A22;
     std::uint8_t local_request_id{};  ///< of the request
     std::uint16_t feature_class_id{}; ///< the class
     double southwest_latitude{};      ///< degrees (WGS 84), -90 to 90
@@ -196,7 +186,6 @@ struct report_vector_knowledge_store_bounds {
 /// Code 4A23h, inform class, 4 bytes or more. Only presence bit 0 is known, which announces all objects' data; the
 /// standard may have finer bits.
 struct report_vector_knowledge_store_objects {
-    static constexpr std::uint16_t command_code = 0x4A23;
     std::uint8_t local_request_id{};                ///< of the query
     std::uint16_t number_of_objects{};              ///< found; sent with or without the objects
     std::optional<wire::list<vks_object>> object{}; ///< the objects found
@@ -206,7 +195,6 @@ struct report_vector_knowledge_store_objects {
 
 /// Report Vector Knowledge Store Data Transfer Termination: the reports are stopped. Code 4A24h, inform class, no body.
 struct report_vector_knowledge_store_data_transfer_termination {
-    static constexpr std::uint16_t command_code = 0x4A24;
     friend constexpr bool operator==(const report_vector_knowledge_store_data_transfer_termination&,
                                      const report_vector_knowledge_store_data_transfer_termination&) = default;
 };
@@ -259,6 +247,7 @@ template <> struct wire::schema<jaus::vks_object> {
 };
 
 template <> struct wire::schema<jaus::create_vector_knowledge_store_objects> {
+    static constexpr std::uint16_t command_code = 0x0A20;
     using T = jaus::create_vector_knowledge_store_objects;
     using type = layout<
         presence<u8,
@@ -269,6 +258,7 @@ template <> struct wire::schema<jaus::create_vector_knowledge_store_objects> {
 };
 
 template <> struct wire::schema<jaus::set_vector_knowledge_store_feature_class_metadata> {
+    static constexpr std::uint16_t command_code = 0x0A21;
     using T = jaus::set_vector_knowledge_store_feature_class_metadata;
     using type = layout<
         field<&T::metadata_options, enumeration<jaus::metadata_options, u8>>,
@@ -276,9 +266,12 @@ template <> struct wire::schema<jaus::set_vector_knowledge_store_feature_class_m
         string<&T::feature_class_metadata, count<"number_of_string_characters", u16le>>>;
 };
 
-template <> struct wire::schema<jaus::terminate_vector_knowledge_store_data_transfer> { using type = layout<>; };
+template <> struct wire::schema<jaus::terminate_vector_knowledge_store_data_transfer> {
+    static constexpr std::uint16_t command_code = 0x0A24;
+    using type = layout<>; };
 
 template <> struct wire::schema<jaus::delete_vector_knowledge_store_objects> {
+    static constexpr std::uint16_t command_code = 0x0A25;
     using T = jaus::delete_vector_knowledge_store_objects;
     using type = layout<
         presence<u8,
@@ -293,11 +286,13 @@ template <> struct wire::schema<jaus::delete_vector_knowledge_store_objects> {
 };
 
 template <> struct wire::schema<jaus::query_vector_knowledge_store_feature_class_metadata> {
+    static constexpr std::uint16_t command_code = 0x2A21;
     using T = jaus::query_vector_knowledge_store_feature_class_metadata;
     using type = layout<field<&T::feature_class_id, u16le>>;
 };
 
 template <> struct wire::schema<jaus::query_vector_knowledge_store_bounds> {
+    static constexpr std::uint16_t command_code = 0x2A22;
     using T = jaus::query_vector_knowledge_store_bounds;
     using type = layout<
         field<&T::local_request_id, u8>,
@@ -305,6 +300,7 @@ template <> struct wire::schema<jaus::query_vector_knowledge_store_bounds> {
 };
 
 template <> struct wire::schema<jaus::query_vector_knowledge_store_objects> {
+    static constexpr std::uint16_t command_code = 0x2A23;
     using T = jaus::query_vector_knowledge_store_objects;
     using type = layout<
         presence<u8,
@@ -320,6 +316,7 @@ template <> struct wire::schema<jaus::query_vector_knowledge_store_objects> {
 };
 
 template <> struct wire::schema<jaus::report_vector_knowledge_store_objects_creation> {
+    static constexpr std::uint16_t command_code = 0x4A20;
     using T = jaus::report_vector_knowledge_store_objects_creation;
     using type = layout<
         field<&T::local_request_id, u8>,
@@ -327,6 +324,7 @@ template <> struct wire::schema<jaus::report_vector_knowledge_store_objects_crea
 };
 
 template <> struct wire::schema<jaus::report_vector_knowledge_store_feature_class_metadata> {
+    static constexpr std::uint16_t command_code = 0x4A21;
     using T = jaus::report_vector_knowledge_store_feature_class_metadata;
     using type = layout<
         field<&T::feature_class_id, u16le>,
@@ -334,6 +332,7 @@ template <> struct wire::schema<jaus::report_vector_knowledge_store_feature_clas
 };
 
 template <> struct wire::schema<jaus::report_vector_knowledge_store_bounds> {
+    static constexpr std::uint16_t command_code = 0x4A22;
     using T = jaus::report_vector_knowledge_store_bounds;
     using type = layout<
         field<&T::local_request_id, u8>,
@@ -345,6 +344,7 @@ template <> struct wire::schema<jaus::report_vector_knowledge_store_bounds> {
 };
 
 template <> struct wire::schema<jaus::report_vector_knowledge_store_objects> {
+    static constexpr std::uint16_t command_code = 0x4A23;
     using T = jaus::report_vector_knowledge_store_objects;
     using type = layout<
         presence<u8,
@@ -354,6 +354,7 @@ template <> struct wire::schema<jaus::report_vector_knowledge_store_objects> {
 };
 
 template <> struct wire::schema<jaus::report_vector_knowledge_store_data_transfer_termination> {
+    static constexpr std::uint16_t command_code = 0x4A24;
     using type = layout<>;
 };
 

@@ -21,7 +21,7 @@ class configuration_events {
         }
     };
     static constexpr double most_a_second = 10; ///< so that no event floods whom it goes to
-    static constexpr auto code = jaus::report_configuration::command_code;
+    static constexpr auto code = jaus::command_code_of<jaus::report_configuration>;
     static constexpr std::array reports{jaus::eventful_report{.command_code = code, .max_rate = most_a_second}};
 
     filler fill_;

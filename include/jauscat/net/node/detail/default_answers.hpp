@@ -46,17 +46,17 @@ class default_answers {
     jaus::message_outcome on_message(const jaus::header& head, std::span<const std::byte> body,
                                      std::chrono::nanoseconds now, jaus::message_sink out) noexcept {
         using jaus::message_outcome;
-        if (head.command_code == jaus::create_service_connection::command_code)
+        if (head.command_code == jaus::command_code_of<jaus::create_service_connection>)
             return jaus::decode_for<jaus::create_service_connection>(body, [&](const auto& request) {
                 using enum jaus::service_connection_response;
                 static_cast<void>(jaus::answer(
                     head, self_,
-                    jaus::confirm_service_connection{.command_code_ = request.command_code_,
+                    jaus::confirm_service_connection{.command_code = request.command_code,
                                                      .response_code = component_does_not_support_service_connections},
                     out));
                 return message_outcome::refused;
             });
-        if (head.command_code == jaus::create_event::command_code)
+        if (head.command_code == jaus::command_code_of<jaus::create_event>)
             return jaus::decode_for<jaus::create_event>(body, [&](const auto& request) {
                 static_cast<void>(jaus::answer(
                     head, self_,

@@ -108,7 +108,7 @@ class node_core {
     // Not to all, of no service connection and no event: not what goes on without being asked for again.
     static bool is_answer(const jaus::header& head) noexcept {
         return jaus::names_one_component(head.destination) && !head.service_connection &&
-               head.command_code != jaus::event::command_code;
+               head.command_code != jaus::command_code_of<jaus::event>;
     }
 
     static constexpr int most_rounds = 16; ///< components that go on answering each other leave time for the network

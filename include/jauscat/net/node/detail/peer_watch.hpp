@@ -32,11 +32,11 @@ class peer_watch {
     /// Whether a component depends on the sender of a message that it has taken.
     [[nodiscard]] static constexpr bool binds(std::uint16_t command_code) noexcept {
         switch (command_code) {
-        case jaus::set_emergency::command_code:
-        case jaus::request_component_control::command_code:
-        case jaus::create_service_connection::command_code:
-        case jaus::create_event::command_code:
-        case jaus::confirm_event_request::command_code: return true;
+        case jaus::command_code_of<jaus::set_emergency>:
+        case jaus::command_code_of<jaus::request_component_control>:
+        case jaus::command_code_of<jaus::create_service_connection>:
+        case jaus::command_code_of<jaus::create_event>:
+        case jaus::command_code_of<jaus::confirm_event_request>: return true;
         default: return false;
         }
     }
@@ -55,7 +55,7 @@ class peer_watch {
         if (found == peers_.end()) return false;
         auto& peer = found->second;
         peer.heard_at = now;
-        const bool answers = head.command_code == jaus::report_heartbeat_pulse::command_code &&
+        const bool answers = head.command_code == jaus::command_code_of<jaus::report_heartbeat_pulse> &&
                              !jaus::is_acknowledgement(head) && head.destination == peer.component;
         return answers && std::exchange(peer.asked, false);
     }
