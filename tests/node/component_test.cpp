@@ -63,7 +63,7 @@ struct ticking_part {
     }
     void on_time(nanoseconds now, jaus::message_sink) noexcept { ticks += now >= due; }
     [[nodiscard]] std::optional<nanoseconds> next_event() const noexcept { return due; }
-    void lose(const jaus::address& who) { lost.push_back(who); }
+    void on_lost(const jaus::address& who) { lost.push_back(who); }
 };
 
 /// An arm that obeys Set Wrench Effort and halts in an emergency. It is ready.
@@ -283,14 +283,14 @@ TEST_CASE("a confirmation that nobody waits for any more is answered with a rele
     REQUIRE(hear(jaus::reject_component_control{}, arm_address) == message_outcome::taken);
     REQUIRE(control.state() == control_state::refused);
     control.ask(1, 0s, sent.sink());
-    control.lose(boss_address);
+    control.on_lost(boss_address);
     REQUIRE(control.state() == control_state::asking);
-    control.lose(arm_address);
+    control.on_lost(arm_address);
     REQUIRE(control.state() == control_state::lost);
     control.ask(1, 0s, sent.sink());
-    control.lose({255, 255, 1, 1}); // a node that is not the arm's
+    control.on_lost({255, 255, 1, 1}); // a node that is not the arm's
     REQUIRE(control.state() == control_state::asking);
-    control.lose({255, 255, arm_address.node, arm_address.subsystem});
+    control.on_lost({255, 255, arm_address.node, arm_address.subsystem});
     REQUIRE(control.state() == control_state::lost);
     REQUIRE(hear(jaus::report_component_authority{}, arm_address) == message_outcome::not_mine);
 }

@@ -488,11 +488,11 @@ TEST_CASE("a request that comes twice makes one event") {
     another.local_request_id = 4;
     REQUIRE(p.create(another) == 2);
     REQUIRE(p.drive(1, 1s) == 2);
-    REQUIRE(p.events.lose(other) == 0);
-    REQUIRE(p.events.lose(viewer) == 2);
+    REQUIRE(p.events.on_lost(other) == 0);
+    REQUIRE(p.events.on_lost(viewer) == 2);
     REQUIRE(p.drive(2, 2s) == 0);
     REQUIRE(p.create(request) != 0);
-    REQUIRE(p.events.lose({255, 255, viewer.node, viewer.subsystem}) == 1); // its node
+    REQUIRE(p.events.on_lost({255, 255, viewer.node, viewer.subsystem}) == 1); // its node
 }
 
 TEST_CASE("event IDs are not used again at once") {
@@ -708,12 +708,12 @@ TEST_CASE("a consumer gives up the events of a provider that has disappeared") {
     c.hear(confirmed("00 01 04 44 07 00"));
     c.hear(confirmed("00 02 04 44 08 00"));
     c.events.cancel(1, 1s, c.sent.sink());
-    REQUIRE(c.events.lose({255, 255, 1, 1}) == 0);
-    REQUIRE(c.events.lose({255, 255, sensor.node, sensor.subsystem}) == 2);
+    REQUIRE(c.events.on_lost({255, 255, 1, 1}) == 0);
+    REQUIRE(c.events.on_lost({255, 255, sensor.node, sensor.subsystem}) == 2);
     REQUIRE(c.first().state == requested_state::unanswered);
     REQUIRE(c.events.requested()[1].state == requested_state::free);
     REQUIRE(c.hear(occurred("00")).what == event_news::unknown);
-    REQUIRE(c.events.lose(sensor) == 0);
+    REQUIRE(c.events.on_lost(sensor) == 0);
     c.sent.clear();
     REQUIRE(c.events.create(sensor, wanted, 2s, c.sent.sink()) == 0);
     REQUIRE(c.hear(confirmed("00 05 04 44 01 00")).what == event_news::confirmed); // 4 cancelled the unknown event
@@ -1096,7 +1096,7 @@ TEST_CASE("random messages leave both sides of events within their bounds") {
         const jaus::create_event wanted{.message_code = velocity, .event_type = event_type(random() % 6)};
         if (random() % 50 == 0) static_cast<void>(c.events.create(sensor, wanted, now, c.sent.sink()));
         if (random() % 50 == 0) c.events.cancel(random() % 3, now, c.sent.sink());
-        if (random() % 100 == 0) p.events.lose(viewer);
+        if (random() % 100 == 0) p.events.on_lost(viewer);
         const auto report = velocity_body(static_cast<double>(random() % 40) - 20);
         p.events.changed(velocity, std::span{report}.first(random() % 4 == 0 ? 3 : report.size()), now, p.sent.sink());
         p.events.on_time(now, p.sent.sink());

@@ -133,10 +133,10 @@ TEST_CASE("what cannot be connected is answered with the reason") {
     REQUIRE(p.ask(viewer, velocity, 10, 0xFFFFFFFF) == response::connection_created);
     REQUIRE(p.ask(other, pose, 10) == response::connection_created);
     REQUIRE(p.ask(other, velocity, 10) == response::connection_refused);
-    REQUIRE(p.connections.lose(viewer) == 2);
+    REQUIRE(p.connections.on_lost(viewer) == 2);
     REQUIRE(p.ask(other, velocity, 10) == response::connection_created);
-    REQUIRE(p.connections.lose({255, 255, 2, 1}) == 0);
-    REQUIRE(p.connections.lose({255, 255, other.node, other.subsystem}) == 2);
+    REQUIRE(p.connections.on_lost({255, 255, 2, 1}) == 0);
+    REQUIRE(p.connections.on_lost({255, 255, other.node, other.subsystem}) == 2);
 
     std::array<std::byte, 100> memory{};
     jaus::service_connections<1> none{sensor, {}, p, memory};

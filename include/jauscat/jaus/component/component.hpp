@@ -23,7 +23,7 @@ namespace jauscat::jaus {
 ///
 /// `component_hooks` tell the application what happens, and let it defer commands of the state. `Parts` are further
 /// state machines, such as service_connections, events and held_control: each has on_time and next_event; it is asked
-/// about messages if its on_message returns message_outcome, and hears of lost components if it has `lose(const
+/// about messages if its on_message returns message_outcome, and hears of lost components if it has `on_lost(const
 /// address&)`, which gets what on_lost gets.
 ///
 /// Messages must be whole (large data sets put together) and meant for this component: the node sees to that.
@@ -115,7 +115,7 @@ template <class... Parts> class component {
         control_.on_lost(gone);
         tell_own_changes();
         each_part([&](auto& part) {
-            if constexpr (requires { part.lose(who); }) part.lose(who);
+            if constexpr (requires { part.on_lost(who); }) part.on_lost(who);
         });
     }
 

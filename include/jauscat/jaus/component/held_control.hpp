@@ -112,7 +112,7 @@ class held_control {
         return std::nullopt;
     }
     /// The component `who` has disappeared, or all of a level for which an octet is 255.
-    constexpr void lose(const address& who) noexcept {
+    constexpr void on_lost(const address& who) noexcept {
         if (is_wanted() && stands_for(who, target_)) enter(control_state::lost);
     }
 

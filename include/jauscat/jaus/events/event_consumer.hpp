@@ -142,7 +142,7 @@ template <std::size_t Capacity> class event_consumer {
 
     /// Gives up the events of those that have disappeared, see stands_for: should they come back, they know nothing of
     /// them. Returns how many.
-    constexpr std::size_t lose(const address& provider) noexcept {
+    constexpr std::size_t on_lost(const address& provider) noexcept {
         std::size_t count = 0;
         for (requested_event& e : requested_) {
             if ((!waits(e) && e.state != requested_state::active) || !stands_for(provider, e.provider)) continue;

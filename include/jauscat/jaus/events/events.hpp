@@ -82,7 +82,7 @@ template <std::size_t Capacity> class events {
     }
 
     /// Cancels the events of those that have disappeared, see stands_for; returns how many.
-    constexpr std::size_t lose(const address& requester) noexcept {
+    constexpr std::size_t on_lost(const address& requester) noexcept {
         std::size_t count = 0;
         for (event_record& e : events_) {
             if (e.message_code == 0 || !stands_for(requester, e.requester)) continue;

@@ -105,7 +105,7 @@ template <std::size_t Capacity> class service_connections {
     }
 
     /// Terminates the connections of those that have disappeared, see stands_for; returns how many.
-    constexpr std::size_t lose(const address& consumer) noexcept {
+    constexpr std::size_t on_lost(const address& consumer) noexcept {
         std::size_t count = 0;
         for (service_connection& c : connections_) {
             if (c.command_code == 0 || !stands_for(consumer, c.consumer)) continue;
