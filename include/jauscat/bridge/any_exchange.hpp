@@ -1,4 +1,4 @@
-// An exchange of packets under a translation table that is chosen when a program starts.
+// Packet exchange whose translation table is selected at run time.
 #pragma once
 #include <jauscat/bridge/packet_exchange.hpp>
 
@@ -20,7 +20,6 @@ class any_exchange {
     [[nodiscard]] virtual translate::errc error() const = 0;
 };
 
-/// The exchange under one table.
 template <class Table> class exchange_under final : public any_exchange {
   public:
     explicit exchange_under(const slave_identity& slave) : exchange_{slave} {}

@@ -1,4 +1,4 @@
-// How a bridge works with the slaves of one link.
+// Options of a bridge for one link.
 #pragma once
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
@@ -21,23 +21,23 @@ struct slave_options {
 struct bridge_options {
     ethercat::master_config master{};
     ethercat::download_options download{};
-    /// From one cycle of process data to the next. 0: no cycles.
+    /// Cycle time of the process data. 0: no cycles.
     std::chrono::nanoseconds period{};
     /// A slave in OP without new outputs for so long stops by itself. Written to every cyclic slave, and read back.
     std::chrono::nanoseconds watchdog{};
     /// A slave whose state has not been seen for so long is lost; a cyclic one that has not taken part in the exchange,
     /// in OP.
     std::chrono::nanoseconds longest_silence{};
-    /// From one look at the states of the slaves to the next, as long as none has process data.
+    /// Interval between checks of the slaves' states, while no slave has process data.
     std::chrono::nanoseconds check_interval{};
     /// A Report Heartbeat Pulse is written to a slave by mailbox that has got no message for so long: it stops by
     /// itself when none comes. 0: never.
     std::chrono::nanoseconds keep_alive{};
     /// For the components: a controller that has been silent for so long is lost; see jaus::control_options.
     std::chrono::nanoseconds control_timeout{};
-    /// From one attempt to bring a slave up to the next.
+    /// Interval between attempts to bring a slave up.
     std::chrono::nanoseconds bring_up_interval{std::chrono::milliseconds{500}};
-    /// From a stop order that a slave refuses to the next attempt; see stop_debt.
+    /// Interval between attempts of a stop order that the slave refuses; see stop_debt.
     std::chrono::nanoseconds stop_interval{std::chrono::milliseconds{20}};
     /// A job of the master for another slave that stands in the way of a stop order for longer is given up. If it was a
     /// transfer, that slave is lost.

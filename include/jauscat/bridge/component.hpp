@@ -1,5 +1,5 @@
-// A JAUS component whose actuator is an EtherCAT slave: state, control and acknowledgement are kept here, what is left
-// of its messages is the slave's. Stop orders come from here.
+// A JAUS component whose actuator is an EtherCAT slave: keeps state, control and acknowledgement, sends stop orders,
+// and forwards all other messages to the slave.
 #pragma once
 #include <jauscat/bridge/slave_front.hpp>
 #include <jauscat/jaus/component/component.hpp>
@@ -24,14 +24,14 @@ inline constexpr std::uint32_t emergency_owed = 4; ///< it has not confirmed the
 inline constexpr std::uint32_t clear_owed = 8;     ///< it has not confirmed the end of the emergency
 } // namespace secondary_status
 
-/// To be added to a node as a jaus::component is. Its actuator is brought to rest, by a Set Wrench Effort with zeros in
-/// all fields, when the component leaves Ready, when its controller is lost (not when that releases control), when the
-/// slave was away, and when the program ends. In an emergency it is told of that instead. Such a stop order goes before
-/// every message that waits, and is repeated until the actuator has confirmed it; the message that caused it is
-/// acknowledged then. Commands that waited are refused.
+/// Added to a node like a jaus::component. Its actuator is brought to rest, by a Set Wrench Effort with zeros in all
+/// fields, when the component leaves Ready, when its controller is lost (not when that releases control), when the
+/// slave was away, and when the program ends. In an emergency it gets Set Emergency instead. A stop order overtakes all
+/// queued messages and is repeated until the actuator confirms it; then the message that caused it is acknowledged.
+/// Queued commands are refused.
 ///
-/// While the slave does not answer, the component is in Failure, and its controller has got Reject Component Control.
-/// When the slave is back and at rest, the component is ready again, or in Standby if it was that or in an emergency.
+/// While the slave does not answer, the component is in Failure, and its controller gets Reject Component Control. When
+/// the slave is back and at rest, the component is ready again, or in Standby if it was that or in an emergency.
 class component {
   public:
     using bytes = std::span<const std::byte>;
@@ -57,7 +57,7 @@ class component {
     [[nodiscard]] jaus::primary_status_code state() const noexcept { return core_.state(); }
     [[nodiscard]] const jaus::component_control& control() const noexcept { return core_.control(); }
     [[nodiscard]] const slave_front& front() const noexcept { return front_; }
-    /// What the actuator has not confirmed yet.
+    /// Stop orders that the actuator has not confirmed.
     [[nodiscard]] const stop_debt& debt() const noexcept { return debt_; }
 
     /// `application` gets what the core leaves; what that leaves is the slave's.
@@ -81,7 +81,7 @@ class component {
     }
     void on_lost(const jaus::address& who) { core_.on_lost(who); }
 
-    /// The program ends: the actuator is brought to rest, and nothing that moves it is taken any more.
+    /// Brings the actuator to rest and refuses motion commands from now on. Call at the end of the program.
     void shut_down(time now, jaus::message_sink out) {
         ends_ = true;
         core_.change(jaus::state_event::shutdown);
@@ -91,7 +91,7 @@ class component {
 
     // For the ring.
 
-    /// The slave answers: it is told at once what it is owed.
+    /// Called when the slave answers again. Sends the pending stop orders at once.
     void on_slave_up() { owe_what_the_state_owes(stop_cause::slave_back); }
     void on_slave_lost(time now, jaus::message_sink out) {
         using enum jaus::primary_status_code;
@@ -101,7 +101,7 @@ class component {
         core_.reject_control(out);
         follow_up(now, out);
     }
-    /// Writes the message that tells the actuator `what` to `out`; returns its size.
+    /// Writes the message of the stop order `what` to `out`; returns its size.
     [[nodiscard]] std::size_t stop_message(stop_order what, std::span<std::byte> out) const noexcept {
         const jaus::header head{.ack_nak = jaus::ack_nak::request, .destination = self(), .source = self()};
         if (what == stop_order::emergency) {
@@ -149,7 +149,7 @@ class component {
     }
 
   private:
-    // What the core leaves: to be delivered, and acknowledged when it is.
+    // Queues a message that the core did not take. It is acknowledged when it is delivered.
     jaus::message_outcome accept(jaus::header head, bytes body, time now, jaus::message_sink out) {
         const auto refuse = [&](refusal why) {
             front_.watcher().refused(*this, head, {.why = why});
@@ -209,7 +209,7 @@ class component {
     void changed_controller(const std::optional<jaus::controller>&, jaus::control_change why) {
         front_.watcher().changed_controller(*this, why);
         if (why == jaus::control_change::lost) owe_rest(stop_cause::controller_lost);
-        // What others have sent and was not executed yet is not the controller's.
+        // Queued motion commands of others than the new controller are dropped.
         if (why == jaus::control_change::lost || why == jaus::control_change::released) return;
         foreign_motion_is_dropped_ = true;
         front_.wake();
@@ -241,7 +241,7 @@ class component {
         front_.wake();
     }
 
-    // What the core's hooks have caused and needs `out`.
+    // Executes what the hooks of the core have requested and what needs `out`.
     void follow_up(time now, jaus::message_sink out) {
         if (std::exchange(foreign_motion_is_dropped_, false)) {
             const auto& controller = core_.control().controller();

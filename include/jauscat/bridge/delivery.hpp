@@ -1,5 +1,4 @@
-// A JAUS message as the object of an EtherCAT slave: what the controller writes, and how the slave makes the message of
-// it.
+// Maps a JAUS message to an object of an EtherCAT slave, and back.
 #pragma once
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/ethercat/hilscher.hpp>
@@ -9,14 +8,14 @@
 
 namespace jauscat::bridge {
 
-/// Who a slave is in JAUS terms: what a table leaves out of the data, the slave fills in from here.
+/// JAUS identity of a slave. Fills in the header fields that a table does not carry in the data.
 struct slave_identity {
     std::uint8_t subsystem{};
     std::uint16_t station{}; ///< configured station address = JAUS node
     std::uint8_t instance{1};
 
-    /// `asked` with the slave's own octets where it says "all", 255, because nobody can answer as all. Which of its
-    /// components is meant, an identity does not know: `component`, or still all of them.
+    /// `asked` with the slave's own octets in place of 255 ("all"), which is no valid source. The component stays 255
+    /// unless `component` is given.
     [[nodiscard]] constexpr jaus::address answering_as(jaus::address asked,
                                                        std::uint8_t component = 255) const noexcept {
         const auto fill_in = [](std::uint8_t& octet, std::uint8_t own) {
@@ -51,7 +50,7 @@ template <class Table> struct delivery {
         return translate::errc::ok;
     }
 
-    /// What of a packet crosses the wire: its data are `ulDataCnt` bytes, whatever a sender has put behind them.
+    /// The object access that a packet requests. Its data are `ulDataCnt` bytes; bytes behind them are ignored.
     [[nodiscard]] static constexpr object_access object_of(std::span<const std::byte> bytes) noexcept {
         packet fields{};
         if (!wire::decode_prefix(fields, bytes)) return {};
@@ -63,8 +62,8 @@ template <class Table> struct delivery {
                                   std::min<std::size_t>(fields.ul_data_cnt, bytes.size() - wire::max_size<packet>))};
     }
 
-    /// The JAUS message that a written object stands for; returns its size. What does not cross the wire (under the
-    /// seed table: subsystem, instance and data flag) is filled in as if the message were sent to `self`. Errors: as
+    /// Writes the JAUS message of a written object; returns its size. What the object does not carry (under the seed
+    /// table: subsystem, instance and data flag) is filled in as if the message were sent to `self`. Errors: as
     /// translator::from_packet.
     static constexpr translate::result message_of(const object_access& object, const slave_identity& self,
                                                   std::span<std::byte> out) noexcept {

@@ -32,7 +32,6 @@ class image_exchange {
     static constexpr std::uint16_t report_code = jaus::command_code_of<typename ReportTable::message_type>;
     static constexpr std::uint16_t query_code = report_code - 0x2000; // RA 3.3 part 3
     static_assert(jaus::report_code_of(query_code) == report_code, "image_exchange: the inputs must be a report");
-    /// The type of the command counter.
     using counter = typename CommandTable::counter_row::counts_messages::type;
     /// Commands that wait for their acknowledgement at one time.
     static constexpr std::size_t capacity = 16;

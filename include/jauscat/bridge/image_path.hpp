@@ -1,4 +1,4 @@
-// JAUS by process data: the commands and queries of one component that travel in a slave's outputs and inputs.
+// The commands and queries of one component that are carried by process data.
 #pragma once
 #include <jauscat/bridge/image_exchange.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>

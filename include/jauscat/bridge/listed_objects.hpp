@@ -1,5 +1,5 @@
-// A slave's object dictionary made of object lists: which objects there are, how large, who may read and write them.
-// What is behind them is the application's.
+// Object dictionary of a slave, generated from object lists: objects, sizes, access rights. The application handles
+// reads and writes.
 #pragma once
 #include <jauscat/bridge/object_list.hpp>
 #include <jauscat/ethercat/slave/object_dictionary.hpp>

@@ -1,5 +1,4 @@
-// Between a JAUS transport and the delivery to slaves: one message of each large data set, because an SDO carries it
-// whole or not at all.
+// Reassembles large data sets before delivery to a slave, because an SDO carries a whole message.
 #pragma once
 
 #include <jauscat/jaus/large_data/reassembler.hpp>

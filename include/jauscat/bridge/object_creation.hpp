@@ -14,7 +14,7 @@
 
 namespace jauscat::bridge {
 
-/// What a confirmation says of the packet it answers.
+/// Result of a creation packet, from its confirmation.
 enum class creation_errc : std::uint8_t {
     ok,
     truncated,     ///< shorter than its own layout
@@ -22,7 +22,7 @@ enum class creation_errc : std::uint8_t {
     refused,       ///< the slave did not create it: see ulSta
 };
 
-/// What became of a request to create an object.
+/// Result of a request to create an object.
 struct creation_answer {
     creation_errc error{};
     hilscher::od_status status{}; ///< ulSta
@@ -61,7 +61,7 @@ class object_creation {
         return number == 0 ? object_packet(out) : subobject_packet(number, out);
     }
 
-    /// What the packet `bytes` says about packet `number`.
+    /// Evaluates the confirmation `bytes` of packet `number`.
     [[nodiscard]] constexpr creation_answer answer(std::size_t number,
                                                    std::span<const std::byte> bytes) const noexcept {
         using hilscher::packet_command;

@@ -1,6 +1,5 @@
-// The objects that a component's messages are written to: one object for the component, one subobject for each message
-// that it accepts. Made at compile time from the message types and the table, for whatever has to create or describe
-// the objects: a slave's dictionary, creation packets, an ESI file.
+// Object of a component, with one subobject for each message that it accepts. Generated at compile time from message
+// types and table; used for a slave's dictionary, creation packets and ESI files.
 #pragma once
 #include <jauscat/schema/jaus/command_code.hpp>
 #include <jauscat/translate/table.hpp>
@@ -37,7 +36,6 @@ struct object_description {
     bool exact_size{};                     ///< every access carries `max_size` bytes: a table with fixed_length
     std::span<const sub_object> entries{}; ///< by ascending subindex
 
-    /// What subindex 0 holds.
     [[nodiscard]] constexpr std::uint8_t highest_subindex() const noexcept {
         return entries.empty() ? std::uint8_t{} : entries.back().subindex;
     }
@@ -58,7 +56,7 @@ struct object_description {
 
 namespace detail {
 
-/// What a row makes of one JAUS value; 0, which is no index and no rank, where it has nothing for it.
+/// The packet value of one JAUS value under a row; 0 (no valid index or rank) if the row has none.
 template <class Table, class Row> constexpr std::uint32_t number_of(auto value) noexcept {
     typename Table::header_type header{};
     typename Table::packet_type packet{};

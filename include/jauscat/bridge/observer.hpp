@@ -1,4 +1,4 @@
-// What a bridge tells of its work: for logs, traces and displays.
+// Events of a bridge, for logs, traces and displays.
 #pragma once
 #include <jauscat/bridge/stop_debt.hpp>
 #include <jauscat/ethercat/master/master_errc.hpp>
@@ -19,15 +19,15 @@ namespace jauscat::bridge {
 class component;
 class slave_front;
 
-/// Why a slave counts as lost.
+/// Cause of the loss of a slave.
 enum class loss : std::uint8_t {
     no_answer,       ///< frames do not come back, or the slave does not answer its mail
-    no_station,      ///< nobody answers under its station address: it was reset
+    no_station,      ///< no reply at its station address: the slave was reset
     left_state,      ///< it is in another state than it has to be in, or in none that is known
     no_process_data, ///< it does not take part in the exchange, or takes no commands
 };
 
-/// Why a message was not delivered.
+/// Cause of a refusal.
 enum class refusal : std::uint8_t {
     slave_down,     ///< the slave does not answer
     queue_full,     ///< too many messages wait for the slave
@@ -41,7 +41,7 @@ enum class refusal : std::uint8_t {
     stale,          ///< the slave's inputs are too old to answer from
 };
 
-/// Why a message was not executed.
+/// Cause of a refusal, with details.
 struct refusal_reason {
     refusal why{};
     translate::errc error{};
@@ -49,17 +49,17 @@ struct refusal_reason {
     ethercat::outcome outcome{};
 };
 
-/// Why an actuator is owed a stop order.
+/// Cause of a stop order.
 enum class stop_cause : std::uint8_t {
     state,           ///< the component has gone to a state other than Ready
-    controller_lost, ///< nobody controls the component any more, without a release
+    controller_lost, ///< the controller was lost without releasing control
     slave_away,      ///< the slave does not answer: what it does is not known
     slave_back,      ///< it answers: the first thing that it is told
     not_taken,       ///< the slave has not taken a command out of its outputs in time
     program_ends,
 };
 
-/// Base of what is told. Every function may stay as it is; none may call the bridge.
+/// Receives the events of a bridge. All functions are optional; none may call the bridge.
 class observer {
   public:
     virtual ~observer() = default;
@@ -70,7 +70,6 @@ class observer {
     virtual void bring_up_failed(const slave_front& /*slave*/, const ethercat::outcome& /*why*/) {}
     /// `why` says more where the master does.
     virtual void slave_lost(const slave_front& /*slave*/, loss /*what*/, const ethercat::outcome& /*why*/) {}
-    /// A CoE emergency of the slave.
     virtual void slave_emergency(const slave_front& /*slave*/, const ethercat::coe_emergency& /*emergency*/) {}
     /// The slave does not take Report Heartbeat Pulse: nothing stops it when this program ends without a word.
     virtual void no_keep_alive(const slave_front& /*slave*/, const refusal_reason& /*why*/) {}

@@ -1,4 +1,4 @@
-// Messages that wait for their slave: first in, first out; of motion commands only the newest of a sender and code.
+// Queue of messages to a slave: FIFO; keeps only the newest motion command of each sender and code.
 #pragma once
 #include <jauscat/bridge/supersede.hpp>
 #include <jauscat/jaus/message/message.hpp>
@@ -21,7 +21,7 @@ class component;
 /// A message that waits for its slave: a place in the memory of an order_queue.
 struct order {
     jaus::header header{};  ///< as it came
-    component* unit{};      ///< whose it is
+    component* unit{};      ///< the component that the message is for
     time_point expires{};   ///< refused if it still waits then
     std::uint16_t size{};   ///< bytes of the body
     std::uint64_t number{}; ///< order of arrival; 0: the place is free
@@ -38,7 +38,7 @@ template <std::size_t Orders = 16, std::size_t Size = 1532> struct order_memory 
     std::array<std::byte, Orders * Size> bodies{};
 };
 
-/// How a message was queued.
+/// Result of queueing a message.
 enum class queued : std::uint8_t {
     last,      ///< behind all others
     merged,    ///< into an older command of the same sender and code, whose place it takes
@@ -87,7 +87,6 @@ class order_queue {
             if (each.number != 0 && wanted(each) && (found == nullptr || each.number < found->number)) found = &each;
         return found;
     }
-    /// Its body.
     [[nodiscard]] constexpr bytes body(const order& message) const noexcept {
         return body_place(message).first(message.size);
     }

@@ -1,5 +1,5 @@
-// The exchange of SDO packets that carries one JAUS message to a slave and, after a query, its report back. Packets in,
-// packets out: who executes them, a card or our master (packet_job.hpp), is the caller's affair.
+// The exchange of SDO packets that carries one JAUS message to a slave and, after a query, its report back. The caller
+// has the packets executed, by a card or by the master (packet_job.hpp).
 #pragma once
 
 #include <jauscat/bridge/delivery.hpp>
@@ -14,7 +14,7 @@
 
 namespace jauscat::bridge {
 
-/// Where an exchange stands after a step.
+/// State of an exchange after a step.
 enum class exchange_progress : std::uint8_t {
     ignored, ///< not the confirmation that is waited for: nothing has changed
     request, ///< the next request packet stands in the buffer: have it executed
@@ -22,9 +22,9 @@ enum class exchange_progress : std::uint8_t {
     failed,  ///< see `status()` and `error()`
 };
 
-/// What a step led to, and how many bytes it wrote to the front of the buffer.
+/// Result of a step, and the number of bytes written to the front of the buffer.
 struct exchange_step {
-    exchange_progress what{}; ///< how it goes on
+    exchange_progress what{}; ///< next action
     std::size_t size{};
 };
 
@@ -79,8 +79,8 @@ template <class Table> class packet_exchange {
         return ask_for(report, buffer);
     }
 
-    /// Writes the ACK or NAK that the message asked for to `out` and returns its size, 16. 0 while the exchange goes
-    /// on, where none was asked for, and where it would have to come from "all" components.
+    /// Writes the ACK or NAK that the message asked for to `out` and returns its size, 16. 0 while the exchange is
+    /// running, if none was requested, and if its source would be 255 ("all").
     [[nodiscard]] constexpr std::size_t acknowledgement(std::span<std::byte> out) const noexcept {
         if (end_ == exchange_progress::ignored || head_.ack_nak != jaus::ack_nak::request) return 0;
         jaus::header request = head_;
@@ -92,7 +92,7 @@ template <class Table> class packet_exchange {
 
     /// ulSta of the last confirmation that was taken.
     [[nodiscard]] constexpr hilscher::packet_status status() const noexcept { return status_; }
-    /// Why the message or the report was refused here; `ok` if the last confirmation says why.
+    /// Error of the translation of message or report; `ok` if the last confirmation has the error.
     [[nodiscard]] constexpr translate::errc error() const noexcept { return error_; }
 
   private:

@@ -1,5 +1,5 @@
 // The slaves of one link and the components in front of them: frames, messages and time in, frames and messages out. It
-// never waits: while one transfer runs, messages are taken, and stop orders overtake them.
+// never blocks: messages are accepted during a transfer, and stop orders overtake them.
 #pragma once
 #include <jauscat/bridge/component.hpp>
 #include <jauscat/bridge/image_path.hpp>
@@ -59,7 +59,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     /// now.
     std::size_t next_frame(std::span<std::byte> frame, time now) {
         if (cycles() && now >= next_cycle_) {
-            // What was missed is left out: the freshest outputs count.
+            // Missed cycles are skipped.
             next_cycle_ = std::max(next_cycle_ + interval(), now + interval() / 2);
             if (const auto size = data_.next_frame(frame, now)) return size;
         }
@@ -99,7 +99,7 @@ template <class Image = wrench_effort_path> class basic_ring {
                                         [](const component* unit) { return unit->debt().owes_stop(); });
         });
     }
-    /// The program ends: see component::shut_down. Goes on until `at_rest`.
+    /// Shuts all components down, see component::shut_down. Keep driving the ring until `at_rest`.
     void shut_down(time now, jaus::message_sink out) {
         for (place& each : places())
             for (component* unit : each.front->components()) unit->shut_down(now, out);
@@ -111,7 +111,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     [[nodiscard]] const ethercat::master& master() const noexcept { return master_; }
     [[nodiscard]] const ethercat::process_data& process_data() const noexcept { return data_; }
-    /// How the last attempt to bring the slave up ended.
+    /// Result of the last attempt to bring the slave up.
     [[nodiscard]] const ethercat::outcome& bring_up_result(const slave_front& front) const noexcept {
         const auto found = std::ranges::find(places(), &front, &place::front);
         static constexpr ethercat::outcome none{};
@@ -155,7 +155,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         std::array<image_wait, waiting_capacity> waiting{};
         std::size_t waiting_count{};
     };
-    // What the master's present job is for.
+    // Purpose of the master's current job.
     enum class work : std::uint8_t { none, scan, bring_up, configure, safe_op, op, collect, message };
     enum class purpose : std::uint8_t { order, stop, keep_alive };
 
@@ -325,7 +325,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         }
     }
 
-    // Where it has failed it is tried again, as long as no slave is brought up that it would throw back.
+    // A failed job is repeated, unless a slave is up that it would reset.
     void cleared(place& at, const ethercat::outcome& result) {
         is_cleared_ = true;
         static_cast<void>(begin_bring_up(at));
@@ -426,8 +426,8 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (!hindered_since_) hindered_since_ = now;
         if (now - *hindered_since_ < options_.stop_timeout) return;
         hindered_since_.reset();
-        // Its answer could be taken for the next one's: a slave whose transfer is given up is lost, and brought up
-        // anew.
+        // A late reply could be mistaken for the next one's, so a slave whose transfer is cancelled counts as lost and
+        // is brought up again.
         master_.cancel(ethercat::master_errc::timeout);
     }
     // A slave waits for a stop order, and the master is busy with something else than a transfer to that slave.
@@ -498,7 +498,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     [[nodiscard]] static bool is_exchanged(const place& at) noexcept {
         return at.at >= (at.front->options().cyclic ? phase::safe_op : phase::up);
     }
-    // Of the slaves that are there, with the outputs that they have.
+    // Rebuilds the process image from the present slaves; keeps their outputs.
     void rebuild_process_data(time now) {
         std::array<ethercat::slave_record, ethercat::slave_capacity> records{};
         std::size_t count = 0;
@@ -535,7 +535,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         return record == nullptr ? ethercat::slave_status{} : data_.status(*record);
     }
 
-    // What the cycles say of each slave.
+    // Evaluates the status of each slave after a cycle.
     void watch_cycles(time now, jaus::message_sink out) {
         for (place& each : places()) {
             if (!is_exchanged(each)) continue;
@@ -591,7 +591,7 @@ template <class Image = wrench_effort_path> class basic_ring {
             put_orders(each, now, out);
         }
     }
-    // In an emergency the slave is told by mailbox; its outputs are brought to rest all the same.
+    // An emergency is sent by mailbox; the outputs are set to rest as well.
     void put_rest(place& at, component& unit, time now, jaus::message_sink out) {
         const auto& debt = unit.debt();
         if (!by_image(at, unit) || !debt.owes_stop()) return;
@@ -607,8 +607,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         at.has_rest_outputs = true;
         if (!is_awaited) --at.waiting_count;
     }
-    // Commands in the outputs that a stop order is about to replace: whether the slave takes them is not known any
-    // more.
+    // Commands in the outputs that a stop order replaces: it is unknown whether the slave has taken them.
     void drop_waiting(place& at, const component& unit, time now, jaus::message_sink out) {
         const auto dropped = at.waiting;
         const std::size_t count = std::exchange(at.waiting_count, 0);

@@ -1,4 +1,4 @@
-// A slave as its components see it: whether it is there, and the messages that wait for it.
+// Interface between a slave and its components: presence, queued messages.
 #pragma once
 #include <jauscat/bridge/any_exchange.hpp>
 #include <jauscat/bridge/bridge_options.hpp>

@@ -1,4 +1,4 @@
-// What an actuator has to be told until it confirms: stop orders, and the end of an emergency.
+// Orders that are repeated until the actuator confirms them: stop orders, and the end of an emergency.
 #pragma once
 #include <jauscat/jaus/message/saturating_add.hpp>
 
@@ -9,17 +9,17 @@
 
 namespace jauscat::bridge {
 
-/// What an actuator is told.
+/// Orders to an actuator.
 enum class stop_order : std::uint8_t {
-    rest,            ///< efforts to zero
-    emergency,       ///< Set Emergency
-    clear_emergency, ///< Clear Emergency
+    rest,      ///< efforts to zero
+    emergency, ///< Set Emergency
+    clear_emergency,
 };
 
-/// Debts to one actuator and their order: an emergency, then rest, then the end of an emergency. An emergency that the
-/// actuator confirms covers rest. What it refuses is tried again without end, except the end of an emergency. While an
-/// emergency is refused, zeros are sent in between; while zeros are refused, an emergency is, for an actuator may be in
-/// an emergency that nobody here knows of.
+/// Pending orders to one actuator, by priority: emergency, rest, end of an emergency. An emergency that the actuator
+/// confirms covers rest. Refused orders are repeated without limit, except the end of an emergency. While an emergency
+/// is refused, zeros are sent in between; while zeros are refused, an emergency is, because the actuator may be in an
+/// emergency that was not set here.
 class stop_debt {
   public:
     using time = std::chrono::nanoseconds;
@@ -31,8 +31,8 @@ class stop_debt {
         rest_ = true;
         begin();
     }
-    /// An end of an emergency that is still owed is not owed any more. Whether the actuator knows emergencies is found
-    /// out anew: another device may have taken its place, or its software was not complete yet.
+    /// Cancels a pending end of an emergency. Whether the actuator supports emergencies is determined again, because
+    /// the device may have been replaced or restarted.
     constexpr void owe_emergency() noexcept {
         emergency_ = rest_ = true;
         clear_ = emergency_is_unknown_ = false;
@@ -50,7 +50,7 @@ class stop_debt {
     [[nodiscard]] constexpr bool owes_clear() const noexcept { return clear_; }
     [[nodiscard]] constexpr bool settled() const noexcept { return !owes_stop() && !clear_; }
 
-    /// What is to be told next; nothing where all is confirmed.
+    /// Next order; empty when all are confirmed.
     [[nodiscard]] constexpr std::optional<stop_order> next() const noexcept {
         if (emergency_) return rest_ && refusals_ % 2 != 0 ? stop_order::rest : stop_order::emergency;
         if (rest_)
@@ -60,7 +60,7 @@ class stop_debt {
     }
     /// Not before this.
     [[nodiscard]] constexpr time next_attempt() const noexcept { return next_attempt_; }
-    /// How often the actuator has refused in a row.
+    /// Number of consecutive refusals.
     [[nodiscard]] constexpr unsigned refusals() const noexcept { return refusals_; }
 
     /// The actuator has confirmed `what`.

@@ -1,4 +1,4 @@
-// Motion commands of which only the newest counts, and how an older one that still waits is merged into it.
+// Motion commands that supersede older ones of their kind, and how a queued one is merged.
 #pragma once
 #include <jauscat/schema/jaus/environment_sensor.hpp>
 #include <jauscat/schema/jaus/manipulator.hpp>
@@ -61,9 +61,9 @@ constexpr std::optional<std::size_t> merge_fields(std::span<const std::byte> old
 
 } // namespace detail
 
-/// Writes the command that stands for both to `out`, which may be the memory of `older`, and returns its size. Fields
-/// under a presence vector that `newer` leaves out are taken from `older`. Nothing where a body does not decode or
-/// `out` is too small; `out` is then unchanged.
+/// Merges two commands into `out`, which may be the memory of `older`; returns the size. Fields under a presence vector
+/// that `newer` leaves out are taken from `older`. Nothing where a body does not decode or `out` is too small; `out` is
+/// then unchanged.
 [[nodiscard]] constexpr std::optional<std::size_t> merge(std::uint16_t command_code, std::span<const std::byte> older,
                                                          std::span<const std::byte> newer,
                                                          std::span<std::byte> out) noexcept {

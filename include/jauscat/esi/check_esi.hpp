@@ -21,10 +21,10 @@
 
 namespace jauscat::esi {
 
-/// One thing that was looked for.
+/// Result of one check.
 struct finding {
     std::string what{};    ///< path of the element, or a rule that concerns several
-    std::string reason{};  ///< who requires it
+    std::string reason{};  ///< the source of the requirement
     std::string problem{}; ///< empty: it is there and right; else `line n: what is wrong`
 
     /// Whether it is there as it has to be.
@@ -177,7 +177,7 @@ class esi_checker : xml_source {
         return {};
     }
 
-    // What concerns several elements at once, such as types that do not fit their objects, is the reader's to find.
+    // Errors across elements, such as types that do not fit their objects, are found by reading the file.
     void check_reading() {
         auto& result = add("types, sizes and references agree", "tools and emulators build the dictionary from them");
         try {

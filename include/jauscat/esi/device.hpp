@@ -32,7 +32,6 @@ struct property {
     friend bool operator==(const property&, const property&) = default;
 };
 
-/// One subindex of an object.
 struct entry {
     std::uint8_t subindex{};               ///< 0 to 255
     std::string name{};                    ///< for people
@@ -41,7 +40,7 @@ struct entry {
     bool readable{};                       ///< a master may read it
     bool writable{};                       ///< a master may write it
     std::vector<std::byte> default_data{}; ///< as they travel, little-endian; empty: none given
-    std::vector<property> properties{};    ///< what else is to be known of it
+    std::vector<property> properties{};    ///< further properties
 
     friend bool operator==(const entry&, const entry&) = default;
 };
@@ -62,15 +61,15 @@ struct object {
     friend bool operator==(const object&, const object&) = default;
 };
 
-/// A SyncManager as the device wants it.
+/// SyncManager settings of the device.
 struct sync_manager {
-    ethercat::sii_sync_manager_use use{}; ///< what it is for
-    std::uint16_t start{};                ///< where its memory begins in the slave
-    std::uint16_t default_size{};         ///< bytes
-    std::uint16_t min_size{};             ///< 0: not said
-    std::uint16_t max_size{};             ///< 0: not said
-    std::uint8_t control{};               ///< 26h mailbox out, 22h mailbox in, 64h outputs, 20h inputs
-    bool enabled{};                       ///< from the start
+    ethercat::sii_sync_manager_use use{};
+    std::uint16_t start{};        ///< where its memory begins in the slave
+    std::uint16_t default_size{}; ///< bytes
+    std::uint16_t min_size{};     ///< 0: not said
+    std::uint16_t max_size{};     ///< 0: not said
+    std::uint8_t control{};       ///< 26h mailbox out, 22h mailbox in, 64h outputs, 20h inputs
+    bool enabled{};               ///< from the start
 
     friend bool operator==(const sync_manager&, const sync_manager&) = default;
 };
@@ -98,7 +97,7 @@ struct pdo {
     friend bool operator==(const pdo&, const pdo&) = default;
 };
 
-/// What of CoE the device can do.
+/// CoE features of the device.
 struct coe_features {
     bool sdo_information{};   ///< without it, tools take the dictionary from the ESI file
     bool pdo_assign{};        ///< objects 1C12h and 1C13h can be written
@@ -118,7 +117,6 @@ struct eeprom {
     friend bool operator==(const eeprom&, const eeprom&) = default;
 };
 
-/// One device and its vendor.
 struct device {
     std::uint32_t vendor_id{};                 ///< number that the EtherCAT Technology Group gave the vendor
     std::string vendor_name{};                 ///< for people
@@ -132,12 +130,12 @@ struct device {
     std::string name{};                        ///< for people
     std::uint16_t profile{};                   ///< device profile, low word of object 1000h; 0: none
     std::vector<object> objects{};             ///< the dictionary, in ascending order of indices
-    std::vector<std::string> fmmus{};          ///< what each is for: Outputs, Inputs, MBoxState
+    std::vector<std::string> fmmus{};          ///< use of each: Outputs, Inputs, MBoxState
     std::vector<sync_manager> sync_managers{}; ///< SyncManager 0 first
     std::vector<pdo> rx_pdos{};                ///< master to slave
     std::vector<pdo> tx_pdos{};                ///< slave to master
-    coe_features coe{};                        ///< what of CoE it can do
-    esi::eeprom eeprom{};                      ///< the memory behind its SII
+    coe_features coe{};
+    esi::eeprom eeprom{}; ///< the memory behind its SII
 
     friend bool operator==(const device&, const device&) = default;
 };

@@ -1,4 +1,4 @@
-// An emulated slave from an ESI description alone: its identity and SII, and the objects that it has.
+// Emulated slave built from an ESI description: identity, SII, objects.
 #pragma once
 
 #include <jauscat/bridge/object_list.hpp>
@@ -21,7 +21,7 @@
 
 namespace jauscat::esi {
 
-/// What a description says, in the form that `ethercat::slave`, `ethercat::standard_objects`,
+/// Converts an ESI description to the form that `ethercat::slave`, `ethercat::standard_objects`,
 /// `ethercat::mapped_objects` and `bridge::listed_objects` take. Must outlive them.
 ///
 ///     esi::emulated_device device{esi::read_esi("arm.xml")};
@@ -65,7 +65,7 @@ class emulated_device {
     emulated_device(const emulated_device&) = delete;
     emulated_device& operator=(const emulated_device&) = delete;
 
-    /// What an emulated slave is made of: identity, mailbox, process data.
+    /// Identity, mailbox and process data of the emulated slave.
     [[nodiscard]] const ethercat::slave_description& description() const noexcept { return description_; }
     /// The objects of JAUS components.
     [[nodiscard]] std::span<const bridge::object_description> components() const noexcept { return components_; }

@@ -1,5 +1,4 @@
-// The ESI description of an emulated slave: what its SII says, its standard objects, and the objects that JAUS messages
-// are written to.
+// Makes the ESI description of an emulated slave from its SII, its standard objects and the objects of JAUS messages.
 #pragma once
 
 #include <jauscat/bridge/object_list.hpp>
@@ -19,7 +18,7 @@
 
 namespace jauscat::esi {
 
-/// What people read of a device, and no slave says of itself.
+/// Texts of a device that the slave itself does not report.
 struct device_texts {
     std::string vendor_name{}; ///< for people
     std::string group_type{};  ///< key of the group that tools list the device in
@@ -159,7 +158,7 @@ inline void describe_process_data(device& made, const ethercat::slave_descriptio
 /// `segmented_sdo`: it has memory for transfers in segments (`coe_options::transfer_memory`).
 inline device make_device(const ethercat::slave_description& slave, const device_texts& texts,
                           std::span<const bridge::object_description> components, bool segmented_sdo) {
-    // What the objects are, both kinds say themselves.
+    // Both kinds of objects describe themselves.
     const auto image = ethercat::make_sii_image(slave, {.sdo_information = true, .complete_access = true});
     device made{.vendor_id = slave.vendor,
                 .vendor_name = texts.vendor_name,

@@ -9,7 +9,7 @@
 
 namespace jauscat::esi {
 
-/// What has to stand in a required element or attribute.
+/// Required content of an element or attribute.
 enum class content : std::uint8_t {
     element,      ///< anything
     text,         ///< any text
@@ -23,9 +23,9 @@ enum class content : std::uint8_t {
 /// One required element, or attribute where the last step begins with @.
 struct requirement {
     std::string_view path{};   ///< below EtherCATInfo
-    content holds{};           ///< what must be in it
+    content holds{};           ///< required content
     bool if_parent{};          ///< required only in parents that are there; else one parent at least has to be there
-    std::string_view reason{}; ///< who says so
+    std::string_view reason{}; ///< source of the requirement
 };
 
 // clang-format off

@@ -1,4 +1,4 @@
-// How an ESI file writes numbers, bytes, names of data types and uses of SyncManagers.
+// Text form of numbers, bytes, data types and SyncManager uses in ESI files.
 #pragma once
 
 #include <jauscat/schema/ethercat/data_types.hpp>
@@ -115,7 +115,7 @@ inline std::string string_type(std::size_t characters) { return "STRING(" + std:
 inline std::optional<std::uint32_t> bits_of(std::string_view type) {
     for (const auto& [name, bits] : sized_types)
         if (type == name) return bits;
-    // What stands between `before` and `after` is the length, or the last index.
+    // The length, or the last index, is between `before` and `after`.
     const auto bytes = [&](std::string_view before, std::string_view after,
                            std::uint32_t more) -> std::optional<std::uint32_t> {
         if (!type.starts_with(before) || !type.ends_with(after) || type.size() <= before.size() + after.size())
@@ -130,7 +130,7 @@ inline std::optional<std::uint32_t> bits_of(std::string_view type) {
     return bytes("ARRAY [0..", "] OF BYTE", 1);
 }
 
-/// What stands in an element Sm, by use.
+/// Content of an Sm element, by use.
 inline constexpr std::array<std::pair<ethercat::sii_sync_manager_use, std::string_view>, 4> sync_manager_uses{
     {{ethercat::sii_sync_manager_use::mailbox_out, "MBoxOut"},
      {ethercat::sii_sync_manager_use::mailbox_in, "MBoxIn"},

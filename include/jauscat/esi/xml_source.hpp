@@ -1,4 +1,4 @@
-// An ESI document under inspection: its text, its elements, and errors that say file, line and element.
+// ESI document with its text, for errors with file, line and element.
 #pragma once
 
 #include <jauscat/esi/device.hpp>

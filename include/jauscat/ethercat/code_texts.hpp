@@ -1,4 +1,4 @@
-// One line of text for each code that a slave may report.
+// Text for the codes that a slave reports.
 #pragma once
 
 #include <jauscat/schema/ethercat/al_state.hpp>
@@ -147,17 +147,15 @@ template <class Code, std::size_t N>
 
 } // namespace detail
 
-/// Why a transfer was aborted. Unknown codes have a text too: print the number beside it.
+/// Unknown codes have a generic text; print the number beside it.
 [[nodiscard]] constexpr std::string_view describe(abort_code code) noexcept {
     return detail::text_of(detail::abort_texts, code, "unknown abort code");
 }
 
-/// Why a slave did not take a state.
 [[nodiscard]] constexpr std::string_view describe(al_status_code code) noexcept {
     return detail::text_of(detail::al_status_texts, code, "unknown AL status code");
 }
 
-/// Why a slave refused a mailbox message.
 [[nodiscard]] constexpr std::string_view describe(mailbox_error_code code) noexcept {
     return detail::text_of(detail::mailbox_error_texts, code, "unknown mailbox error");
 }

@@ -1,4 +1,4 @@
-// Puts datagrams into an Ethernet frame: more bits, lengths and padding are its business.
+// Builds an Ethernet frame of datagrams; sets "more" bits, lengths and padding.
 #pragma once
 
 #include <jauscat/ethercat/frame_errc.hpp>
@@ -19,7 +19,7 @@ inline constexpr std::size_t frame_header_size = wire::max_size<ethernet_header>
 /// Bytes that a datagram takes besides its data.
 inline constexpr std::size_t datagram_overhead = wire::max_size<datagram_header> + wire::max_size<datagram_trailer>;
 
-/// To every slave, from nobody: a link puts its own address in place of the zeros.
+/// Broadcast header. A link replaces the zero source address with its own.
 inline constexpr ethernet_header broadcast_ethernet_header = [] {
     ethernet_header header{};
     header.destination.fill(std::byte{0xFF});
@@ -64,7 +64,7 @@ class frame_builder {
 
     /// Adds a datagram that carries `length` zero bytes to be filled in, or to be replaced by what a slave reads.
     constexpr std::span<std::byte> add(command cmd, std::uint16_t adp, std::uint16_t ado, std::size_t length) noexcept {
-        // What does not fit the field is refused with the datagram that is too large for a frame.
+        // A length that does not fit the field is refused as too large for a frame.
         const auto checked = static_cast<std::uint16_t>(std::min(length, max_datagram_data + 1));
         const auto index = last_ == 0 ? index_ : next_index_;
         return add(datagram_header{.cmd = cmd, .index = index, .adp = adp, .ado = ado, .length = checked});

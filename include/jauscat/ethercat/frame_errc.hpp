@@ -1,4 +1,4 @@
-// What can be wrong with a frame, and its text.
+// Errors of frames.
 #pragma once
 
 #include <jauscat/wire/result.hpp>
@@ -8,7 +8,6 @@
 
 namespace jauscat::ethercat {
 
-/// Why a frame was not built or not accepted.
 enum class frame_errc : std::uint8_t {
     ok,
     too_short,           ///< the bytes end inside the Ethernet or the EtherCAT header

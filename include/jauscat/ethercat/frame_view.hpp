@@ -1,5 +1,4 @@
-// Checks a frame that came from outside and walks over its datagrams. Trusts the announced length, never the frame's
-// size.
+// Checks a received frame and iterates over its datagrams. Uses the announced length, not the frame's size.
 #pragma once
 
 #include <jauscat/ethercat/frame_builder.hpp>
@@ -15,7 +14,7 @@
 
 namespace jauscat::ethercat {
 
-/// One datagram of a frame. `Byte` is std::byte where a slave changes it in place.
+/// A datagram of a frame. `Byte` is not const where a slave changes it in place.
 template <class Byte> struct basic_datagram {
     datagram_header header{};
     std::uint16_t working_counter{};
@@ -64,7 +63,6 @@ template <class Byte> class basic_frame_view {
         return at + walked;
     }
 
-    /// Goes from datagram to datagram.
     class iterator {
       public:
         using value_type = basic_datagram<Byte>;

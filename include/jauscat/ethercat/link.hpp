@@ -1,4 +1,4 @@
-// What a master and a slave need from a medium, and all they know of it: whole Ethernet frames out and in.
+// Concept of a link: sends and receives whole Ethernet frames.
 #pragma once
 
 #include <chrono>

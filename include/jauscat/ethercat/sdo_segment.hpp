@@ -1,4 +1,4 @@
-// One segment of an SDO transfer, as both ends write and read it: downloads and uploads carry their data alike.
+// A segment of an SDO transfer. Downloads and uploads use the same format.
 #pragma once
 
 #include <jauscat/schema/ethercat/coe.hpp>

@@ -1,4 +1,4 @@
-// A log that others cannot flood: what strangers cause is told, but not a line for each of their datagrams.
+// Rate-limited log, so that unsolicited traffic cannot flood it.
 #pragma once
 
 #include <jauscat/net/rate_limit.hpp>

@@ -1,4 +1,4 @@
-// How many messages a peer may send: token buckets, and a table of them that does not grow with the number of senders.
+// Rate limits: token buckets, in a table of fixed size.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,7 @@ class token_bucket {
     time full_at_{time::min()}; ///< when it has all its tokens again
 };
 
-/// Who a bucket belongs to: 16 bytes, such as an IPv6 address.
+/// Key of a bucket: 16 bytes, such as an IPv6 address.
 using rate_key = std::array<std::uint64_t, 2>;
 
 /// A bucket for each of many senders, in a table of `Places` (a power of two, at least 8). A sender is looked for in 8

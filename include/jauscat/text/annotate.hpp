@@ -55,7 +55,7 @@ class annotating_trace : public wire::detail::decode_trace {
     [[nodiscard]] std::string text() && { return std::move(text_); }
 
   private:
-    // One member, whole, with bytes of its own: no structure, list or group, of which the parts have been told.
+    // A single member with bytes of its own: no structure, list or group.
     template <class Item> static constexpr bool is_leaf = Item::max_size != 0 && requires { Item::key; }
     &&!requires { typename Item::inner; }
     &&!requires { typename Item::gated_item; }

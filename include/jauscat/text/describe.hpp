@@ -1,4 +1,4 @@
-// From a schema to its structure at run time: the only part of the text floor that is compiled for each message.
+// Makes the run-time structure of a schema. The only part of text/ that is compiled for each message.
 #pragma once
 #include <jauscat/text/structure_forms.hpp>
 

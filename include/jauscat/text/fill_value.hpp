@@ -1,4 +1,4 @@
-// From what somebody wrote to one value of a message. Each function returns what is wrong, or nothing.
+// Fills one value of a message from parsed input. Each function returns an error text, or nothing.
 #pragma once
 #include <jauscat/text/scan.hpp>
 

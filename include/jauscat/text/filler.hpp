@@ -1,5 +1,5 @@
-// From what somebody wrote to a message, through its structure. Nothing is guessed: what is missing or makes no sense
-// is said. Counts, and flags that announce members of list elements, follow from what is there.
+// Fills a message from parsed input. Missing or invalid fields are errors. Counts and flags are derived from the
+// content.
 #pragma once
 #include <jauscat/text/fill_value.hpp>
 #include <jauscat/text/inconsistency.hpp>

@@ -1,4 +1,4 @@
-// Messages from what people type:
+// Parses messages from text:
 //
 //     set_wrench_effort propulsive_linear_effort_x=50 resistive_linear_effort_x=raw:51
 //     set_joint_motion pose[0].pose_time=2.5 pose[0].joint[0].joint_position=0.785 ...

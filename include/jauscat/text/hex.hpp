@@ -1,4 +1,4 @@
-// Bytes as people read them.
+// Hex dumps of bytes.
 #pragma once
 #include <algorithm>
 #include <cstddef>

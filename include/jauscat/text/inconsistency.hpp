@@ -1,4 +1,4 @@
-// Whether the members of a message agree that depend on each other across structures: counts, flags, type codes.
+// Checks members that depend on each other across structures: counts, flags, type codes.
 #pragma once
 #include <jauscat/text/structure.hpp>
 

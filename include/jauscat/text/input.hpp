@@ -1,5 +1,4 @@
-// What somebody wrote, before it meets a message: a tree of names, texts and lists. It comes from words like
-// `pose[1].pose_time=2.5` or from JSON.
+// Parsed input: a tree of names, texts and lists. It comes from words like `pose[1].pose_time=2.5` or from JSON.
 #pragma once
 #include <algorithm>
 #include <charconv>
@@ -11,7 +10,7 @@
 
 namespace jauscat::text {
 
-/// What was read of a message, as text or JSON, before it is known what belongs there.
+/// Input from text or JSON, not yet checked against a message.
 struct input {
     /// A leaf is a number, a word or a text.
     enum class kind : std::uint8_t { nothing, leaf, object, array };

@@ -1,4 +1,4 @@
-// What a confirmation packet says, as a line for people.
+// Text of a confirmation packet.
 #pragma once
 #include <jauscat/ethercat/hilscher/packet_status.hpp>
 #include <jauscat/text/hex.hpp>

@@ -1,4 +1,4 @@
-// JAUS time and date stamps as people write them.
+// Text form of JAUS time and date stamps.
 #pragma once
 #include <jauscat/schema/jaus/time_stamp.hpp>
 

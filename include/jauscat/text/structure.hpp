@@ -1,6 +1,6 @@
-// What a message looks like, at run time: names, units, limits and a way to each member, without the message's type.
-// Made from a schema once (see describe.hpp); what prints, parses or documents any message is written against it and
-// compiled once, not once for each of 158 messages.
+// Run-time description of a message: names, units, limits and access to each member, without its type. Made from a
+// schema once (see describe.hpp); what prints, parses or documents any message is written against it and compiled once,
+// not once for each of 158 messages.
 #pragma once
 #include <jauscat/wire/arena.hpp>
 
@@ -19,7 +19,6 @@ struct form;
 
 /// An integer of up to 64 bits; also enumerations, sets of flags and bool.
 struct integer_form {
-    /// What an integer stands for.
     enum class meaning : std::uint8_t { number, enumeration, flags, boolean };
     meaning what{};                            ///< what the integer stands for
     bool is_signed{};                          ///< in two's complement
@@ -76,7 +75,7 @@ struct packed_form {
     bool (*read)(void* value, std::string_view text){}; ///< the same notation back
 };
 
-/// A structure that is told as its bytes: a message inside a message.
+/// A structure shown as bytes: a message inside a message.
 struct encoded_form {
     std::vector<std::byte> (*encode)(const void* value){};     ///< empty where it does not encode
     bool (*decode)(void* value, std::span<const std::byte>){}; ///< may keep pointing at the bytes
@@ -93,7 +92,7 @@ struct list_form {
     void* (*resize)(void* list, std::size_t, wire::arena&){}; ///< the first of so many new elements; nullptr: no room
 };
 
-/// A member of the structure `owner`, by its id: the one that is being told or one around it.
+/// A member of the structure `owner`, by its id: the current one or an enclosing one.
 struct other_member {
     const void* owner{};     ///< nullptr: there is none
     std::string_view name{}; ///< of the member
@@ -108,7 +107,7 @@ struct tree_form {
     other_member children{}; ///< the node's member that counts them
 };
 
-/// What a tag of choice_form stands for.
+/// A case of choice_form.
 struct choice_case {
     std::uint64_t tag{};                     ///< the value that selects it
     const form* how{};                       ///< nullptr: the case has no value
@@ -120,7 +119,7 @@ struct choice_form {
     std::span<const choice_case> cases{}; ///< all of them
 };
 
-/// How a value is told.
+/// Text form of a value.
 struct form {
     std::variant<integer_form, real_form, scaled_form, octets_form, structure_form, packed_form, encoded_form,
                  list_form, tree_form, choice_form>
@@ -129,7 +128,7 @@ struct form {
 
 /// A member of a structure, in wire order.
 struct member {
-    /// What kind of member it is.
+    /// Kind of a member.
     enum class role : std::uint8_t {
         value,           ///< an ordinary member
         flag,            ///< a bool that only shows in the presence vector
@@ -150,14 +149,14 @@ struct member {
     other_member tag{};                            ///< the member that selects among a choice_form's cases
 };
 
-/// What a message or another structure is made of.
+/// Description of a message or another structure.
 struct structure {
     const void* id{};                  ///< the same for the same type
     std::string_view name{};           ///< of its type
     std::span<const member> members{}; ///< in wire order
 };
 
-/// What is being told: a structure with its value, and what is around it.
+/// A structure with its value, and the enclosing scope.
 struct scope {
     const void* id{};     ///< that of the structure
     const void* object{}; ///< the value

@@ -1,4 +1,4 @@
-// How structures, lists, trees and values of a type code are told.
+// Text forms of structures, lists, trees and selected values.
 #pragma once
 #include <jauscat/text/stamps.hpp>
 #include <jauscat/text/value_forms.hpp>

@@ -1,4 +1,4 @@
-// What somebody may have meant who wrote a name that does not exist.
+// Suggests the nearest name for an unknown one.
 #pragma once
 #include <algorithm>
 #include <cstddef>

@@ -136,7 +136,7 @@ requires requires { Item::name(); }
     } else if constexpr (requires { typename Item::codec_type::unit_type; }) {
         return to_text(value) + " " + std::string{Item::codec_type::unit_type::unit};
     } else if constexpr (Item::name() == "command_code" || Item::name() == "presence_vector") {
-        // Nobody reads these in decimal.
+        // Printed in hex.
         return hex_number(value, Item::max_size * 2);
     } else {
         return to_text(value);

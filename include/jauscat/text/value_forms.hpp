@@ -1,4 +1,4 @@
-// How single values are told: numbers, enumerations, flags, text and bytes, by member type and codec.
+// Text forms of single values: numbers, enumerations, flags, text and bytes, by member type and codec.
 #pragma once
 #include <jauscat/text/structure.hpp>
 #include <jauscat/text/value.hpp>

@@ -10,7 +10,7 @@
 
 namespace jauscat::translate {
 
-/// What stands in front of padded data: 2 bytes, little endian.
+/// Length prefix of padded data: 2 bytes, little endian.
 struct data_length {
     std::uint16_t bytes{}; ///< real bytes behind it; zeros fill the object up after them
 };

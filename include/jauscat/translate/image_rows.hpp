@@ -8,7 +8,7 @@
 namespace jauscat::translate {
 
 /// An optional element of the message, as the integer on the wire. Absent, it leaves the image's value as it was: the
-/// last one commanded. The way back it is there, unless `presence_bits` says that it is not.
+/// last one commanded. In reverse it is present, unless `presence_bits` says that it is absent.
 template <class From, class To> struct element {
     using uses = path_list<From>;
     using writes = path_list<To>;
@@ -22,7 +22,7 @@ template <class From, class To> struct element {
         From::of(message) = To::of(image);
         return errc::ok;
     }
-    /// What the element is while it is absent.
+    /// Sets the value of the element while it is absent.
     [[gnu::always_inline]] static constexpr void keep(const auto& image, auto& message) noexcept {
         check<std::remove_cvref_t<decltype(From::of(message))>>();
         From::of(message).keep(To::of(image));

@@ -9,7 +9,7 @@ namespace jauscat::translate {
 
 namespace detail {
 
-// A signed scaled field's lowest integer stands for no value; a raw decode lets it pass, an actuator must not get it.
+// The lowest integer of a signed scaled field is not legal. A raw decode accepts it; an actuator must not get it.
 template <class Item> inline constexpr bool is_signed_scaled = false;
 template <class Item>
 requires requires { typename Item::codec_type::raw_codec; }
@@ -65,7 +65,7 @@ template <class Table> struct image_translator {
         return fill<true>(body, image);
     }
 
-    /// Makes the body of the message that `image` says; returns its size. Errors: truncated, no_space, out_of_range,
+    /// Writes the body of the message in `image`; returns its size. Errors: truncated, no_space, out_of_range,
     /// reserved_value, wrong_packet (a constant has another value).
     JAUSCAT_FLATTEN static constexpr result from_image(std::span<const std::byte> image,
                                                        std::span<std::byte> body) noexcept {
@@ -76,7 +76,7 @@ template <class Table> struct image_translator {
         return size.size();
     }
 
-    /// The same, to go on with the message itself.
+    /// The same, as a message instead of its bytes.
     static constexpr errc read(std::span<const std::byte> image, image_message<message_type>& message) noexcept {
         image_type values{};
         if (!wire::decode_prefix(values, image)) return errc::truncated;

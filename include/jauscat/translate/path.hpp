@@ -25,7 +25,6 @@ template <auto Member> struct at<Member> {
 /// The fields that a row reads or fills.
 template <class... Paths> struct path_list {
     static constexpr std::size_t size = sizeof...(Paths);
-    /// How often `Path` is listed.
     template <class Path> static constexpr std::size_t count = (std::size_t{std::is_same_v<Path, Paths>} + ... + 0);
     template <auto Outer> using within = path_list<typename Paths::template within<Outer>...>;
     /// How many of these are in `Other` at least once.

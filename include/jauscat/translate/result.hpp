@@ -1,4 +1,4 @@
-// Why a translation was refused.
+// Errors of translation.
 #pragma once
 #include <jauscat/wire/result.hpp>
 

@@ -14,7 +14,7 @@
 
 namespace jauscat::translate {
 
-/// What the sizes of a message are, on both sides of the table.
+/// Sizes of a message on both sides of a table.
 struct sizes {
     std::size_t body{}; ///< bytes behind the JAUS header
     std::size_t data{}; ///< bytes of the packet's data: what `rest` keeps of the header, then the body
@@ -111,13 +111,13 @@ template <class From, class To, const auto& Codes> struct code_rank {
     }
 };
 
-/// One value on each side that mean the same.
+/// A pair of equivalent values.
 template <auto JausValue, std::uint32_t PacketValue> struct value_pair {
     static constexpr auto jaus_value = JausValue;
     static constexpr std::uint32_t packet_value = PacketValue;
 };
 
-/// Values that are spelt differently on the two sides; all others are reserved and refused.
+/// Maps values by pairs; all others are reserved and refused.
 template <class From, class To, class... Pairs> struct map_values {
     using uses = path_list<From>;
     using writes = path_list<To>;
@@ -146,7 +146,7 @@ template <class To, auto Value> struct constant {
     }
 };
 
-/// A packet field that is the caller's own, such as a packet number.
+/// A packet field that the caller sets, such as a packet number.
 template <class To> struct caller_set {
     using uses = path_list<>;
     using writes = path_list<To>;

@@ -57,7 +57,7 @@ template <class Used, class Within, auto Member> struct collect_rest<Used, Withi
     }
 };
 
-// What a row may be for a table, beside what it does to its fields.
+// Kinds of rows.
 struct states_body_size {
     template <class Row> static constexpr bool is = requires { typename Row::states_body_size; };
 };

@@ -11,7 +11,7 @@ namespace jauscat::wire {
 /// Never frees a single piece: reset() takes all of them back, and with them the lists of earlier messages.
 class arena {
   public:
-    /// Of memory that must outlive the decoded message.
+    /// `memory` must outlive the decoded messages.
     constexpr explicit arena(std::span<std::byte> memory) noexcept : memory_{memory} {}
 
     /// `count` default values of `T`, or nullptr where no room is left.

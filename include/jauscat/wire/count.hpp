@@ -1,4 +1,4 @@
-// How many: what a list, a string or a run of bytes takes its length from.
+// Counts and lengths of lists, strings and bytes.
 #pragma once
 #include <jauscat/wire/layout.hpp>
 
@@ -54,7 +54,7 @@ template <label Name, codec Codec> struct count {
 };
 
 namespace detail {
-/// What counts that stand elsewhere have in common. `Less` is what the count is smaller by.
+/// Base of counts that are members elsewhere. `Less` is what the count is smaller by.
 template <std::size_t Less, auto... Path> struct count_elsewhere {
     static constexpr std::size_t prefix_size = 0;
     static constexpr bool contextual = true;

@@ -1,4 +1,4 @@
-// From bytes to a value.
+// Decodes messages.
 #pragma once
 #include <jauscat/wire/layout.hpp>
 

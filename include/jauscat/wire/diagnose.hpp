@@ -1,5 +1,5 @@
-// The long answer to a failed encode or decode: which field, of which element, at which byte, and what was wrong. The
-// same layouts walk again, this time watched, so that the hot path carries nothing but an error code.
+// Explains a failed encode or decode: field, element, byte and cause. It repeats the walk with a trace, so that the hot
+// path returns only an error code.
 #pragma once
 #include <jauscat/wire/bit_fields.hpp>
 #include <jauscat/wire/decode.hpp>
@@ -17,7 +17,7 @@ struct diagnosis_step {
     friend constexpr bool operator==(const diagnosis_step&, const diagnosis_step&) = default;
 };
 
-/// Where and why an operation failed.
+/// Position and cause of a failure.
 struct diagnosis {
     errc error{};
     std::string_view
@@ -71,7 +71,7 @@ class decode_trace : public path_trace {
     [[nodiscard]] constexpr bool passes(errc error) const noexcept { return wanted_ != errc::ok && error != wanted_; }
 
     template <class Item> constexpr bool reach(const auto&, const std::byte* at) noexcept {
-        // What has parts is checked part by part.
+        // Items with parts are checked part by part.
         constexpr bool whole = fixed_item<Item> && !requires { typename Item::inner; };
         return reach_bytes(item_label<Item>(), at, whole ? Item::min_size : 0);
     }
@@ -143,7 +143,7 @@ template <message T> constexpr in_cursor decode_traced(T& value, std::span<const
     return layout_of<T>::get(value, {in.data(), 0}, object_scope{value, root});
 }
 
-/// What `decode` says to `in` when it has memory enough.
+/// The error of `decode` with enough memory.
 template <message T> constexpr errc decode_error(std::span<const std::byte> in) noexcept {
     using root = std::conditional_t<needs_memory<T>, discarding_root, plain_root>;
     T scratch{};
@@ -152,8 +152,8 @@ template <message T> constexpr errc decode_error(std::span<const std::byte> in) 
 
 } // namespace detail
 
-/// Why `decode` refuses `in`: its error, and the first field in wire order that has this fault. `error` is ok when the
-/// bytes are not to blame (arena_full is a matter of memory).
+/// Explains the error of `decode` for `in`: the first field in wire order with that error. `error` is ok when the bytes
+/// are valid (arena_full depends on the memory).
 template <message T> [[nodiscard]] constexpr diagnosis diagnose(std::span<const std::byte> in) noexcept {
     const errc error = detail::decode_error<T>(in);
     if (error == errc::ok) return {};
@@ -166,7 +166,7 @@ template <message T> [[nodiscard]] constexpr diagnosis diagnose(std::span<const 
     return {.error = error, .offset = in.size() - left, .available = left};
 }
 
-/// Why `encode` refuses to write `value` into `space` bytes; `error` is ok when it does not.
+/// Explains the error of `encode` for `value` and `space` bytes; `error` is ok without one.
 template <message T>
 [[nodiscard]] constexpr diagnosis diagnose(const T& value, std::size_t space = unbounded) noexcept {
     const std::size_t needed = encoded_size(value);

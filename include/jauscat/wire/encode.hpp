@@ -1,4 +1,4 @@
-// From a value to bytes.
+// Encodes messages.
 #pragma once
 #include <jauscat/wire/layout.hpp>
 

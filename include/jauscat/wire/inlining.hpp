@@ -1,5 +1,4 @@
-// How the parts of a layout fold into the message they are part of, so that offsets become constants and only whole
-// messages cost a call.
+// Inlines the parts of a layout into the message, so that offsets become constants and only whole messages are calls.
 //
 // GCC folds from the message down: measured, all messages of RA 3.3 compile in 12 s instead of 15 s than when each part
 // asks for it, and take less code. Clang's flatten reaches only one level down, so there each part asks.

@@ -1,4 +1,4 @@
-// What the parts of a layout have in common: where encoding and decoding stand, and how an item meets a value.
+// Base of all items: cursors, keys, sizes.
 //
 // An item describes some consecutive bytes and the members they carry. It offers
 //   keys                      the member pointers it carries, in wire order
@@ -21,14 +21,14 @@
 
 namespace jauscat::wire {
 
-/// Where encoding stands, and whether it has failed.
+/// Position and error of encoding.
 struct out_cursor {
     std::byte* at;
     errc error;
 };
 
-/// Where decoding stands. `slack` counts the bytes beyond the layout's minimum: only variable items spend it, so a
-/// fixed field is never checked twice. A null pointer says that decoding failed; `slack` then holds the errc.
+/// Position of decoding. `slack` counts the bytes beyond the layout's minimum: only variable items spend it, so a fixed
+/// field is never checked twice. A null pointer says that decoding failed; `slack` then holds the errc.
 struct in_cursor {
     const std::byte* at;
     std::size_t slack;
@@ -84,7 +84,7 @@ inline constexpr bool takes_rest<Item> = Item::to_the_end;
 
 template <class Item> concept fixed_item = Item::min_size == Item::max_size && !is_contextual<Item>;
 
-/// What a std::optional member holds, or the member itself.
+/// The value in a std::optional member, or the member itself.
 JAUSCAT_INLINE constexpr auto& value_of(auto& member) noexcept {
     if constexpr (requires { member.has_value(); })
         return *member;
@@ -112,7 +112,7 @@ template <auto Member> constexpr auto& member_of(auto& object) noexcept {
     return object.*place_in<decltype(object), Member>;
 }
 
-/// What a view reads: real values, or the integers on the wire.
+/// Mode of a view: real values, or the integers on the wire.
 enum class reading { real, raw };
 
 namespace detail {

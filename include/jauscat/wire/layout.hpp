@@ -13,7 +13,7 @@ namespace jauscat::wire {
 /// Specialise for a message: `template <> struct schema<T> { using type = layout<...>; };`
 template <class T> struct schema;
 
-/// What a trace calls an item: its own name, or that of the first member it carries.
+/// Name of an item in a trace: its own, or that of its first member.
 template <class Item> consteval std::string_view item_label() {
     if constexpr (requires { Item::name(); }) {
         return Item::name();
@@ -39,7 +39,7 @@ JAUSCAT_INLINE constexpr void write(out_cursor& c, [[maybe_unused]] const auto& 
         if (c.error == errc::ok) c.at += Size;
     }
 }
-/// Tells a trace that an integer which no member carries comes next: a presence vector, a count.
+/// Notifies a trace of an integer without a member: a presence vector, a count.
 template <codec Codec>
 JAUSCAT_INLINE constexpr bool reach_number([[maybe_unused]] std::string_view name, [[maybe_unused]] const std::byte* at,
                                            [[maybe_unused]] const auto& here) noexcept {
@@ -48,7 +48,7 @@ JAUSCAT_INLINE constexpr bool reach_number([[maybe_unused]] std::string_view nam
     else
         return true;
 }
-/// Tells a trace that it goes into a structure, to an element of a list, and out again.
+/// Notifies a trace of entering a structure or an element, and of leaving it.
 template <class Item> JAUSCAT_INLINE constexpr void enter([[maybe_unused]] const auto& here) noexcept {
     if constexpr (traced<decltype(here)>) root_of(here).tracer.template enter<Item>();
 }

@@ -29,7 +29,7 @@ template <class T> struct optional_value<std::optional<T>> {
 };
 
 struct any_member {
-    // Only asked whether it would do, never called; clang wants a body where T has no linkage.
+    // Only used in requires-expressions, never called; clang requires a body if T has no linkage.
     template <class T> operator T() const noexcept { __builtin_unreachable(); }
 };
 template <class T, std::size_t... I> consteval bool takes(std::index_sequence<I...>) {
@@ -48,8 +48,8 @@ namespace detail {
 template <auto Member> consteval std::string_view spelling_of() {
     return __PRETTY_FUNCTION__; // "... [with auto Member = &a::b::c; ...]" or "... [Member = &a::b::c]"
 }
-// What stands before and behind the pointer is the same for all of them; to search every spelling for it took a tenth
-// of the time to compile all messages.
+// Prefix and suffix are the same for all pointers; searching each spelling took a tenth of the compile time of all
+// messages.
 struct sample {
     int member;
 };

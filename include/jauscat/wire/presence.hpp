@@ -8,7 +8,7 @@
 
 namespace jauscat::wire {
 
-/// What a presence vector does with bits that its layout does not define.
+/// Handling of presence bits that the layout does not define.
 enum class unknown_bits {
     refused,  ///< errc::unknown_presence_bit
     tolerated ///< dropped, with all bytes to the end of the body, where later editions append their fields
@@ -20,7 +20,7 @@ inline constexpr std::uint64_t low_bits = Count == 0 ? 0 : ~std::uint64_t{} >> (
 
 inline constexpr std::size_t always_there = ~std::size_t{};
 
-// What each four bits of a presence vector add to a message's size; `Sizes` are those of its items, or always_there.
+// Size that each four bits of a presence vector add to a message; `Sizes` are those of its items, or always_there.
 // Tables, because a population count is a call where the target has no instruction for it, as on x86-64 by default.
 // Keyed by sizes, so that messages of the same shape share them.
 template <std::size_t... Sizes>

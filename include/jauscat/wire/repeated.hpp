@@ -30,7 +30,7 @@ template <class T, std::size_t Capacity> struct list_traits<inline_list<T, Capac
     static constexpr std::size_t capacity = Capacity;
 };
 
-/// How single values are written and read in a list.
+/// Elements that are single values.
 template <class Codec, bool Raw> struct value_form {
     using used = wire::codec_in_mode<Codec, Raw>;
     static constexpr std::size_t min_size = Codec::size, max_size = Codec::size;
@@ -101,7 +101,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
     static constexpr bool optional = is_optional_member<Member>;
     static constexpr bool of_records = std::is_same_v<Element, record>;
 
-    /// How an element stands in the bytes.
+    /// Form of an element in the bytes.
     template <bool Raw, class Value> struct form_of { using type = detail::record_form<Value>; };
     /// The same for lists of values.
     template <bool Raw, class Value>

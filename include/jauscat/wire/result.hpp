@@ -1,4 +1,4 @@
-// What every operation of the codec returns: a size or a reason, in four bytes.
+// Result of codec operations: a size or an error, in four bytes.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace jauscat::wire {
 
-/// Why an encode or decode was refused. `ok` is zero, as in every error enumeration of this library.
+/// `ok` is zero, as in every error enumeration of this library.
 enum class errc : std::uint8_t {
     ok,
     truncated,            ///< the bytes end before the layout does

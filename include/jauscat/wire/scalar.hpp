@@ -55,8 +55,8 @@ template <std::integral T, boost::endian::order Order> struct integer {
     }
 };
 
-/// What the bits of a carrier are shifted and masked in. Unsigned and not narrower than int: promotions to int and cuts
-/// back to 8 or 16 bits were measured to cost an instruction or two for each bit-field.
+/// Integer type for shifting and masking the bits of a carrier. Unsigned and not narrower than int: promotions to int
+/// and cuts back to 8 or 16 bits were measured to cost an instruction or two for each bit-field.
 template <codec Carrier>
 using word_for = std::conditional_t<(sizeof(typename Carrier::value_type) > 4), std::uint64_t, std::uint32_t>;
 

@@ -1,4 +1,4 @@
-// The vocabulary that a schema is declared with.
+// All headers needed to declare a schema.
 #pragma once
 #include <jauscat/wire/bit_fields.hpp>
 #include <jauscat/wire/bit_set.hpp>

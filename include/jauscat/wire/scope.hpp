@@ -1,6 +1,5 @@
-// Where an item can look beyond its own bytes: at members of the structures around it (a count, a type code, a flag
-// that stand elsewhere), at the memory for lists, at a trace. Passed along by reference to functions that are forced
-// inline, so a layout that asks for none of it pays for none of it.
+// Scope of an item: the enclosing structures (for counts, tags and flags elsewhere), the arena for lists, the trace.
+// Passed by reference to functions that are forced inline; unused parts cost nothing.
 #pragma once
 #include <jauscat/wire/arena.hpp>
 #include <jauscat/wire/item.hpp>

@@ -78,7 +78,7 @@ template <> struct case_form<std::monostate> {
 template <class T> inline constexpr bool is_variant = false;
 template <class... T> inline constexpr bool is_variant<std::variant<T...>> = true;
 
-/// What is done with a value of the type `Value` by its tag. For all members with the same cases, and out of line: a
+/// Operations on a value of the type `Value`, by its tag. For all members with the same cases, and out of line: a
 /// payload's interface has three values of 22 cases each. A structure in a case looks at nothing around it.
 template <class Value, bool Raw, class... Cases> struct case_table {
     static constexpr std::size_t min_size = std::min({case_form<typename Cases::form>::min_size...});

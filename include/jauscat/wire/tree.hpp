@@ -5,7 +5,7 @@
 
 namespace jauscat::wire {
 
-/// How deep a walk over nodes, depth first, stands; `MaxDepth` levels, the root's included.
+/// Depth of a depth-first walk over nodes; `MaxDepth` levels, the root's included.
 template <std::size_t MaxDepth> class tree_walk {
   public:
     /// A node with `children` is passed. False when it lies deeper than allowed.

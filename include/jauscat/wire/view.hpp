@@ -8,8 +8,8 @@
 
 namespace jauscat::wire {
 
-/// Looks at the bytes of a `T`, which must outlive it. Construction checks that the structure is complete, so that
-/// reading cannot leave the bytes; it does not look at values.
+/// Reads the bytes of a `T`, which must outlive it. Construction checks that the structure is complete, so that reading
+/// cannot leave the bytes; it does not look at values.
 ///
 ///     wire::view<set_wrench_effort> message{body};
 ///     if (!message) return message.error();
@@ -103,7 +103,6 @@ template <class Item, class Outer> class list_view {
     constexpr list_view(const std::byte* first, std::size_t size, const Outer& outer) noexcept
         : first_{first}, size_{size}, outer_{outer} {}
 
-    /// Goes from element to element, without decoding them.
     class iterator {
       public:
         using value_type = decltype(detail::element_at<Item>(nullptr, std::declval<const Outer&>()));

@@ -1,5 +1,5 @@
-// Packets that ask what a slave's dictionary holds. The slave's answers are read into the confirmation, to where their
-// variable part has its place.
+// Packets that read a slave's object dictionary by SDO information. The slave's answers are read into the confirmation,
+// to where their variable part has its place.
 #pragma once
 
 #include <jauscat/ethercat/hilscher/packet_service.hpp>

@@ -1,4 +1,4 @@
-// One request packet executed by the master instead of by the card that the packet is made for.
+// Executes a request packet of a Hilscher card with the master.
 #pragma once
 
 #include <jauscat/ethercat/hilscher/packet_emergencies.hpp>
@@ -68,7 +68,7 @@ class packet_job {
         return std::visit([&](auto& service) { return confirm(service, result); }, service_);
     }
 
-    /// The first of the master's jobs that failed, or the last one, as `next` has been told: a status says less.
+    /// Result of the first failed job of the master, or of the last job. It has more detail than the status.
     [[nodiscard]] const outcome& result() const noexcept { return result_; }
 
   private:

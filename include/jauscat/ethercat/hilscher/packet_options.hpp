@@ -1,4 +1,4 @@
-// What a user can choose about the execution of packets, because the packets cannot say it.
+// Options for the execution of packets that the packets do not carry.
 #pragma once
 
 #include <jauscat/ethercat/master/sdo_options.hpp>
@@ -13,16 +13,15 @@ namespace jauscat::ethercat {
 struct bus_slave {
     std::uint16_t position{};  ///< in the ring, from 0
     std::uint16_t station{};   ///< its station address, ulNodeId of the packets
-    identity_check identity{}; ///< what it has to be
+    identity_check identity{}; ///< the required identity
 };
 
-/// How packets are executed.
+/// Options for the execution of packets.
 struct packet_options {
-    /// How downloads are made.
     download_options download{};
-    /// What a card's configuration would say: the slaves of the bus, at most 16. Without it the bus consists of the
-    /// slaves that the master has brought up, or that a bus scan has found: they are then stations 1, 2, 3 in the order
-    /// of the ring. Stays in place while a packet is executed.
+    /// The slaves of the bus, at most 16, as in a card's configuration. Without it the bus consists of the slaves that
+    /// the master has brought up, or that a bus scan has found: they are then stations 1, 2, 3 in the order of the
+    /// ring. Stays in place while a packet is executed.
     std::span<const bus_slave> slaves{};
     /// Refuses headers that a card would not take: an ulDest other than 20h or a channel, 1 to 4 (unknown_destination),
     /// an ulDestId (unknown_destination_id), a place in a sequence in ulExt (invalid_extension). Not for packets of the

@@ -1,4 +1,4 @@
-// What the services behind the packets have in common: how they go on, and where packets lie.
+// Base of the services that execute packets.
 #pragma once
 
 #include <jauscat/ethercat/hilscher/packet_options.hpp>
@@ -21,7 +21,7 @@ namespace jauscat::ethercat {
 struct packet_io {
     std::span<const std::byte> request{};
     std::span<std::byte> confirmation{};
-    packet_options options{}; ///< how it is executed
+    packet_options options{}; ///< options of the execution
 
     /// The confirmation's bytes from `offset` on.
     [[nodiscard]] std::span<std::byte> room(std::size_t offset) const noexcept {
@@ -29,7 +29,7 @@ struct packet_io {
     }
 };
 
-/// Where a service stands: a job of the master runs; or it has ended, with this status.
+/// State of a service: a job of the master is running, or the service has ended with `status`.
 struct service_step {
     bool runs{};
     hilscher::packet_status status{};
@@ -60,7 +60,7 @@ template <class Request, class Confirmation, std::size_t Repeated = 0> struct pa
     static constexpr std::size_t repeated = Repeated;
     /// Least ulLen of a request.
     static constexpr std::size_t least_length = wire::max_size<Request> - head_size;
-    /// One job of the master is all, and its outcome is the service's.
+    /// The service consists of one job.
     static constexpr bool one_job = true;
 
     Request asked{};
@@ -95,7 +95,7 @@ struct packet_coe_service : packet_service<Request, Confirmation, Repeated> {
     }
 
   protected:
-    /// What is wrong with the address that a request names; `ok` if nothing is.
+    /// Checks the address of a request; `ok` or the error.
     [[nodiscard]] hilscher::packet_status check_target() const noexcept {
         using hilscher::packet_status;
         if (asked.ul_node_id > 0xFFFF) return packet_status::coe_invalid_slave_id;
@@ -105,7 +105,7 @@ struct packet_coe_service : packet_service<Request, Confirmation, Repeated> {
             if (asked.ul_sub_index > 0xFF) return packet_status::invalid_parameter;
         return packet_status::ok;
     }
-    // What has been checked by check_target.
+    // The station address that check_target has found.
     [[nodiscard]] std::uint16_t station() const noexcept { return static_cast<std::uint16_t>(asked.ul_node_id); }
     [[nodiscard]] std::uint16_t index() const noexcept { return static_cast<std::uint16_t>(asked.ul_index); }
     [[nodiscard]] std::uint8_t subindex() const noexcept { return static_cast<std::uint8_t>(asked.ul_sub_index); }

@@ -1,4 +1,4 @@
-// How an SDO service ended, in the terms of the packets (ulSta), of the slave (abort code) and of our master.
+// Maps the results of SDO services: packet status (ulSta), abort code, error of the master.
 #pragma once
 
 #include <jauscat/ethercat/master/master_errc.hpp>
@@ -52,7 +52,7 @@ inline constexpr status_of_meaning<abort_code> abort_statuses[]{
     {abort_code::no_dictionary, packet_status::sdo_abort_no_dictionary},
 };
 
-// What our master reports of its own. Errors that no status names become `fail`.
+// Statuses of the master's errors. Errors without a status become `fail`.
 inline constexpr status_of_meaning<master_errc> master_statuses[]{
     {master_errc::ok, packet_status::ok},
     {master_errc::not_sent, packet_status::no_link},
@@ -88,13 +88,13 @@ template <class Meaning, std::size_t N>
 
 } // namespace detail
 
-/// The status that stands for a slave's abort. Codes that have none, such as 06010003h, share sdo_abort_unknown.
+/// The status of an abort code; sdo_abort_unknown for codes without one, such as 06010003h.
 [[nodiscard]] constexpr packet_status status_of(ethercat::abort_code code) noexcept {
     if (code == ethercat::abort_code::none) return packet_status::ok;
     return detail::status_for(detail::abort_statuses, code, packet_status::sdo_abort_unknown);
 }
 
-/// The status that stands for the end of a master's job.
+/// The status of a job's outcome.
 [[nodiscard]] constexpr packet_status status_of(const ethercat::outcome& result) noexcept {
     if (result.error == ethercat::master_errc::sdo_abort || result.error == ethercat::master_errc::clear_refused)
         return result.detail == 0 ? packet_status::sdo_abort_unknown
@@ -102,14 +102,14 @@ template <class Meaning, std::size_t N>
     return detail::status_for(detail::master_statuses, result.error, packet_status::fail);
 }
 
-/// The abort code that a status stands for; `none` for sdo_abort_unknown and for whatever is no abort by the slave.
+/// The abort code of a status; `none` for sdo_abort_unknown and for statuses that are no abort.
 [[nodiscard]] constexpr ethercat::abort_code abort_of(packet_status status) noexcept {
     using pair = detail::status_of_meaning<ethercat::abort_code>;
     const auto found = std::ranges::find(detail::abort_statuses, status, &pair::status);
     return found != std::end(detail::abort_statuses) ? found->meaning : ethercat::abort_code::none;
 }
 
-/// What a confirmation's ulSta means, in one line. Unknown codes have a text too: print the number beside it.
+/// Unknown codes have a generic text; print the number beside it.
 [[nodiscard]] constexpr std::string_view describe(packet_status status) noexcept {
     if (const auto code = abort_of(status); code != ethercat::abort_code::none) return ethercat::describe(code);
     switch (status) {

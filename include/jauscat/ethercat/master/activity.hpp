@@ -1,4 +1,4 @@
-// What the master's state machines share: times, and results of a step.
+// Configuration of the master, results of a step of its state machines, timeouts.
 #pragma once
 
 #include <jauscat/ethercat/frame_view.hpp>
@@ -14,13 +14,13 @@ namespace jauscat::ethercat {
 /// Time since any epoch, as the caller counts it.
 using time_point = std::chrono::nanoseconds;
 
-/// How long a master waits, and how often it tries.
+/// Timeouts and retries of the master.
 struct master_config {
     /// A frame that is not back by now is lost, and asked for again.
     std::chrono::nanoseconds frame_timeout{std::chrono::milliseconds{20}};
-    /// The longest time that a frame can be under way. After a frame was lost, something else is sent only when it
-    /// cannot arrive any more: a slave that gets a mailbox message after its successor executes it again, because it
-    /// compares only with the last counter.
+    /// The longest time that a frame can be in transit. After a lost frame the next one is sent only after this time: a
+    /// slave that gets a mailbox message after its successor executes it again, because it compares only with the last
+    /// counter.
     std::chrono::nanoseconds frame_lifetime{std::chrono::milliseconds{20}};
     /// The link may deliver a frame twice, as an IP network may. Each frame is then given its lifetime, answered or
     /// not, which makes a transfer slow: leave it off on a wire.
@@ -34,7 +34,7 @@ struct master_config {
     std::uint32_t logical_base{}; ///< where the process image begins; give the same to process_data
 };
 
-/// How a state machine goes on after a reply.
+/// Next action of a state machine.
 enum class progress : std::uint8_t {
     send, ///< the next frame at once
     wait, ///< the next frame after the poll interval

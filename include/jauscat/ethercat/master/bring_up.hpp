@@ -1,5 +1,5 @@
-// Takes one slave from any state to PRE-OP: station address, what the SII says of identity and mailbox, SyncManagers 0
-// and 1, state. Reads only the SII words it needs: 24 frames where a read gives 4 bytes, 18 where it gives 8.
+// Takes one slave from any state to PRE-OP: station address, identity and mailbox from the SII, SyncManagers 0 and 1,
+// state. Reads only the SII words it needs: 24 frames where a read gives 4 bytes, 18 where it gives 8.
 #pragma once
 
 #include <jauscat/ethercat/frame_builder.hpp>
@@ -31,7 +31,7 @@ class bring_up {
         slave_.station = station;
     }
 
-    /// What was found; whole once it is done without error.
+    /// The record of the slave; complete when the bring-up is done without error.
     [[nodiscard]] const slave_record& slave() const noexcept { return slave_; }
     [[nodiscard]] const outcome& result() const noexcept { return result_; }
 
@@ -129,7 +129,7 @@ class bring_up {
         return progress::done;
     }
 
-    // A part of the work goes on, has failed, or is done.
+    // Handles the progress of a part.
     progress finish(const auto& part, progress after) noexcept {
         if (after != progress::done) return after;
         if (result_ = part.result(); !result_) return progress::done;

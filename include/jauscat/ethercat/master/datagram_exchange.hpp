@@ -1,4 +1,4 @@
-// One datagram of the caller's choice: a register, some memory, a broadcast.
+// Exchange of one datagram given by the caller.
 #pragma once
 
 #include <jauscat/ethercat/frame_builder.hpp>
@@ -14,7 +14,7 @@ namespace jauscat::ethercat {
 class datagram_exchange {
   public:
     datagram_exchange() noexcept = default;
-    /// One datagram; `data` is what is sent, and is overwritten by what comes back.
+    /// `data` is sent, and overwritten with the reply.
     datagram_exchange(command cmd, std::uint16_t adp, std::uint16_t ado, std::span<std::byte> data) noexcept
         : cmd_{cmd}, adp_{adp}, ado_{ado}, data_{data} {}
 

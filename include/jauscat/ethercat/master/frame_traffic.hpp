@@ -1,5 +1,4 @@
-// The frames of a master, one under way at a time: when the next one may go, whether what arrives is its reply, when it
-// is lost, and the counts of all that.
+// Sends one frame at a time: timing, matching of replies, loss, statistics.
 #pragma once
 
 #include <jauscat/ethercat/master/activity.hpp>
@@ -12,7 +11,7 @@
 
 namespace jauscat::ethercat {
 
-/// What a master has seen on its link, in frames.
+/// Frame statistics of a master.
 struct master_statistics {
     std::uint64_t sent{};
     std::uint64_t received{};   ///< replies that were waited for
@@ -22,13 +21,12 @@ struct master_statistics {
     std::uint64_t circulated{}; ///< replies that a slave without a link to the master has marked: the ring is broken
 };
 
-/// Knows nothing of what is in the frames: a master asks it before it sends, and tells it what it has sent.
+/// Does not look into frames. The master asks before it sends, and reports what it has sent.
 class frame_traffic {
   public:
     /// With the times and the retries of `config`.
     explicit frame_traffic(const master_config& config) noexcept : config_{config} {}
 
-    /// What it was made with.
     [[nodiscard]] const master_config& config() const noexcept { return config_; }
     [[nodiscard]] const master_statistics& statistics() const noexcept { return statistics_; }
 
@@ -85,7 +83,7 @@ class frame_traffic {
         repeats_ = repeats;
         return ++losses_ <= config_.retries;
     }
-    /// The reply, if there is one to come, is not wanted any more, and may arrive all the same.
+    /// Cancels the outstanding frame. Its reply may still arrive, and is ignored.
     void give_up() noexcept {
         if (!outstanding_.waits()) return;
         unsettled_until_ = outstanding_.sent_at() + config_.frame_lifetime;

@@ -1,6 +1,6 @@
-// Carries one request to a slave's mailbox and waits for its answer, if it has one: counter, full mailbox, polling,
-// lost frames. The read of the reply mailbox is its own poll: a working counter of 0 says that nothing is there yet, so
-// that an exchange with a slave that is quick takes two frames.
+// Writes one request to a slave's mailbox and reads the reply, if any: counter, mailbox full, polling, lost frames.
+// Reading the reply mailbox is the poll: a working counter of 0 means that it is empty. With a fast slave an exchange
+// takes two frames.
 #pragma once
 
 #include <jauscat/ethercat/frame_builder.hpp>

@@ -94,8 +94,8 @@ class master {
         return true;
     }
 
-    /// Asks a slave for its AL status and whether mail waits, in one frame; both are in its record then. Errors:
-    /// wrong_station, duplicate_station, working_counter (no slave has the address any more).
+    /// Reads a slave's AL status and whether its mailbox is full, in one frame, into its record. Errors: wrong_station,
+    /// duplicate_station, working_counter (no slave has the address).
     [[nodiscard]] bool check(std::uint16_t station) noexcept {
         if (!begin(job::check)) return false;
         if (!choose(station)) return true;
@@ -125,11 +125,12 @@ class master {
     [[nodiscard]] bool list_objects(std::uint16_t station, object_list_type list, std::span<std::byte> into) noexcept {
         return ask(station, sdo_information::list(list, into));
     }
-    /// What an object is: its object_answer and name to `into`. Errors: as above.
+    /// Reads the description of an object: object_answer and name, to `into`. Errors: as above.
     [[nodiscard]] bool describe_object(std::uint16_t station, std::uint16_t index, std::span<std::byte> into) noexcept {
         return ask(station, sdo_information::object(index, into));
     }
-    /// What an entry is: its entry_answer, the values that `value_info` asks for, and name to `into`. Errors: as above.
+    /// Reads the description of an entry: entry_answer, the values selected by `value_info`, and name, to `into`.
+    /// Errors: as above.
     [[nodiscard]] bool describe_entry(std::uint16_t station, std::uint16_t index, std::uint8_t subindex,
                                       std::uint8_t value_info, std::span<std::byte> into) noexcept {
         return ask(station, sdo_information::entry({index, subindex, value_info}, into));
@@ -161,9 +162,8 @@ class master {
 
     /// Whether no job runs, so that one may be started.
     [[nodiscard]] bool idle() const noexcept { return job_ == job::none; }
-    /// How the last job ended.
+    /// Result of the last job.
     [[nodiscard]] const outcome& result() const noexcept { return result_; }
-    /// The slaves that have been brought up.
     [[nodiscard]] std::span<const slave_record> slaves() const noexcept { return slaves_.all(); }
     /// The record of a slave; none if it has not been brought up.
     [[nodiscard]] const slave_record* find(std::uint16_t station) const noexcept { return slaves_.find(station); }
@@ -235,7 +235,7 @@ class master {
         change_state,
         check,
         datagram,
-        // From here on by mailbox.
+        // The steps from here on use the mailbox.
         collect,
         information,
         sdo,
@@ -333,7 +333,7 @@ class master {
             ended_ = result;
             if (!transfer_.is_open()) return transfer_complete();
             unfinished = transfer_.abort_message();
-            // A slave that was reset, or takes no mail, is told so before the next transfer.
+            // To a slave that is not reachable, or whose mailbox is full, the abort is sent before the next transfer.
             const bool reachable =
                 result.error != master_errc::working_counter && result.error != master_errc::mailbox_full;
             return reachable ? start(job::abort) : transfer_complete();

@@ -1,4 +1,4 @@
-// How a master's work ends: done, or one error with the code that the slave gave.
+// Errors and results of the master.
 #pragma once
 
 #include <jauscat/ethercat/code_texts.hpp>
@@ -9,14 +9,14 @@
 
 namespace jauscat::ethercat {
 
-/// Why a bring-up or a transfer failed. The comment says what `outcome::detail` holds, if anything.
+/// Each comment says what `outcome::detail` holds, if anything.
 enum class master_errc : std::uint8_t {
     ok,
     busy,              ///< another job runs: this one was not started
     not_sent,          ///< the link did not take a frame
     no_reply,          ///< frames do not come back
     timeout,           ///< the caller's deadline passed
-    no_slave,          ///< nobody at that position; detail: number of slaves found
+    no_slave,          ///< no slave at that position; detail: number of slaves found
     wrong_station,     ///< no slave has that station address; detail: the address
     duplicate_station, ///< several slaves answer to one address; detail: how many
     working_counter,   ///< the slave did not execute a command; detail: the working counter
@@ -91,7 +91,7 @@ enum class master_errc : std::uint8_t {
     return "unknown error";
 }
 
-/// How a job of the master ended.
+/// Result of a job of the master.
 struct [[nodiscard]] outcome {
     master_errc error{};
     std::uint32_t detail{}; ///< see master_errc; of a datagram without error, its working counter
@@ -101,7 +101,7 @@ struct [[nodiscard]] outcome {
     friend constexpr bool operator==(const outcome&, const outcome&) = default;
 };
 
-/// What the slave gave as its reason, in one line; empty where the error itself says all.
+/// The reason given by the slave; empty if there is none.
 [[nodiscard]] constexpr std::string_view describe_detail(const outcome& result) noexcept {
     switch (result.error) {
     case master_errc::al_error: return describe(static_cast<al_status_code>(result.detail));

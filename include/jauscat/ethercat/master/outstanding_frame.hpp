@@ -1,4 +1,4 @@
-// Remembers what was sent until it comes back, and knows its reply from any other frame.
+// The frame that awaits its reply, and the check whether a received frame is that reply.
 #pragma once
 
 #include <jauscat/ethercat/frame_view.hpp>
@@ -21,7 +21,7 @@ template <std::size_t Capacity> class outstanding_frame {
     [[nodiscard]] bool waits() const noexcept { return waits_; }
     /// When the frame was sent.
     [[nodiscard]] time_point sent_at() const noexcept { return sent_at_; }
-    /// Its reply is not wanted any more, but may still come.
+    /// Cancels the frame; a late reply is ignored.
     void forget() noexcept {
         if (!waits_) return;
         waits_ = false;

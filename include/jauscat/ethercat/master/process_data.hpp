@@ -1,5 +1,5 @@
-// The cyclic exchange of process data: one frame a cycle carries the outputs of all slaves out and their inputs back,
-// and, where asked to, what state each slave is in.
+// Cyclic exchange of process data: one frame per cycle carries all outputs and inputs and, optionally, reads each
+// slave's state.
 #pragma once
 
 #include <jauscat/ethercat/frame_builder.hpp>
@@ -17,7 +17,7 @@
 
 namespace jauscat::ethercat {
 
-/// What the cycles have come to, in frames.
+/// Frame statistics of the cycles.
 struct process_statistics {
     std::uint64_t sent{};
     std::uint64_t complete{};   ///< every slave took part
@@ -25,7 +25,7 @@ struct process_statistics {
     std::uint64_t lost{};       ///< did not come back before the next cycle
 };
 
-/// What a cycle's frame carries besides the process data.
+/// Optional content of a cycle's frame.
 struct process_options {
     /// Each frame asks every slave for its AL status and whether mail waits: see `status`. The process data of each
     /// slave then have a datagram of their own, so that one slave's failure does not make another's inputs old. That
@@ -64,7 +64,7 @@ class process_data {
     /// Whether one frame has room for all that it has to carry. If not, none is ever sent.
     [[nodiscard]] bool fits() const noexcept { return fits_; }
 
-    /// Where each slave's data lie.
+    /// The addresses of each slave's data.
     [[nodiscard]] const process_image& image() const noexcept { return image_; }
     /// Outputs of a slave: what is written here goes out with the next cycle.
     [[nodiscard]] std::span<std::byte> outputs(const slave_record& slave) noexcept {
@@ -78,7 +78,7 @@ class process_data {
                    ? std::span{bytes_}.subspan(place.input_address, place.input_size)
                    : std::span<const std::byte>{};
     }
-    /// What the cycles say of a slave; `silent` of one that is not watched.
+    /// Status of a slave from the last cycles; `silent` if it is not watched.
     [[nodiscard]] const slave_status& status(const slave_record& slave) const noexcept {
         static constexpr slave_status unknown{};
         const auto found = std::ranges::find(members(), slave.station, &member::station);
@@ -137,7 +137,7 @@ class process_data {
     [[nodiscard]] bool waits() const noexcept { return outstanding_.waits(); }
     /// Every slave took part in the last cycle: its frame came back, with the working counter that it has to have.
     [[nodiscard]] bool is_complete() const noexcept { return is_complete_; }
-    /// Of the process data in the last frame that came back: their sum where each slave has a datagram of its own.
+    /// Working counter of the process data in the last reply; the sum if each slave has its own datagram.
     [[nodiscard]] std::uint16_t working_counter() const noexcept { return working_counter_; }
     [[nodiscard]] const process_statistics& statistics() const noexcept { return statistics_; }
 
@@ -148,7 +148,7 @@ class process_data {
         std::size_t size{};
         std::uint16_t write{}, read{};
     };
-    /// What came back of a part.
+    /// Reply of a part.
     struct exchanged {
         std::span<const std::byte> bytes{};
         bool is_complete{true};
@@ -196,7 +196,7 @@ class process_data {
         const bool is_alone = part_count_ == 1 && !image_.no_lrw && !watches_;
         return is_alone && datagrams_size() + datagram_overhead + filler_size <= max_datagrams_size;
     }
-    // What all datagrams of a cycle take.
+    // Size of all datagrams of a cycle.
     [[nodiscard]] std::size_t datagrams_size() const noexcept {
         if (part_count_ == 0 && (!watches_ || member_count_ == 0)) return 0;
         std::size_t size = part_count_ == 0 ? datagram_overhead + filler_size : 0;
@@ -243,7 +243,7 @@ class process_data {
         std::ranges::copy(data.subspan(offset, each.input_size), piece(each.input_address, each.input_size).begin());
     }
 
-    // What the slave's registers say. Whether its inputs count.
+    // Evaluates the registers of a slave. Returns whether its inputs are valid.
     bool watch(member& each, bool is_exchanged, replies::iterator& next) noexcept {
         auto& status = each.status;
         status.last_frame = outstanding_.sent_at();

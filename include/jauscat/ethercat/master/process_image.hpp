@@ -1,5 +1,4 @@
-// Where the process data of all slaves lie in one piece of the logical address space, and what working counter says
-// that every slave has taken part.
+// Layout of all process data in the logical address space, and the expected working counter.
 #pragma once
 
 #include <jauscat/ethercat/frame_builder.hpp>

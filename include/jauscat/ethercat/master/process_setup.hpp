@@ -1,5 +1,5 @@
-// Finds out what process data a slave has, and sets its SyncManagers, FMMUs and watchdog up for them. Where the slave
-// says so over CoE (PDO assignment 1C10h + SyncManager, PDO mapping objects) that counts, else its SII.
+// Determines a slave's process data and configures its SyncManagers, FMMUs and watchdog. Source: CoE (PDO assignment
+// 1C10h + SyncManager, PDO mapping objects), else the SII.
 #pragma once
 
 #include <jauscat/ethercat/frame_builder.hpp>
@@ -36,9 +36,8 @@ class process_setup {
           logical_base_{logical_base} {}
 
     [[nodiscard]] const outcome& result() const noexcept { return result_; }
-    /// Where the slave's process data are; once it is done.
+    /// Location of the process data, when done.
     [[nodiscard]] const process_place& place() const noexcept { return place_; }
-    /// What its watchdog waits.
     [[nodiscard]] std::chrono::nanoseconds watchdog() const noexcept {
         return watchdog_time(default_watchdog_divider, watchdog_units_);
     }
@@ -51,7 +50,7 @@ class process_setup {
                                         static_cast<std::uint8_t>(pdo_), room(pdo_));
         return sdo_transfer::upload(mapping_, static_cast<std::uint8_t>(entry_), room(entry_));
     }
-    /// Goes on after that upload.
+    /// Continues with the outcome of the upload.
     progress uploaded(const outcome& upload) noexcept {
         // Without assignment objects the SII counts, as for a slave without CoE.
         if (upload.error == master_errc::sdo_abort && step_ == step::assignment && pdo_ == 0) return survey(true);

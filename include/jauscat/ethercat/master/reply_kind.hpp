@@ -1,4 +1,4 @@
-// What the protocols in a slave's mailbox and the exchange that carries their messages say to each other.
+// Result of passing a mailbox message to its protocol.
 #pragma once
 
 #include <jauscat/ethercat/master/master_errc.hpp>
@@ -7,7 +7,7 @@
 
 namespace jauscat::ethercat {
 
-/// What a mailbox message meant to the protocol that waits for it.
+/// How a protocol has classified a mailbox message.
 enum class reply_kind : std::uint8_t {
     unrelated, ///< not the answer: keep waiting
     fragment,  ///< a part of the answer: the next part comes unasked

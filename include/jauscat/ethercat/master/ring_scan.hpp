@@ -1,4 +1,4 @@
-// Counts the slaves of a ring and takes away what an earlier master has left in them.
+// Counts the slaves of a ring and resets the configuration left by an earlier master.
 #pragma once
 
 #include <jauscat/ethercat/frame_builder.hpp>

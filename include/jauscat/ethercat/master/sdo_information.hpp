@@ -1,5 +1,5 @@
-// One question about a slave's objects as the master sees it: which there are, what one is, what an entry is. The
-// answer may come in several fragments; the mailbox around it is mailbox_exchange's.
+// SDO information, master side: object list, object description, entry description. The response may have several
+// fragments; mailbox_exchange handles the mailbox.
 #pragma once
 
 #include <jauscat/ethercat/master/reply_kind.hpp>

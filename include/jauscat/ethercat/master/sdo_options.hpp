@@ -1,4 +1,4 @@
-// What a user can choose about an SDO transfer, because slaves differ.
+// Options of SDO transfers, for differences between slaves.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,6 @@
 
 namespace jauscat::ethercat {
 
-/// How a download is made.
 struct download_options {
     /// First writes 0 (one byte) to subindex 0 of the same index. Slaves that keep the rules of PDO mapping and PDO
     /// assignment objects (1600h to 17FFh, 1A00h to 1BFFh, 1C10h to 1C2Fh) abort a write to their other subindices with
@@ -21,7 +20,6 @@ struct download_options {
     bool complete_access{};
 };
 
-/// How an upload is made.
 struct upload_options {
     /// All entries of the object, as in a download.
     bool complete_access{};

@@ -1,5 +1,4 @@
-// One SDO download or upload as the master sees it: requests out, answers in, one after the other where the data need
-// several messages. The mailbox around it is mailbox_exchange's.
+// SDO download or upload, master side: expedited, normal or segmented. mailbox_exchange handles the mailbox.
 #pragma once
 
 #include <jauscat/ethercat/master/reply_kind.hpp>
@@ -41,7 +40,7 @@ class sdo_transfer {
         transfer.expected_size_ = options.size;
         return transfer;
     }
-    /// The message that tells a slave that a transfer will not be completed. Nothing answers it.
+    /// Abort of an unfinished transfer. It has no reply.
     static sdo_transfer abort(const sdo_abort& message) noexcept {
         sdo_transfer transfer{sdo_specifier::abort, message.header.index, message.header.subindex};
         transfer.code_ = message.code;
@@ -60,7 +59,6 @@ class sdo_transfer {
         const bool may_be_open = is_download() ? initial_data().size() < data_.size() : expects_answer();
         return open_ || (phase_ == phase::initiate && !finished_ && may_be_open);
     }
-    /// That abort.
     [[nodiscard]] sdo_abort abort_message() const noexcept {
         const auto code = result_.error == master_errc::toggle_bit      ? abort_code::toggle_bit
                           : result_.error == master_errc::size_mismatch ? abort_code::length_mismatch
@@ -140,7 +138,7 @@ class sdo_transfer {
     [[nodiscard]] bool is_download() const noexcept { return request_ == sdo_specifier::download_request; }
     [[nodiscard]] std::uint8_t subindex() const noexcept { return phase_ == phase::clear ? 0 : subindex_; }
 
-    // What an initiate message carries.
+    // Data of the initiate message.
     [[nodiscard]] std::span<const std::byte> initial_data() const noexcept {
         if (phase_ == phase::clear) return zero;
         const std::size_t fits = room_ - initiate_overhead;
@@ -214,15 +212,15 @@ class sdo_transfer {
         const auto data = segment_data(segment, sdo);
         open_ = !segment.last;
         const std::size_t left = announced_ - done_;
-        // A segment without data would never come to an end.
+        // Empty segments are refused: a transfer of them would not end.
         if (data.size() > left || (segment.last ? data.size() != left : data.empty())) return mismatch();
         return keep(data, !segment.last);
     }
 
     reply_kind mismatch() noexcept { return finish({.error = master_errc::size_mismatch, .detail = announced_}); }
 
-    // Data of an upload, all of it or with more to follow. What is of no use is read to its end all the same: some
-    // slaves serve nothing else before that, whatever they are told.
+    // Data of an upload, all of it or with more to follow. Unwanted data are read to the end as well: some slaves serve
+    // nothing else before, even after an abort.
     reply_kind keep(std::span<const std::byte> data, bool more) noexcept {
         open_ = more;
         const std::size_t size = std::max<std::size_t>(more ? announced_ : 0, done_ + data.size());

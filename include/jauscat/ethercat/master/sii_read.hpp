@@ -1,5 +1,5 @@
-// Reads some words of a slave's SII memory, 4 or 8 bytes at a time as the slave gives them. Taking the memory from the
-// slave's application before, and giving it back, is the caller's.
+// Reads words of a slave's SII, 4 or 8 bytes per access. The caller assigns the SII to the master before, and back
+// afterwards.
 #pragma once
 
 #include <jauscat/ethercat/frame_builder.hpp>

@@ -1,4 +1,4 @@
-// What the categories of a slave's SII say of its process data: which SyncManagers carry them, and how many bits.
+// Reads from the categories of a slave's SII which SyncManagers carry process data, and how many bits.
 #pragma once
 
 #include <jauscat/ethercat/master/activity.hpp>
@@ -138,7 +138,7 @@ class sii_survey {
 
     progress finish() noexcept {
         for (auto& each : managers()) {
-            // What no PDO describes is as long as the SyncManager is from the start.
+            // Without a PDO the size is the SyncManager's default length.
             if (!described_)
                 each.bits = each.description.length * 8u;
             else if (each.number < bits_.size())

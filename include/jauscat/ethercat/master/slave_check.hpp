@@ -1,4 +1,4 @@
-// Asks one slave for its AL status and whether mail waits.
+// Reads a slave's AL status and whether its mailbox is full.
 #pragma once
 
 #include <jauscat/ethercat/frame_builder.hpp>

@@ -33,7 +33,7 @@ class slave_list {
     }
 
     void clear() noexcept { count_ = 0; }
-    /// Takes out who has this position or this station address.
+    /// Removes the slave with this position or this station address.
     void remove(std::uint16_t position, std::uint16_t station) noexcept {
         const auto known = std::span{records_}.first(count_);
         const auto gone = [&](const slave_record& s) { return s.position == position || s.station == station; };

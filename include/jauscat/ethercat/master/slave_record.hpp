@@ -1,4 +1,4 @@
-// What a master knows of a slave that it has brought up.
+// Record of a slave that the master has brought up.
 #pragma once
 
 #include <jauscat/schema/ethercat/al_state.hpp>
@@ -15,7 +15,6 @@
 
 namespace jauscat::ethercat {
 
-/// How many slaves a master has room for.
 inline constexpr std::size_t slave_capacity = 16;
 
 /// The last emergencies of a slave, the oldest first.
@@ -47,7 +46,7 @@ class emergency_log {
     bool overflow_{};
 };
 
-/// What a slave has to be; parts that are not given may be anything.
+/// Required identity of a slave; parts that are not given are not checked.
 struct identity_check {
     std::optional<std::uint32_t> vendor{};
     std::optional<std::uint32_t> product{};
@@ -75,7 +74,6 @@ struct process_place {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return std::size_t{output_size} + input_size; }
 };
 
-/// What a master knows of a slave.
 struct slave_record {
     std::uint16_t position{}; ///< in the ring, from 0
     std::uint16_t station{};  ///< configured station address
@@ -90,7 +88,7 @@ struct slave_record {
     std::uint32_t last_reply_mark{};  ///< of the last mailbox message received: tells it from the next one
     std::uint8_t abandoned_counter{}; ///< of a request that was given up: its answer may still come
     bool drained{};                   ///< no old message waits in the reply mailbox
-    /// Of a transfer in segments that was given up and not yet aborted: sent before the next one.
+    /// Pending abort of a cancelled segmented transfer; sent before the next transfer.
     std::optional<sdo_abort> unfinished{};
     emergency_log emergencies{}; ///< since it was brought up, or since they were cleared
 };

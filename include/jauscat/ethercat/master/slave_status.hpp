@@ -1,4 +1,4 @@
-// What the cyclic exchange says of one slave: whether it runs, and why not.
+// Status of a slave in the cyclic exchange.
 #pragma once
 
 #include <jauscat/ethercat/master/activity.hpp>
@@ -34,8 +34,7 @@ enum class slave_condition : std::uint8_t {
     return "unknown condition";
 }
 
-/// Of one slave. Each time is the one at which a frame was sent: what the frame says is not older, however late it was
-/// received.
+/// Each time is that at which the frame was sent, so that its content is never older.
 struct slave_status {
     slave_condition condition{}; ///< in the last frame that came back
     al_status al{};              ///< as the slave reported it last
@@ -52,7 +51,7 @@ struct slave_status {
     [[nodiscard]] constexpr bool has_inputs_within(std::chrono::nanoseconds limit, time_point now) const noexcept {
         return is_within(last_inputs, limit, now);
     }
-    /// What to say of it: running if it was so within `limit`, silent if no frame has come back for as long.
+    /// Condition of the slave: running if it ran within `limit`, silent without a reply for that time.
     [[nodiscard]] constexpr slave_condition condition_within(std::chrono::nanoseconds limit,
                                                              time_point now) const noexcept {
         if (ran_within(limit, now)) return slave_condition::running;

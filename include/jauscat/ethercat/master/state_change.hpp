@@ -1,4 +1,4 @@
-// Takes a slave to another state of the application layer, step by step, and says why where it refuses.
+// Changes a slave's AL state step by step; reports the AL status code of a refusal.
 #pragma once
 
 #include <jauscat/ethercat/frame_builder.hpp>

@@ -1,4 +1,4 @@
-// How an emulated slave serves its mailbox: what it is capable of, and which rules of real slaves it enforces.
+// CoE options of an emulated slave: features, and rules that it enforces.
 #pragma once
 
 #include <jauscat/schema/ethercat/coe.hpp>
@@ -17,7 +17,7 @@ struct refused_object {
     abort_code code{};
 };
 
-/// What is not set is not enforced.
+/// Rules that are not set are not enforced.
 struct coe_options {
     /// Holds an object while it goes in segments; its size is that of the largest one. Each slave needs its own, which
     /// outlives it. Without it an object has to fit one message: a larger one is aborted with 06010005h.

@@ -14,7 +14,7 @@
 
 namespace jauscat::ethercat {
 
-/// What became of a CoE message: the size of the response, or the mailbox error that answers it.
+/// Result of a CoE message: size of the response, or a mailbox error.
 struct coe_answer {
     mailbox_error_code error{};
     std::size_t size{};
@@ -23,7 +23,7 @@ struct coe_answer {
 /// Answers CoE messages. An object is written when all of it has come, and read before the first byte goes.
 class coe_server {
   public:
-    /// Of these objects, which must outlive it.
+    /// `objects` must outlive this object.
     explicit coe_server(object_dictionary objects, const coe_options& options = {}) noexcept
         : objects_{objects, options}, options_{options} {}
 
@@ -37,7 +37,7 @@ class coe_server {
         forget_transfer();
         objects_.power_on();
     }
-    /// What state-dependent access goes by; PRE-OP until then.
+    /// Sets the AL state for state-dependent access rights; initially PRE-OP.
     void set_state(al_state state) noexcept { objects_.set_state(state); }
 
     /// Answers the CoE message `message` (CoE header on) with one in `out`, which has at least 18 bytes and does not
@@ -65,7 +65,7 @@ class coe_server {
         return put_abort(out, abort_code::command_specifier);
     }
 
-    /// The answer goes on: `next` gives another message of it.
+    /// The response has another fragment; see `next`.
     [[nodiscard]] bool has_more() const noexcept { return information_.has_more(); }
     [[nodiscard]] coe_answer next(std::span<std::byte> out) noexcept {
         const auto room = put_header(coe_service::sdo_information, out);
@@ -152,7 +152,7 @@ class coe_server {
             keep(data);
             return put_sdo(out, coe_service::sdo_response, sdo_normal{response(sdo_specifier::download_response), 0});
         }
-        // Some masters leave the size bit clear: what came is then all there is.
+        // Some masters leave the size bit clear: all received bytes are then data.
         if (header.size_indicated && request.size < data.size()) return put_abort(out, abort_code::length_mismatch);
         return store(data, out);
     }

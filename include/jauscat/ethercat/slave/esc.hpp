@@ -1,5 +1,5 @@
-// An emulated EtherCAT slave controller, as the hardware treats a passing frame. Its memory is in esc_memory.hpp, what
-// an application does behind it in slave.hpp.
+// Emulated EtherCAT slave controller: processes passing frames. esc_memory.hpp has its memory, slave.hpp the
+// application behind it.
 #pragma once
 
 #include <jauscat/ethercat/frame_view.hpp>

@@ -1,5 +1,5 @@
 // The memory of an emulated EtherCAT slave controller: registers, process memory, and the SyncManagers that decide
-// which access counts. What a frame does to it is in esc.hpp.
+// which access counts. esc.hpp processes frames.
 #pragma once
 
 #include <jauscat/schema/ethercat/al_state.hpp>
@@ -175,7 +175,7 @@ class esc_memory {
         });
     }
 
-    // Of the three buffers of an area the master always sees the first; which one it is, the status says.
+    // The master always accesses the first of three buffers; the status has the number of the active one.
     constexpr void exchange_buffer(std::size_t n, sync_manager_direction direction) noexcept {
         auto sm = manager(n);
         const bool written = direction == sync_manager_direction::master_writes;
@@ -191,7 +191,7 @@ class esc_memory {
         store(esc_registers::dl_status, esc_word{static_cast<std::uint16_t>(downstream_ ? 0x5A30 : 0x5610)});
     }
 
-    // What a master may change: the rest keeps its value, though the access counts.
+    // Registers that a master may write. A write to another one is counted in the working counter, and ignored.
     [[nodiscard]] constexpr bool is_writable(std::size_t address) const noexcept {
         if (address >= esc_registers::process_ram.address) return true;
         const std::size_t managers = esc_registers::sync_manager.address;

@@ -24,7 +24,6 @@ struct fmmu_overlap {
     [[nodiscard]] constexpr std::size_t memory_start() const noexcept {
         return static_cast<std::size_t>(memory_bit / 8);
     }
-    /// How many these are.
     [[nodiscard]] constexpr std::size_t memory_size() const noexcept {
         return static_cast<std::size_t>((memory_bit + bits + 7) / 8) - memory_start();
     }

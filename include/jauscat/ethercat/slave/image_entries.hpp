@@ -1,5 +1,5 @@
-// The PDO entries of a process image, made from the schema of the struct that stands for it: a slave's description of
-// its process data and the table that fills them cannot differ.
+// The PDO entries of a process image, generated from the schema of its struct, so that the slave's description and the
+// table always agree.
 #pragma once
 #include <jauscat/ethercat/slave/pdo_entry.hpp>
 #include <jauscat/schema/ethercat/data_types.hpp>
@@ -85,7 +85,7 @@ inline constexpr auto image_entries = [] {
     return entries;
 }();
 
-/// Where the objects of process data begin, by ETG.5001.
+/// First object indices of process data, ETG.5001.
 namespace image_objects {
 inline constexpr std::uint16_t inputs = 0x6000;
 inline constexpr std::uint16_t outputs = 0x7000;

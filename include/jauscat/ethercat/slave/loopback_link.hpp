@@ -1,4 +1,4 @@
-// A link in memory: a frame that is sent passes through emulated slaves and is there to be received.
+// Link in memory: a sent frame passes through emulated slaves and is then received.
 #pragma once
 
 #include <jauscat/ethercat/slave/slave.hpp>

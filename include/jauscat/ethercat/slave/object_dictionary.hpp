@@ -1,4 +1,4 @@
-// What a slave's application puts behind CoE: some functions and their context, nothing allocated.
+// Type-erased reference to the objects of a slave's application. Does not allocate.
 #pragma once
 
 #include <jauscat/ethercat/slave/object_info.hpp>
@@ -49,7 +49,7 @@ concept described_object_source = object_source<T> &&
 /// A reference to an object source, without its type. Made from a source that must outlive it.
 class object_dictionary {
   public:
-    /// Of an application that has `read` and `write`; it must outlive this.
+    /// `source` must outlive this object.
     template <object_source T>
     requires(!std::same_as<T, object_dictionary>) // a copy refers to the source, not to the copied reference
         constexpr object_dictionary(T& source) noexcept
@@ -86,7 +86,6 @@ class object_dictionary {
         return write_(source_, index, subindex, data);
     }
 
-    /// The source describes all of its objects.
     [[nodiscard]] constexpr bool is_described() const noexcept { return described_; }
     /// See described_object_source. A source that is none has nothing to say.
     [[nodiscard]] std::uint16_t next_index(std::uint16_t after) const noexcept {

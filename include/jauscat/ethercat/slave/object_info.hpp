@@ -1,4 +1,4 @@
-// What an emulated slave can say about its objects: the answers of SDO information, before they are bytes.
+// Descriptions of objects and entries, as SDO information reports them.
 #pragma once
 
 #include <jauscat/schema/ethercat/data_types.hpp>

@@ -1,5 +1,5 @@
-// The slave's end of SDO information: which objects there are, what one is, what an entry is. Answers that exceed the
-// mailbox go in fragments, which the master gets one after the other without asking again.
+// SDO information, slave side: object list, object description, entry description. Responses larger than the mailbox
+// are sent in fragments.
 #pragma once
 
 #include <jauscat/ethercat/slave/object_dictionary.hpp>

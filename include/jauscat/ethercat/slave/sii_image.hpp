@@ -14,7 +14,7 @@
 
 namespace jauscat::ethercat {
 
-/// What an emulated slave controller says of the interface to its application: on-chip bus.
+/// PDI control of an emulated slave controller: on-chip bus.
 inline constexpr std::uint16_t sii_pdi_control = 0x0080;
 
 /// CRC-8 of the SII's first words: polynomial 0x07, start value 0xFF.
@@ -50,7 +50,7 @@ class sii_image {
     std::size_t size_{512};
 };
 
-/// What a slave can do with its objects besides SDO transfers.
+/// CoE features besides SDO transfers.
 struct sii_coe_features {
     bool sdo_information{}; ///< the slave answers SDO information
     bool complete_access{}; ///< the slave takes whole objects

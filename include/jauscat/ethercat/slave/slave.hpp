@@ -1,5 +1,5 @@
 // An emulated EtherCAT slave: a slave controller and the application behind it (states, SII, mailbox, CoE, process
-// data). Follows the standard rather than one master's habits, so that any master can bring it up.
+// data). Implements the standard, independent of the master.
 #pragma once
 
 #include <jauscat/ethercat/slave/esc.hpp>

@@ -1,5 +1,5 @@
-// What an emulated slave is: identity, mailboxes, process data. Its SII, its standard objects and what it checks on the
-// way up all follow from this.
+// Description of an emulated slave: identity, mailboxes, process data. SII, standard objects and checks are derived
+// from it.
 #pragma once
 
 #include <jauscat/ethercat/slave/pdo_entry.hpp>
@@ -11,7 +11,6 @@
 
 namespace jauscat::ethercat {
 
-/// What an emulated slave says about itself.
 struct slave_description {
     std::uint32_t vendor{};
     std::uint32_t product{};

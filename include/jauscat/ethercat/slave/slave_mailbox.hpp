@@ -1,4 +1,4 @@
-// The mailbox of an emulated slave: requests in, answers out, repetition of what got lost on either way.
+// The mailbox of an emulated slave: requests, responses, repetition of lost messages.
 #pragma once
 
 #include <jauscat/ethercat/slave/coe_options.hpp>

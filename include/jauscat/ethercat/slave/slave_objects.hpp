@@ -14,7 +14,7 @@
 
 namespace jauscat::ethercat {
 
-/// What an SDO transfer is about.
+/// Object of an SDO transfer.
 struct transfer_object {
     std::uint16_t index{};
     std::uint8_t subindex{};
@@ -31,7 +31,7 @@ class slave_objects {
     void power_on() noexcept { rule_ = {}; }
     void set_state(al_state state) noexcept { state_ = state; }
 
-    /// Why a transfer cannot even begin, if anything: a rule forbids it, or complete access is not possible.
+    /// Reason for refusing a transfer before it begins: a rule, or complete access is not possible; `none` if allowed.
     [[nodiscard]] abort_code refusal(const transfer_object& object, bool writes) noexcept {
         if (!object.complete) {
             const auto refused = refusal(object.index, object.subindex, writes);
@@ -108,7 +108,7 @@ class slave_objects {
         return keeps_count(index) ? rule_.refusal(index, subindex) : abort_code::none;
     }
 
-    // What can be accessed in another state. What cannot be accessed in any, the object itself refuses.
+    // Refuses access in states that do not permit it. The object refuses what no state permits.
     [[nodiscard]] abort_code state_refusal(std::uint16_t index, std::uint8_t subindex, bool writes) const noexcept {
         if (!options_.state_rule) return abort_code::none;
         const auto entry = describe(index, subindex);

@@ -1,5 +1,4 @@
-// The process data of an emulated slave: what its SyncManagers 2 and 3 have to be, when outputs count, and the
-// watchdog.
+// The process data of an emulated slave: required SyncManagers 2 and 3, validity of outputs, watchdog.
 #pragma once
 
 #include <jauscat/ethercat/slave/esc_memory.hpp>
@@ -31,7 +30,7 @@ class slave_process_data {
         enter(memory, al_state::init);
     }
 
-    /// Why the slave cannot go to SAFE-OP or OP, if anything.
+    /// Reason for refusing SAFE-OP or OP; `none` if allowed.
     [[nodiscard]] al_status_code refusal(const esc_memory& memory) const noexcept {
         if (!outputs_.fits()) return al_status_code::output_mapping;
         if (!inputs_.fits()) return al_status_code::input_mapping;

@@ -1,5 +1,5 @@
 // The objects of the communication area that every CoE slave has (ETG.1000.6): device type, name, identity, use of the
-// SyncManagers. Configuration tools read them to see whether a device is the one that its description speaks of.
+// SyncManagers. Configuration tools read them to identify the device.
 #pragma once
 
 #include <jauscat/ethercat/slave/object_dictionary.hpp>
@@ -100,7 +100,7 @@ class standard_objects {
     }
 
   private:
-    /// What stays the same of a standard object.
+    /// Constant part of a standard object.
     struct constant_part {
         std::uint16_t index{};
         object_code code{};

@@ -19,10 +19,9 @@ class subindex_0_rule {
     [[nodiscard]] static constexpr bool covers(std::uint16_t index) noexcept { return place_of(index) != none; }
     /// Its subindex 0. Only for an object that the rule covers, as the functions below.
     [[nodiscard]] std::uint8_t entries(std::uint16_t index) const noexcept { return entries_[place_of(index)]; }
-    /// How many entries the object has.
     void set_entries(std::uint16_t index, std::uint8_t count) noexcept { entries_[place_of(index)] = count; }
 
-    /// What keeps a master from writing the object, if anything: `subindex_0_not_zero`. Any index and subindex.
+    /// `subindex_0_not_zero` if the object must not be written now, else `none`. For any index and subindex.
     [[nodiscard]] abort_code refusal(std::uint16_t index, std::uint8_t subindex) const noexcept {
         const bool fixed = covers(index) && subindex != 0 && entries(index) != 0;
         return fixed ? abort_code::subindex_0_not_zero : abort_code::none;

@@ -1,4 +1,4 @@
-// Acknowledges messages that ask for it, and hands each on once although its sender repeats it. RA 3.3 part 2, ACK/NAK.
+// Acknowledges messages that request it, and filters repetitions. RA 3.3 part 2, ACK/NAK.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/message/saturating_add.hpp>
@@ -11,7 +11,7 @@ namespace jauscat::jaus {
 
 /// A message that was acknowledged: a place in the memory of an acknowledged_receiver.
 struct acknowledged_message {
-    address source{};                 ///< who sent it
+    address source{};
     std::uint16_t command_code{};     ///< which message
     std::uint16_t sequence_number{};  ///< by which a repeat is known
     std::uint32_t digest{};           ///< of the body
@@ -20,7 +20,7 @@ struct acknowledged_message {
     std::chrono::nanoseconds until{}; ///< when it is forgotten, unless it is pending
 };
 
-/// What became of a message.
+/// Result of a received message.
 enum class received : std::uint8_t {
     handed_on, ///< handed on; acknowledged by the handler's outcome if that was asked for, or by `finish`
     repeated,  ///< handed on before: acknowledged again as then, and dropped
@@ -28,9 +28,9 @@ enum class received : std::uint8_t {
     no_room,   ///< dropped without an answer, for it could not be told from its repeats: the sender will try again
 };
 
-/// Hands messages on and acknowledges them: ACK if the handler has taken one, NAK if not. What asks for no
-/// acknowledgement is handed on without a second look, as are messages to all of a level: they are not acknowledged,
-/// for all their receivers would answer at once.
+/// Hands messages on and acknowledges them: ACK if the handler has taken one, NAK if not. Messages that request no
+/// acknowledgement are handed on without this check, as are messages to all of a level: they are not acknowledged, for
+/// all their receivers would answer at once.
 ///
 /// A repeat has source, command code, sequence number and body of a message that came within `memory`. The RA sets no
 /// time: it must be longer than a sender goes on repeating (a second with acknowledged_sender's defaults) and than
@@ -187,12 +187,13 @@ class acknowledged_receiver {
             if (m.source == key.source && (key.sequence_number != 0 || m.sequence_number == 0)) m.superseded = true;
         return find(key, now);
     }
-    // Who counts has the number 0 for one command in 65536: another one with it shows that what was before is over.
+    // A sender that counts uses the number 0 once in 65536 commands: a new command with 0 ends the entries of earlier
+    // ones.
     constexpr void end_zero(auto&& concerns) noexcept {
         for (acknowledged_message& m : places_)
             if (m.sequence_number == 0 && concerns(m.source)) m.superseded = true;
     }
-    // Of the sources that number all of their messages 0, and to which `concerns` says yes.
+    // Ends the entries of sources for which `concerns` is true and that number all messages 0.
     constexpr void end_unnumbered(std::chrono::nanoseconds now, auto&& concerns) noexcept {
         if (!knows_unnumbered_) return;
         const auto is_known = [&](const acknowledged_message& m) { return !is_free(m, now) && !m.superseded; };

@@ -1,4 +1,4 @@
-// Messages that are sent again until they are acknowledged, without anybody waiting: RA 3.3 part 2, ACK/NAK.
+// Repeats messages until they are acknowledged, without blocking: RA 3.3 part 2, ACK/NAK.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/message/saturating_add.hpp>
@@ -19,7 +19,7 @@ struct awaited_message {
     std::chrono::nanoseconds until{}; ///< from then on it is not sent again, however often it was
 };
 
-/// What a sender learns about a message.
+/// Outcome of a message that requested an acknowledgement.
 enum class delivered : std::uint8_t {
     acknowledged, ///< ACK: the receiver has taken it
     refused,      ///< NAK: the receiver has not done what it says
@@ -36,7 +36,6 @@ enum class delivered : std::uint8_t {
     return "unknown";
 }
 
-/// Why a message was not sent.
 enum class send_errc : std::uint8_t {
     ok,
     no_room,         ///< as many messages wait for an acknowledgement as there are places: send it again later
@@ -57,16 +56,16 @@ enum class send_errc : std::uint8_t {
     return "unknown error";
 }
 
-/// What became of a message to be sent: how it is found again in the outcome, or why it was not sent.
+/// Result of sending: the sequence number that identifies the outcome, or the error.
 struct [[nodiscard]] send_result {
     send_errc error{};               ///< why it was not sent
     std::uint16_t sequence_number{}; ///< the message's, by which its outcome is told
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return error == send_errc::ok; }
 };
 
-/// How long and how often.
+/// Timeout and retries of acknowledged messages.
 struct acknowledgement_options {
-    /// From sending a message to sending it again. The defaults give a message up after one second.
+    /// Time between repetitions. By default a message times out after one second.
     std::chrono::nanoseconds timeout{std::chrono::milliseconds{250}};
     unsigned retries{3}; ///< how often a message is sent again; 0: sent once
     /// The first sequence number; 1 instead of 0. A program that is started again should not begin where it did before:
@@ -113,7 +112,7 @@ class acknowledged_sender {
             return make_message(numbered, body, copy);
         });
     }
-    /// The same for a message that is whole already; its header is written anew. One of several packets is too large.
+    /// The same for an encoded message; its header is rewritten. A message of several packets is too large.
     constexpr send_result send(std::span<const std::byte> message, std::chrono::nanoseconds now,
                                message_sink out) noexcept {
         header head{};
@@ -144,7 +143,7 @@ class acknowledged_sender {
         return true;
     }
 
-    /// Sends again what was not acknowledged within the timeout, and gives up what was sent often enough.
+    /// Repeats messages that were not acknowledged within the timeout; after the last retry they time out.
     constexpr void on_time(std::chrono::nanoseconds now, message_sink out, auto&& tell) {
         for (awaited_message& place : places_) {
             if (place.size == 0 || now < place.due) continue;
@@ -164,7 +163,7 @@ class acknowledged_sender {
             if (m.size != 0 && (!first || m.due < *first)) first = m.due;
         return first;
     }
-    /// How many messages wait for their acknowledgement.
+    /// Number of messages that await an acknowledgement.
     [[nodiscard]] constexpr std::size_t waiting() const noexcept {
         return static_cast<std::size_t>(std::ranges::count_if(places_, [](const auto& m) { return m.size != 0; }));
     }

@@ -1,4 +1,4 @@
-// What a component's state machines have in common: what they make of a message, and how they answer it.
+// Outcome of a message, and functions that send replies.
 #pragma once
 #include <jauscat/jaus/large_data/large_data_sender.hpp>
 #include <jauscat/jaus/message/message.hpp>
@@ -9,9 +9,8 @@
 
 namespace jauscat::jaus {
 
-/// What a state machine made of a message.
 enum class message_outcome : std::uint8_t {
-    not_mine,  ///< another's business: nothing was done
+    not_mine,  ///< not handled here
     taken,     ///< done, and answered where the standard has an answer; an ACK is due if one was asked for
     refused,   ///< understood, but not done: a NAK is due if an acknowledgement was asked for
     malformed, ///< its own, but the body does not decode; nothing was done, a NAK is due

@@ -1,4 +1,4 @@
-// From whom a component takes a message, and in which states: the rule for each command of RA 3.3, and for all others.
+// Rules for commands: required sender and state, for each command of RA 3.3 and for all others.
 #pragma once
 #include <jauscat/wire/code_index.hpp>
 

@@ -1,5 +1,5 @@
-// A component's core: state, control, acknowledgement and time, put together in the order in which they look at a
-// message. With a dispatcher for its own messages it is a JAUS component.
+// A component's core: state, control, acknowledgement and time, combined in the order in which they process a message.
+// With a dispatcher for its own messages it is a JAUS component.
 #pragma once
 #include <jauscat/jaus/component/component_clock.hpp>
 #include <jauscat/jaus/component/component_hooks.hpp>
@@ -18,13 +18,11 @@ namespace jauscat::jaus {
 /// the state is Ready (see command_rules); then state, control, clock, the parts and the application each get it until
 /// one takes it. ACK or NAK follow when that is done.
 ///
-/// A Clear Emergency passes the control check if its sender holds the emergency: else who stopped the machine under
-/// another's control could not let it go on, and the controller may not.
+/// A Clear Emergency passes the control check if its sender holds the emergency: otherwise a sender that has stopped a
+/// machine under another's control could not release it, and neither could the controller.
 ///
-/// `component_hooks` tell the application what happens, and let it defer commands of the state. `Parts` are further
-/// state machines, such as service_connections, events and held_control: each has on_time and next_event; it is asked
-/// about messages if its on_message returns message_outcome, and hears of lost components if it has `on_lost(const
-/// address&)`, which gets what on_lost gets.
+/// `component_hooks` notify the application, and can defer commands of the state. `Parts` are further state machines,
+/// such as service_connections, events and held_control: see component_part.
 ///
 /// Messages must be whole (large data sets put together) and meant for this component: the node sees to that.
 ///
@@ -36,7 +34,7 @@ template <class... Parts> class component {
   public:
     using time = std::chrono::nanoseconds;
 
-    /// With this address. The memory, the parts and what the hooks refer to must outlive it.
+    /// The memory, the parts and the objects of the hooks must outlive the component.
     template <std::size_t Waiting, std::size_t Size, std::size_t Remembered>
     constexpr component(const address& self, component_memory<Waiting, Size, Remembered>& memory,
                         const component_hooks& hooks, const component_options& options, Parts&... parts) noexcept
@@ -103,7 +101,7 @@ template <class... Parts> class component {
         state_.end_emergency();
         tell_own_changes();
     }
-    /// Takes control back from the controller, which is told.
+    /// Takes control back; the controller gets Reject Component Control.
     constexpr void reject_control(message_sink out) {
         control_.reject(out);
         tell_own_changes();
@@ -129,15 +127,14 @@ template <class... Parts> class component {
     [[nodiscard]] constexpr const address& self() const noexcept { return self_; }
     /// Initialize, Ready, Standby, Shutdown, Failure or Emergency.
     [[nodiscard]] constexpr primary_status_code state() const noexcept { return state_.state(); }
-    /// What Report Component Status says beside the state.
+    /// Sets the secondary status code of Report Component Status.
     constexpr void set_secondary_status(std::uint32_t code) noexcept { state_.secondary_status = code; }
-    /// Who controls the component.
     [[nodiscard]] constexpr const component_control& control() const noexcept { return control_; }
     /// The component's time of day.
     [[nodiscard]] constexpr component_clock& clock() noexcept { return clock_; }
-    /// How many messages wait for their acknowledgement.
+    /// Number of messages that await an acknowledgement.
     [[nodiscard]] constexpr std::size_t waiting() const noexcept { return sender_.waiting(); }
-    /// How many messages had this outcome.
+    /// Number of messages with this outcome.
     [[nodiscard]] constexpr std::uint64_t count(component_outcome what) const noexcept {
         return counts_[static_cast<std::size_t>(what)];
     }
@@ -165,7 +162,7 @@ template <class... Parts> class component {
         }
         return what;
     }
-    // `what` tells in more detail what the outcome is.
+    // Sets `what` to the detailed outcome.
     constexpr message_outcome decide(const header& head, std::span<const std::byte> body, time now, message_sink out,
                                      auto& application, component_outcome& what) {
         const bool clears_own = head.command_code == command_code_of<clear_emergency> &&
@@ -211,7 +208,7 @@ template <class... Parts> class component {
         if (const auto before = std::exchange(told_controller_, control_.controller()); before != told_controller_)
             if (hooks_.on_controller) hooks_.on_controller(control_.controller(), control_.last_change());
     }
-    // Of changes that no message has made.
+    // Reports changes that no message has caused.
     constexpr void tell_own_changes() {
         if (told_state_ != state_.state() || told_controller_ != control_.controller()) receiver_.on_change();
         tell_changes();

@@ -51,8 +51,8 @@ using civil_time = std::chrono::sys_time<std::chrono::nanoseconds>;
     return date.ok() ? std::optional{sys_days{date}} : std::nullopt;
 }
 
-/// The clock. Before it is set it tells neither time nor date: a report has only what has been set, by Set Time or by
-/// the application.
+/// The clock. Before it is set it has neither time nor date: a report contains only what Set Time or the application
+/// has set.
 ///
 /// Set Time may carry the time, the date, or both. The time alone keeps the date: it is the one nearest to the clock's
 /// that has the stamp's day of the month, so a clock that is a little behind at the end of a month is moved on into the
@@ -60,7 +60,6 @@ using civil_time = std::chrono::sys_time<std::chrono::nanoseconds>;
 /// taken for the date stamp's, or for the clock's own.
 class component_clock {
   public:
-    /// Of the component with this address.
     constexpr explicit component_clock(const address& self) noexcept : self_{self} {}
 
     /// Sets the clock at `now` of the caller's time. False, and no change, where date stamps cannot tell the date.
@@ -74,7 +73,7 @@ class component_clock {
     [[nodiscard]] constexpr std::optional<civil_time> time_at(std::chrono::nanoseconds now) const noexcept {
         return has_time_ && has_date_ ? std::optional{running(now)} : std::nullopt;
     }
-    /// What Report Time tells at `now`. A date after 2127 is left out.
+    /// Report Time at `now`. A date after 2127 is left out.
     [[nodiscard]] constexpr report_time report_at(std::chrono::nanoseconds now) const noexcept {
         const civil_time time = running(now);
         report_time report = stamps_of(time);
@@ -147,7 +146,7 @@ class component_clock {
         return *best;
     }
 
-    // Where a clock counts from that has no date.
+    // Epoch of a clock without a date.
     static constexpr std::chrono::sys_days unset{std::chrono::year{2000} / 1 / 1};
 
     address self_;

@@ -1,5 +1,5 @@
-// Who controls a component: control is asked for, granted, taken over, released, lost; and the commands that a
-// controlled component refuses from others. RA 3.3 part 3, core subgroup, and the notes on authority.
+// Control of a component: request, grant, takeover, release, loss; refusal of other senders' commands. RA 3.3 part 3,
+// core subgroup, and the notes on authority.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/component/command_rules.hpp>
@@ -13,54 +13,50 @@
 
 namespace jauscat::jaus {
 
-/// Who controls a component.
 struct controller {
     jaus::address address{};       ///< of the component in control
     std::uint8_t authority_code{}; ///< 0 lowest to 255 highest, as its request told
     friend constexpr bool operator==(const controller&, const controller&) = default;
 };
 
-/// Why a component's controller has changed.
+/// Cause of a change of the controller.
 enum class control_change : std::uint8_t {
-    granted,    ///< who asked for control has it, also the controller with another authority
+    granted,    ///< control was granted, or the controller's authority changed
     taken_over, ///< one of higher authority has it
     released,   ///< the controller has given it back
     rejected,   ///< the component has taken it back
     lost,       ///< the controller has disappeared, or was silent for the timeout
 };
 
-/// How a component lets itself be controlled.
 struct control_options {
     /// The component's own authority, until Set Component Authority.
     std::uint8_t authority_code{};
-    /// Codes of the user's own that move nothing: from anybody, in every state. All others of the user's own count as
-    /// moving, see command_rules. Must outlive the component.
+    /// User-defined codes that cause no motion: accepted from every sender, in every state. All other user-defined
+    /// codes count as motion commands, see command_rules. Must outlive the component.
     std::span<const std::uint16_t> harmless{};
-    /// Control is lost when nothing has been heard from the controller for so long. From a quarter of it on the
-    /// controller is asked for its pulse, so one that only holds control need not send anything. 0: never.
+    /// Timeout: control is lost without a message of the controller for this time. After a quarter of it the controller
+    /// is queried for its heartbeat pulse, so that an idle controller keeps control. 0: never.
     std::chrono::nanoseconds timeout{std::chrono::milliseconds{500}};
 };
 
-/// The control of one component, on its side. A request of higher authority than the controller's takes control over,
+/// Control of one component, component side. A request of higher authority than the controller's takes control over,
 /// and the old controller gets Reject Component Control; one of equal or lower authority is answered with "control not
 /// accepted". The controller may ask again, also with another authority: that is accepted and counts as life. There is
-/// no queue: who wants control later asks again later.
+/// no queue of requests.
 class component_control {
   public:
-    /// Of the component with this address; nobody controls it.
     constexpr explicit component_control(const address& self, const control_options& options = {}) noexcept
         : self_{self}, authority_{options.authority_code}, options_{options} {}
 
-    /// Who controls the component, if anybody.
+    /// The controller, if any.
     [[nodiscard]] constexpr const std::optional<jaus::controller>& controller() const noexcept { return controller_; }
-    /// Why that is so; of no meaning before control was first granted.
+    /// Cause of the last change; meaningless before control was first granted.
     [[nodiscard]] constexpr control_change last_change() const noexcept { return last_change_; }
     /// The component's own authority code.
     [[nodiscard]] constexpr std::uint8_t authority_code() const noexcept { return authority_; }
     /// Commands that others than the controller sent: how often `admits` said no.
     [[nodiscard]] constexpr std::uint64_t refused() const noexcept { return refused_; }
 
-    /// From whom, and in which states, a message is obeyed.
     [[nodiscard]] constexpr command_rule rule(std::uint16_t command_code) const noexcept {
         const auto& harmless = options_.harmless;
         const bool is_harmless = std::ranges::find(harmless, command_code) != harmless.end();
@@ -72,21 +68,20 @@ class component_control {
         ++refused_;
         return false;
     }
-    /// Something was heard from a component, to be told of all that comes, also repeats and acknowledgements: from the
-    /// controller it is a sign of life.
+    /// Call for every received message, also repetitions and acknowledgements: messages of the controller keep its
+    /// control alive.
     constexpr void heard(const address& who, std::chrono::nanoseconds now) noexcept {
         if (!controls(who)) return;
         heard_ = now;
         asked_ = 0;
     }
-    /// Whether this message is the pulse that the controller was asked for: it is nobody else's business.
+    /// Whether this message is the heartbeat pulse that was requested from the controller.
     constexpr bool takes_pulse(const header& head) noexcept {
         const bool is_it =
             pulses_ != 0 && head.command_code == command_code_of<report_heartbeat_pulse> && controls(head.source);
         pulses_ = static_cast<std::uint8_t>(pulses_ - is_it);
         return is_it;
     }
-    /// Whether it is the one in control.
     [[nodiscard]] constexpr bool controls(const address& who) const noexcept {
         return controller_ && controller_->address == who;
     }
@@ -122,8 +117,8 @@ class component_control {
 
     /// The component takes control back: the controller, if there is one, gets Reject Component Control.
     constexpr void reject(message_sink out) noexcept { take_back(control_change::rejected, out); }
-    /// The components that `gone(const address&)` says yes to are no longer there: a controller among them has none any
-    /// more. It is not told, for it would not hear.
+    /// The components that `gone(const address&)` says yes to are no longer there: a controller among them loses
+    /// control. No message is sent to it.
     constexpr void on_lost(auto&& gone) noexcept {
         if (controller_ && gone(std::as_const(controller_->address))) end(control_change::lost);
     }
@@ -166,7 +161,7 @@ class component_control {
         controller_.reset();
         last_change_ = why;
     }
-    // The controller is told.
+    // Sends Reject Component Control to the controller.
     constexpr void take_back(control_change why, message_sink out) noexcept {
         if (!controller_) return;
         static_cast<void>(put({.destination = controller_->address, .source = self_}, reject_component_control{}, out));

@@ -1,4 +1,4 @@
-// What a component tells its application: one function for each kind of news, by its name.
+// Hooks of a component: functions that it calls on events.
 #pragma once
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/jaus/component/component_control.hpp>
@@ -13,9 +13,8 @@ namespace jauscat::jaus {
 ///     jaus::component core{self, memory, {.on_state = rest}, {}};
 ///     jaus::component core{self, memory, {.on_state = jaus::bound<&driver::rest>(*this)}, {}};
 struct component_hooks {
-    /// The state has changed.
     hook<void(primary_status_code from, primary_status_code to)> on_state{};
-    /// Another controls the component, or nobody does any more; and why that is.
+    /// The controller has changed; empty if there is none. `why` is the cause.
     hook<void(const std::optional<controller>& now_it_is, control_change why)> on_controller{};
     /// A message that the component sent was acknowledged, refused or given up.
     hook<void(const awaited_message& message, delivered outcome)> on_delivered{};

@@ -1,4 +1,4 @@
-// What a component is made with: how it behaves, and its memory.
+// Options and memory of a component.
 #pragma once
 #include <jauscat/jaus/component/acknowledged_receiver.hpp>
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
@@ -7,14 +7,13 @@
 
 namespace jauscat::jaus {
 
-/// How a component behaves.
 struct component_options {
     after_emergency after{};                   ///< where an emergency ends
     control_options control{};                 ///< authority, harmless codes, timeout
     acknowledgement_options acknowledgement{}; ///< of messages that it sends
-    /// How long messages are remembered that it acknowledged; see acknowledged_receiver.
+    /// How long acknowledged messages are remembered; see acknowledged_receiver.
     std::chrono::nanoseconds memory{std::chrono::seconds{2}};
-    /// What moves something is refused unless Ready; see command_rules.
+    /// Refuses motion commands unless Ready; see command_rules.
     bool obeys_only_when_ready{true};
 };
 

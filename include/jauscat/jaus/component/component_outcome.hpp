@@ -1,4 +1,4 @@
-// What becomes of a message that a component gets: one word more than a state machine has, for counters and logs.
+// Outcome of a message to a component, for counters and logs.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -7,14 +7,14 @@
 
 namespace jauscat::jaus {
 
-/// What became of a message that a component got.
+/// Outcome of a message; more detailed than message_outcome.
 enum class component_outcome : std::uint8_t {
-    taken,           ///< done
-    deferred,        ///< executed later, see component::finish
-    stopped_anyway,  ///< taken or deferred: a Set Emergency whose code or body does not say so
-    refused,         ///< understood, but not done
-    malformed,       ///< the body does not decode
-    unknown,         ///< nobody here knows the message
+    taken,          ///< done
+    deferred,       ///< executed later, see component::finish
+    stopped_anyway, ///< taken or deferred: a Set Emergency whose code or body does not say so
+    refused,        ///< understood, but not done
+    malformed,      ///< the body does not decode
+    unknown,
     not_controller,  ///< a command that only the controller may send, from another
     not_ready,       ///< a command that is obeyed in Ready only, in another state
     repeated,        ///< came before: acknowledged again, and dropped
@@ -23,7 +23,6 @@ enum class component_outcome : std::uint8_t {
     acknowledgement, ///< the ACK or NAK that one of the component's own messages waited for
     not_waited_for,  ///< an ACK or NAK that no message waits for: late, or strange
 };
-/// How many outcomes there are, for counters.
 inline constexpr std::size_t component_outcome_count = 13;
 
 /// The outcome in one line, for logs.

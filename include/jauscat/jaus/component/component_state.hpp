@@ -1,5 +1,5 @@
-// The state that a component is in, and who may change it: Shutdown, Standby, Resume, Reset, Set and Clear Emergency,
-// Query Component Status, and the application. RA 3.3 part 3, core subgroup.
+// State of a component, and who may change it: Shutdown, Standby, Resume, Reset, Set and Clear Emergency, Query
+// Component Status, and the application. RA 3.3 part 3, core subgroup.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/schema/jaus/core.hpp>
@@ -10,14 +10,14 @@
 
 namespace jauscat::jaus {
 
-/// What changes a component's state. The first two come from the application only, the others from it or by a message.
+/// Events that change the state. The first two come only from the application, the others also from messages.
 enum class state_event : std::uint8_t {
-    initialized,       ///< the application has done what it does first
-    failed,            ///< the application cannot go on
-    shutdown,          ///< Shutdown
-    standby,           ///< Standby
-    resume,            ///< Resume
-    reset,             ///< Reset
+    initialized, ///< the application has done what it does first
+    failed,      ///< the application cannot go on
+    shutdown,
+    standby,
+    resume,
+    reset,
     emergency,         ///< Set Emergency
     emergency_cleared, ///< Clear Emergency with its bit, when nobody is left who holds the emergency
 };
@@ -70,7 +70,7 @@ enum class state_event : std::uint8_t {
     return wire::decode(message, body) && message.emergency_code.test(set_emergency_code::transition_to_emergency);
 }
 
-/// Where an emergency ends for a component that was ready before.
+/// State after an emergency of a component that was Ready before.
 enum class after_emergency : std::uint8_t {
     standby, ///< nothing moves before a Resume: what the RA and its nodes do
     resume,  ///< back to Ready
@@ -88,7 +88,7 @@ enum class after_emergency : std::uint8_t {
 /// in another state is in that again: who has not initialised or has failed cannot be made to work by an emergency.
 template <std::size_t Holders = 8> class component_state {
   public:
-    /// Of the component with this address, which begins in the state Initialize.
+    /// The state is Initialize.
     constexpr explicit component_state(const address& self, after_emergency after = {}) noexcept
         : self_{self}, after_{after} {}
 

@@ -1,4 +1,4 @@
-// What every component can do, as Report Services lists it.
+// The core service of every component, as Report Services lists it.
 #pragma once
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
 
@@ -6,8 +6,8 @@
 
 namespace jauscat::jaus::core_messages {
 
-/// What a component takes with a described_component among its parts. RA 3.3 part 3, core subgroup, and the queries of
-/// the dynamic configuration subgroup that every component answers.
+/// Messages accepted by a component with a described_component. RA 3.3 part 3, core subgroup, and the queries of the
+/// dynamic configuration subgroup that every component answers.
 inline constexpr std::array<supported_message, 17> input{{{0x0001},
                                                           {0x0002},
                                                           {0x0003},
@@ -25,7 +25,7 @@ inline constexpr std::array<supported_message, 17> input{{{0x0001},
                                                           {0x2202},
                                                           {0x2B00},
                                                           {0x2B03}}};
-/// What it sends.
+/// Messages sent.
 inline constexpr std::array<supported_message, 9> output{
     {{0x000F}, {0x0010}, {0x4001}, {0x4002}, {0x400D}, {0x4011, 0x03}, {0x4202}, {0x4B00}, {0x4B03}}};
 /// The service type of what every component can do is 0.

@@ -1,4 +1,4 @@
-// What every component says of itself: that it is alive, what it is called and what it can do.
+// Heartbeats, identification and services of a component.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/component/core_messages.hpp>
@@ -11,30 +11,30 @@
 
 namespace jauscat::jaus {
 
-/// What a component, node or subsystem is called. The text must outlive who reports it.
+/// Identification of a component, node or subsystem. The text must outlive all users.
 struct identity {
     std::string_view identification{}; ///< up to 80 characters
     std::uint16_t type{};              ///< see report_identification
     std::uint8_t authority_code{};     ///< 0 lowest to 255 highest
 };
 
-/// What a component tells of itself.
+/// Identification and services of a component.
 struct component_description {
-    identity name{.type = 60001};                                        ///< what it calls itself
+    identity name{.type = 60001};                                        ///< identification
     std::span<const offered_service> services = core_messages::services; ///< up to 255; none counts as the core service
 };
 
-/// Where a component's heartbeats go, and how often.
+/// Destination and period of heartbeats.
 struct heartbeat {
-    address to{};                                             ///< who hears them
+    address to{};                                             ///< destination
     std::chrono::nanoseconds period{std::chrono::seconds{1}}; ///< 0: none are sent
 };
 
-/// Where the components of a node send their heartbeats: to its node manager.
+/// Heartbeats to the own node manager, as for components.
 [[nodiscard]] constexpr heartbeat heartbeat_to_node_manager(const address& self) noexcept {
     return {.to = {.instance = 1, .component = 1, .node = self.node, .subsystem = self.subsystem}};
 }
-/// Where a node manager sends its heartbeats: to all node managers.
+/// Heartbeats to all node managers, as for a node manager.
 [[nodiscard]] constexpr heartbeat heartbeat_to_all() noexcept {
     return {.to = {.instance = 1, .component = 1, .node = 255, .subsystem = 255}};
 }
@@ -50,7 +50,7 @@ class described_component {
     constexpr described_component(const address& self, const component_description& description, const heartbeat& beat,
                                   std::span<std::byte> memory) noexcept
         : self_{self}, description_{description}, beat_{beat}, memory_{memory} {
-        // There are nodes that ask again and again until they hear of a service.
+        // Some nodes repeat Query Services until a service is reported.
         if (description.services.empty()) description_.services = core_messages::services;
     }
 
@@ -88,7 +88,6 @@ class described_component {
         return next_;
     }
 
-    /// The report of an identity.
     [[nodiscard]] static constexpr report_identification identification(query_type whose,
                                                                         const identity& name) noexcept {
         return {whose, name.authority_code, name.type, name.identification};

@@ -1,4 +1,4 @@
-// From a received message to the handler of its type, in constant time and without a heap.
+// Calls the handler of a message's type, in constant time and without a heap.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
@@ -9,12 +9,12 @@
 
 namespace jauscat::jaus {
 
-/// What became of a message.
+/// Result of dispatching a message.
 enum class dispatched : std::uint8_t { handled, unknown, malformed, acknowledgement };
 
-/// What an application made of a message, whether it says so itself or has a dispatcher.
+/// The outcome of an application that returns message_outcome.
 [[nodiscard]] constexpr message_outcome outcome_of(message_outcome outcome) noexcept { return outcome; }
-/// What a component's application says to a message that a dispatcher took.
+/// The outcome of an application that is a dispatcher.
 [[nodiscard]] constexpr message_outcome outcome_of(dispatched what) noexcept {
     if (what == dispatched::unknown) return message_outcome::not_mine;
     return what == dispatched::malformed ? message_outcome::malformed : message_outcome::taken;
@@ -67,7 +67,7 @@ constexpr wire::result decode_body(T& message, std::span<const std::byte> body,
         return wire::decode(message, body);
 }
 
-/// What is the same for all handlers is left to the caller, so that it is compiled once.
+/// Code that is the same for all handlers is in the caller, so that it is compiled once.
 template <std::size_t I, class List>
 constexpr wire::errc decode_and_handle(List& handlers, const header& head, std::span<const std::byte> body,
                                        wire::arena* memory) {
@@ -138,7 +138,6 @@ inline constexpr std::uint32_t presence_bits_of = [] {
 ///     arm(head, body);
 template <class... Handlers> class dispatcher {
   public:
-    /// Of a callable for each message, in the order of the list.
     constexpr explicit dispatcher(Handlers... handlers) : handlers_{std::move(handlers)...} {}
 
     /// A body that does not decode is never handed to a typed handler.

@@ -1,5 +1,5 @@
-// Control of another component, on the side that wants it: asked for until there is an answer, kept, noticed when it is
-// lost, released. RA 3.3 part 3, core subgroup. The other side is component_control.hpp.
+// Control of another component, controller side: request with retries, renewal, loss, release. RA 3.3 part 3, core
+// subgroup. The other side is component_control.hpp.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/message/callback.hpp>
@@ -14,7 +14,7 @@
 
 namespace jauscat::jaus {
 
-/// Where the control of another component stands.
+/// State of the control of another component.
 enum class control_state : std::uint8_t {
     none,       ///< not wanted, or released
     asking,     ///< asked for, no answer yet
@@ -24,20 +24,18 @@ enum class control_state : std::uint8_t {
     unanswered, ///< given up: no answer to as many requests as were to be made
 };
 
-/// How control is asked for, and kept.
+/// Timeout, retries and renewal of control.
 struct held_control_options {
     std::chrono::nanoseconds timeout{std::chrono::seconds{1}}; ///< between requests that are not answered
     unsigned requests{3};                                      ///< unanswered ones, before it is given up
-    /// Control is asked for again so long after it was confirmed, as a sign of life for a component that takes it away
-    /// from silent controllers, and to see whether the component is still there. 0: never.
+    /// Interval of renewing requests: keeps control alive at the component, and detects its loss. 0: never.
     std::chrono::nanoseconds renewal{};
 };
 
-/// The control that this component, `self`, has or wants of the component `target`. A refusal or a loss is final: who
-/// wants to try again calls ask() again.
+/// Control of the component `target` by the component `self`. After a refusal or a loss, call ask() to try again.
 class held_control {
   public:
-    /// `changed` hears of each new state; it must outlive this.
+    /// `changed` is called with each new state; it must outlive this object.
     constexpr held_control(const address& self, const address& target, const held_control_options& options = {},
                            callback<void(control_state)> changed = {}) noexcept
         : self_{self}, target_{target}, options_{options}, changed_{changed} {}
@@ -61,10 +59,9 @@ class held_control {
         if (tell) static_cast<void>(put(head(), release_component_control{}, out));
     }
 
-    /// Takes Confirm and Reject Component Control from the target, and its question for the pulse while control is
-    /// wanted; others' are not its business. A confirmation of control that this side does not want, or does not know
-    /// it has, is answered with a release: the component must not be held by nobody. For the same reason the first
-    /// questions for the pulse after control was given up are: the release may have been lost.
+    /// Handles Confirm and Reject Component Control from the target, and its Query Heartbeat Pulse while control is
+    /// requested or held. A confirmation of control that was not requested is answered with a release, and so are the
+    /// first Query Heartbeat Pulses after a release, which may have been lost.
     constexpr message_outcome on_message(const header& from, std::span<const std::byte> body,
                                          std::chrono::nanoseconds now, message_sink out) noexcept {
         if (from.source != target_ || is_acknowledgement(from)) return message_outcome::not_mine;
@@ -95,7 +92,7 @@ class held_control {
         default: return message_outcome::not_mine;
         }
     }
-    /// Asks again.
+    /// Repeats and renews requests.
     constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
         const auto due = next_event();
         if (!due || now < *due) return;

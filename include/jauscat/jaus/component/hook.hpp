@@ -1,5 +1,4 @@
-// A function of the user's that is called when something has happened, checked when it is given: one with other
-// parameters or another result does not compile.
+// Reference to a user's function. One with other parameters or another result does not compile.
 #pragma once
 
 #include <concepts>
@@ -9,9 +8,7 @@
 namespace jauscat::jaus {
 
 /// A member function of an object, see `bound`.
-template <auto Function, class Object> struct bound_member {
-    Object* object; ///< whose member function it is
-};
+template <auto Function, class Object> struct bound_member { Object* object; };
 /// A member function of an object, which must outlive the hook: `jaus::bound<&driver::on_state>(*this)`.
 template <auto Function, class Object> [[nodiscard]] constexpr bound_member<Function, Object> bound(Object& object) {
     return {&object};
@@ -20,7 +17,7 @@ template <auto Function, class Object> [[nodiscard]] constexpr bound_member<Func
 /// Refers to a function, or to none. It is called with the arguments of `Signature` and returns exactly its result.
 template <class Signature> class hook;
 
-/// As described above. Made from `bound`, or from a callable object that outlives it.
+/// Constructed from `bound`, or from a callable object that outlives it.
 template <class Result, class... Arguments> class hook<Result(Arguments...)> {
   public:
     constexpr hook() noexcept = default;

@@ -1,4 +1,4 @@
-// What a consumer of service connections knows of each, and what it says about messages.
+// Service connection of a consumer: states, results, options.
 #pragma once
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/jaus/core.hpp>
@@ -7,7 +7,6 @@
 
 namespace jauscat::jaus {
 
-/// Where a connection stands.
 enum class consumed_state : std::uint8_t {
     free,       ///< no connection
     asking,     ///< not confirmed yet; asked again at each timeout
@@ -21,8 +20,8 @@ enum class consumed_state : std::uint8_t {
 
 /// A service connection of a consumer.
 struct consumed_connection {
-    address provider{};                     ///< who sends the reports
-    consumed_state state{};                 ///< how far it has got
+    address provider{}; ///< who sends the reports
+    consumed_state state{};
     std::uint8_t instance_id{};             ///< as confirmed
     service_connection_response response{}; ///< of the last confirmation
     bool confirmed{};                       ///< the instance ID is known
@@ -38,7 +37,7 @@ struct consumed_connection {
     std::uint64_t dropped{};                ///< reports that came twice or after a later one
 };
 
-/// What a message was to a consumer.
+/// Meaning of a message to a consumer.
 enum class consumer_news : std::uint8_t {
     not_mine,   ///< another's business
     malformed,  ///< a confirmation that does not decode
@@ -50,13 +49,13 @@ enum class consumer_news : std::uint8_t {
 };
 /// The news, and the connection it is of.
 struct consumer_outcome {
-    consumer_news what{}; ///< what is new
+    consumer_news what{};
     std::size_t place{};  ///< in connections()
     std::uint64_t lost{}; ///< reports missing just before this one
     friend constexpr bool operator==(const consumer_outcome&, const consumer_outcome&) = default;
 };
 
-/// What a consumer does about silence.
+/// Timeouts and retries of a consumer.
 struct consumer_options {
     std::chrono::nanoseconds timeout{std::chrono::seconds{1}}; ///< between requests that are not answered
     unsigned requests{5};                                      ///< unanswered ones, before a new connection is given up

@@ -1,5 +1,5 @@
-// Events, the side that asks: requests repeated until they are answered, and events matched with what was asked for. RA
-// 3.3 part 3, codes 01F0h to 01F4h and 41F1h. The side that reports is events.hpp.
+// Events, consumer side: requests with retries, received events matched with requests. RA 3.3 part 3, codes 01F0h to
+// 01F4h and 41F1h. The provider side is events.hpp.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/requested_event.hpp>
@@ -8,15 +8,15 @@
 
 namespace jauscat::jaus {
 
-/// Asks for events and matches what comes with what was asked for. An event that is stale is asked for again without
-/// end, so it outlives a provider that starts anew or a link that was down.
+/// Requests events and matches received events with the requests. A stale event is requested again without limit, so
+/// that it survives a restart of the provider or a link failure.
 ///
-/// A periodic event is stale after three periods without one. The others may be silent for long, so after a silence the
-/// provider is asked by Query Events whether it has the event, and the event is stale when no answer lists it. Report
-/// Events does not say whose an event is: another requester's event of the same report and ID counts as this one.
+/// A periodic event is stale after three periods without one. For the others Query Events is sent after a timeout; the
+/// event is stale when no answer lists it. Report Events does not say whose an event is: another requester's event of
+/// the same report and ID counts as this one.
 ///
-/// An event that nobody asked for is cancelled: it was asked for before the program was started anew. So a component
-/// has one of these.
+/// An event that was not requested is cancelled: it is from before a restart of this program. So a component has one
+/// event_consumer.
 template <std::size_t Capacity> class event_consumer {
   public:
     /// `timeout`: between requests that are not answered; `requests`: how many of those. `silence`: without an event
@@ -44,8 +44,8 @@ template <std::size_t Capacity> class event_consumer {
         return static_cast<std::size_t>(place - requested_.begin());
     }
     /// Has an active event set up anew, as `wanted` says, whose local request ID is replaced. A rejection leaves the
-    /// event as it was; without an answer nobody knows. False where the event is not active, and where `wanted` is of
-    /// another report or cannot be sent.
+    /// event unchanged; without an answer its setup is unknown. False where the event is not active, and where `wanted`
+    /// is of another report or cannot be sent.
     [[nodiscard]] constexpr bool update(std::size_t place, create_event wanted, std::chrono::nanoseconds now,
                                         message_sink out) noexcept {
         if (place >= Capacity || requested_[place].state != requested_state::active) return false;
@@ -113,7 +113,7 @@ template <std::size_t Capacity> class event_consumer {
         }
     }
 
-    /// Asks again, and notices silence.
+    /// Repeats requests and detects timeouts.
     constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
         for (requested_event& e : requested_) {
             if (!has_due(e) || e.due > now) continue;
@@ -140,8 +140,7 @@ template <std::size_t Capacity> class event_consumer {
         return next;
     }
 
-    /// Gives up the events of those that have disappeared, see stands_for: should they come back, they know nothing of
-    /// them. Returns how many.
+    /// Drops the events of lost providers, see stands_for. Returns their number.
     constexpr std::size_t on_lost(const address& provider) noexcept {
         std::size_t count = 0;
         for (requested_event& e : requested_) {
@@ -193,7 +192,7 @@ template <std::size_t Capacity> class event_consumer {
         const auto size = wire::encode(wanted, std::span{e.request.begin(), e.request.size()});
         return size && e.request.resize(size.size());
     }
-    // A cancel before the ID is known makes the request once more: its answer tells the ID.
+    // A cancel before the ID is known repeats the request, whose answer has the ID.
     constexpr void ask(requested_event& e, std::chrono::nanoseconds now, message_sink out) noexcept {
         create_event wanted{};
         static_cast<void>(wire::decode(wanted, std::span<const std::byte>{e.request.begin(), e.request.size()}));

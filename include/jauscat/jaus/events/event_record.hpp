@@ -15,7 +15,7 @@ namespace jauscat::jaus {
 
 /// An event of a provider.
 struct event_record {
-    address requester{};                     ///< who is sent the events
+    address requester{};                     ///< the consumer
     std::uint16_t message_code{};            ///< of the report; 0: no event
     std::uint8_t event_id{};                 ///< 1 to 255
     std::uint8_t local_request_id{};         ///< of the last request for it
@@ -32,7 +32,7 @@ struct event_record {
     std::chrono::nanoseconds silent_until{}; ///< with a minimum rate: when the next is sent without a change
 };
 
-/// Begins anew with `setup`, of an event of `report`; ID and sequence number are kept.
+/// Restarts the event with `setup`; ID and sequence number are kept.
 constexpr void arm(event_record& e, const event_setup& setup, const eventful_report& report,
                    std::chrono::nanoseconds now) noexcept {
     e.setup = setup;
@@ -74,7 +74,7 @@ constexpr void arm(event_record& e, const event_setup& setup, const eventful_rep
     return due;
 }
 
-/// What follows from the event's having been `sent`, or not, for want of a report.
+/// Updates the event after it was `sent`, or skipped for lack of a report.
 constexpr void note_sent(event_record& e, bool sent, std::chrono::nanoseconds now) noexcept {
     if (sent) {
         ++e.sequence_number;
@@ -93,8 +93,8 @@ constexpr void note_sent(event_record& e, bool sent, std::chrono::nanoseconds no
     if (e.setup.min_rate != 0) e.silent_until = now + period_of(e.setup.min_rate);
 }
 
-/// Whether the requester of both seems to have asked for `later` instead of `earlier`: it has started anew, and counts
-/// its requests from the same number. Then nobody cancels `earlier`.
+/// Whether the requester of both seems to have asked for `later` instead of `earlier`: it has restarted and counts its
+/// requests from the same number. `earlier` will then never be cancelled.
 [[nodiscard]] constexpr bool supersedes(const event_record& later, const event_record& earlier) noexcept {
     return later.message_code == earlier.message_code && later.requester == earlier.requester &&
            later.local_request_id == earlier.local_request_id && later.order > earlier.order;

@@ -1,4 +1,4 @@
-// What an event was asked to be, and what can be said about a request before it is one. RA 3.3 part 3, Create Event.
+// Parameters of an event, and the check of a request. RA 3.3 part 3, Create Event.
 #pragma once
 #include <jauscat/jaus/events/event_condition.hpp>
 #include <jauscat/jaus/events/update_rate.hpp>
@@ -26,7 +26,7 @@ using event_filler = callback<std::optional<std::size_t>(std::uint16_t command_c
 /// Whether a component may have an event: successful, or the reason why not, for example connection_refused.
 using event_judge = callback<event_response(const header&, std::uint16_t message_code)>;
 
-/// What an event was asked to be.
+/// Parameters of an event.
 struct event_setup {
     jaus::event_type event_type{};                         ///< when it is sent
     event_condition condition{};                           ///< which values count

@@ -1,5 +1,5 @@
-// Events, the side that reports: who asked for which, what triggers them, and when the next is due. RA 3.3 part 3,
-// codes 01F0h to 01F4h, 21F0h, 41F0h and 41F1h. The side that asks is event_consumer.hpp.
+// Events, provider side: requests, triggers, due times. RA 3.3 part 3, codes 01F0h to 01F4h, 21F0h, 41F0h and 41F1h.
+// The consumer side is event_consumer.hpp.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/event_record.hpp>
@@ -8,9 +8,9 @@
 
 namespace jauscat::jaus {
 
-/// Keeps events and sends them; what triggers which type says event_record.hpp. Only who created an event may update or
-/// cancel it. A request that comes twice is confirmed twice, and makes one event, which begins anew: its requester may
-/// have started anew. Where no place is free, an event that its requester has asked for anew since gives its place.
+/// Creates, updates, cancels and sends events; event_record.hpp describes the triggers. Only the requester of an event
+/// may update or cancel it. A repeated request is confirmed again and restarts its event. If no place is free, an event
+/// that its requester has superseded is replaced.
 ///
 ///     const auto fill = [&](std::uint16_t code, std::span<const std::byte> query, std::span<std::byte> body) { ... };
 ///     constexpr std::array reports{jaus::eventful_report{0x4404, &jaus::read_field<jaus::report_velocity_state>}};
@@ -20,9 +20,9 @@ template <std::size_t Capacity> class events {
     static_assert(Capacity >= 1 && Capacity <= 64, "events: more than 64 may not fit one Report Events");
 
   public:
-    /// `memory`: 24 bytes and twice the longest report; less than 256 bytes are too few for all answers, and
-    /// Report Events takes up to 1 byte and 62 for each event. All but `self` must outlive this. Without a judge all
-    /// are admitted; who admits strangers lets them direct reports at any component.
+    /// `memory`: 24 bytes and twice the longest report; less than 256 bytes are too few for all answers, and Report
+    /// Events takes up to 1 byte and 62 for each event. All but `self` must outlive this. Without a judge all requests
+    /// are accepted, so that any sender can direct reports at any component.
     constexpr events(const address& self, std::span<const eventful_report> reports, event_filler fill,
                      std::span<std::byte> memory, event_judge judge = {}) noexcept
         : self_{self}, reports_{reports}, fill_{fill}, judge_{judge} {
@@ -50,7 +50,7 @@ template <std::size_t Capacity> class events {
         }
     }
 
-    /// To be called when report `code` has changed; `body` is the new one with all its fields.
+    /// Call when report `code` has changed; `body` is the new one with all its fields.
     constexpr void changed(std::uint16_t code, std::span<const std::byte> body, std::chrono::nanoseconds now,
                            message_sink out) noexcept {
         for (event_record& e : events_) {
@@ -211,7 +211,7 @@ template <std::size_t Capacity> class events {
         return fits ? message_outcome::taken : message_outcome::refused;
     }
 
-    // A free place, or else that of an event that nobody wants any more.
+    // A free place, or that of an event that its requester has superseded.
     [[nodiscard]] constexpr event_record* free_place() noexcept {
         auto found = std::ranges::find(events_, 0, &event_record::message_code);
         if (found == events_.end())
@@ -231,7 +231,7 @@ template <std::size_t Capacity> class events {
                                          std::chrono::nanoseconds now) noexcept {
         const eventful_report* const report = report_of(e.message_code);
         arm(e, setup, *report, now);
-        // What counts as a change is told from the present report, if there is one.
+        // Changes are detected relative to the present report, if there is one.
         if (!is_on_change(setup.event_type) || !setup.condition.field) return e;
         if (const auto size = fill_(e.message_code, {}, report_); size && *size <= report_.size())
             static_cast<void>(triggers(e, *report, report_.first(*size)));

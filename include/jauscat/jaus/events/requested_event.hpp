@@ -1,4 +1,4 @@
-// What a consumer of events knows of each, and what it says about messages.
+// Event of a consumer: states, results.
 #pragma once
 #include <jauscat/jaus/events/event_setup.hpp>
 
@@ -6,7 +6,6 @@
 
 namespace jauscat::jaus {
 
-/// Where a requested event stands.
 enum class requested_state : std::uint8_t {
     free,       ///< no event
     asking,     ///< not answered yet; asked again at each timeout
@@ -23,8 +22,8 @@ inline constexpr std::size_t max_create_event_size = 42 + max_event_query;
 
 /// An event of a consumer.
 struct requested_event {
-    address provider{};                  ///< who sends the events
-    requested_state state{};             ///< how far it has got
+    address provider{}; ///< who sends the events
+    requested_state state{};
     event_response response{};           ///< of the last answer
     std::uint16_t message_code{};        ///< of the report
     event_type type{};                   ///< what triggers it
@@ -43,7 +42,7 @@ struct requested_event {
         request{}; ///< the body of Create Event, or what Update Event has
 };
 
-/// What a message was to a consumer of events.
+/// Meaning of a message to an event consumer.
 enum class event_news : std::uint8_t {
     not_mine,  ///< another's business
     malformed, ///< one of its messages that does not decode
@@ -54,9 +53,8 @@ enum class event_news : std::uint8_t {
     repeated,  ///< an event that came before, or after a later one
     unknown,   ///< an event that was not asked for, or answers a request that was not made
 };
-/// The news, and the event it is of.
 struct event_outcome {
-    event_news what{};                   ///< what is new
+    event_news what{};
     std::size_t place{};                 ///< in requested()
     unsigned lost{};                     ///< events missing just before this one
     std::uint16_t message_code{};        ///< of the report in an event

@@ -1,5 +1,5 @@
-// Service connections, the side that reports: who asked for which report, at what rate, and when the next is due. RA
-// 3.3 part 3, codes 0008h to 000Ch. The side that asks is service_consumer.hpp.
+// Service connections, provider side: requests, rates, due times. RA 3.3 part 3, codes 0008h to 000Ch. The consumer
+// side is service_consumer.hpp.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/update_rate.hpp>
@@ -29,7 +29,7 @@ using connection_judge = callback<service_connection_response(const header&, con
 
 /// A service connection of a provider.
 struct service_connection {
-    address consumer{};              ///< who asked for it
+    address consumer{};
     std::uint16_t command_code{};    ///< of the report; 0: no connection
     std::uint32_t presence_vector{}; ///< the fields that are reported
     std::uint8_t priority{};         ///< of the request, and of its reports
@@ -42,12 +42,11 @@ struct service_connection {
 /// Answers requests for service connections and sends the reports.
 ///
 /// A component has one connection for each report code: the header of a report names no connection, so two could not be
-/// told apart. Asking again changes rate and presence vector and keeps instance ID and sequence number, so a request
-/// that is repeated because its confirmation got lost does no harm. Only the component that asked may activate,
-/// suspend and terminate. The RA has no answer to these three; an acknowledgement that was asked for is the caller's
-/// (see message_outcome). Reports lie on absolute instants, one period apart, from the request on; one that is late is
-/// sent once, however many periods have passed. A report may have 4080 bytes: its sequence number counts sends, so it
-/// cannot be cut.
+/// told apart. A repeated request changes rate and presence vector and keeps instance ID and sequence number, so that a
+/// lost confirmation is harmless. Only the requester may activate, suspend and terminate. The RA has no answer to these
+/// three; an acknowledgement that was asked for is the caller's (see message_outcome). Reports lie on absolute
+/// instants, one period apart, from the request on; one that is late is sent once, however many periods have passed. A
+/// report may have 4080 bytes: its sequence number counts sends, so it cannot be cut.
 ///
 ///     const auto fill = [&](std::uint16_t code, std::uint32_t fields, std::span<std::byte> body) { ... };
 ///     jaus::service_connections<16> connections{self, reports, fill, memory};
@@ -55,8 +54,8 @@ template <std::size_t Capacity> class service_connections {
     static_assert(Capacity >= 1 && Capacity <= 256, "service_connections: instance IDs are one byte");
 
   public:
-    /// `memory` is room for a header and the longest report. All but `self` must outlive this. Without a judge all are
-    /// admitted; who admits strangers lets them direct reports at any component.
+    /// `memory` is room for a header and the longest report. All but `self` must outlive this. Without a judge all
+    /// requests are accepted, so that any sender can direct reports at any component.
     constexpr service_connections(const address& self, std::span<const connectable_report> reports, report_filler fill,
                                   std::span<std::byte> memory, connection_judge judge = {}) noexcept
         : self_{self},

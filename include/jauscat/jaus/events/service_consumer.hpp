@@ -1,6 +1,5 @@
-// Service connections, the side that asks: requests repeated until they are confirmed, reports counted by their
-// sequence numbers, silence noticed. RA 3.3 part 3, codes 0008h to 000Ch. The side that reports is
-// service_connections.hpp.
+// Service connections, consumer side: requests with retries, sequence numbers of reports, timeouts. RA 3.3 part 3,
+// codes 0008h to 000Ch. The provider side is service_connections.hpp.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/consumed_connection.hpp>
@@ -12,12 +11,12 @@
 
 namespace jauscat::jaus {
 
-/// Asks for reports and keeps account of them: one connection for each provider and report code, because a report's
-/// header does not say which of several it is of. A stale connection is asked for again without end, so it outlives a
-/// provider that starts anew or a link that was down.
+/// Requests reports and counts them: one connection for each provider and report code, because a report's header names
+/// no connection. A stale connection is requested again without limit, so that it survives a restart of the provider or
+/// a link failure.
 template <std::size_t Capacity> class service_consumer {
   public:
-    /// `changed` hears of each new state of a connection; it must outlive this.
+    /// `changed` is called with each new state of a connection; it must outlive this object.
     constexpr explicit service_consumer(const address& self, consumer_options options = {},
                                         callback<void(const consumed_connection&)> changed = {}) noexcept
         : self_{self}, options_{options}, changed_{changed} {}
@@ -50,7 +49,7 @@ template <std::size_t Capacity> class service_consumer {
         enter(connections_[place], consumed_state::suspended);
         return true;
     }
-    /// Goes on with a suspended connection; false where it is not.
+    /// Activates a suspended connection; false if it is not suspended.
     [[nodiscard]] constexpr bool activate(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
         if (place >= Capacity || connections_[place].state != consumed_state::suspended) return false;
         consumed_connection& c = connections_[place];
@@ -94,7 +93,7 @@ template <std::size_t Capacity> class service_consumer {
         return {consumer_news::ignored, place};
     }
 
-    /// Asks again, notices silence, and frees what has ended.
+    /// Repeats requests, detects timeouts, and frees ended connections.
     constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
         for (consumed_connection& c : connections_) {
             if (!waits(c) || c.due > now) continue;
@@ -133,7 +132,7 @@ template <std::size_t Capacity> class service_consumer {
         });
         return found == connections_.end() ? nullptr : &*found;
     }
-    // What was refused or not answered makes place for the next.
+    // Refused and unanswered connections are replaced.
     [[nodiscard]] constexpr consumed_connection* free_place() noexcept {
         consumed_connection* found = nullptr;
         for (consumed_connection& c : connections_) {
@@ -176,7 +175,7 @@ template <std::size_t Capacity> class service_consumer {
             c->instance_id = answered.instance_id;
             c->confirmed = true;
         }
-        // It came after all, and nobody wants it any more.
+        // Late confirmation of an abandoned request.
         if (accepted && (c->state == consumed_state::ending || c->state == consumed_state::unanswered))
             end(place, now, out);
         if (c->state != consumed_state::asking && !going_on(*c)) return {consumer_news::ignored, place};
@@ -201,8 +200,7 @@ template <std::size_t Capacity> class service_consumer {
                                      std::chrono::nanoseconds now) noexcept {
         const auto ahead = static_cast<std::uint16_t>(number - c.sequence_number);
         const bool newer = !c.heard || (ahead != 0 && ahead < 0x8000);
-        // A provider that has started anew counts from 0; while it was silent nothing else was heard that could be
-        // late.
+        // A restarted provider counts from 0; after a timeout no late report is possible.
         if (!newer && c.state != consumed_state::stale) {
             ++c.dropped;
             return {consumer_news::old_report, place};

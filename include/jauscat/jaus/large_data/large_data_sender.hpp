@@ -44,9 +44,9 @@ class large_data_sender {
     /// ok, or why nothing is sent: no_space (`packet` has no byte behind the header), body_too_large (more than 65536
     /// packets), invalid_header.
     [[nodiscard]] constexpr errc error() const noexcept { return error_; }
-    /// How many packets the body makes; 0 after an error.
+    /// Number of packets; 0 after an error.
     [[nodiscard]] constexpr std::size_t packets() const noexcept { return packets_; }
-    /// How many of them next() has sent.
+    /// Number of packets sent by next().
     [[nodiscard]] constexpr std::size_t sent() const noexcept { return sent_; }
 
     /// Hands the next packet to `out`; false, and nothing is sent, when there is none left.

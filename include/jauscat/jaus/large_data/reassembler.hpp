@@ -1,5 +1,4 @@
-// Large data sets received: a body that does not fit one packet comes in several, and is put together here in memory
-// that the caller gives. RA 3.3 part 2, large data sets.
+// Reassembles large data sets in memory of the caller. RA 3.3 part 2, large data sets.
 #pragma once
 #include <jauscat/jaus/message/message.hpp>
 
@@ -12,7 +11,7 @@
 
 namespace jauscat::jaus {
 
-/// What became of a packet.
+/// Result of a packet.
 enum class reassembled : std::uint8_t {
     only,      ///< no part of a large data set, or an acknowledgement: it is the caller's
     waiting,   ///< kept; others are missing. A last packet that asks for acknowledgement is not kept: it is repeated
@@ -24,7 +23,7 @@ enum class reassembled : std::uint8_t {
     too_large, ///< dropped together with its data set, which has more bytes or packets than a place holds
 };
 
-/// What became of it in one line, for logs.
+/// The result in one line, for logs.
 [[nodiscard]] constexpr std::string_view describe(reassembled what) noexcept {
     switch (what) {
     case reassembled::only: return "complete in one packet";
@@ -59,7 +58,6 @@ struct held_packet {
     std::uint32_t offset{};          ///< where they begin
 };
 
-/// What a reassembler grants its senders.
 struct reassembly_limits {
     /// Places that one source may take, with several command codes at a time; 0: half of them, at least one.
     std::size_t places_per_source{};
@@ -82,10 +80,10 @@ struct reassembly_limits {
 
 /// Puts data sets together by command code and source. Packets may come out of order and more than once.
 ///
-/// Memory is what the caller gives: a flood takes places, never more memory. A data set of which a second packet has
-/// come goes on, and keeps its place until it has been silent for the timeout. One with a single packet gives its
-/// place to the packet 0 of a newcomer where no other is free, the longest silent one first, so a flood of first
-/// packets, from whatever sources, neither displaces what goes on nor keeps others out.
+/// All memory is the caller's. A data set of which a second packet has come goes on, and keeps its place until it has
+/// been silent for the timeout. One with a single packet gives its place to the packet 0 of a newcomer where no other
+/// is free, the longest silent one first, so a flood of first packets, from whatever sources, neither displaces what
+/// goes on nor keeps others out.
 ///
 /// Packets carry nothing that names their data set: the next one of the same source and code uses the same numbers.
 /// What cannot be told apart is given up, never put together. A data set is given up when a packet comes
@@ -174,7 +172,7 @@ class reassembler {
         return reassembled::whole;
     }
 
-    /// Gives up what has been silent for the timeout. Not needed for safety: on_packet does so for the place it wants.
+    /// Drops data sets that have timed out. Optional: on_packet does so for the place that it needs.
     constexpr void on_time(std::chrono::nanoseconds now, auto&& lost) {
         for (partial_data_set& set : places_)
             if (set.packets != 0 && stale(set, now)) forget(set, lost);

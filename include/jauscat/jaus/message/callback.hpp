@@ -1,4 +1,4 @@
-// A reference to a function of the user's that a state machine keeps: nothing allocated, nothing owned.
+// Reference to a user's callable. Does not allocate or own.
 #pragma once
 
 #include <concepts>
@@ -10,7 +10,6 @@ namespace jauscat::jaus {
 /// Refers to a callable, or to none. Made from an lvalue only, which must outlive it.
 template <class Signature> class callback;
 
-/// As described above.
 template <class Result, class... Arguments> class callback<Result(Arguments...)> {
   public:
     constexpr callback() noexcept = default;

@@ -1,4 +1,4 @@
-// A command's fields put into the report that tells of them.
+// Copies a command's fields into the report with the same fields.
 #pragma once
 #include <jauscat/wire/layout.hpp>
 

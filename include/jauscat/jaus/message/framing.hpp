@@ -1,4 +1,4 @@
-// What stands in front of a JAUS message in a UDP datagram: nothing, or the eight characters of the RA era.
+// Framing of JAUS messages in UDP datagrams: none (`bare`), or the prefix `JAUS01.0` of the RA.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,6 @@
 
 namespace jauscat::jaus {
 
-/// How a message is put into a datagram.
 enum class framing : std::uint8_t {
     bare,   ///< the message alone, its 16-byte header first
     jaus01, ///< the 8 characters `JAUS01.0`, then the message
@@ -31,7 +30,7 @@ constexpr std::span<const std::byte> prefix(framing f) noexcept {
 
 /// A datagram taken apart. `message` points into the datagram and may be empty.
 struct framed_message {
-    framing how{};                        ///< what stood in front of the message
+    framing how{};                        ///< the framing found
     std::span<const std::byte> message{}; ///< header and body
 };
 

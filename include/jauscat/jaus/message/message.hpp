@@ -1,4 +1,4 @@
-// A whole JAUS message: header and body, put together and taken apart.
+// Joins header and body to a message, and splits a message.
 #pragma once
 #include <jauscat/schema/jaus/command_code.hpp>
 #include <jauscat/schema/jaus/header.hpp>
@@ -22,7 +22,7 @@ inline constexpr std::size_t header_size = wire::max_size<header>;
 /// Whether an address is that of a node manager: component 1, instance 1 of its node.
 [[nodiscard]] constexpr bool is_node_manager(const address& a) noexcept { return a.component == 1 && a.instance == 1; }
 
-/// Why a message could not be made or taken apart.
+/// Errors of joining and splitting messages.
 enum class errc : std::uint8_t {
     ok,
     truncated,      ///< shorter than a header

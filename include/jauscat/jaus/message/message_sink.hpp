@@ -1,4 +1,4 @@
-// Where state machines put the messages that they want to be sent: a reference to a function, nothing allocated.
+// Reference to the function that sends messages. Does not allocate.
 #pragma once
 
 #include <concepts>

@@ -1,4 +1,4 @@
-// Instants to come, also those that never do.
+// Saturating addition of times.
 #pragma once
 #include <chrono>
 

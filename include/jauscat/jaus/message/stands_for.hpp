@@ -1,10 +1,10 @@
-// Addresses that stand for all components of a level.
+// Addresses with wildcards (255).
 #pragma once
 #include <jauscat/jaus/message/message.hpp>
 
 namespace jauscat::jaus {
 
-/// Whether `levels`, in which an octet of 255 stands for all of its level, stands for the component `one`.
+/// Whether the address `levels`, in which 255 matches every ID, matches the component `one`.
 [[nodiscard]] constexpr bool stands_for(const address& levels, const address& one) noexcept {
     const auto same = [](std::uint8_t all, std::uint8_t octet) { return all == 255 || all == octet; };
     return same(levels.subsystem, one.subsystem) && same(levels.node, one.node) &&

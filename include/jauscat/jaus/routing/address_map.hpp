@@ -1,4 +1,4 @@
-// What belongs to JAUS addresses, found in constant time: entries may leave levels open, the most specific one counts.
+// Map from JAUS addresses with wildcards to values; constant-time lookup, the most specific entry wins.
 #pragma once
 #include <jauscat/schema/jaus/header.hpp>
 
@@ -18,7 +18,7 @@ template <class Value> struct address_place {
     Value value{};           ///< the caller's
 };
 
-/// What became of an entry.
+/// Result of an insertion.
 enum class inserted : std::uint8_t {
     ok,
     full,      ///< no place is left; see address_map::capacity
@@ -46,11 +46,10 @@ template <class Value> class address_map {
         clear();
     }
 
-    /// How many entries there can be: three quarters of the places.
+    /// Maximum number of entries: three quarters of the places.
     [[nodiscard]] constexpr std::size_t capacity() const noexcept {
         return places_.size() - std::max(places_.size() / 4, std::min<std::size_t>(places_.size(), 1));
     }
-    /// How many entries there are.
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
 
     /// Puts a value under an address that is not there yet.

@@ -1,4 +1,4 @@
-// Who has been heard of lately.
+// Liveness of components.
 #pragma once
 #include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/routing/address_map.hpp>
@@ -15,15 +15,15 @@ struct presence {
     std::chrono::nanoseconds gone_at{};       ///< when it is given up unless it is heard again; max: never
 };
 
-/// What hearing of a component means.
+/// Result of a message from a component.
 enum class heard : std::uint8_t {
     known,    ///< was there already
     appeared, ///< is new
     no_room,  ///< is new and not remembered: the table is full
 };
 
-/// The components that are there, each until it has been silent for the timeout it was heard with. A flood of new
-/// addresses takes places, never more memory, and displaces nobody. Found in constant time.
+/// The components that are alive, each until its timeout after its last message. A flood of new addresses fills the
+/// table but displaces no entry. Constant-time lookup.
 class liveness_table {
   public:
     using time = std::chrono::nanoseconds;
@@ -48,7 +48,7 @@ class liveness_table {
     /// `who` is there for good, whether it is heard or not; false when the table is full.
     constexpr bool keep(const address& who) noexcept { return on_heard(who, time{}, time::max()) != heard::no_room; }
 
-    /// Gives up who has been silent too long: `gone(const address&)` hears of each, which is no longer in the table.
+    /// Removes components whose timeout has expired; calls `gone(const address&)` for each.
     constexpr void on_time(time now, auto&& gone) {
         if (now < next_check_) return;
         next_check_ = time::max();
@@ -60,7 +60,7 @@ class liveness_table {
             },
             gone);
     }
-    /// When on_time may have something to do: not later than that somebody must be given up.
+    /// Time of the next call of on_time, not later than the next timeout.
     [[nodiscard]] constexpr std::optional<time> next_event() const noexcept {
         if (next_check_ == time::max()) return std::nullopt;
         return next_check_;
@@ -91,9 +91,7 @@ class liveness_table {
         for (const place& one : map_.places())
             if (one.taken) use(one.address);
     }
-    /// How many are present.
     [[nodiscard]] constexpr std::size_t size() const noexcept { return map_.size(); }
-    /// How many there can be.
     [[nodiscard]] constexpr std::size_t capacity() const noexcept { return map_.capacity(); }
 
   private:

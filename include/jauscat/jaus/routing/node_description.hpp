@@ -1,4 +1,4 @@
-// What the user says of a node: what it is called, what its manager offers, how patient it is.
+// Description and options of a node manager.
 #pragma once
 #include <jauscat/jaus/component/described_component.hpp>
 #include <jauscat/jaus/message/callback.hpp>
@@ -6,7 +6,7 @@
 
 namespace jauscat::jaus {
 
-/// What a node manager offers: its service type is its component ID.
+/// Service of a node manager; the service type is its component ID.
 namespace node_manager_messages {
 inline constexpr std::array<supported_message, 7> input{
     {{0x2202}, {0x2B00}, {0x2B01}, {0x2B02}, {0x2B03}, {0x4202}, {0x4B01}}};
@@ -14,22 +14,21 @@ inline constexpr std::array<supported_message, 6> output{{{0x2B01}, {0x4202}, {0
 inline constexpr std::array<offered_service, 1> services{{{1, input, output}}};
 } // namespace node_manager_messages
 
-/// What a node manager tells of its node.
+/// Identifications of system, subsystem and node.
 struct node_description {
-    identity system{};                                                           ///< what is told of the system
-    identity subsystem{.type = 30001};                                           ///< of the subsystem
-    identity node{.type = 40001};                                                ///< of the node
-    identity manager{.type = 60001};                                             ///< of the node manager itself
-    std::span<const offered_service> services = node_manager_messages::services; ///< of the node manager
+    identity system{}; ///< identification of the system
+    identity subsystem{.type = 30001};
+    identity node{.type = 40001};
+    identity manager{.type = 60001}; ///< of the node manager itself
+    std::span<const offered_service> services = node_manager_messages::services;
     std::span<const configured_component> components{}; ///< known from the start, beside the node manager
 };
 
-/// How a node manager behaves.
 struct node_manager_options {
     heartbeat beat = heartbeat_to_all(); ///< to whom, and how often
     /// A component that sends no heartbeat for so long is gone; with a node manager goes what it reported.
     std::chrono::nanoseconds timeout{std::chrono::seconds{3}};
-    /// How often the other nodes of the subsystem are asked for their components; 0: only when they appear.
+    /// Interval of queries to the other nodes of the subsystem for their components; 0: only when a node appears.
     std::chrono::nanoseconds survey{std::chrono::seconds{10}};
     callback<void(const address&)> appeared{};    ///< a component is new
     callback<void(const address&)> disappeared{}; ///< a component is gone

@@ -1,5 +1,5 @@
-// The node manager, component 1 instance 1 of a node: shows that the node is there, watches who else is, and says which
-// subsystems, nodes and components there are.
+// The node manager, component 1 instance 1 of a node: heartbeats, liveness of other components, lists of subsystems,
+// nodes and components.
 #pragma once
 #include <jauscat/jaus/routing/node_description.hpp>
 
@@ -77,7 +77,7 @@ class node_manager {
         return next;
     }
 
-    /// Who is there.
+    /// The components that are present.
     [[nodiscard]] const liveness_table& present() const noexcept { return present_; }
     /// `who` counts as there for good, also if it sends no heartbeats; false when there is no room.
     bool keep(const address& who) noexcept { return present_.keep(who); }

@@ -1,4 +1,4 @@
-// The words of routing: where messages come from and go to, and what becomes of them.
+// Routing types: hops, and the result of routing a message.
 #pragma once
 #include <cstdint>
 #include <string_view>
@@ -9,12 +9,12 @@ namespace jauscat::jaus {
 /// meaning, such as the index of a UDP endpoint.
 using hop = std::uint16_t;
 
-/// Where a message comes from that a component of this program sends.
+/// The hop of messages sent by components of this program.
 inline constexpr hop here = 0xFFFF;
-/// Where a message comes from whose sender is none of the known hops. It is trusted as little as another subsystem.
+/// The hop of messages from an unknown neighbour. It has the rights of another subsystem.
 inline constexpr hop unknown_hop = 0xFFFE;
 
-/// What kind of neighbour a hop is: the innermost of the addresses that lead to it says so.
+/// Kind of a neighbour, by the innermost of the addresses routed to it.
 enum class hop_kind : std::uint8_t {
     unused,    ///< no address leads to it
     subsystem, ///< only addresses of other subsystems
@@ -23,7 +23,7 @@ enum class hop_kind : std::uint8_t {
     manager,   ///< the program that has the own node's node manager: this program has a few of the node's components
 };
 
-/// What became of a way or a component that was to be added.
+/// Result of adding a route or a component.
 enum class added : std::uint8_t {
     ok,
     full,            ///< no place is left in the memory of ways or of components
@@ -32,7 +32,7 @@ enum class added : std::uint8_t {
     invalid_hop,     ///< not a number below the number of places for hops
 };
 
-/// What became of it in one line, for messages about a configuration.
+/// The result in one line, for configuration errors.
 [[nodiscard]] constexpr std::string_view describe(added what) noexcept {
     switch (what) {
     case added::ok: return "ok";
@@ -44,7 +44,7 @@ enum class added : std::uint8_t {
     return "unknown";
 }
 
-/// What became of a message. Those from `no_such_component` on are for the log: the message goes nowhere.
+/// Result of routing. From `no_such_component` on the message was dropped; log it.
 enum class routed : std::uint8_t {
     ok,                  ///< handed to somebody
     nobody,              ///< to all of a kind, and there is none here or beyond
@@ -59,7 +59,7 @@ enum class routed : std::uint8_t {
     source_is_elsewhere, ///< from a component of this node, with the source of another
 };
 
-/// What became of it in one line, for logs.
+/// The result in one line, for logs.
 [[nodiscard]] constexpr std::string_view describe(routed what) noexcept {
     switch (what) {
     case routed::ok: return "ok";
@@ -78,7 +78,7 @@ enum class routed : std::uint8_t {
     return "unknown";
 }
 
-/// What became of a message, and how many got it.
+/// Result of routing, and number of receivers.
 struct routing {
     routed outcome{};           ///< where it went, or why nowhere
     std::uint16_t components{}; ///< of this program

@@ -1,5 +1,4 @@
-// Which local components a message is for and which neighbours it is forwarded to, so that none circulates although
-// the header has no hop count.
+// Routes messages to local components and neighbours without loops, although the header has no hop count.
 #pragma once
 #include <jauscat/jaus/routing/routing_table.hpp>
 
@@ -148,7 +147,7 @@ class router {
                 send(where.number);
         }
     }
-    // From this node to others: all the work, or leave it to who is there for it.
+    // Routes a message from this node to others, directly or through the program or node that relays for it.
     constexpr routed send_out(const address& to, bool to_nodes, bool to_others, auto& send) const {
         if (const auto manager = table_.manager()) {
             send(*manager);

@@ -1,4 +1,4 @@
-// What the router of a node knows: its components, its neighbours, and which addresses lead to whom.
+// Routing table of a node: components, neighbours, routes.
 #pragma once
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/jaus/routing/address_map.hpp>
@@ -9,22 +9,22 @@
 
 namespace jauscat::jaus {
 
-/// What an address leads to.
+/// A route.
 struct way {
     std::uint16_t number{}; ///< a hop, or the number that the program gave to its component
     bool is_here{};         ///< a component of this program
 };
 /// A place for one hop.
 struct hop_state {
-    hop_kind kind{};       ///< who is behind it
+    hop_kind kind{};       ///< kind of neighbour
     bool outside_groups{}; ///< see routing_table::keep_outside_groups
     std::uint32_t turn{};  ///< of the last broadcast that went there
 };
 /// A place for one component of the own node, in this program or in others. 0: every ID of that level.
 struct node_component {
     std::uint8_t component{}; ///< its ID
-    std::uint8_t instance{};  ///< its instance
-    way where{};              ///< in which program
+    std::uint8_t instance{};
+    way where{}; ///< in which program
 };
 
 /// The addresses that one node knows. An address's level of 0 stands for every ID of that level, and the most specific
@@ -40,7 +40,6 @@ class routing_table {
         : subsystem_{subsystem}, node_{node}, ways_{ways}, hops_{hops}, components_{components} {
         std::ranges::fill(hops, hop_state{});
     }
-    /// Of the own node.
     [[nodiscard]] constexpr std::uint8_t subsystem() const noexcept { return subsystem_; }
     /// The own node.
     [[nodiscard]] constexpr std::uint8_t node() const noexcept { return node_; }
@@ -70,8 +69,8 @@ class routing_table {
         if (which < hops_.size()) hops_[which].outside_groups = true;
     }
 
-    /// What leads to this one component, or nullptr. What leads to the subsystem does not lead to a component that the
-    /// own node does not have.
+    /// The route to this component, or nullptr. What leads to the subsystem does not lead to a component that the own
+    /// node does not have.
     [[nodiscard]] constexpr const way* find(const address& one) const noexcept {
         const auto* const found = ways_.find(one);
         return found == nullptr || (is_own_node(one) && !is_own_node(found->address)) ? nullptr : &found->value;
@@ -94,7 +93,6 @@ class routing_table {
     [[nodiscard]] constexpr std::span<const node_component> components() const noexcept {
         return components_.first(component_count_);
     }
-    /// Whether the address is one of this node.
     [[nodiscard]] constexpr bool is_own_node(const address& a) const noexcept {
         return a.subsystem == subsystem_ && a.node == node_;
     }

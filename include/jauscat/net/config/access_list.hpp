@@ -1,4 +1,4 @@
-// From where messages of which JAUS source are taken.
+// Access list: endpoints from which messages of each JAUS source are accepted.
 #pragma once
 
 #include <jauscat/jaus/routing/address_map.hpp>
@@ -23,8 +23,8 @@ enum class access : std::uint8_t {
     open,   ///< all, for trials
 };
 
-/// What the RA lacks in authentication, as far as addresses go: a message is taken only from where an answer to it
-/// would be sent. Whoever can send datagrams with the address of another, or reads the network, is not kept out.
+/// Accepts a message only from the endpoint to which a reply would be sent. The RA has no authentication; this check
+/// does not stop spoofed datagrams or eavesdropping.
 ///
 /// A check costs a look-up in an address_map and a comparison with the addresses of one system, at most 8, whatever the
 /// number of systems. Nothing allocates but the constructors.
@@ -32,14 +32,14 @@ class access_list {
   public:
     using endpoint = boost::asio::ip::udp::endpoint;
 
-    /// What the check found. `peer` is the place of the system in the configuration, if the source is one of its.
+    /// Result of the check. `peer` is the place of the system in the configuration, if the source is one of its.
     struct finding {
         /// `taken`, or why not
         verdict what{};
         std::optional<std::size_t> peer{}; ///< see above
     };
 
-    /// The systems of `config`. Closed unless told otherwise; open if the configuration names nobody but this system.
+    /// The systems of `config`. Closed unless told otherwise; open if the configuration has no other system.
     explicit access_list(const jaus_config& config, access how = access::closed)
         : how_{config.systems.size() > 1 ? how : access::open},
           places_(std::bit_ceil(config.systems.size() + config.systems.size() / 2 + 2)),

@@ -1,4 +1,4 @@
-// Which JAUS systems there are, where each listens, and which of them this program is.
+// Configuration of all JAUS systems: endpoints, limits, own system.
 #pragma once
 
 #include <jauscat/jaus/message/framing.hpp>
@@ -53,7 +53,7 @@ struct ethercat_entry {
     friend bool operator==(const ethercat_entry&, const ethercat_entry&) = default;
 };
 
-/// What a system may send, and how much memory it sets aside.
+/// Rate limits and memory of a system.
 struct system_limits {
     rate messages{.per_second = 50'000, .burst = 5'000}; ///< that others take from this system
     std::size_t large_data_memory{1U << 20U}; ///< bytes that this system sets aside for large data sets on their way in
@@ -69,7 +69,7 @@ struct system_entry {
     jaus::address jausip{};        ///< each level 0 to 254; 0 stands for every ID at that level
     boost::asio::ip::address ip{}; ///< IPv4 or IPv6; where it is sent to
     std::uint16_t port{};          ///< UDP port, 1 to 65535
-    jaus::framing framing{};       ///< what this system wants in front of a message; `bare` unless given
+    jaus::framing framing{};       ///< framing of messages to this system; `bare` unless given
     std::size_t line{};            ///< where the file declares it
 
     std::vector<boost::asio::ip::address> more_ips{}; ///< from which it may send as well; all different
@@ -128,7 +128,7 @@ constexpr int rank(const jaus::address& entry) noexcept {
     return bits;
 }
 
-/// What is wrong with a line of the file that `config` is from.
+/// Error with the position in the file of `config`.
 inline config_error complaint(const jaus_config& config, std::size_t line, const std::string& text) {
     return {config.source + ':' + std::to_string(line) + ": " + text, line};
 }

@@ -1,4 +1,4 @@
-// How a JAUS node behaves, and whom it tells what.
+// Options and callbacks of a JAUS node.
 #pragma once
 
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
@@ -18,10 +18,10 @@
 
 namespace jauscat::net {
 
-/// How a node behaves; all of it has a default.
+/// All options have defaults.
 struct jaus_node_options {
-    /// Closed: only who is in the configuration, from where it says. Open: everybody, and subsystems that are not in
-    /// the configuration are answered where they were last heard. See access_list.
+    /// Closed: accepts only systems of the configuration, from their endpoints. Open: accepts all; replies to unknown
+    /// subsystems go to their last endpoint. See access_list.
     access who{access::closed};
     /// The node of its system that this is; 0: the one that the configuration names, or 1.
     std::uint8_t node{};
@@ -39,7 +39,7 @@ struct jaus_node_options {
     std::size_t large_data_sets{4};
     /// A large data set of which nothing has come for so long is given up.
     std::chrono::nanoseconds large_data_timeout{std::chrono::seconds{5}};
-    /// How fast large data sets are sent, in packets of 4 KiB each millisecond.
+    /// Sending rate of large data sets, in packets of 4 KiB per millisecond.
     unsigned large_data_pace{4};
     /// Between two large data sets of the same source and code to the same destination, unless the first one was
     /// acknowledged without a repeat: longer than the network holds a datagram back, and than a quarter of it more,
@@ -54,17 +54,18 @@ struct jaus_node_options {
     /// Gets a line about all that was refused, unroutable or lost.
     std::function<void(std::string_view line)> log{};
     rate log_limit{.per_second = 20, .burst = 100}; ///< lines of each cause that go to the log
-    /// Says which field and byte of a body that does not decode are at fault, for the log. text::why_malformed does,
-    /// for the messages of a list.
+    /// Describes the field and byte at which decoding failed, for the log. text::why_malformed does, for the messages
+    /// of a list.
     std::function<std::string(std::uint16_t command_code, std::span<const std::byte> body)> explain_malformed{};
-    /// Hears of each message that a component of the node got, the node manager's included, and what became of it.
+    /// Called for each message delivered to a local component, the node manager included, with its outcome.
     std::function<void(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
                        jaus::component_outcome what)>
         on_message{};
-    /// The node manager has heard of a component for the first time, or no longer hears it.
+    /// Called when a component has appeared, or timed out, at the node manager.
     std::function<void(const jaus::address&who)> appeared{}, disappeared{};
-    /// What became of a large data set that asked for acknowledgement. Acknowledged: the receiving component has all of
-    /// it and has taken it. Refused: it has not. Timed out: an answer is missing, and it may have been taken.
+    /// Called with the outcome of a large data set that requested an acknowledgement. Acknowledged: the receiving
+    /// component has all of it and has taken it. Refused: it has not. Timed out: an answer is missing, and it may have
+    /// been taken.
     std::function<void(const jaus::header& head, jaus::delivered what)> large_data_done{};
 };
 

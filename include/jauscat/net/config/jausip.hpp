@@ -1,4 +1,4 @@
-// JAUS addresses as people write them: subsystem.node.component.instance, as in 1.1.33.1.
+// Text form of JAUS addresses: subsystem.node.component.instance, as in 1.1.33.1.
 #pragma once
 
 #include <jauscat/schema/jaus/header.hpp>

@@ -1,4 +1,4 @@
-// What a UDP socket may be told before and after it is bound.
+// Options of a UDP socket.
 #pragma once
 
 #include <boost/asio/ip/address.hpp>
@@ -9,7 +9,6 @@
 
 namespace jauscat::net {
 
-/// How a transport's socket is opened.
 struct udp_options {
     /// SO_REUSEADDR: several sockets at one address and port. A multicast datagram is given to each of them; one for
     /// the host itself to the socket that was bound last.

@@ -1,4 +1,4 @@
-// What is to become of a datagram, before anything is done with what it says.
+// Decision on a received datagram, before its content is processed.
 #pragma once
 
 #include <cstdint>

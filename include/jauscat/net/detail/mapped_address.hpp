@@ -1,4 +1,4 @@
-// A socket of IPv6 names the addresses of IPv4 in a form of its own, ::ffff:127.0.0.1. Nobody else is to see it.
+// Converts IPv4-mapped addresses of IPv6 sockets (::ffff:127.0.0.1) to IPv4.
 #pragma once
 
 #include <boost/asio/ip/address.hpp>

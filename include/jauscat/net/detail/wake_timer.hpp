@@ -13,7 +13,7 @@
 
 namespace jauscat::net::detail {
 
-/// Being woken early costs a look, moving a timer costs more: so it is only moved to earlier times.
+/// Waking early is cheaper than moving a timer, so it is only moved to earlier times.
 class wake_timer {
   public:
     using time = std::chrono::nanoseconds; ///< of the steady clock

@@ -17,7 +17,6 @@
 
 namespace jauscat::net {
 
-/// What one cycle was like.
 struct cycle_report {
     std::chrono::nanoseconds late{};       ///< by how much it began after its instant
     std::chrono::nanoseconds round_trip{}; ///< from sending the process data to having them back; only if `back`
@@ -25,7 +24,7 @@ struct cycle_report {
     bool back{};                           ///< the frame came back before the next was due
 };
 
-/// How often, and how exactly, process data are exchanged.
+/// Period and timing of the cycles.
 struct cycle_config {
     std::chrono::nanoseconds period{std::chrono::milliseconds{1}}; ///< of one cycle
     /// The end of each wait that is spent awake: see cycle_timer.
@@ -57,7 +56,7 @@ template <ethercat::link Link> class cycle_runner {
         const auto begun = now();
         const auto size = data_.next_frame(frame_, begun);
         report.sent = size != 0 && link_.send(std::span{frame_}.first(size));
-        // Who was kept from running until the cycle was over still looks at what has come, but not for ever.
+        // A thread that was preempted until the end of the cycle still processes received frames, up to a limit.
         for (unsigned late_frames = 0; waits(report) || !master_.idle();) {
             const auto at = now();
             const bool over = at >= end;

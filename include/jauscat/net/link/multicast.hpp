@@ -17,7 +17,7 @@ namespace jauscat::net {
 
 namespace detail {
 
-/// Why an option of multicast was not taken, with what to do.
+/// Throws the error of a multicast option, with what to do.
 [[noreturn]] inline void fail_multicast(const multicast_options& options, const char* what, int error) {
     auto reason = std::string{what} + ' ' + options.group.to_string();
     if (!options.interface_name.empty()) reason += " on " + options.interface_name;
@@ -48,8 +48,8 @@ inline void need_multicast_group(const multicast_options& options) {
 
 } // namespace detail
 
-/// Makes `socket`, bound to the group's port, receive what is sent to the group. It hears the group if it is bound to
-/// the group's address or to none (0.0.0.0, ::), not if it is bound to an address of this host. Throws `open_error`.
+/// Makes `socket`, bound to the group's port, receive what is sent to the group. It receives them if it is bound to the
+/// group's address or to none (0.0.0.0, ::), not if it is bound to an address of this host. Throws `open_error`.
 inline void join_group(boost::asio::ip::udp::socket& socket, const multicast_options& options) {
     detail::need_multicast_group(options);
     group_req request{};

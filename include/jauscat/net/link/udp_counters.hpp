@@ -1,4 +1,4 @@
-// What became of the datagrams at a socket: back-pressure and refusals, in numbers.
+// Counters of the datagrams at a socket.
 #pragma once
 
 #include <jauscat/net/config/verdict.hpp>
@@ -40,7 +40,6 @@ struct udp_counters {
     friend bool operator==(const udp_counters&, const udp_counters&) = default;
 };
 
-/// A counter and its name.
 struct named_counter {
     std::string_view name{};
     std::uint64_t udp_counters::*value{}; ///< where it stands

@@ -72,8 +72,8 @@ class udp_transport {
         receive();
     }
 
-    /// Hands on what `accept` takes, and counts the rest without a report: a flood of datagrams from strangers is not
-    /// to become a flood of lines in a log.
+    /// Hands on what `accept` takes, and counts the rest without a report: unsolicited datagrams must not flood the
+    /// log.
     void set_filter(filter accept) { filter_ = std::move(accept); }
 
     /// Also receives what is sent to a group; see net::join_group for what that takes. Throws `open_error`.
@@ -101,8 +101,8 @@ class udp_transport {
     }
 
     /// As `send`, but what a message handler answers waits until the datagrams that were received together have been
-    /// handed on, and then goes out with one system call: a tenth less time for each message under load. What the
-    /// network does not take is told to the error handler.
+    /// handed on, and then goes out with one system call: a tenth less time for each message under load. Errors of the
+    /// network go to the error handler.
     void post(std::span<const std::byte> message, const endpoint& to, jaus::framing framing = jaus::framing::bare) {
         const auto prefix = jaus::prefix(framing);
         if (!handing_on_ || message.empty() || prefix.size() + message.size() > max_posted_size) {
@@ -131,7 +131,7 @@ class udp_transport {
 
   private:
     void receive() {
-        // The token outlives nothing: it tells a completion that was already queued that the transport is gone.
+        // The token shows a completion that was already queued whether the transport still exists.
         auto complete = [this, token = std::weak_ptr<char>{alive_}](boost::system::error_code error) {
             if (token.expired() || !socket_.is_open()) return;
             if (error)

@@ -1,4 +1,4 @@
-// What stands between the network and a node: who may send, and how much.
+// Filters datagrams before a node: access list and rate limits.
 #pragma once
 
 #include <jauscat/jaus/message/message.hpp>
@@ -47,7 +47,6 @@ class datagram_gate {
         return within ? verdict::taken : verdict::rate_limited;
     }
 
-    /// Who may send.
     [[nodiscard]] const access_list& list() const noexcept { return list_; }
 
   private:

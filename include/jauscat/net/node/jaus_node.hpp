@@ -15,8 +15,8 @@ namespace jauscat::net {
 ///
 /// Messages go by the systems of the configuration, to each with its framing; what comes is taken only from where the
 /// configuration says, put together if it is a large data set, and handed to the components or forwarded. Components
-/// are driven when they want to be. Messages between them are handed on when the sender is done. Nothing is lost
-/// silently: what is unroutable, refused or given up is told to the log. docs/jaus-node.md is the manual.
+/// are driven when they want to be. Messages between them are handed on when the sender is done. Unroutable, refused
+/// and timed-out messages are logged. docs/jaus-node.md is the manual.
 ///
 ///     net::jaus_node node{context, config, {.log = log}};
 ///     node.add(arm, arm_messages); // a jaus::component and a dispatcher for its own messages
@@ -107,7 +107,7 @@ class jaus_node {
     /// Where components put their messages when the application makes them send. Whole messages of at most 4096 bytes;
     /// what is unroutable is logged.
     [[nodiscard]] jaus::message_sink out() noexcept { return out_; }
-    /// To be called when a component was changed so that it wants to be driven earlier, and has sent nothing.
+    /// Call after changing a component without sending: its next event may be earlier.
     void wake() {
         machine_.wake(now());
         arm();
@@ -117,9 +117,8 @@ class jaus_node {
     [[nodiscard]] static time now() noexcept { return std::chrono::steady_clock::now().time_since_epoch(); }
     /// The node manager's address, also where another program has it.
     [[nodiscard]] const jaus::address& manager() const noexcept { return machine_.manager(); }
-    /// Whom the node manager hears, or nullptr where this program has none or was never started.
+    /// The components alive at the node manager; nullptr without a node manager or before the first start.
     [[nodiscard]] const jaus::liveness_table* present() const noexcept { return machine_.present(); }
-    /// What it was made with.
     [[nodiscard]] const jaus_config& config() const noexcept { return machine_.config(); }
     /// Of the socket and the group's together, since the last start.
     [[nodiscard]] udp_counters counts() const noexcept { return socket_ ? socket_->counts() : udp_counters{}; }

@@ -1,4 +1,4 @@
-// Sending a JAUS message where its header says: the configuration knows the way, the transport goes it.
+// Sends a JAUS message to the system that the configuration has for its destination.
 #pragma once
 
 #include <jauscat/net/config/jaus_config.hpp>

@@ -85,7 +85,7 @@ class node_machine {
         wake(now);
     }
 
-    /// What waits inside is not sent, and is logged. No handler is called afterwards. May be called from a handler.
+    /// Queued messages are dropped and logged. No handler is called afterwards. May be called from a handler.
     void stop() {
         if (!running()) return;
         running_ = false;
@@ -126,7 +126,7 @@ class node_machine {
             });
         const auto origin = core_.routes().origin(m.header.source, from, how, by_group, gate_->list(), now);
         const auto what = core_.received(message, m, origin, {now, waited}, own_out_);
-        // Members of a group hear what is for others.
+        // Members of a group receive messages for others.
         const auto& to = m.header.destination;
         const bool is_for_others = by_group && to.subsystem != 255 && to.subsystem != self_.subsystem;
         if (!is_for_others) core_.tell(m.header, what, now);
@@ -214,7 +214,7 @@ class node_machine {
         if (!in_turn()) at_ = now;
         return own_out_;
     }
-    /// To be called when a component was changed so that it wants to be driven earlier, and has sent nothing.
+    /// Call after changing a component without sending: its next event may be earlier.
     void wake(time now) noexcept {
         if (running()) wake_at_ = now;
     }
@@ -225,11 +225,10 @@ class node_machine {
 
     /// The node manager's address, also where another program has it.
     [[nodiscard]] const jaus::address& manager() const noexcept { return self_; }
-    /// Whom the node manager hears, or nullptr where this program has none or was never started.
+    /// The components alive at the node manager; nullptr without a node manager or before the first start.
     [[nodiscard]] const jaus::liveness_table* present() const noexcept {
         return manager_ ? &manager_->present() : nullptr;
     }
-    /// What it was made with.
     [[nodiscard]] const jaus_config& config() const noexcept { return config_; }
     [[nodiscard]] const jaus_node_options& options() const noexcept { return options_; }
 

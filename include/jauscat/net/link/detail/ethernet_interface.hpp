@@ -1,4 +1,4 @@
-// What the system says of a network interface, found by its name.
+// State of a network interface.
 #pragma once
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// What a component answers where its program does not: others ask each component, and go on asking until they know.
+// Default replies to queries that the application does not handle; peers repeat such queries until they are answered.
 #pragma once
 
 #include <jauscat/jaus/component/answer.hpp>

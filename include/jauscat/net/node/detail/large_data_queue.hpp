@@ -47,7 +47,7 @@ struct large_data_pacing {
 class large_data_queue {
   public:
     using time = std::chrono::nanoseconds;
-    /// Hears once of each data set that asked for acknowledgement.
+    /// Called once for each data set that requested an acknowledgement.
     using done_handler = std::function<void(const jaus::header&, jaus::delivered)>;
 
     /// How long a receiver knows an acknowledged data set that it has got.
@@ -110,8 +110,8 @@ class large_data_queue {
     }
     /// How many data sets are not yet sent.
     [[nodiscard]] std::size_t size() const noexcept { return sets_.size() + (current_ ? 1 : 0); }
-    /// Nothing waits any more, and nothing is sent before the pause is over: what was sent in an earlier life may still
-    /// be on its way.
+    /// Clears the queue and sends nothing before the pause is over: packets from before a restart may still be in
+    /// transit.
     void start(time now) {
         clear();
         rests_.clear();

@@ -204,7 +204,7 @@ class node_components {
     [[nodiscard]] static bool is_acknowledged(const jaus::header& head) noexcept {
         return head.ack_nak == jaus::ack_nak::request && jaus::names_one_component(head.destination);
     }
-    /// False: not handed on, since it could not be told from a repeat later; its sender will send it again.
+    /// False: not delivered, since a repetition could not be recognised; the sender will repeat it.
     bool hand_on_whole(entry& receiver, const jaus::header& last, jaus::header first, bytes complete, time now,
                        jaus::message_sink out) {
         const auto before = find_whole(receiver, last);

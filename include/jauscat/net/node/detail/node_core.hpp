@@ -1,4 +1,4 @@
-// What a node does with messages, without sockets: they are routed to components and neighbours.
+// Routing of messages to components and neighbours, without sockets.
 #pragma once
 
 #include <jauscat/net/node/detail/large_data_queue.hpp>
@@ -45,7 +45,7 @@ class node_core {
         const auto m = jaus::split(message);
         return m ? send(message, m.header, now) : jaus::routing{.outcome = jaus::routed::invalid_source};
     }
-    /// The same, where what is unroutable is told to the log.
+    /// The same; unroutable messages are logged.
     void send_or_tell(bytes message, time now) {
         if (const auto m = jaus::split(message))
             tell(m.header, send(message, m.header, now), now);

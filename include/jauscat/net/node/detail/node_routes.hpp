@@ -1,4 +1,4 @@
-// The configuration as a router needs it: neighbours with a number, and which addresses lead to whom.
+// Neighbours and routes of a configuration, numbered for the router.
 #pragma once
 
 #include <jauscat/jaus/message/saturating_add.hpp>

@@ -1,4 +1,4 @@
-// What a component and its application say that they take and send, for Report Services.
+// Messages that a component and its application accept and send, for Report Services.
 #pragma once
 
 #include <jauscat/jaus/component/core_messages.hpp>

@@ -1,4 +1,4 @@
-// The node manager of a node, with what the configuration says of the node and the memory for who is there.
+// The node manager of a node, with its configuration and memory.
 #pragma once
 
 #include <jauscat/jaus/component/component.hpp>
@@ -41,7 +41,7 @@ class own_manager {
     own_manager& operator=(const own_manager&) = delete;
 
     [[nodiscard]] const jaus::liveness_table& present() const noexcept { return manager_.present(); }
-    /// Tells those who asked for it that `who` has appeared or disappeared.
+    /// Sends the events for the appearance or disappearance of `who`.
     void tell_change(const jaus::address& who, std::chrono::nanoseconds now, jaus::message_sink out) {
         if (who.subsystem == core.self().subsystem) events_.changed(now, out);
     }

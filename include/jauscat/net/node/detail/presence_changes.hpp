@@ -1,4 +1,4 @@
-// Who has come and gone, kept until a node has the time to tell.
+// Queue of appeared and disappeared components.
 #pragma once
 
 #include <jauscat/schema/jaus/header.hpp>
@@ -9,7 +9,6 @@
 
 namespace jauscat::net::detail {
 
-/// Who has come and gone since somebody looked.
 class presence_changes {
     struct change {
         jaus::address who{};
