@@ -107,10 +107,10 @@ class component {
 class component_node {
   public:
     component_node(boost::asio::io_context& context, const net::jaus_config& config, const jaus::address& self)
-        : core_{self, memory_, {}, {}}, node_{context, config, {.log = [](std::string_view line) {
-                                                  std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()),
-                                                               line.data());
-                                              }}} {
+        : core_{self, memory_, {}, {}},
+          node_{context, config, {.log = [](std::string_view line) {
+                    std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
+                }}} {
         core_.change(jaus::state_event::initialized);
         node_.add(core_, own_);
         node_.start();

@@ -18,11 +18,14 @@ template <class T> inline constexpr bool is_variant = false;
 template <class... T> inline constexpr bool is_variant<std::variant<T...>> = true;
 
 template <class T> struct viewed;
-template <class T, class Outer> struct viewed<wire::view<T, Outer>> { using type = T; };
+template <class T, class Outer> struct viewed<wire::view<T, Outer>> {
+    using type = T;
+};
 
 void for_members(const auto& view, auto&& call) {
-    [&]<auto... Members>(wire::key_list<Members...>) { (call.template operator()<Members>(), ...); }
-    (typename wire::layout_of<typename viewed<std::remove_cvref_t<decltype(view)>>::type>::keys{});
+    [&]<auto... Members>(wire::key_list<Members...>) {
+        (call.template operator()<Members>(), ...);
+    }(typename wire::layout_of<typename viewed<std::remove_cvref_t<decltype(view)>>::type>::keys{});
 }
 
 template <bool Raw> void compare_all(const auto& view, const auto& object);
@@ -61,25 +64,23 @@ template <bool Raw, class Read, class Member> void compare(const Read& read, con
     }
 }
 template <bool Raw> void compare_all(const auto& view, const auto& object) {
-    for_members(
-        view, [&]<auto Member>() {
-            if constexpr (Raw)
-                compare<Raw>(view.template get_raw<Member>(), wire::member_of<Member>(object));
-            else
-                compare<Raw>(view.template get<Member>(), wire::member_of<Member>(object));
-        });
+    for_members(view, [&]<auto Member>() {
+        if constexpr (Raw)
+            compare<Raw>(view.template get_raw<Member>(), wire::member_of<Member>(object));
+        else
+            compare<Raw>(view.template get<Member>(), wire::member_of<Member>(object));
+    });
 }
 
 /// Fields that are there, but whose raw value stands for nothing. `read` came from a view.
 template <class Read> std::size_t illegal_values(const Read& read, bool there = true) {
     std::size_t count = 0;
     if constexpr (is_view<Read>) {
-        for_members(
-            read, [&]<auto Member>() {
-                bool has_raw = true;
-                if constexpr (wire::is_optional_member<Member>) has_raw = read.template get_raw<Member>().has_value();
-                count += illegal_values(read.template get<Member>(), has_raw);
-            });
+        for_members(read, [&]<auto Member>() {
+            bool has_raw = true;
+            if constexpr (wire::is_optional_member<Member>) has_raw = read.template get_raw<Member>().has_value();
+            count += illegal_values(read.template get<Member>(), has_raw);
+        });
     } else if constexpr (is_list_view<Read>) {
         for (const auto& element : read) count += illegal_values(element);
     } else if constexpr (requires { read.has_value(); }) {

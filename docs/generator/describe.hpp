@@ -116,8 +116,9 @@ template <class Carrier, class... Fields> struct describer<wire::bit_fields<Carr
     template <class Field> static part one_field(unsigned first) {
         part one{.what = part::kind::bits};
         if constexpr (requires { typename Field::value_type; }) {
-            one = []<auto Member>(wire::key_list<Member>) { return member_part<Member>(part::kind::bits, 0, 0); }
-            (typename Field::keys{});
+            one = []<auto Member>(wire::key_list<Member>) {
+                return member_part<Member>(part::kind::bits, 0, 0);
+            }(typename Field::keys{});
             if constexpr (std::is_enum_v<typename Field::value_type>)
                 one.names = names_of<typename Field::value_type>((1U << Field::width) - 1, false);
             else
@@ -218,8 +219,7 @@ template <class Item> struct octets_describer {
             one.type = std::is_same_v<typename Item::value_type, std::string_view> ? "characters" : "bytes";
             one.note = std::move(note);
             out.push_back(std::move(one));
-        }
-        (typename Item::keys{});
+        }(typename Item::keys{});
     }
 };
 template <auto Member, class Count>

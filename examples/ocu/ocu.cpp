@@ -59,7 +59,8 @@ order random_command(std::uint32_t seed) {
         using range = typename Item::codec_type::range_type;
         if (random() % 2 != 0) effort = std::uniform_real_distribution<double>{range::min, range::max}(random);
     });
-    order made{jaus::command_code_of<jaus::set_wrench_effort>, std::vector<std::byte>(wire::max_size<jaus::set_wrench_effort>)};
+    order made{jaus::command_code_of<jaus::set_wrench_effort>,
+               std::vector<std::byte>(wire::max_size<jaus::set_wrench_effort>)};
     made.body.resize(wire::encode(command, made.body).size());
     return made;
 }

@@ -6,7 +6,9 @@ struct many_of_nothing {
     jauscat::wire::list<nothing> element{};
 };
 
-template <> struct jauscat::wire::schema<nothing> { using type = layout<>; };
+template <> struct jauscat::wire::schema<nothing> {
+    using type = layout<>;
+};
 template <> struct jauscat::wire::schema<many_of_nothing> {
     using type = layout<repeated<&many_of_nothing::element, count<"elements", u16le>>>;
 };

@@ -7,8 +7,12 @@ struct signed_image {
 struct mode_command {
     std::uint8_t mode{};
 };
-template <> struct jauscat::wire::schema<signed_image> { using type = layout<field<&signed_image::mode, i8>>; };
-template <> struct jauscat::wire::schema<mode_command> { using type = layout<field<&mode_command::mode, u8>>; };
+template <> struct jauscat::wire::schema<signed_image> {
+    using type = layout<field<&signed_image::mode, i8>>;
+};
+template <> struct jauscat::wire::schema<mode_command> {
+    using type = layout<field<&mode_command::mode, u8>>;
+};
 
 using namespace small;
 

@@ -7,6 +7,8 @@ class closed {
     std::uint8_t value{};
 };
 
-template <> struct jauscat::wire::schema<closed> { using type = layout<field<&closed::value, u8>>; };
+template <> struct jauscat::wire::schema<closed> {
+    using type = layout<field<&closed::value, u8>>;
+};
 
 static_assert(size_of_wrong<closed> != 0);

@@ -5,7 +5,9 @@
 
 namespace small {
 
-template <std::uint16_t Code> struct message_of_code { std::uint8_t value{}; };
+template <std::uint16_t Code> struct message_of_code {
+    std::uint8_t value{};
+};
 using command = message_of_code<0x0405>;
 using other_command = message_of_code<0x0404>;
 using stranger_command = message_of_code<0x7777>; // not in the table's list

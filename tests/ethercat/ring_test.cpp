@@ -48,7 +48,7 @@ struct bench {
         for (auto& each : devices)
             if (works) each->here.work();
     }};
-    class master master {};
+    class master master{};
 
     explicit bench(std::initializer_list<slave_description> descriptions) {
         for (const auto& each : descriptions) devices.push_back(std::make_unique<device>(each));

@@ -43,8 +43,7 @@ template <class Seen, class Value> bool agrees(const Seen& seen, const Value& va
         return seen && agrees(*seen, value);
     else if constexpr (requires { view_agrees(seen, value); })
         return view_agrees(seen, value);
-    else if constexpr (
-        requires { *seen.begin() == *value.begin(); } || !requires { seen == value; })
+    else if constexpr (requires { *seen.begin() == *value.begin(); } || !requires { seen == value; })
         return std::ranges::equal(seen, value, [](const auto& a, const auto& b) { return agrees(a, b); });
     else
         return seen == value;

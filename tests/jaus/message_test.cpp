@@ -14,7 +14,9 @@ using jaus::errc;
 namespace {
 
 /// A user's message, as large as one packet takes or one byte larger.
-template <std::size_t Size> struct bulk { std::array<std::byte, Size> data{}; };
+template <std::size_t Size> struct bulk {
+    std::array<std::byte, Size> data{};
+};
 
 } // namespace
 

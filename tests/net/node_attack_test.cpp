@@ -175,14 +175,14 @@ TEST_CASE("one million random and mutated datagrams are all counted, and the nod
     for (const auto& m : {effort(operator_id, 1, 0x0216), query, effort(operator_id, 2),
                           raw_message{.code = 0x2B01, .source = operator_id, .destination = manager_id, .body = {2}},
                           raw_message{.code = 0x01F0,
-                          .source = operator_id,
-                          .destination = manager_id,
-                          .body = {0x80, 0, 0x01, 0x4B, 1, 1, 0, 0, 0, 2}},
+                                      .source = operator_id,
+                                      .destination = manager_id,
+                                      .body = {0x80, 0, 0x01, 0x4B, 1, 1, 0, 0, 0, 2}},
                           raw_message{.code = 0x4202, .source = {1, 1, 1, 1}, .destination = {255, 255, 1, 1}},
                           raw_message{.code = 0x0008,
-                          .source = operator_id,
-                          .destination = robot_id,
-                          .body = {0x05, 0x44, 0xB0, 4, 0xFF, 0xFF, 0, 0}},
+                                      .source = operator_id,
+                                      .destination = robot_id,
+                                      .body = {0x05, 0x44, 0xB0, 4, 0xFF, 0xFF, 0, 0}},
                           raw_message{.code = 0x0405, .source = operator_id, .destination = robot_id}})
         valid.push_back(datagram_of(m));
     b.robot.node.stop(); // begun anew without the hook that keeps all messages

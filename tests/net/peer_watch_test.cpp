@@ -14,8 +14,7 @@ struct node_in_two_programs {
     simulated_program first{network, config("first", systems), make(2, 1, 40)};
     simulated_program second{network, config("second", systems), make(2, 1, 33)};
 
-    bool run_for(
-        std::chrono::nanoseconds time, const std::function<bool()>& done = [] { return false; }) {
+    bool run_for(std::chrono::nanoseconds time, const std::function<bool()>& done = [] { return false; }) {
         return network.run(network.now + time, done);
     }
     void connect() {
@@ -84,11 +83,9 @@ TEST_CASE("a flood of peers that bind a component takes a bounded number of plac
     std::size_t asked = 0, lost = 0;
     const auto none_known = [](const jaus::address&) { return false; };
     const auto count_lost = [&](const jaus::address&) { ++lost; };
-    watch.on_time(
-        1s, none_known, [&](std::span<const std::byte>) { ++asked; }, count_lost);
+    watch.on_time(1s, none_known, [&](std::span<const std::byte>) { ++asked; }, count_lost);
     REQUIRE(asked == net::detail::peer_watch::most);
-    watch.on_time(
-        3s, none_known, [](std::span<const std::byte>) {}, count_lost);
+    watch.on_time(3s, none_known, [](std::span<const std::byte>) {}, count_lost);
     REQUIRE(lost == net::detail::peer_watch::most);
     REQUIRE_FALSE(watch.next_event());
 }

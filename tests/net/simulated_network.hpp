@@ -48,8 +48,7 @@ class simulated_network {
     void detach(const endpoint& at) { nodes_.erase(at); }
 
     /// Until `done()` or `end`; whether it is done.
-    bool run(
-        time end, const std::function<bool()>& done = [] { return false; }) {
+    bool run(time end, const std::function<bool()>& done = [] { return false; }) {
         while (!done()) {
             std::optional<time> next;
             if (!travelling_.empty()) next = travelling_.begin()->first;

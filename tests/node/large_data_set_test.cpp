@@ -186,8 +186,7 @@ TEST_CASE("one source does not take the places of others with many command codes
                                 .source = {sender, 37, 1, 2},
                                 .data_flag = data_flag::middle,
                                 .sequence_number = number};
-        return sets.on_packet(
-            head, from_hex("aa"), 0ms, [](const auto&...) {}, [](const auto&...) {});
+        return sets.on_packet(head, from_hex("aa"), 0ms, [](const auto&...) {}, [](const auto&...) {});
     };
     for (std::uint16_t code = 0; code != 1000; ++code) {
         // Two packets of each: the first two sets go on, so their source has its share, half of four.

@@ -185,10 +185,7 @@ TEST_CASE("a broadcast dies out among several nodes that take themselves for the
     const jaus::header head{.destination = make(255, 255, 33, 1), .source = make(1, 4, 33, 1)};
     const auto route = [&](hop at, hop from) {
         all[at - 1U].router.route(
-            head, from, [&](auto, auto&&) { ++got[at]; },
-            [&](hop by) {
-                under_way.push_back({by, at});
-            });
+            head, from, [&](auto, auto&&) { ++got[at]; }, [&](hop by) { under_way.push_back({by, at}); });
     };
     route(4, jaus::here);
     std::size_t sent = 0;

@@ -25,7 +25,9 @@ struct whole {
 template <> struct jauscat::wire::schema<wide> {
     using type = layout<bit_fields<u64be, bit_field<&wide::low, 3>, reserved<9>, bit_field<&wide::high, 52>>>;
 };
-template <> struct jauscat::wire::schema<whole> { using type = layout<bit_fields<u64le, bit_field<&whole::all, 64>>>; };
+template <> struct jauscat::wire::schema<whole> {
+    using type = layout<bit_fields<u64le, bit_field<&whole::all, 64>>>;
+};
 
 TEST_CASE("bit-fields fill their carrier from the least significant bit up") {
     both_ways([] { return encodes_to(flags{.length = 0x7FF}, bytes(0xFF, 0x07)); });

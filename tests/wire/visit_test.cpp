@@ -14,7 +14,9 @@ namespace {
 struct inner_type {
     std::uint8_t inner_member{};
 };
-template <class T> struct wrapper { T wrapped_member{}; };
+template <class T> struct wrapper {
+    T wrapped_member{};
+};
 
 template <wire::message T> std::vector<std::string> names_of_members() {
     std::vector<std::string> names;

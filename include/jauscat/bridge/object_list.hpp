@@ -124,8 +124,7 @@ template <class Table, std::uint8_t Component, class... Messages> struct object_
 };
 
 template <class Table, std::uint8_t Component, template <class...> class List, class... Messages>
-requires(!wire::message<List<Messages...>>) struct object_list<Table, Component, List<Messages...>>
-    : object_list<Table, Component, Messages...> {
-};
+requires(!wire::message<List<Messages...>>)
+struct object_list<Table, Component, List<Messages...>> : object_list<Table, Component, Messages...> {};
 
 } // namespace jauscat::bridge

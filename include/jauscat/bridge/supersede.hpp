@@ -53,8 +53,7 @@ constexpr std::optional<std::size_t> merge_fields(std::span<const std::byte> old
             }
         };
         (copy(latest.template slot<Members>(), merged.template slot<Members>()), ...);
-    }
-    (typename wire::layout_of<Message>::keys{});
+    }(typename wire::layout_of<Message>::keys{});
     const auto size = wire::encode(merged, out);
     return size ? std::optional<std::size_t>{size.size()} : std::nullopt;
 }

@@ -145,7 +145,7 @@ class esi_writer {
             if (!each.default_data.empty()) add(to, "DefaultData", hex_bytes(each.default_data));
         }
         const auto flags = add(node, "Flags");
-        const auto any = [&](bool entry::*can) {
+        const auto any = [&](bool entry::* can) {
             return std::ranges::any_of(what.entries, [&](const entry& e) { return e.*can; });
         };
         add(flags, "Access", access(any(&entry::readable), any(&entry::writable)));

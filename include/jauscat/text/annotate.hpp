@@ -56,11 +56,10 @@ class annotating_trace : public wire::detail::decode_trace {
 
   private:
     // A single member with bytes of its own: no structure, list or group.
-    template <class Item> static constexpr bool is_leaf = Item::max_size != 0 && requires { Item::key; }
-    &&!requires { typename Item::inner; }
-    &&!requires { typename Item::gated_item; }
-    &&!requires { typename Item::element_type; }
-    &&!requires { Item::max_depth; };
+    template <class Item>
+    static constexpr bool is_leaf = Item::max_size != 0 && requires { Item::key; } &&
+                                    !requires { typename Item::inner; } && !requires { typename Item::gated_item; } &&
+                                    !requires { typename Item::element_type; } && !requires { Item::max_depth; };
 
     // A selected value whose fields have been told one by one.
     template <class Value> static bool is_structure([[maybe_unused]] const Value& value) {

@@ -35,7 +35,9 @@ template <class T, class Group> std::uint64_t mask_of(const void* object) {
     return Group::mask(*static_cast<const T*>(object));
 }
 
-template <class Item> struct flag_of { static constexpr other_member at{}; };
+template <class Item> struct flag_of {
+    static constexpr other_member at{};
+};
 template <auto Flag, class Item> struct flag_of<wire::gated_by<Flag, Item>> {
     static constexpr other_member at = access<Flag>::other();
 };

@@ -34,7 +34,9 @@ template <class T> bool decoded(void* value, std::span<const std::byte> bytes) {
 }
 
 /// Bit-fields as the one integer they fill.
-template <class Layout> struct packing { static constexpr bool whole = false; };
+template <class Layout> struct packing {
+    static constexpr bool whole = false;
+};
 template <class Carrier, class... Fields> struct packing<wire::layout<wire::bit_fields<Carrier, Fields...>>> {
     static constexpr bool whole = true;
     static constexpr unsigned bits = static_cast<unsigned>(Carrier::size * 8);
@@ -61,7 +63,7 @@ template <class T> constexpr form form_by_structure() {
                          .bits = packed::bits,
                          .get = &packed::template get<T>,
                          .set = &packed::template set<T>};
-        if constexpr (requires(T & value) { from_text(value, std::string_view{}); }) {
+        if constexpr (requires(T& value) { from_text(value, std::string_view{}); }) {
             made.show = [](const void* value) { return to_text(*static_cast<const T*>(value)); };
             made.read = [](void* value, std::string_view text) { return from_text(*static_cast<T*>(value), text); };
         }

@@ -26,8 +26,7 @@ template <class Enum>
 inline constexpr auto enumerator_names = [] {
     constexpr std::string_view spelling = []<std::size_t... I>(std::index_sequence<I...>) {
         return enumerator_spellings<Enum, static_cast<Enum>(I)..., Enum{}>(); // a comma behind each of the 256
-    }
-    (std::make_index_sequence<256>{});
+    }(std::make_index_sequence<256>{});
     std::array<std::string_view, 256> names{};
     std::size_t at = spelling.find("Values = ") + 10;
     std::size_t cast = 0; // size of "(jaus)", once one has been seen
@@ -71,7 +70,8 @@ requires std::is_enum_v<Enum>
 /// A value without its unit. Flags by the names of their set bits, text in quotes, bytes in hex. Messages: see
 /// print.hpp.
 template <class T>
-requires(!wire::message<T>) [[nodiscard]] std::string to_text(const T& value);
+requires(!wire::message<T>)
+[[nodiscard]] std::string to_text(const T& value);
 
 namespace detail {
 /// A structure in one line.
@@ -85,7 +85,8 @@ template <wire::message T> std::string in_braces(const T& value) {
 } // namespace detail
 
 template <class T>
-requires(!wire::message<T>) std::string to_text(const T& value) {
+requires(!wire::message<T>)
+std::string to_text(const T& value) {
     if constexpr (std::is_same_v<T, bool>) {
         return value ? "true" : "false";
     } else if constexpr (std::is_enum_v<T>) {

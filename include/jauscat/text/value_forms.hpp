@@ -41,7 +41,9 @@ template <auto Member> struct access {
 };
 /// The same for an item. By its list of keys: g++ 12 takes `Item::key` for a pointer of another type here and there.
 template <class Keys> struct access_by_keys;
-template <auto Member> struct access_by_keys<wire::key_list<Member>> { using type = access<Member>; };
+template <auto Member> struct access_by_keys<wire::key_list<Member>> {
+    using type = access<Member>;
+};
 template <class Item> using access_of = typename access_by_keys<typename Item::keys>::type;
 
 /// A value by its type alone, so that members of the same type share the code.

@@ -58,8 +58,7 @@ template <class Table, class... Messages> struct fixed_length : Table {
 };
 
 template <class Table, template <class...> class List, class... Messages>
-requires(!wire::message<List<Messages...>>) struct fixed_length<Table, List<Messages...>>
-    : fixed_length<Table, Messages...> {
-};
+requires(!wire::message<List<Messages...>>)
+struct fixed_length<Table, List<Messages...>> : fixed_length<Table, Messages...> {};
 
 } // namespace jauscat::translate

@@ -36,8 +36,12 @@ template <class T> class lasting {
 
 namespace detail {
 
-template <class Value> struct lasting_if_optional { using type = Value; };
-template <class T> struct lasting_if_optional<std::optional<T>> { using type = lasting<T>; };
+template <class Value> struct lasting_if_optional {
+    using type = Value;
+};
+template <class T> struct lasting_if_optional<std::optional<T>> {
+    using type = lasting<T>;
+};
 
 template <class Slots> struct lasting_slots;
 template <auto... Members, class... Values>
@@ -60,7 +64,8 @@ template <class Layout> struct presence_in {
     }
 };
 template <class Carrier, class... Items>
-requires(Items::optional&&...) struct presence_in<wire::layout<wire::presence<Carrier, Items...>>> {
+requires(Items::optional && ...)
+struct presence_in<wire::layout<wire::presence<Carrier, Items...>>> {
     [[gnu::always_inline]] static constexpr std::uint64_t of(const auto&, std::span<const std::byte> body) noexcept {
         typename Carrier::value_type bits{};
         Carrier::load(body.data(), bits);
@@ -73,7 +78,7 @@ requires(Items::optional&&...) struct presence_in<wire::layout<wire::presence<Ca
 /// The message `T` like wire::raw<T>, with `lasting` elements for optional ones.
 template <class T> class image_message : detail::image_slots<T> {
     template <auto Member, class Value>
-    static consteval Value image_message::*find(const wire::detail::slot<Member, Value>*) {
+    static consteval Value image_message::* find(const wire::detail::slot<Member, Value>*) {
         return &wire::detail::slot<Member, Value>::value;
     }
 

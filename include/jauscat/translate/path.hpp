@@ -36,17 +36,25 @@ template <class... Paths> struct path_list {
 
 namespace detail {
 
-template <class... Lists> struct joined { using type = path_list<>; };
-template <class... A> struct joined<path_list<A...>> { using type = path_list<A...>; };
+template <class... Lists> struct joined {
+    using type = path_list<>;
+};
+template <class... A> struct joined<path_list<A...>> {
+    using type = path_list<A...>;
+};
 template <class... A, class... B, class... More>
 struct joined<path_list<A...>, path_list<B...>, More...> : joined<path_list<A..., B...>, More...> {};
 
 template <class Item> struct leaves; // no specialisation: a table does not reach into lists, strings and variants
-template <auto Member, class Codec> struct leaves<wire::field<Member, Codec>> { using type = path_list<at<Member>>; };
+template <auto Member, class Codec> struct leaves<wire::field<Member, Codec>> {
+    using type = path_list<at<Member>>;
+};
 template <auto Member, std::size_t Width> struct leaves<wire::bit_field<Member, Width>> {
     using type = path_list<at<Member>>;
 };
-template <std::size_t Width> struct leaves<wire::reserved<Width>> { using type = path_list<>; };
+template <std::size_t Width> struct leaves<wire::reserved<Width>> {
+    using type = path_list<>;
+};
 template <class Carrier, class... Fields>
 struct leaves<wire::bit_fields<Carrier, Fields...>> : joined<typename leaves<Fields>::type...> {};
 template <wire::unknown_bits Unknown, class Carrier, class... Items>

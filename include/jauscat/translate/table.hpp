@@ -77,7 +77,9 @@ struct gives_subindex {
 template <class Kind, class... Rows>
 inline constexpr std::size_t rows_of_kind = (std::size_t{Kind::template is<Rows>} + ... + 0);
 // The first row of a kind among `Rows`; void if there is none.
-template <class Kind, class... Rows> struct row_of_kind { using type = void; };
+template <class Kind, class... Rows> struct row_of_kind {
+    using type = void;
+};
 template <class Kind, class Row, class... Rows>
 struct row_of_kind<Kind, Row, Rows...>
     : std::conditional_t<Kind::template is<Row>, std::type_identity<Row>, row_of_kind<Kind, Rows...>> {};
@@ -145,15 +147,14 @@ template <wire::fixed_message Header, wire::fixed_message Packet, std::size_t Ma
 };
 
 /// Whether the table has the option fixed_length: the data of each message have one size.
-template <class Table> inline constexpr bool has_fixed_length = requires(const typename Table::header_type& header) {
-    Table::object_size(header);
-};
+template <class Table>
+inline constexpr bool has_fixed_length =
+    requires(const typename Table::header_type& header) { Table::object_size(header); };
 
 /// Most bytes of data that the message `T` takes where the table adds `Overhead` and a packet carries `MaxData`: all of
 /// `MaxData` for a message that has no limit, or takes what follows it.
 template <wire::message T, std::size_t Overhead, std::size_t MaxData>
-inline constexpr std::size_t largest_data = wire::layout_of<T>::to_the_end
-                                                ? MaxData
-                                                : std::min(wire::total_size(Overhead, wire::max_size<T>), MaxData);
+inline constexpr std::size_t largest_data =
+    wire::layout_of<T>::to_the_end ? MaxData : std::min(wire::total_size(Overhead, wire::max_size<T>), MaxData);
 
 } // namespace jauscat::translate

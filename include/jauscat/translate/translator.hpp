@@ -131,8 +131,7 @@ template <class Table> struct translator {
     [[gnu::always_inline]] static constexpr void each_rest(auto&& copy) noexcept {
         [&]<std::size_t... I>(std::index_sequence<I...>) {
             (copy(Table::rest.range[I].offset, Table::rest.range[I].size), ...);
-        }
-        (std::make_index_sequence<Table::rest.count>{});
+        }(std::make_index_sequence<Table::rest.count>{});
     }
 };
 

@@ -8,7 +8,8 @@ namespace jauscat::wire {
 /// Moves every scaled value of `object` into its field's range. NaN stays NaN, and so still does not encode. The
 /// records of a `list` lie elsewhere and are not its to change: clamp them before.
 template <message T>
-requires(!raw_object<T>) constexpr void clamp(T& object) noexcept {
+requires(!raw_object<T>)
+constexpr void clamp(T& object) noexcept {
     visit(object, []<class Item>(Item, auto& member) {
         const auto into = []<class Codec>(Codec*, auto& value) {
             if constexpr (requires { typename Codec::range_type; }) {

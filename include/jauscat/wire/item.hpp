@@ -48,8 +48,12 @@ template <auto... Members> struct key_list {
 };
 
 namespace detail {
-template <class... Lists> struct joined { using type = key_list<>; };
-template <auto... Members> struct joined<key_list<Members...>> { using type = key_list<Members...>; };
+template <class... Lists> struct joined {
+    using type = key_list<>;
+};
+template <auto... Members> struct joined<key_list<Members...>> {
+    using type = key_list<Members...>;
+};
 template <auto... A, auto... B, class... More>
 struct joined<key_list<A...>, key_list<B...>, More...> : joined<key_list<A..., B...>, More...> {};
 } // namespace detail
@@ -116,7 +120,9 @@ template <auto Member> constexpr auto& member_of(auto& object) noexcept {
 enum class reading { real, raw };
 
 namespace detail {
-template <class Codec, bool Raw> struct codec_in_mode { using type = Codec; };
+template <class Codec, bool Raw> struct codec_in_mode {
+    using type = Codec;
+};
 template <class Codec>
 requires requires { typename Codec::raw_codec; }
 struct codec_in_mode<Codec, true> {

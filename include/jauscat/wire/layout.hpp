@@ -21,8 +21,7 @@ template <class Item> consteval std::string_view item_label() {
         return []<auto... Members>(key_list<Members...>) {
             const std::array<std::string_view, sizeof...(Members) + 1> names{name_of<Members>()..., "reserved"};
             return names[0];
-        }
-        (typename Item::keys{});
+        }(typename Item::keys{});
     }
 }
 
@@ -213,8 +212,7 @@ template <class... Items> struct layout {
         constexpr std::size_t index = index_of<Member>;
         [&]<std::size_t... Before>(std::index_sequence<Before...>) {
             ((in += detail::extent_of_item<std::tuple_element_t<Before, std::tuple<Items...>>>(in, here)), ...);
-        }
-        (std::make_index_sequence<index>{});
+        }(std::make_index_sequence<index>{});
         return std::tuple_element_t<index, std::tuple<Items...>>::template read<Member, Mode>(in, here);
     }
     JAUSCAT_INLINE static constexpr void visit([[maybe_unused]] auto& object, [[maybe_unused]] auto&& visitor) {

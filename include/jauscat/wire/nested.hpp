@@ -56,7 +56,9 @@ template <auto Member> struct nested {
 
     static consteval std::string_view name() { return name_of<Member>(); }
 
-    JAUSCAT_INLINE static constexpr errc put(const auto& object, std::byte* out) noexcept requires fixed_item<inner> {
+    JAUSCAT_INLINE static constexpr errc put(const auto& object, std::byte* out) noexcept
+    requires fixed_item<inner>
+    {
         const auto& value = value_of(object.*place_in<decltype(object), Member>);
         if constexpr (detail::copied_whole<value_type> && !raw_object<decltype(object)>) {
             if (!std::is_constant_evaluated()) {
@@ -66,7 +68,9 @@ template <auto Member> struct nested {
         }
         return inner::put(value, out_cursor{out, errc::ok}, plain_root{}).error;
     }
-    JAUSCAT_INLINE static constexpr errc get(auto& object, const std::byte* in) noexcept requires fixed_item<inner> {
+    JAUSCAT_INLINE static constexpr errc get(auto& object, const std::byte* in) noexcept
+    requires fixed_item<inner>
+    {
         auto& value = emplace_in(object.*place_in<decltype(object), Member>);
         if constexpr (detail::copied_whole<value_type> && !raw_object<decltype(object)>) {
             if (!std::is_constant_evaluated()) {

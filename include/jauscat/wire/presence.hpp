@@ -223,8 +223,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             detail::sizes_by_nibble<(detail::takes_bit<Items> ? Items::max_size : detail::always_there)...>;
         return [&]<std::size_t... Nibble>(std::index_sequence<Nibble...>) {
             return (std::size_t{} + ... + sizes[Nibble][static_cast<std::size_t>(m >> (Nibble * 4) & 15u)]);
-        }
-        (std::make_index_sequence<sizes.size()>{});
+        }(std::make_index_sequence<sizes.size()>{});
     }
 
     JAUSCAT_INLINE static constexpr in_cursor end_of(in_cursor c, mask_type m) noexcept {

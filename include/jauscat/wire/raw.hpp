@@ -18,13 +18,19 @@ template <auto Member, class Value> struct slot {
 template <class... Slots> struct slot_list : Slots... {
     friend constexpr bool operator==(const slot_list&, const slot_list&) = default;
 };
-template <class... Lists> struct joined_slots { using type = slot_list<>; };
-template <class... A> struct joined_slots<slot_list<A...>> { using type = slot_list<A...>; };
+template <class... Lists> struct joined_slots {
+    using type = slot_list<>;
+};
+template <class... A> struct joined_slots<slot_list<A...>> {
+    using type = slot_list<A...>;
+};
 template <class... A, class... B, class... More>
 struct joined_slots<slot_list<A...>, slot_list<B...>, More...> : joined_slots<slot_list<A..., B...>, More...> {};
 
 // The slots of an item: one for each leaf that carries a member.
-template <class Item> struct slots_of { using type = slot_list<slot<Item::key, typename Item::raw_type>>; };
+template <class Item> struct slots_of {
+    using type = slot_list<slot<Item::key, typename Item::raw_type>>;
+};
 template <std::size_t Width> struct slots_of<reserved<Width>> : joined_slots<> {};
 template <auto Flag, class Item> struct slots_of<gated_by<Flag, Item>> : slots_of<Item> {};
 template <class Carrier, class... Fields>
@@ -39,7 +45,7 @@ template <class... Items> struct slots_of<layout<Items...>> : joined_slots<typen
 /// `r.get<&T::speed>()`, `r.set<&T::speed>(raw)`. Optional members are std::optional, nested messages are raw
 /// themselves. Encodes and decodes like `T`, but any raw value is legal.
 template <class T> class raw : detail::slots_of<layout_of<T>>::type {
-    template <auto Member, class Value> static consteval Value raw::*find(const detail::slot<Member, Value>*) {
+    template <auto Member, class Value> static consteval Value raw::* find(const detail::slot<Member, Value>*) {
         return &detail::slot<Member, Value>::value;
     }
 
@@ -60,7 +66,9 @@ template <class T> class raw : detail::slots_of<layout_of<T>>::type {
     friend constexpr bool operator==(const raw&, const raw&) = default;
 };
 
-template <message T> struct schema<raw<T>> { using type = layout_of<T>; };
+template <message T> struct schema<raw<T>> {
+    using type = layout_of<T>;
+};
 template <message T> struct checked_schema<raw<T>> : schema<raw<T>> {};
 
 } // namespace jauscat::wire

@@ -102,10 +102,13 @@ template <auto Member, class Count, class Element = record> struct repeated {
     static constexpr bool of_records = std::is_same_v<Element, record>;
 
     /// Form of an element in the bytes.
-    template <bool Raw, class Value> struct form_of { using type = detail::record_form<Value>; };
+    template <bool Raw, class Value> struct form_of {
+        using type = detail::record_form<Value>;
+    };
     /// The same for lists of values.
     template <bool Raw, class Value>
-    requires(!of_records) struct form_of<Raw, Value> {
+    requires(!of_records)
+    struct form_of<Raw, Value> {
         using type = detail::value_form<typename Element::codec_type, Raw>;
     };
     using plain_form = typename form_of<false, value_type>::type;
@@ -140,10 +143,13 @@ template <auto Member, class Count, class Element = record> struct repeated {
     static consteval std::string_view name() { return name_of<Member>(); }
 
     /// What stands for an element in a `raw`.
-    template <class Value> struct raw_element { using type = raw<Value>; };
+    template <class Value> struct raw_element {
+        using type = raw<Value>;
+    };
     /// The same for lists of values.
     template <class Value>
-    requires(!of_records) struct raw_element<Value> {
+    requires(!of_records)
+    struct raw_element<Value> {
         using type = typename codec_in_mode<typename Element::codec_type, true>::value_type;
     };
     using raw_list = typename traits::template of<typename raw_element<value_type>::type>;

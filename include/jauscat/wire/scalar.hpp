@@ -17,7 +17,8 @@
 
 namespace jauscat::wire {
 
-template <class C> concept codec = requires(std::byte* out, const std::byte* in, typename C::value_type value) {
+template <class C>
+concept codec = requires(std::byte* out, const std::byte* in, typename C::value_type value) {
     { C::size } -> std::convertible_to<std::size_t>;
     { C::store(out, value) } -> std::same_as<errc>;
     { C::load(in, value) } -> std::same_as<errc>;
@@ -136,6 +137,8 @@ template <std::size_t N> struct octets {
 };
 
 /// A value that travels as it is and has a unit: `static constexpr std::string_view unit`.
-template <codec Codec, class Unit> struct in_units : Codec { using unit_type = Unit; };
+template <codec Codec, class Unit> struct in_units : Codec {
+    using unit_type = Unit;
+};
 
 } // namespace jauscat::wire

@@ -11,7 +11,8 @@ namespace jauscat::wire {
 
 /// A named real interval: `static constexpr double min, max` and `static constexpr std::string_view unit`.
 /// A type, because clang before 18 takes no floating-point template arguments.
-template <class R> concept real_range = requires {
+template <class R>
+concept real_range = requires {
     { R::min } -> std::convertible_to<double>;
     { R::max } -> std::convertible_to<double>;
 };

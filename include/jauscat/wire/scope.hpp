@@ -55,8 +55,12 @@ template <class T> struct checked_schema;
 
 namespace detail {
 
-template <class Object> struct owner_of { using type = std::remove_const_t<Object>; };
-template <raw_object Object> struct owner_of<Object> { using type = typename Object::raw_of; };
+template <class Object> struct owner_of {
+    using type = std::remove_const_t<Object>;
+};
+template <raw_object Object> struct owner_of<Object> {
+    using type = typename Object::raw_of;
+};
 
 template <auto First, auto... Rest> JAUSCAT_INLINE constexpr auto along(const auto& object) noexcept {
     const auto& member = object.*place_in<decltype(object), First>;
@@ -74,15 +78,16 @@ template <auto First, auto... Rest> JAUSCAT_INLINE constexpr auto along_view(con
 template <class> struct structure_at;
 template <class Object, class Outer>
 struct structure_at<object_scope<Object, Outer>> : owner_of<std::remove_const_t<Object>> {};
-template <class T, class Outer> struct structure_at<byte_scope<T, Outer>> { using type = T; };
+template <class T, class Outer> struct structure_at<byte_scope<T, Outer>> {
+    using type = T;
+};
 
 } // namespace detail
 
 /// The value of a member of this structure or of one around it; further pointers lead into it.
 template <auto First, auto... Rest> JAUSCAT_INLINE constexpr auto look_up(const auto& scope) noexcept {
     using here = std::remove_cvref_t<decltype(scope)>;
-    static_assert(
-        requires { scope.outer; }, "layout: a count, tag or flag names a member of no enclosing structure");
+    static_assert(requires { scope.outer; }, "layout: a count, tag or flag names a member of no enclosing structure");
     if constexpr (!std::is_same_v<typename detail::structure_at<here>::type, owner_t<First>>) {
         return look_up<First, Rest...>(scope.outer);
     } else if constexpr (requires { scope.object; }) {

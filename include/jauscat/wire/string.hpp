@@ -97,7 +97,9 @@ template <auto Member, class Count> struct counted_run : octet_run<Member, Count
     }
 };
 
-template <auto Member, class Extent> struct run_of { using type = counted_run<Member, Extent>; };
+template <auto Member, class Extent> struct run_of {
+    using type = counted_run<Member, Extent>;
+};
 
 /// To the end of the body.
 template <auto Member> struct run_to_end : octet_run<Member, rest> {
@@ -128,7 +130,9 @@ template <auto Member> struct run_to_end : octet_run<Member, rest> {
         visitor(run_to_end{}, object.*place_in<decltype(object), Member>);
     }
 };
-template <auto Member> struct run_of<Member, rest> { using type = run_to_end<Member>; };
+template <auto Member> struct run_of<Member, rest> {
+    using type = run_to_end<Member>;
+};
 
 /// Sent with zeros up to `Size`, received to the end of the body.
 template <auto Member, std::size_t Size> struct lenient_run : octet_run<Member, fixed_or_rest<Size>> {
@@ -181,7 +185,9 @@ template <auto Member, std::size_t Size> struct fixed_run : octet_run<Member, fi
         visitor(fixed_run{}, object.*place_in<decltype(object), Member>);
     }
 };
-template <auto Member, std::size_t Size> struct run_of<Member, fixed<Size>> { using type = fixed_run<Member, Size>; };
+template <auto Member, std::size_t Size> struct run_of<Member, fixed<Size>> {
+    using type = fixed_run<Member, Size>;
+};
 
 /// Up to a zero.
 template <auto Member> struct terminated_run : octet_run<Member, zero_terminated> {
@@ -235,7 +241,9 @@ template <auto Member> struct terminated_run : octet_run<Member, zero_terminated
         return size;
     }
 };
-template <auto Member> struct run_of<Member, zero_terminated> { using type = terminated_run<Member>; };
+template <auto Member> struct run_of<Member, zero_terminated> {
+    using type = terminated_run<Member>;
+};
 
 } // namespace detail
 

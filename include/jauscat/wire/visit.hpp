@@ -8,7 +8,8 @@ namespace jauscat::wire {
 /// that carries the member: a `field` (codec_type, optional), `bit_field` (width), `nested` (visit the member in turn),
 /// or any other that carries one, such as `repeated`; each has `name()` and `key`.
 template <class Object>
-requires message<std::remove_const_t<Object>> JAUSCAT_INLINE constexpr void visit(Object& object, auto&& visitor) {
+requires message<std::remove_const_t<Object>>
+JAUSCAT_INLINE constexpr void visit(Object& object, auto&& visitor) {
     layout_of<std::remove_const_t<Object>>::visit(object, visitor);
 }
 

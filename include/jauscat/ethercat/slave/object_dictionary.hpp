@@ -24,10 +24,8 @@ struct object_read {
 template <class T>
 concept object_source = requires(T& object, std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out,
                                  std::span<const std::byte> data) {
-    { object.read(index, subindex, out) }
-    noexcept->std::same_as<object_read>;
-    { object.write(index, subindex, data) }
-    noexcept->std::same_as<abort_code>;
+    { object.read(index, subindex, out) } noexcept -> std::same_as<object_read>;
+    { object.write(index, subindex, data) } noexcept -> std::same_as<abort_code>;
 };
 
 /// An object source that can say what it has, for SDO information and complete access.
@@ -36,15 +34,12 @@ concept object_source = requires(T& object, std::uint16_t index, std::uint8_t su
 ///   source.
 /// - `is_described()`, optional: false where all this is the case for some objects only.
 template <class T>
-concept described_object_source = object_source<T> &&
-    requires(const T& object, std::uint16_t index, std::uint8_t subindex) {
-    { object.next_index(index) }
-    noexcept->std::same_as<std::uint16_t>;
-    { object.describe(index) }
-    noexcept->std::same_as<std::optional<object_info>>;
-    { object.describe(index, subindex) }
-    noexcept->std::same_as<std::optional<entry_info>>;
-};
+concept described_object_source =
+    object_source<T> && requires(const T& object, std::uint16_t index, std::uint8_t subindex) {
+        { object.next_index(index) } noexcept -> std::same_as<std::uint16_t>;
+        { object.describe(index) } noexcept -> std::same_as<std::optional<object_info>>;
+        { object.describe(index, subindex) } noexcept -> std::same_as<std::optional<entry_info>>;
+    };
 
 /// A reference to an object source, without its type. Made from a source that must outlive it.
 class object_dictionary {
@@ -52,7 +47,7 @@ class object_dictionary {
     /// `source` must outlive this object.
     template <object_source T>
     requires(!std::same_as<T, object_dictionary>) // a copy refers to the source, not to the copied reference
-        constexpr object_dictionary(T& source) noexcept
+    constexpr object_dictionary(T& source) noexcept
         : source_{&source},
           read_{[](void* object, std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
               return static_cast<T*>(object)->read(index, subindex, out);

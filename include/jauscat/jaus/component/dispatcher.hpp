@@ -26,9 +26,15 @@ template <coded_message T, class F> struct typed_handler {
     using message_type = T;
     F handle;
 };
-template <class F> struct unknown_handler { F handle; };
-template <class F> struct malformed_handler { F handle; };
-template <class F> struct acknowledgement_handler { F handle; };
+template <class F> struct unknown_handler {
+    F handle;
+};
+template <class F> struct malformed_handler {
+    F handle;
+};
+template <class F> struct acknowledgement_handler {
+    F handle;
+};
 
 template <class H> concept is_typed = requires { typename H::message_type; };
 
@@ -36,7 +42,9 @@ template <template <class> class Kind, class H> inline constexpr bool is_kind = 
 template <template <class> class Kind, class F> inline constexpr bool is_kind<Kind, Kind<F>> = true;
 
 /// The handlers of a dispatcher, in a flat list: all messages' handlers in a std::tuple take a minute to compile.
-template <std::size_t I, class H> struct placed_handler { H handler; };
+template <std::size_t I, class H> struct placed_handler {
+    H handler;
+};
 template <class Places, class... Handlers> struct handler_list;
 template <std::size_t... I, class... Handlers>
 struct handler_list<std::index_sequence<I...>, Handlers...> : placed_handler<I, Handlers>... {
@@ -92,17 +100,14 @@ template <class... Handlers> struct dispatch_table {
     template <std::size_t I> using handler = handler_type<places[I], list>;
     static constexpr bool needs_memory = []<std::size_t... I>(std::index_sequence<I...>) {
         return (wire::needs_memory<typename handler<I>::message_type> || ... || false);
-    }
-    (std::make_index_sequence<count>{});
+    }(std::make_index_sequence<count>{});
 
     static constexpr auto codes = []<std::size_t... I>(std::index_sequence<I...>) {
         return std::array<std::uint16_t, count>{command_code_of<typename handler<I>::message_type>...};
-    }
-    (std::make_index_sequence<count>{});
+    }(std::make_index_sequence<count>{});
     static constexpr auto steps = []<std::size_t... I>(std::index_sequence<I...>) {
         return std::array<step, count>{&decode_and_handle<places[I], list>...};
-    }
-    (std::make_index_sequence<count>{});
+    }(std::make_index_sequence<count>{});
 };
 
 } // namespace detail
@@ -160,8 +165,7 @@ template <class... Handlers> class dispatcher {
         };
         [&]<std::size_t... I>(std::index_sequence<I...>) {
             (list(std::type_identity<typename table::template handler<I>::message_type>{}), ...);
-        }
-        (std::make_index_sequence<table::count>{});
+        }(std::make_index_sequence<table::count>{});
     }
 
   private:

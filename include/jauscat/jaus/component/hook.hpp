@@ -8,7 +8,9 @@
 namespace jauscat::jaus {
 
 /// A member function of an object, see `bound`.
-template <auto Function, class Object> struct bound_member { Object* object; };
+template <auto Function, class Object> struct bound_member {
+    Object* object;
+};
 /// A member function of an object, which must outlive the hook: `jaus::bound<&driver::on_state>(*this)`.
 template <auto Function, class Object> [[nodiscard]] constexpr bound_member<Function, Object> bound(Object& object) {
     return {&object};
@@ -23,9 +25,8 @@ template <class Result, class... Arguments> class hook<Result(Arguments...)> {
     constexpr hook() noexcept = default;
     /// Refers to `function`.
     template <class F>
-    requires(!std::same_as<std::remove_cvref_t<F>, hook> &&
-             std::is_class_v<std::remove_cvref_t<F>>) constexpr hook(F&& function) noexcept
-        : object_{const_cast<void*>(static_cast<const void*>(&function))} {
+    requires(!std::same_as<std::remove_cvref_t<F>, hook> && std::is_class_v<std::remove_cvref_t<F>>)
+    constexpr hook(F&& function) noexcept : object_{const_cast<void*>(static_cast<const void*>(&function))} {
         static_assert(std::is_lvalue_reference_v<F>, "hook: the function must outlive the component: give it a name");
         if constexpr (fits<F&>())
             call_ = [](void* object, Arguments... arguments) -> Result {

@@ -16,7 +16,8 @@ template <class Result, class... Arguments> class callback<Result(Arguments...)>
     /// Refers to `function`, which must outlive it.
     template <class F>
     requires(!std::same_as<std::remove_const_t<F>, callback> && !std::is_function_v<F> &&
-             std::is_invocable_r_v<Result, F&, Arguments...>) constexpr callback(F& function) noexcept
+             std::is_invocable_r_v<Result, F&, Arguments...>)
+    constexpr callback(F& function) noexcept
         : function_{const_cast<void*>(static_cast<const void*>(&function))},
           call_{[](void* f, Arguments... arguments) -> Result {
               return (*static_cast<F*>(f))(std::forward<Arguments>(arguments)...);

@@ -14,8 +14,7 @@ template <wire::message From, wire::message To> constexpr void copy_present(cons
             if (source) target = source;
         };
         (copy(wire::member_of<Source>(from), wire::member_of<Target>(to)), ...);
-    }
-    (typename wire::layout_of<From>::keys{}, typename wire::layout_of<To>::keys{});
+    }(typename wire::layout_of<From>::keys{}, typename wire::layout_of<To>::keys{});
 }
 
 } // namespace jauscat::jaus

@@ -14,8 +14,8 @@ class message_sink {
   public:
     /// Refers to `take`, which must outlive it.
     template <class F>
-    requires(!std::same_as<std::remove_cvref_t<F>, message_sink> &&
-             std::invocable<F&, std::span<const std::byte>>) constexpr message_sink(F&& take) noexcept
+    requires(!std::same_as<std::remove_cvref_t<F>, message_sink> && std::invocable<F&, std::span<const std::byte>>)
+    constexpr message_sink(F&& take) noexcept
         : take_{const_cast<void*>(static_cast<const void*>(&take))},
           call_{[](void* function, std::span<const std::byte> message) {
               (*static_cast<std::remove_reference_t<F>*>(function))(message);

@@ -30,8 +30,8 @@ class stream_framer {
     /// `buffer` holds one message and must outlive the framer. `idle` is the silence after which an unfinished message
     /// is given up: senders must not pause that long inside a message.
     template <std::size_t Size>
-    requires(Size >= header_size) constexpr stream_framer(std::array<std::byte, Size>& buffer,
-                                                          std::chrono::nanoseconds idle) noexcept
+    requires(Size >= header_size)
+    constexpr stream_framer(std::array<std::byte, Size>& buffer, std::chrono::nanoseconds idle) noexcept
         : buffer_{buffer}, idle_{idle} {}
 
     /// Bytes that arrived at `now`. Calls `take(std::span<const std::byte>)` for each whole message, header first; the

@@ -192,9 +192,7 @@ class node_manager {
             [&](const address& who) {
                 return who.subsystem == self_.subsystem && (!of_node || who.node == self_.node);
             },
-            [](const address& who) {
-                return std::tuple{who.node, who.component, who.instance};
-            });
+            [](const address& who) { return std::tuple{who.node, who.component, who.instance}; });
         auto* const components = lists.allocate<configured_component>(all.size());
         std::size_t node_count = 0;
         for (std::size_t i = 0; i != all.size(); ++i) node_count += i == 0 || all[i].node != all[i - 1].node ? 1 : 0;

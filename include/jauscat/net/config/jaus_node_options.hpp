@@ -62,7 +62,7 @@ struct jaus_node_options {
                        jaus::component_outcome what)>
         on_message{};
     /// Called when a component has appeared, or timed out, at the node manager.
-    std::function<void(const jaus::address&who)> appeared{}, disappeared{};
+    std::function<void(const jaus::address& who)> appeared{}, disappeared{};
     /// Called with the outcome of a large data set that requested an acknowledgement. Acknowledged: the receiving
     /// component has all of it and has taken it. Refused: it has not. Timed out: an answer is missing, and it may have
     /// been taken.

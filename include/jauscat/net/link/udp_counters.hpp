@@ -42,7 +42,7 @@ struct udp_counters {
 
 struct named_counter {
     std::string_view name{};
-    std::uint64_t udp_counters::*value{}; ///< where it stands
+    std::uint64_t udp_counters::* value{}; ///< where it stands
 };
 /// All counters, in the order in which people want them.
 inline constexpr std::array udp_counter_list{named_counter{"received", &udp_counters::received},
