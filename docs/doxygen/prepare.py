@@ -12,8 +12,6 @@ root, out = map(pathlib.Path, sys.argv[1:3])
 sys.path.append(str(root / "docs/model"))
 import generate # noqa: E402
 
-rules = headers.conventions(root / "docs/doxygen/conventions.txt")
-
 
 def write(path, text):
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -24,7 +22,7 @@ for folder in "include", "schemas":
     for path in sorted((root / folder).rglob("*.hpp")):
         name = path.relative_to(root).as_posix()
         if "/detail/" not in name:
-            write(out / name, headers.prepared(name, path.read_text(encoding="utf-8"), rules))
+            write(out / name, headers.prepared(path.read_text(encoding="utf-8")))
 try:
     for name, text in documents.prepared(root):
         write(out / name, text)

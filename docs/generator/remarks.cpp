@@ -66,7 +66,7 @@ void remarks::read(const std::filesystem::path& header) {
 
 const std::string& remarks::found(const texts& among, const std::string& key) {
     const auto place = among.find(key);
-    if (place == among.end()) throw std::runtime_error{"the schemas' headers have no comment on " + key};
+    if (place == among.end()) throw std::runtime_error{"the schemas' headers do not describe " + key};
     return place->second;
 }
 
@@ -86,6 +86,7 @@ message_remark remarks::of_message(const std::string& type, std::string_view nam
     static const std::regex form{R"(^([^.:]+)(?:: (.*?))?\.? Code (\w{4})h, \w+ class, [^.]*\. ?(.*)$)"};
     std::smatch match;
     const std::string& text = of_type(type);
+    if (text.empty()) return {};
     if (!std::regex_match(text, match, form) || match.str(1) != name || match.str(3) != code)
         throw std::runtime_error{"the comment on " + type + " is not 'NAME: meaning. Code " + std::string{code} +
                                  "h, ... class, SIZE.' with the standard's name, " + std::string{name}};

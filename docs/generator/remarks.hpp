@@ -1,5 +1,4 @@
-// What the schemas' headers say in their comments: the meaning of structures, members and enumerators, which no
-// template can see.
+// The comments of the schemas' headers: the meaning of structures, members and enumerators, which no template can see.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -9,9 +8,9 @@
 
 namespace jauscat::reference {
 
-/// The comment above a message, taken apart.
+/// The parts of the comment above a message.
 struct message_remark {
-    std::string meaning{}; ///< a sentence; empty where the name says it all
+    std::string meaning{}; ///< a sentence, or empty
     std::string notes{};   ///< further sentences
 };
 
@@ -24,14 +23,14 @@ class remarks {
     [[nodiscard]] const std::string& of_header(const std::string& stem) const { return found(headers_, stem); }
     /// The header that defines a structure, without folder and ending.
     [[nodiscard]] const std::string& header_of(const std::string& structure) const { return found(homes_, structure); }
-    /// The comment above a structure or enumeration.
+    /// The comment above a structure or enumeration, or empty.
     [[nodiscard]] const std::string& of_type(const std::string& type) const { return found(types_, type); }
-    /// The comment behind a member or enumerator; empty where there is none.
+    /// The comment behind a member or enumerator, or empty.
     [[nodiscard]] const std::string& of_member(const std::string& type, const std::string& member) const;
-    /// The name that users write for a type: a template's usual instance.
+    /// The name that users write for a type: the alias of a template's usual instance.
     [[nodiscard]] const std::string& usual_name(const std::string& type) const;
 
-    /// The comment above a message. Throws where it does not have the standard's name and the code in it.
+    /// The comment above a message, or empty parts. Throws if it does not have the standard's name and the code.
     [[nodiscard]] message_remark of_message(const std::string& type, std::string_view name,
                                             std::string_view code) const;
 
