@@ -122,8 +122,8 @@ bool add(const std::string& name, sample_set& set, auto next) {
     const std::span images{set.images};
     const auto into_image = [](auto way) { return [way](const bytes& b) { return way(b, ours); }; };
     const auto into_body = [](auto way) { return [way](const image& i) { return way(i, body); }; };
-    bench::pair(name + ", forth", bodies, into_image(forth), bodies, into_image(forth_by_hand));
-    bench::pair(name + ", back", images, into_body(back), images, into_body(back_by_hand));
+    bench::pair(name + ", to image", bodies, into_image(forth), bodies, into_image(forth_by_hand));
+    bench::pair(name + ", to message", images, into_body(back), images, into_body(back_by_hand));
     return agree;
 }
 

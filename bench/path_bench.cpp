@@ -56,7 +56,7 @@ template <class Table> [[gnu::noinline]] std::size_t path(in_bytes datagram, out
     const auto message = jaus::remove_framing(datagram).message;
     const auto split = jaus::split(message);
     if (!split || delivery::deliverable(split.header) != jauscat::translate::errc::ok) return 0;
-    std::array<std::byte, delivery::translator::max_packet_size> packet; // not zeroed: forth says how much it wrote
+    std::array<std::byte, delivery::translator::max_packet_size> packet; // not zeroed: to_packet returns its size
     const auto size = delivery::translator::to_packet(message, packet);
     if (!size) return 0;
     const auto object = delivery::object_of(std::span{packet}.first(size.size()));

@@ -83,10 +83,10 @@ template <class Table> bool add(const std::string& name, message_set& set, std::
     const auto into_packet = [](auto way) { return [way](const bytes& m) { return way(m, packet); }; };
     const auto into_message = [](auto way) { return [way](const bytes& p) { return way(p, message); }; };
     const std::span messages{set.messages}, packets{set.packets};
-    bench::pair(name + ", forth", messages, into_packet(Table::forth), messages, into_packet(Table::forth_by_hand));
-    bench::pair(name + ", back", packets, into_message(Table::back), packets, into_message(Table::back_by_hand));
-    bench::pair(name + ", forth (memcpy)", messages, into_packet(Table::forth), messages, into_packet(copy));
-    bench::pair(name + ", back (memcpy)", packets, into_message(Table::back), packets, into_message(copy));
+    bench::pair(name + ", to packet", messages, into_packet(Table::forth), messages, into_packet(Table::forth_by_hand));
+    bench::pair(name + ", to message", packets, into_message(Table::back), packets, into_message(Table::back_by_hand));
+    bench::pair(name + ", to packet (memcpy)", messages, into_packet(Table::forth), messages, into_packet(copy));
+    bench::pair(name + ", to message (memcpy)", packets, into_message(Table::back), packets, into_message(copy));
     return agree;
 }
 

@@ -22,7 +22,7 @@ template <class Table> struct checked {
             check(there.error() == errc::truncated || there.error() == errc::wrong_size ||
                       there.error() == errc::too_large || there.error() == errc::unknown_command_code ||
                       there.error() == errc::reserved_value,
-                  "a message is refused for a reason that forth documents");
+                  "a message is refused for a reason that to_packet documents");
             return;
         }
         packet.resize(there.size());

@@ -89,7 +89,7 @@ inline unsigned command_by_mailbox(row& into, unsigned count, jauscat::net::raw_
     using delivery = bridge::delivery<translation::self_contained_table>;
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation{};
     jaus_socket socket{[&](std::span<const std::byte> message) {
-        std::array<std::byte, delivery::translator::max_packet_size> packet; // not zeroed: forth says how much it wrote
+        std::array<std::byte, delivery::translator::max_packet_size> packet; // not zeroed: to_packet returns its size
         const auto size = delivery::translator::to_packet(message, packet);
         ethercat::packet_job job{std::span{packet}.first(size ? size.size() : 0), confirmation};
         for (bool runs = job.start(master); runs; runs = job.next(master))
