@@ -194,7 +194,7 @@ void print(const char* name, std::size_t window, const measured& m, const measur
 
 void run(unsigned rounds, nanoseconds time) {
     std::printf(
-        "| who answers | on their way | messages/s | of the echo | processor us each | of the echo | p50 us | p99 us | "
+        "| server | outstanding | messages/s | of the echo | processor us each | of the echo | p50 us | p99 us | "
         "lost |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
     client asking;
     bare_echo echo;

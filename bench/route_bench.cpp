@@ -55,7 +55,7 @@ bool add(const std::string& name, const both_maps& maps, const std::vector<jaus:
     for (const auto& to : wanted) agree = agree && by_address_map(maps, to) == by_unordered_map(maps, to);
     const std::span all{wanted};
     bench::pair(
-        "way among " + std::to_string(maps.ours.size()) + " entries, " + name + " (unordered_map)", all,
+        "look-up among " + std::to_string(maps.ours.size()) + " entries, " + name + " (unordered_map)", all,
         [&maps](const jaus::address& to) { return by_address_map(maps, to); }, all,
         [&maps](const jaus::address& to) { return by_unordered_map(maps, to); });
     return agree;

@@ -23,11 +23,11 @@ read -r whole _ sockets _ <<<"$(cell 'socket to socket, seed table (sockets alon
 actuator='JAUS datagram to actuator, by mailbox'
 for row in \
     "| How long does a controller take from a JAUS datagram to the EtherCAT frame, without sockets? | $frame ns |" \
-    "| How many datagrams is that in a second? | more than $(awk -v ns="$frame" 'BEGIN { print ns < 100 ? 10 : 1 }') million on one core |" \
+    "| How many datagrams in a second is that? | more than $(awk -v ns="$frame" 'BEGIN { print ns < 100 ? 10 : 1 }') million on one core |" \
     "| What does that cost, compared with a memcpy of the frame? | $ratio times the time |" \
     "| How long does it take with sockets on both sides? | $whole ns; the sockets alone take $sockets ns |" \
     "| How long until the actuator has the command, by SDO over virtual Ethernet? | $(median "$actuator") us (median), $(cell "$actuator" 3) us (99 %) |" \
-    "| How many messages does a JAUS node answer in a second, 8 of them under way? | $(cell 'jaus_node | 8' 1): $(cell 'jaus_node | 8' 2) of a bare UDP echo |" \
+    "| How many messages does a JAUS node answer in a second, with 8 outstanding? | $(cell 'jaus_node | 8' 1): $(cell 'jaus_node | 8' 2) of a bare UDP echo |" \
     "| SDO download on a raw link, two frames (by hand) | $(median 'SDO download of 28 bytes') us ($(median 'the two frames of that download, by hand')) |" \
     "| firmware node on a Cortex-M3, -Os, next to one written by hand | $flash |"; do
     rows=$((rows + 1))
