@@ -1,13 +1,13 @@
-# Sourced by the scripts that try something in an empty Debian 12: makes one in a folder. It needs root. Packages come from
-# where this machine's own apt takes them.
+# Sourced by the scripts that test in an empty Debian 12: creates one in a folder. Needs root. Packages come from the apt
+# sources of this machine.
 # shellcheck disable=SC2016 # $(REPO_URI) and its like are apt's
 
-# empty_debian FOLDER: a minimal system in FOLDER, ready for in_chroot; what was there is removed. The first one takes a
-# minute, the next ones are unpacked from build/debian12.tar.
+# empty_debian FOLDER: creates a minimal system in FOLDER, for in_chroot, and removes the previous content. The first call takes
+# a minute, the next ones unpack build/debian12.tar.
 empty_debian() {
     local folder=$1 mirror kept=build/debian12.tar
     if [ "$(id -u)" -ne 0 ]; then
-        echo "Run this as root: it makes a system of its own in $folder (debootstrap, chroot)." >&2
+        echo "Run this as root: it creates a system in $folder (debootstrap, chroot)." >&2
         return 1
     fi
     need debootstrap || return 1
@@ -25,14 +25,14 @@ empty_debian() {
     else
         tar -C "$folder" -xf "$kept"
     fi
-    # All of Debian 12 that this machine knows: updates and security too, by the same proxy if there is one.
+    # All Debian 12 sources of this machine, including updates and security, through the same proxy.
     apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian' |
         grep -F ' bookworm' >"$folder/etc/apt/sources.list"
     apt-config dump Acquire >"$folder/etc/apt/apt.conf.d/00machine"
     [ ! -e /etc/apt/auth.conf.d ] || cp -r /etc/apt/auth.conf.d "$folder/etc/apt/"
-    printf '#!/bin/sh\nexit 101\n' >"$folder/usr/sbin/policy-rc.d" # no service is started in there
+    printf '#!/bin/sh\nexit 101\n' >"$folder/usr/sbin/policy-rc.d" # no service is started in the chroot
     chmod +x "$folder/usr/sbin/policy-rc.d"
-    echo force-unsafe-io >"$folder/etc/dpkg/dpkg.cfg.d/unsafe-io" # faster; it need not outlive a power failure
+    echo force-unsafe-io >"$folder/etc/dpkg/dpkg.cfg.d/unsafe-io" # faster; the system need not survive a power failure
     cp -L /etc/resolv.conf /etc/hosts "$folder/etc/"
     mount -t proc proc "$folder/proc"
     mount --bind /dev "$folder/dev"
@@ -40,7 +40,7 @@ empty_debian() {
     in_chroot "$folder" apt-get update -qq
 }
 
-# in_chroot FOLDER COMMAND...: runs it in there, as root, with an environment of its own.
+# in_chroot FOLDER COMMAND...: runs COMMAND in the system, as root, with a clean environment.
 in_chroot() {
     local folder=$1
     shift
@@ -48,7 +48,7 @@ in_chroot() {
         ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} chroot "$folder" "$@"
 }
 
-# remove_chroot FOLDER: takes its mounts off and removes it. For a trap, too.
+# remove_chroot FOLDER: unmounts its file systems and removes it. May be called from a trap.
 remove_chroot() {
     local mounted
     [ -d "$1" ] || return 0
@@ -56,7 +56,7 @@ remove_chroot() {
         ! mountpoint -q "$1/$mounted" || umount "$1/$mounted" || umount -l "$1/$mounted"
     done
     if mount | grep -qF " on $(realpath "$1")/"; then
-        echo "Something is still mounted in $1; it is left." >&2
+        echo "$1 is not removed: a file system is still mounted in it." >&2
         return 1
     fi
     rm -rf --one-file-system "$1"

@@ -1,6 +1,6 @@
-# Sourced by the other scripts: makes sure that the Debian packages they name are there.
+# Sourced by the other scripts: checks or installs the Debian packages that they need.
 
-# need PACKAGE...: installs what is missing, as root or with sudo; says what to install where neither works.
+# need PACKAGE...: installs missing packages as root or with sudo; otherwise prints the command.
 need() {
     local missing=()
     local package
@@ -23,14 +23,14 @@ need() {
         DEBIAN_FRONTEND=noninteractive "${sudo[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# Any Boost from 1.74 on serves; install Debian's default only where there is none.
+# Any Boost from 1.74 on is sufficient; Debian's default is installed only if there is none.
 boost_packages() {
     dpkg-query -W -f '${Status} ${Package}\n' 'libboost1.*-dev' 2>/dev/null | grep -q '^install ok installed' || echo libboost-dev
     dpkg-query -W -f '${Status} ${Package}\n' 'libboost-program-options1.*-dev' 2>/dev/null |
         grep -q '^install ok installed' || echo libboost-program-options-dev
 }
 
-# What CMake wants to configure everything, the tests included.
+# Needed by CMake to configure everything, including the tests.
 need_to_build() {
     need g++ cmake ninja-build catch2 python3 libpugixml-dev libpcap-dev libedit-dev nlohmann-json3-dev $(boost_packages)
 }

@@ -1,18 +1,18 @@
-# Sourced by the scripts that measure: puts their tables into docs/performance.md.
+# Sourced by the scripts that measure: writes their tables to docs/performance.md.
 
 page=docs/performance.md
 
-# The processor of this machine, as the page names it.
+# The processor of this machine, in the form of the page.
 processor() { echo "$(nproc) cores of $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)"; }
 
-# measured CONDITIONS: the line above a table. Names the processor only if the page's machine is another one.
+# measured CONDITIONS: the line above a table. It names the processor only if it is not that of the page.
 measured() {
     local other=
     grep -qFx "Machine: $(processor)." "$page" || other=", $(processor)"
     echo "$(date +%Y-%m-%d), commit $(git rev-parse --short HEAD)$other, $1."
 }
 
-# put NAME FILE: replaces the lines between <!-- NAME --> and <!-- end of NAME --> in the page by those of FILE.
+# put NAME FILE: replaces the lines between <!-- NAME --> and <!-- end of NAME --> of the page with FILE.
 put() {
     if ! grep -qFx "<!-- $1 -->" "$page" || ! grep -qFx "<!-- end of $1 -->" "$page"; then
         echo "$page: no section <!-- $1 --> to <!-- end of $1 -->" >&2
