@@ -20,10 +20,11 @@ namespace {
 namespace bridge = jauscat::bridge;
 namespace ethercat = jauscat::ethercat;
 
-constexpr const char* help = R"(robot_arm: an EtherCAT slave that obeys JAUS messages.
+constexpr const char* help = R"(robot_arm: an EtherCAT slave that executes JAUS messages.
 
-It waits for an EtherCAT master (robot_controller, or any other) and shows what it is told to do. Its JAUS subsystem is
-that of its system in the configuration file. Its node is --node, or else the station address that the master gives it.
+It waits for an EtherCAT master (robot_controller, or any other) and shows the commands that it executes. Its JAUS
+subsystem is that of its system in the configuration file. Its JAUS node is --node, or else the station address that
+the master assigns.
 
 Examples:
   robot_arm --this b                          EtherCAT in UDP on port 34980
@@ -142,9 +143,9 @@ int main(int argc, char** argv) {
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this arm belongs to, instead of the file's <thissystem>")
             ("node", po::value<unsigned>(), "JAUS node of this arm, 1 to 254, instead of the station address")
-            ("command-timeout", po::value<unsigned>()->default_value(450), "milliseconds without a message after which efforts that came by mailbox end; 0: never")
-            ("empty-start", po::bool_switch(), "start uploads in segments without data, as some slaves do")
-            ("strict", po::bool_switch(), "take and give objects at their exact size only, as some slaves do: needs --fixed-length")
+            ("command-timeout", po::value<unsigned>()->default_value(450), "milliseconds without a message after which efforts set by mailbox end; 0: never")
+            ("empty-start", po::bool_switch(), "start segmented uploads without data, as some slaves do")
+            ("strict", po::bool_switch(), "accept and return objects at their exact size only, as some slaves do: needs --fixed-length")
             ("subindex-0-rule", po::bool_switch(), "abort writes to PDO mapping objects while their subindex 0 is not 0, as some slaves do: needs the controller's --clear-subindex-0 or another --index-base");
         // clang-format on
         example::add_mailbox_option(options);

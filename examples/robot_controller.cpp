@@ -1,4 +1,4 @@
-// The robot controller: JAUS messages in over UDP, SDO downloads out over EtherCAT, and reports the way back.
+// The robot controller: receives JAUS messages over UDP, sends SDO downloads over EtherCAT, and returns reports.
 #include "robot_controller/front.hpp"
 #include "support/link_options.hpp"
 
@@ -12,20 +12,21 @@ namespace bridge = jauscat::bridge;
 
 constexpr const char* help = R"(robot_controller: carries JAUS messages to an EtherCAT slave and its reports back.
 
-It brings the slave to PRE-OP with the station address --station. In front of it stands the JAUS node of that number,
-with a node manager (heartbeats) and the components that the configuration gives the node, or else component 33, a
-Primitive Driver. State, control and acknowledgement of a component are kept here; all its other messages are
-translated into SDO downloads. After a query the report is uploaded and sent to the asker.
+It brings the slave to PRE-OP with the station address --station, and runs a JAUS node of that number for it. The node
+has a node manager (heartbeats) and the components that the configuration lists, or else component 33, a Primitive
+Driver. The program handles state, control and acknowledgement of a component itself. It translates all other messages
+of the component to SDO downloads. After a query it uploads the report and sends it to the source of the query.
 
-A component obeys when it is ready. In every other state, when its controller is lost, and when this program ends, the
-slave is brought to rest: within --stop-within milliseconds after something is lost (docs/safety.md).
+A component executes commands when it is ready. In every other state, when its controller is lost, and when this
+program ends, the slave is brought to rest: within --stop-within milliseconds after a loss (docs/safety.md).
 
-A configuration may put several masters behind this program: those of all systems whose <ethercat> entry names it as
-their controller, each with its own interface, slave and JAUS node (docs/configuration.md). Then the file says which
-interfaces and stations there are.
+With a configuration, this program can run several masters: those of all systems whose <ethercat> entry names it as
+their controller, each with its own interface, slave and JAUS node (docs/configuration.md). The file then has the
+interfaces and stations.
 
-With --cycle the slave runs in OP, and wrench efforts take the cyclic path: a Set Wrench Effort is in the slave's outputs
-in the next cycle, and Query Wrench Effort is answered from its inputs. All other messages go by the mailbox, in between.
+With --cycle the slave runs in OP, and wrench efforts bypass the mailbox: a Set Wrench Effort is in the slave's outputs
+in the next cycle, and Query Wrench Effort is answered from its inputs. All other messages use the mailbox, between
+cycles.
 
 Examples:
   robot_controller --this b                   EtherCAT in UDP to 127.0.0.1, port 34980
@@ -140,11 +141,11 @@ int main(int argc, char** argv) {
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this controller is, instead of the file's <thissystem>")
             ("station", po::value<std::uint16_t>()->default_value(2), "station address and JAUS node of the slave, 1 to 254")
-            ("clear-subindex-0", po::bool_switch(), "write 0 to subindex 0 of an object before each message, for slaves that abort with 06010003h else")
-            ("cycle", po::value<unsigned>()->default_value(0), "microseconds from one cycle of process data to the next: wrench efforts then go without the mailbox; 0: no cycles")
-            ("stop-within", po::value<unsigned>(), "milliseconds within which the slave is at rest after its controller, the link, its state or this program is lost; 500, with --cycle 100 unless given")
+            ("clear-subindex-0", po::bool_switch(), "write 0 to subindex 0 of an object before each message, for slaves that otherwise abort with 06010003h")
+            ("cycle", po::value<unsigned>()->default_value(0), "period of the process data in microseconds; wrench efforts then bypass the mailbox; 0: no process data")
+            ("stop-within", po::value<unsigned>(), "milliseconds within which the slave is at rest after its controller, the link, its state or this program is lost; default: 500, with --cycle 100")
             ("wait", po::value<unsigned>()->default_value(5000), "milliseconds to wait for the slave at the start")
-            ("open", "take messages from everybody, for trials")
+            ("open", "accept messages from all senders, for tests")
             ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
         // clang-format on
         example::add_link_options(described);

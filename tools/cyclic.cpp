@@ -21,11 +21,11 @@ namespace {
 namespace ethercat = jauscat::ethercat;
 using std::chrono::microseconds, std::chrono::milliseconds, std::chrono::seconds;
 
-constexpr const char* help = R"(cyclic: exchanges process data with all slaves, once every period, and measures it.
+constexpr const char* help = R"(cyclic: exchanges process data with all slaves in every period, and measures the times.
 
-It brings each slave from INIT to OP, runs for --seconds or until Ctrl-C, and uploads an object of each slave in turn
-meanwhile. Outputs are all 0. It says when a slave leaves OP or is no longer there; the exit code is 1 if one is not in OP
-at the end.
+It brings each slave from INIT to OP, runs for --seconds or until Ctrl-C, and meanwhile uploads an object of each slave
+in turn. All outputs are 0. It reports when a slave leaves OP or is lost. The exit code is 1 if a slave is not in OP at
+the end.
 
 Examples:
   cyclic                                     EtherCAT in UDP to 127.0.0.1, port 34980: robot_arm
@@ -260,9 +260,9 @@ int main(int argc, char** argv) {
         po::options_description options;
         // clang-format off
         options.add_options()
-            ("period", po::value<unsigned>()->default_value(1000), "microseconds from one cycle to the next, 1 to 1000000")
-            ("seconds", po::value<unsigned>()->default_value(10), "how long to run")
-            ("spin", po::value<unsigned>()->default_value(0), "the last microseconds of each wait are spent awake: more exact, and costs processor time")
+            ("period", po::value<unsigned>()->default_value(1000), "period in microseconds, 1 to 1000000")
+            ("seconds", po::value<unsigned>()->default_value(10), "duration in seconds")
+            ("spin", po::value<unsigned>()->default_value(0), "the last microseconds of each wait are spent polling: more exact, and uses processor time")
             ("priority", po::value<unsigned>()->default_value(0), "real-time priority, 1 to 99; 0: none")
             ("upload-every", po::value<unsigned>()->default_value(1000), "milliseconds between two SDO uploads; 0: none")
             ("watchdog", po::value<unsigned>()->default_value(100), "milliseconds without outputs after which a slave leaves OP, 1 to 6553")

@@ -15,10 +15,10 @@ namespace {
 namespace ethercat = jauscat::ethercat;
 using jauscat::text::hex_number;
 
-constexpr const char* help = R"(emulated_bus: EtherCAT slaves in a chain, for masters to be tried against.
+constexpr const char* help = R"(emulated_bus: emulates a chain of EtherCAT slaves, to test masters.
 
-The slaves have a CoE mailbox with SDO information and complete access, and process data if asked for. Each has these
-objects of exact sizes, which hold what is written to them:
+The slaves have a CoE mailbox with SDO information and complete access, and process data with --outputs and --inputs.
+Each has these objects of exact sizes, which store the written values:
   0x2000:0 1 byte    0x2001:0 2 bytes   0x2002:0 4 bytes   0x2003:0 28 bytes  0x2004:0 1000 bytes
   0x2010:1 to 0x2010:4, 4 bytes each    0x1AF4:1 and 0x6926:1, 28 bytes each
 In OP the inputs repeat the outputs, so that a master can check its cycle.
@@ -27,7 +27,7 @@ Examples:
   emulated_bus                                          one slave, EtherCAT in UDP on port 34980
   emulated_bus --slaves 5 --outputs 8 --inputs 8 --link raw --interface eth0
   emulated_bus --mailbox-size 24 --slow 20              small and slow
-  emulated_bus --subindex-0-rule --state-rule           mapping objects as strict slaves have them
+  emulated_bus --subindex-0-rule --state-rule           strict rules for mapping objects
   emulated_bus --abort 0x2002=0x08000021 --abort 0x2010:1=0x06060000
 )";
 
@@ -200,19 +200,19 @@ int main(int argc, char** argv) {
         po::options_description options;
         // clang-format off
         options.add_options()
-            ("slaves", po::value<std::size_t>()->default_value(1), "how many, 1 to 100")
+            ("slaves", po::value<std::size_t>()->default_value(1), "number of slaves, 1 to 100")
             ("outputs", po::value<std::size_t>()->default_value(0), "bytes of process data to each slave, 0 to 682")
             ("inputs", po::value<std::size_t>()->default_value(0), "bytes of process data from each slave, 0 to 1024")
             ("mailbox-size", po::value<std::uint16_t>()->default_value(128), "bytes of each mailbox, 24 to 1486")
             ("vendor", po::value<std::string>()->default_value("0x4A430000"), "vendor ID")
             ("product", po::value<std::string>()->default_value("0x00B5"), "product code")
-            ("eight-byte-sii", po::bool_switch(), "a read of the SII gives 8 bytes instead of 4")
+            ("eight-byte-sii", po::bool_switch(), "a read of the SII returns 8 bytes instead of 4")
             ("object", po::value<std::vector<std::string>>()->composing(), "another object: INDEX[:SUB]=BYTES; may be repeated")
             ("abort", po::value<std::vector<std::string>>()->composing(), "abort every transfer of an object: INDEX[:SUB]=CODE; may be repeated")
             ("subindex-0-rule", po::bool_switch(), "abort writes to PDO mapping objects while their subindex 0 is not 0")
             ("state-rule", po::bool_switch(), "abort writes to PDO mapping objects in other states than PRE-OP")
-            ("empty-start", po::bool_switch(), "uploads in segments start without data")
-            ("slow", po::value<std::uint32_t>()->default_value(0), "frames that pass before a mailbox request is answered");
+            ("empty-start", po::bool_switch(), "segmented uploads start without data")
+            ("slow", po::value<std::uint32_t>()->default_value(0), "number of frames before a mailbox request is answered");
         // clang-format on
         example::add_medium_options(options);
         const auto values = example::parse(argc, argv, options, help);

@@ -15,18 +15,18 @@ namespace esi = jauscat::esi;
 
 constexpr const char* help = R"(jauscat-esi: writes an ESI file (EtherCAT Slave Information), or checks one.
 
-The file describes the slave that robot_arm emulates: its mailbox, its process data, its features of CoE, its SII
-memory, and an object for its JAUS component with an entry for each message that it accepts. Configuration tools and
-emulators load it.
+The file describes the slave that robot_arm emulates: its mailbox, its process data, its CoE features, its SII memory,
+and an object for its JAUS component with an entry for each message that it accepts. It is for configuration tools and
+emulators.
 
 Examples:
   jauscat-esi --output arm.xml                          the robot arm, under the seed table
   jauscat-esi --component 38 --table self-contained     another component, to standard output
   jauscat-esi --index-base 0x2000 --output arm.xml      objects in the manufacturer's area
-  jauscat-esi --check arm.xml                           what configuration tools require, and whether it is there
+  jauscat-esi --check arm.xml                           lists the requirements of configuration tools, met or not
 
-Exit code: 0 done, and with --check everything is there; 1 a file cannot be read or written, or something is missing;
-2 the command line is wrong.
+Exit code: 0 on success, with --check if nothing is missing; 1 if a file cannot be read or written, or something is
+missing; 2 for a wrong command line.
 )";
 
 template <class Table> std::string esi_of(std::uint8_t component, std::uint16_t mailbox_size) {

@@ -19,7 +19,7 @@ using ocu::order;
 using ocu::reply;
 using words = std::vector<std::string>;
 
-constexpr const char* help = R"(ocu: commands the efforts of a robot arm and asks them back.
+constexpr const char* help = R"(ocu: commands the efforts of a robot arm and queries them.
 
   ocu [options] [FIELD=VALUE ...]
 
@@ -32,12 +32,13 @@ Examples:
   ocu --send set_emergency emergency_code=transition_to_emergency
   ocu --unacknowledged propulsive_linear_effort_x=50
 
-It takes control of the arm first if the command is one of those that a controlled component takes from its controller
-only, and releases it at the end, also after Ctrl-C. Queries, reports, Set and Clear Emergency go without.
-Without --send the fields are those of Set Wrench Effort. --send takes each message of the standard by its name.
-A peer that never acknowledges may obey all the same: then the report shows it. With --unacknowledged none is asked for.
-Exit code: 0 when the report equals the command, or the message of --send was answered as it should be; 1 when not,
-nobody answers, control is refused, or it is lost before all is done; 2 for a wrong command line.
+If a controlled component accepts the command from its controller only, the program takes control of the arm first, and
+releases it at the end, also after Ctrl-C. Queries, reports, Set and Clear Emergency need no control.
+Without --send the fields are those of Set Wrench Effort. --send accepts every message of the standard by its name.
+The report shows whether a peer that does not acknowledge has executed the command. --unacknowledged requests no
+acknowledgement.
+Exit code: 0 if the report equals the command, or the message of --send was answered as expected; 1 if not, if there is
+no answer, or if control is refused or lost before the end; 2 for a wrong command line.
 )";
 
 /// The order to send the message `name` with the fields that the command line names.
@@ -130,16 +131,16 @@ int main(int argc, char** argv) {
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this unit is, instead of the file's <thissystem>")
             ("to", po::value<std::string>()->default_value("2.2.33.1"), "JAUS ID of the arm")
-            ("authority", po::value<unsigned>()->default_value(128), "with which control is asked for, 0 to 255: a higher one takes it from a lower one")
+            ("authority", po::value<unsigned>()->default_value(128), "authority of the request for control, 0 to 255; a higher one takes control from a lower one")
             ("no-control", po::bool_switch(), "send without taking control first")
-            ("unacknowledged", po::bool_switch(), "ask for no acknowledgements, for peers that never send any")
-            ("hold", po::value<double>()->default_value(0), "seconds to keep control when all is done")
-            ("wait", po::value<double>()->default_value(0), "seconds to wait for a heartbeat of any component of the robot before the first message; 0: begin at once")
-            ("random", po::value<std::uint32_t>(), "command random fields, from this seed")
-            ("query", "ask for all efforts, command nothing")
+            ("unacknowledged", po::bool_switch(), "request no acknowledgements, for peers that never send them")
+            ("hold", po::value<double>()->default_value(0), "seconds to keep control at the end")
+            ("wait", po::value<double>()->default_value(0), "seconds to wait for a heartbeat of any component of the robot before the first message; 0: none")
+            ("random", po::value<std::uint32_t>(), "command random fields generated from this seed")
+            ("query", "query all efforts, command nothing")
             ("send", po::value<std::string>(), "send this message instead, with the FIELD=VALUE arguments")
             ("timeout", po::value<unsigned>()->default_value(400), "milliseconds after which an unanswered message is repeated, three times")
-            ("field", po::value<words>(), "FIELD=VALUE; --field itself may be left out");
+            ("field", po::value<words>(), "FIELD=VALUE; --field itself may be omitted");
         // clang-format on
         po::positional_options_description positional;
         positional.add("field", -1);

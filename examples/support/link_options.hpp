@@ -20,7 +20,7 @@ inline void add_table_options(boost::program_options::options_description& optio
          "object index of component 0: 6900, 0x2000 (manufacturer specific; for slaves that refuse writes to PDO "
          "mapping objects) or 0x6900; controller and arm must agree")
         ("fixed-length", po::bool_switch(),
-         "pad every object to one size, for slaves that take exact sizes only; controller and arm must agree");
+         "pad every object to one size, for slaves that accept exact sizes only; controller and arm must agree");
     // clang-format on
 }
 
@@ -31,7 +31,7 @@ inline void add_medium_options(boost::program_options::options_description& opti
     options.add_options()
         ("link", po::value<std::string>()->default_value("udp"), "EtherCAT medium: udp or raw")
         ("interface", po::value<std::string>(), "network interface of --link raw, for example eth0")
-        ("ethercat-host", po::value<std::string>()->default_value("127.0.0.1"), "where the slave is, for --link udp")
+        ("ethercat-host", po::value<std::string>()->default_value("127.0.0.1"), "host of the slave, for --link udp")
         ("ethercat-port", po::value<std::uint16_t>()->default_value(jauscat::net::udp_link::ethercat_port),
          "UDP port of the slave, for --link udp");
     // clang-format on

@@ -11,7 +11,7 @@ namespace example {
 inline void add_mailbox_option(boost::program_options::options_description& options) {
     namespace po = boost::program_options;
     options.add_options()("mailbox-size", po::value<std::uint16_t>()->default_value(arm_slave.mailbox_in_size),
-                          "bytes of each mailbox, 24 to 1486: larger objects go in segments");
+                          "bytes of each mailbox, 24 to 1486; larger objects are segmented");
 }
 /// Throws usage_error for a size that no mailbox has.
 inline std::uint16_t mailbox_size_of(const boost::program_options::variables_map& values) {

@@ -18,7 +18,7 @@ namespace net = jauscat::net;
 namespace text = jauscat::text;
 using namespace std::chrono_literals;
 
-constexpr const char* help = R"(communicator: a JAUS node to talk with others from the keyboard or a script.
+constexpr const char* help = R"(communicator: a JAUS node that sends messages from the keyboard or a script.
 
   communicator [options]
 
@@ -28,17 +28,17 @@ Examples:
   printf 'send b set_component_authority authority_code=5\nexit\n' | communicator --this a
   printf 'wait 10\n' | communicator --this b
 
-It is the component 32 of its system's node, or the first that the configuration names there.
-Exit code: 0; in a script 1 if a line was wrong, or a message was refused or not answered; 2 for a wrong command line;
-1 if the node cannot be started.
+It is the first component that the configuration lists for its node, or else component 32.
+Exit code: 0; 1 if the node cannot be started, or if in a script a line was wrong or a message was refused or not
+answered; 2 for a wrong command line.
 )";
 
 constexpr const char* commands =
-    R"(  send WHOM MESSAGE [FIELD=VALUE ...]   WHOM: a system's name or a JAUS ID, such as b or 2.1.32.1
+    R"(  send WHOM MESSAGE [FIELD=VALUE ...]   WHOM: name of a system or a JAUS ID, such as b or 2.1.32.1
                                         MESSAGE: as in the standard, such as set_component_authority or 0001
-  peers                                 the systems of the configuration, and who is heard
-  log on|off                            also show what the node manager gets, and lines that repeat
-  wait SECONDS                          take the next line later
+  peers                                 list the systems of the configuration and the detected peers
+  log on|off                            also show messages to the node manager, and repeated lines
+  wait SECONDS                          wait before the next line
   help                                  this text
   exit                                  end the program; also q and quit
 )";
@@ -271,9 +271,9 @@ int main(int argc, char** argv) {
         options.add_options()
             ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
             ("this", po::value<std::string>(), "the system this node is, instead of the file's <thissystem>")
-            ("node", po::value<unsigned>()->default_value(0), "the node of its system that this is; 0: the file's, or 1")
+            ("node", po::value<unsigned>()->default_value(0), "JAUS node of this program; 0: that of the file, or 1")
             ("primary", po::value<unsigned>()->default_value(0), "the node that relays within the subsystem; 0: none")
-            ("open", "take messages from everybody, for trials")
+            ("open", "accept messages from all senders, for tests")
             ("reuse", "share address and port with other programs (SO_REUSEADDR)");
         // clang-format on
         const auto values = example::parse(argc, argv, options, help);

@@ -18,17 +18,17 @@ constexpr const char* help = R"(jausdump: shows JAUS messages, field by field.
 
   jausdump [options] CAPTURE        a file of tcpdump or Wireshark: UDP over IPv4, any port
   jausdump [options] --listen PORT  messages as they arrive, until Ctrl-C
-  jausdump [options]                lines of hex digits on standard input, a message each
+  jausdump [options]                lines of hex digits on standard input, one message each
 
-Captures and ports: with or without JAUS01.0 in front of a message. Large data sets are put together, and payload data
-elements are decoded with the types of an earlier Report Payload Interface. What is not JAUS is counted. Lines: each is
-decoded alone, whatever its acknowledgement bits or data flag say.
+Captures and ports: with or without JAUS01.0 in front of a message. Large data sets are reassembled, and payload data
+elements are decoded with the types of an earlier Report Payload Interface. Other datagrams are counted. Lines: each is
+decoded alone, regardless of its acknowledgement bits and data flag.
 
-EtherCAT (--ethercat): shows what SDO transfers carry to and from the objects of JAUS components, in frames of EtherType
-88A4h or in UDP at port 34980. A message is shown once all its data have passed, and each refusal with its abort code.
-Other objects and mailbox protocols are counted. The octets of a JAUS ID that are not on the wire are what a slave fills
-in: with the seed table the subsystem of --subsystem and instance 1. An octet that is not known is 0, such as the node
-of a slave whose station address is above 254.
+EtherCAT (--ethercat): shows the messages in SDO transfers to and from the objects of JAUS components, in frames of
+EtherType 88A4h or in UDP at port 34980. A message is shown when its data are complete, a refusal with its abort code.
+Other objects and mailbox protocols are counted. Octets of a JAUS ID that are not on the wire have the value that a
+slave fills in: with the seed table the subsystem of --subsystem and instance 1. An unknown octet is 0, such as the
+node of a slave whose station address is above 254.
 
 Examples:
   jausdump drive.pcap
@@ -40,11 +40,11 @@ Examples:
   jausdump --format json --translate seed <messages.hex
   jausdump --payload-types 1,2,4,20 <payload.hex
 
-JSON: one object a line with message, code, header, presence_vector, fields; then hex (--reencode), packet (--translate,
-or the name of the error), error (what broke the message: error, field, byte counted from the header), bytes (of what was
-not decoded), dropped (bytes that the fields do not hold), data_set, refusal (by, what, code, text), origin.
+JSON: one object for each line, with message, code, header, presence_vector, fields; then hex (--reencode), packet
+(--translate, or the name of the error), error (error, field, and byte counted from the header), bytes (of a message
+that was not decoded), dropped (bytes that no field holds), data_set, refusal (by, what, code, text), origin.
 
-Exit code: 0 when all was decoded, 1 when something was broken, unknown or incomplete, 2 for a wrong command line or
+Exit code: 0 if all was decoded, 1 if a message was malformed, unknown or incomplete, 2 for a wrong command line or
 input that cannot be read.
 )";
 
@@ -239,7 +239,7 @@ int main(int argc, char** argv) {
         po::options_description options;
         // clang-format off
         options.add_options()
-            ("capture", po::value<std::string>(), "capture file; --capture itself may be left out")
+            ("capture", po::value<std::string>(), "capture file; --capture itself may be omitted")
             ("listen", po::value<std::uint16_t>(), "UDP port to receive on")
             ("join", po::value<std::vector<std::string>>(), "multicast group to join, with --listen")
             ("format", po::value<std::string>()->default_value("text"), "text or json")
@@ -247,19 +247,19 @@ int main(int argc, char** argv) {
             ("reencode", "add the message encoded again from the decoded values")
             ("translate", po::value<std::string>(), "add the SDO download packet, by the table seed or self-contained")
             ("ethercat", po::value<std::string>(),
-             "show what SDO transfers of a capture carry, by the table seed or self-contained")
+             "show the messages in SDO transfers of a capture, by the table seed or self-contained")
             ("index-base", po::value<std::string>(),
              "object index of component 0, with --ethercat: 6900 (the default), 0x2000 or 0x6900")
             ("fixed-length", "with --ethercat: every object is padded to one size, and begins with its length")
             ("subsystem", po::value<unsigned>(),
-             "JAUS subsystem of the slaves, with --ethercat seed: that table does not carry it")
+             "JAUS subsystem of the slaves, with --ethercat seed, whose table does not carry it")
             ("payload-types", po::value<std::string>(),
-             "type codes of a payload's interfaces 1, 2, ...: a list such as 1,2,4 or a file that holds one")
+             "type codes of a payload's interfaces 1, 2, ...: a list such as 1,2,4, or a file with a list")
             ("code", po::value<std::vector<std::string>>(), "only these command codes, in hex: 0405,4405")
-            ("name", po::value<std::vector<std::string>>(), "only messages with this in their name: wrench_effort")
+            ("name", po::value<std::vector<std::string>>(), "only messages whose name contains this: wrench_effort")
             ("from", po::value<std::vector<std::string>>(), "only from this JAUS ID: 1.1.32.1, 1.1, 1.*.32")
             ("to", po::value<std::vector<std::string>>(), "only to this JAUS ID")
-            ("summary", "show no messages, only how many of each there were");
+            ("summary", "show only the number of each message");
         // clang-format on
         po::positional_options_description positional;
         positional.add("capture", 1);
