@@ -11,6 +11,7 @@
 #include <jauscat/ethercat/frame_builder.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/ethercat/hilscher/packet_job.hpp>
+#include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
 #include <jauscat/ethercat/slave/image_entries.hpp>
