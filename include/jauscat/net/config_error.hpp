@@ -7,13 +7,13 @@
 
 namespace jauscat::net {
 
-/// A configuration that cannot be used. `what()` is `file:line: what is wrong; what to do`.
+/// A configuration that cannot be used. `what()` is `file:line: problem; what to do`.
 class config_error : public std::runtime_error {
   public:
-    /// A sentence for the user, and the line of the file; 0: none in particular.
+    /// `line` of the file; 0: none.
     config_error(const std::string& text, std::size_t at_line) : std::runtime_error{text}, line_{at_line} {}
 
-    /// Line in the file, from 1; 0 when the file could not be read or the trouble is not in it.
+    /// Line in the file, from 1; 0 if the file could not be read or the problem is not in it.
     std::size_t line() const noexcept { return line_; }
 
   private:

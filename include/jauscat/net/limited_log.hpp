@@ -13,19 +13,19 @@
 
 namespace jauscat::net {
 
-/// Lines of text for a person, so many each second of each cause; the next line of a cause says how many of it were
-/// left out. A cause is a place in the code that logs: each has a function of its own that makes the text.
+/// Limits the lines of each cause; the next line of a cause states the number of suppressed lines. A cause is a place
+/// in the code that logs: its type of the function that makes the text.
 class limited_log {
   public:
-    /// Takes a line, without its end.
+    /// Receives a line without its end.
     using handler = std::function<void(std::string_view line)>;
     using time = token_bucket::time;
 
-    /// Writes through `write`, which may be empty, no more lines of a cause than `limit` permits.
+    /// `write` may be empty. `limit` applies to each cause.
     explicit limited_log(handler write, const rate& limit = {.per_second = 20, .burst = 100})
         : write_{std::move(write)}, limit_{limit} {}
 
-    /// `text()` makes the line; it is not called for one that is left out.
+    /// `text()` makes the line; it is not called for a suppressed line.
     template <class Text> void operator()(time now, Text&& text) {
         if (!write_) return;
         auto& of_cause = causes_[std::type_index{typeid(Text)}];
@@ -41,11 +41,11 @@ class limited_log {
   private:
     struct cause {
         token_bucket bucket{};
-        std::uint64_t left_out{}; ///< lines, since the last one that was written
+        std::uint64_t left_out{}; ///< lines since the last one that was written
     };
     handler write_;
     rate limit_;
-    std::map<std::type_index, cause> causes_{}; ///< as many as there are places in the code
+    std::map<std::type_index, cause> causes_{}; ///< one for each place in the code
 };
 
 } // namespace jauscat::net

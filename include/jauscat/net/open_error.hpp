@@ -1,11 +1,11 @@
-// What is thrown when a socket or an interface cannot be opened.
+// Exception for a socket or an interface that cannot be opened.
 #pragma once
 
 #include <stdexcept>
 
 namespace jauscat::net {
 
-/// A transport or link could not be opened. `what()` says why and what to do.
+/// `what()` states the reason and what to do.
 class open_error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -9,20 +9,20 @@
 
 namespace jauscat::net {
 
-/// So many messages each second on average, and so many at once.
+/// Average number of messages each second, and number at once.
 struct rate {
     std::uint32_t per_second{}; ///< 0: no limit
     std::uint32_t burst{1};     ///< 0 counts as 1
     friend constexpr bool operator==(const rate&, const rate&) = default;
 };
 
-/// Holds up to `burst` tokens and gets `per_second` of them each second; a message takes one. It is full at first.
-/// Time is a steady clock's, since any epoch.
+/// Holds up to `burst` tokens and gets `per_second` of them each second; a message takes one. It starts full. The times
+/// are of a steady clock with any epoch.
 class token_bucket {
   public:
     using time = std::chrono::nanoseconds;
 
-    /// Takes a token for a message at `now`; false when there is none, which changes nothing.
+    /// Takes a token for a message at `now`; false, without a change, if there is none.
     constexpr bool take(const rate& limit, time now) noexcept {
         if (limit.per_second == 0) return true;
         const auto interval = std::max(time{std::chrono::seconds{1}} / limit.per_second, time{1});
@@ -32,7 +32,7 @@ class token_bucket {
         return true;
     }
 
-    /// As if it had never been used.
+    /// Fills it.
     [[nodiscard]] constexpr bool is_full(time now) const noexcept { return full_at_ <= now; }
 
   private:
@@ -42,20 +42,20 @@ class token_bucket {
 /// Key of a bucket: 16 bytes, such as an IPv6 address.
 using rate_key = std::array<std::uint64_t, 2>;
 
-/// A bucket for each of many senders, in a table of `Places` (a power of two, at least 8). A sender is looked for in 8
-/// places, whatever the number of senders. One that finds them all in use by senders that are not yet idle shares one
-/// bucket with all others of that kind, so that a flood of invented senders cannot push out those that are there.
-/// Forgetting an idle sender changes nothing for it: its bucket is full.
+/// A bucket for each of many senders, in a table of `Places` (a power of two, at least 8). A sender is looked up in 8
+/// places, independent of the number of senders. If all 8 are used by senders that are not idle, the sender shares one
+/// bucket with all others in this situation, so that a flood of forged senders cannot evict existing ones. Removing an
+/// idle sender changes nothing for it: its bucket is full.
 template <std::size_t Places> class rate_limit {
     static_assert(Places >= 8 && (Places & (Places - 1)) == 0, "rate_limit: the places are a power of two, at least 8");
 
   public:
     using time = token_bucket::time;
 
-    /// `seed` is a random number, so that nobody can choose senders that compete for the same places.
+    /// `seed` is a random number, so that an attacker cannot choose senders that collide.
     constexpr explicit rate_limit(const rate& limit, std::uint64_t seed = 0) noexcept : limit_{limit}, seed_{seed} {}
 
-    /// Whether a message of `sender` at `now` is within the limit; it then counts against it.
+    /// Whether a message of `sender` at `now` is within the limit; if so, it is counted.
     constexpr bool take(const rate_key& sender, time now) noexcept {
         const auto first = places_.begin() + static_cast<std::ptrdiff_t>(set_of(sender) * ways);
         const auto last = first + ways;
@@ -69,7 +69,7 @@ template <std::size_t Places> class rate_limit {
         return found->bucket.take(limit_, now);
     }
 
-    /// Messages of senders that found no place of their own.
+    /// Messages of senders without a place of their own.
     [[nodiscard]] constexpr std::uint64_t crowded() const noexcept { return crowded_; }
 
   private:

@@ -17,29 +17,29 @@
 
 namespace jauscat::net {
 
-/// Whom an access list lets in.
+/// Senders that an access list accepts.
 enum class access : std::uint8_t {
-    closed, ///< those that it lists
-    open,   ///< all, for trials
+    closed, ///< those in the list
+    open,   ///< all, for tests
 };
 
 /// Accepts a message only from the endpoint to which a reply would be sent. The RA has no authentication; this check
 /// does not stop spoofed datagrams or eavesdropping.
 ///
-/// A check costs a look-up in an address_map and a comparison with the addresses of one system, at most 8, whatever the
-/// number of systems. Nothing allocates but the constructors.
+/// A check costs a look-up in an address_map and a comparison with the addresses of one system, at most 8, independent
+/// of the number of systems. Only the constructors allocate.
 class access_list {
   public:
     using endpoint = boost::asio::ip::udp::endpoint;
 
     /// Result of the check. `peer` is the place of the system in the configuration, if the source is one of its.
     struct finding {
-        /// `taken`, or why not
+        /// `taken`, or the reason for the refusal
         verdict what{};
         std::optional<std::size_t> peer{}; ///< see above
     };
 
-    /// The systems of `config`. Closed unless told otherwise; open if the configuration has no other system.
+    /// The systems of `config`. Closed by default; open by default if the configuration has no other system.
     explicit access_list(const jaus_config& config, access how = access::closed)
         : how_{config.systems.size() > 1 ? how : access::open},
           places_(std::bit_ceil(config.systems.size() + config.systems.size() / 2 + 2)),
@@ -56,9 +56,9 @@ class access_list {
     access_list(const access_list&) = delete;
     access_list& operator=(const access_list&) = delete;
 
-    /// Whether a message of this source may come from there: `taken`, `unknown_peer` or `wrong_sender`. The system
-    /// whose jausip names the source best counts, as for sending: where 1.2.0.0 is a system of its own, its messages
-    /// are not taken from 1.0.0.0. An open list takes all, and finds a peer only where a closed one would.
+    /// Whether a message of this source may come from there: `taken`, `unknown_peer` or `wrong_sender`. The system with
+    /// the most specific jausip counts, as for sending: if there is a system 1.2.0.0, its messages are not accepted
+    /// from 1.0.0.0. An open list accepts all, and finds a peer only where a closed one would.
     [[nodiscard]] finding check(const jaus::address& source, const endpoint& from) const noexcept {
         const auto* const found = peers_.find(source);
         if (!found) return refused(verdict::unknown_peer);
@@ -69,7 +69,7 @@ class access_list {
         return {verdict::taken, found->value};
     }
 
-    /// Whether it takes messages from everybody.
+    /// Whether it accepts messages from all senders.
     [[nodiscard]] bool is_open() const noexcept { return how_ == access::open; }
 
   private:

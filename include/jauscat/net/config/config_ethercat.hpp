@@ -1,4 +1,4 @@
-// <ethercat> of a configuration file: the master behind a system.
+// <ethercat> of a configuration file: the EtherCAT master of a system.
 #pragma once
 
 #include <jauscat/net/config/detail/config_values.hpp>
@@ -8,7 +8,7 @@
 
 namespace jauscat::net::detail {
 
-/// `interface` as a network interface's name, or `udp:HOST:PORT`.
+/// Parses `interface`: the name of a network interface, or `udp:HOST:PORT`.
 inline void config_interface(const config_source& source, const config_value& value, ethercat_entry& made) {
     constexpr std::size_t longest_name = 15; // IFNAMSIZ without its end
     constexpr std::string_view udp = "udp:";
@@ -29,7 +29,7 @@ inline void config_interface(const config_source& source, const config_value& va
                 "interface " + quoted(value.text) + " is neither a network interface, such as eth0, nor udp:HOST:PORT");
 }
 
-/// The entry of `system`, whose other values have been read.
+/// Reads the entry of `system`. Its other values must have been read.
 inline ethercat_entry config_ethercat(const config_source& source, pugi::xml_node node, const system_entry& system) {
     std::array values{config_value{"controller"}, config_value{"interface"}};
     source.collect(node, values);
@@ -45,8 +45,7 @@ inline ethercat_entry config_ethercat(const config_source& source, pugi::xml_nod
     return made;
 }
 
-/// What can be said only when all systems are known: whether the controllers are there, and have an interface for each
-/// master.
+/// Checks that need all systems: each controller exists, and has a different interface for each master.
 inline void check_ethercat(const config_source& source, const jaus_config& config) {
     for (const auto& system : config.systems) {
         if (!system.ethercat) continue;

@@ -21,7 +21,7 @@
 
 namespace jauscat::net {
 
-/// A component of a system, as it is announced to others.
+/// A component of a system, as announced to other systems.
 struct component_entry {
     jaus::address id{};        ///< all levels named, each 1 to 254
     std::string name{};        ///< may be empty
@@ -30,7 +30,7 @@ struct component_entry {
     friend bool operator==(const component_entry&, const component_entry&) = default;
 };
 
-/// A node of a system, as it is announced to others.
+/// A node of a system, as announced to other systems.
 struct node_entry {
     std::uint8_t id{};  ///< 1 to 254
     std::string name{}; ///< as in the file
@@ -38,15 +38,15 @@ struct node_entry {
     friend bool operator==(const node_entry&, const node_entry&) = default;
 };
 
-/// The EtherCAT master behind a system, and who drives it. The slave's station address is the system's node.
+/// The EtherCAT master of a system, and the program that runs it. The slave's station address is the system's node.
 struct ethercat_entry {
-    std::string controller{};     ///< the name of the system whose program drives the master
+    std::string controller{};     ///< the name of the system whose program runs the master
     std::string interface_name{}; ///< network interface, such as `eth0`; empty: EtherCAT in UDP
-    std::string udp_host{};       ///< where the slave is, for EtherCAT in UDP
+    std::string udp_host{};       ///< host of the slave, for EtherCAT in UDP
     std::uint16_t udp_port{};     ///< its port, for EtherCAT in UDP
     std::size_t line{};           ///< where the file declares it
 
-    /// Whether both would use the same wire on the same host.
+    /// Whether both use the same interface of the same host.
     [[nodiscard]] bool same_wire(const ethercat_entry& other) const noexcept {
         return interface_name == other.interface_name && udp_host == other.udp_host && udp_port == other.udp_port;
     }
@@ -55,8 +55,8 @@ struct ethercat_entry {
 
 /// Rate limits and memory of a system.
 struct system_limits {
-    rate messages{.per_second = 50'000, .burst = 5'000}; ///< that others take from this system
-    std::size_t large_data_memory{1U << 20U}; ///< bytes that this system sets aside for large data sets on their way in
+    rate messages{.per_second = 50'000, .burst = 5'000}; ///< that others accept from this system
+    std::size_t large_data_memory{1U << 20U};            ///< bytes of this system for the reassembly of large data sets
     friend bool operator==(const system_limits&, const system_limits&) = default;
 };
 
@@ -66,19 +66,19 @@ struct system_entry {
     static constexpr std::size_t max_ips = 8;
 
     std::string name{};
-    jaus::address jausip{};        ///< each level 0 to 254; 0 stands for every ID at that level
-    boost::asio::ip::address ip{}; ///< IPv4 or IPv6; where it is sent to
+    jaus::address jausip{};        ///< each level 0 to 254; 0 matches every ID at that level
+    boost::asio::ip::address ip{}; ///< IPv4 or IPv6; the destination of messages to it
     std::uint16_t port{};          ///< UDP port, 1 to 65535
-    jaus::framing framing{};       ///< framing of messages to this system; `bare` unless given
+    jaus::framing framing{};       ///< framing of messages to this system; `bare` by default
     std::size_t line{};            ///< where the file declares it
 
-    std::vector<boost::asio::ip::address> more_ips{}; ///< from which it may send as well; all different
-    bool any_source_port{};                           ///< it may send from other ports than the one it listens at
-    std::optional<multicast_options> multicast{};     ///< the group in which it takes part
+    std::vector<boost::asio::ip::address> more_ips{}; ///< further source addresses; all different
+    bool any_source_port{};                           ///< it may send from any port
+    std::optional<multicast_options> multicast{};     ///< the group that it joins
     system_limits limits{};                           ///< of its messages, in number and memory
-    std::vector<node_entry> nodes{};                  ///< those that have a name; ids are unique
+    std::vector<node_entry> nodes{};                  ///< nodes with a name; ids are unique
     std::vector<component_entry> components{};        ///< ids are unique in the whole file
-    std::optional<ethercat_entry> ethercat{};         ///< the master that its messages go on to
+    std::optional<ethercat_entry> ethercat{};         ///< the master that gets its messages
 
     boost::asio::ip::udp::endpoint endpoint() const { return {ip, port}; }
     friend bool operator==(const system_entry&, const system_entry&) = default;
@@ -97,16 +97,16 @@ struct jaus_config {
     /// The entry that `this_system` names.
     const system_entry& me() const noexcept { return *find(this_system); }
 
-    /// The same configuration seen by another of its systems, so that one file serves all programs.
+    /// The same configuration for another of its systems, so that one file serves all programs.
     /// Throws `config_error` if there is no system of that name.
     jaus_config with_this(std::string_view name) const;
 
-    /// The system that a message to `destination` goes to, or null if none covers it; it may be `me()`.
-    /// A level of 0 in an entry covers every ID. Of several entries that match, the one that names the higher level
-    /// is taken: 1.2.0.0 before 1.0.33.0 before 1.0.0.0 before 0.0.0.0.
+    /// The system for messages to `destination`, or null if none covers it; it may be `me()`.
+    /// A level of 0 in an entry covers every ID. If several entries match, the one that names the higher level is
+    /// selected: 1.2.0.0 before 1.0.33.0 before 1.0.0.0 before 0.0.0.0.
     const system_entry* next_hop(const jaus::address& destination) const noexcept;
 
-    /// The systems whose masters the program of the system `controller` drives, in the order of the file.
+    /// The systems whose masters the program of the system `controller` runs, in the order of the file.
     std::vector<const system_entry*> masters_of(std::string_view controller) const;
 };
 

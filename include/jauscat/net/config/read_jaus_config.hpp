@@ -6,8 +6,8 @@
 //     ...
 //   </jausconfig>
 //
-// Each value may be an attribute instead: <system name="a" jausip="1.0.0.0" ip="127.0.0.1" port="39777"/>. What else a
-// <system> may contain is in docs/configuration.md.
+// Each value may be an attribute instead: <system name="a" jausip="1.0.0.0" ip="127.0.0.1" port="39777"/>.
+// docs/configuration.md describes the other elements of a <system>.
 #pragma once
 
 #include <jauscat/net/config/config_ethercat.hpp>
@@ -219,7 +219,7 @@ inline jaus_config parse_jaus_config(std::string_view text, std::string source) 
 /// Reads a configuration file. Throws `config_error`.
 inline jaus_config read_jaus_config(const std::filesystem::path& path) {
     std::ifstream file{path, std::ios::binary};
-    file.peek(); // a directory opens, and fails here
+    file.peek(); // a directory can be opened, and fails here
     if (!file && !file.eof())
         throw config_error{path.string() + ": cannot be read: " + std::generic_category().message(errno) +
                                "; give the path of a JausConfig.xml, such as examples/JausConfig.xml",

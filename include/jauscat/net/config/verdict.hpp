@@ -6,14 +6,13 @@
 
 namespace jauscat::net {
 
-/// Decided for each datagram. Of all but `taken` nothing goes further and nothing is answered: whoever sends them can
-/// make a node count, and nothing else.
+/// Decision on each datagram. All but `taken` are dropped and not answered: their only effect is a counter.
 enum class verdict : std::uint8_t {
     taken,
-    malformed,    ///< it does not begin with a JAUS header that could be answered
-    unknown_peer, ///< no peer of the configuration has its JAUS source
-    wrong_sender, ///< a peer has its JAUS source, but it does not come from there
-    rate_limited, ///< its peer has sent too much in too short a time
+    malformed,    ///< no valid JAUS header
+    unknown_peer, ///< no system of the configuration has its JAUS source
+    wrong_sender, ///< not from the address of the system that has its JAUS source
+    rate_limited, ///< more than the rate limit of its sender
 };
 
 [[nodiscard]] constexpr std::string_view describe(verdict v) noexcept {

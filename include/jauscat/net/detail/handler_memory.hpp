@@ -1,5 +1,5 @@
-// Memory for what Boost.Asio keeps of a handler that waits: used again, so that waiting for the next datagram or moving
-// a timer takes nothing from the heap. Asio's own is shared by all that its thread waits for, and soon used up.
+// Reusable memory for Boost.Asio's waiting handlers, so that waiting for a datagram or moving a timer does not
+// allocate. Asio's own cache is shared by all handlers of a thread, and quickly used up.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace jauscat::net::detail {
 
-/// A few blocks: a timer that is moved has a handler that is cancelled and one that waits. What finds none free, or is
-/// larger, comes from the heap. For one thread.
+/// A few blocks: a timer that is moved has a cancelled and a waiting handler. If no block is free or large enough, the
+/// heap is used. For one thread.
 class handler_memory {
   public:
     static constexpr std::size_t blocks = 4, size = 256;
@@ -39,7 +39,7 @@ class handler_memory {
     std::array<block, blocks> blocks_{};
 };
 
-/// The allocator for it. It keeps the memory alive: Asio gives a block back when its owner may be gone.
+/// Its allocator, which shares ownership: Asio may deallocate a block after its owner was destroyed.
 template <class T> class handler_allocator {
   public:
     using value_type = T;
@@ -61,7 +61,7 @@ template <class T> class handler_allocator {
     std::shared_ptr<handler_memory> memory_;
 };
 
-/// A handler whose memory Asio takes from `memory`.
+/// A handler that Asio allocates in `memory`.
 template <class F> struct remembered_handler {
     F call;
     std::shared_ptr<handler_memory> memory;

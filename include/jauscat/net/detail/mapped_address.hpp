@@ -6,7 +6,7 @@
 
 namespace jauscat::net::detail {
 
-/// As the configuration and people write it.
+/// The form of the configuration: IPv4 if mapped.
 inline boost::asio::ip::address unmapped(const boost::asio::ip::address& address) {
     namespace ip = boost::asio::ip;
     if (address.is_v4() || !address.to_v6().is_v4_mapped()) return address;
@@ -16,7 +16,7 @@ inline boost::asio::ip::udp::endpoint unmapped(const boost::asio::ip::udp::endpo
     return {unmapped(endpoint.address()), endpoint.port()};
 }
 
-/// As a socket takes it, of IPv6 or not.
+/// The form that a socket needs: mapped if the socket is IPv6.
 inline boost::asio::ip::udp::endpoint for_socket(const boost::asio::ip::udp::endpoint& endpoint, bool v6) {
     namespace ip = boost::asio::ip;
     if (!v6 || endpoint.address().is_v6()) return endpoint;

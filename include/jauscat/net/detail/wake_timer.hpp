@@ -1,4 +1,4 @@
-// A timer that wakes a node for the earliest of what its parts want.
+// A timer that wakes a node at the earliest due time of its parts.
 #pragma once
 
 #include <jauscat/net/detail/handler_memory.hpp>
@@ -35,7 +35,7 @@ class wake_timer {
                                },
                                memory_});
     }
-    /// Does not wake any more, also where it was about to.
+    /// No wake-up afterwards, even if one was queued.
     void cancel() {
         timer_.cancel();
         armed_at_.reset();

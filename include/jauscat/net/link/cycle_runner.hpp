@@ -1,5 +1,4 @@
-// Runs process data over a link, one cycle at a time on this thread, and a master's job in the time that a cycle
-// leaves.
+// Exchanges process data over a link in cycles, on this thread, and runs a master's job in the rest of each period.
 #pragma once
 
 #include <jauscat/ethercat/link.hpp>
@@ -18,36 +17,36 @@
 namespace jauscat::net {
 
 struct cycle_report {
-    std::chrono::nanoseconds late{};       ///< by how much it began after its instant
-    std::chrono::nanoseconds round_trip{}; ///< from sending the process data to having them back; only if `back`
-    bool sent{};                           ///< the link took the frame
-    bool back{};                           ///< the frame came back before the next was due
+    std::chrono::nanoseconds late{};       ///< start of the cycle after its due time
+    std::chrono::nanoseconds round_trip{}; ///< from sending the process data to their return; only if `back`
+    bool sent{};                           ///< the link accepted the frame
+    bool back{};                           ///< the frame returned before the next one was due
 };
 
 /// Period and timing of the cycles.
 struct cycle_config {
     std::chrono::nanoseconds period{std::chrono::milliseconds{1}}; ///< of one cycle
-    /// The end of each wait that is spent awake: see cycle_timer.
+    /// Part of each wait in which the thread polls the clock: see cycle_timer.
     std::chrono::nanoseconds spin{};
-    /// In the last part of a cycle, 1 / `reserve` of it, no frame of the master's begins: the next cycle's must not
-    /// wait behind it.
+    /// In the last part of a cycle, 1 / `reserve` of it, the master sends no frame, because it would delay the next
+    /// cycle's.
     unsigned reserve{4};
-    /// Process data that are not back after this part of a cycle, 1 / `patience` of it, keep the master waiting no
-    /// longer: they are lost, mostly.
+    /// After this part of a cycle, 1 / `patience` of it, the master no longer waits for process data that have not
+    /// returned: they are probably lost.
     unsigned patience{2};
 };
 
-/// Everything given here must outlive the runner. Between cycles the master is free for a new job.
+/// Between cycles the master is free for a new job.
 template <ethercat::link Link> class cycle_runner {
   public:
-    /// Exchanges `data` over `link`, and does the master's jobs in between. All must outlive it.
+    /// The arguments must outlive this.
     cycle_runner(Link& link, ethercat::process_data& data, ethercat::master& master,
                  const cycle_config& config = {}) noexcept
         : link_{link}, data_{data}, master_{master}, config_{config}, timer_{config.period, config.spin} {}
 
-    /// Waits for the next cycle, calls `prepare()`, which writes the outputs, and sends them at once; then takes frames
-    /// until the process data are back and the master has nothing to do, at most until the cycle is over. The master
-    /// works while the process data are not under way, or are taken for lost.
+    /// Waits for the next cycle, calls `prepare()`, which writes the outputs, and sends them at once. Then receives
+    /// frames until the process data have returned and the master is idle, at most until the end of the cycle. The
+    /// master sends when no process data are outstanding, or when they count as lost.
     template <class Prepare> cycle_report run(Prepare&& prepare) {
         cycle_report report{.late = timer_.wait()};
         const auto start = to_time(timer_.due()), end = start + config_.period;
@@ -79,14 +78,14 @@ template <ethercat::link Link> class cycle_runner {
         return report;
     }
 
-    /// Runs cycles until the master's job is done, and gives it up after `limit` (nanoseconds::max(): never);
-    /// `each(report)` is called after every cycle. Returns how the job ended; `busy` where it has not `started`,
-    /// because another one runs.
+    /// Runs cycles until the master's job is done, at most for `limit` (nanoseconds::max(): without limit).
+    /// `each(report)` is called after every cycle. Returns the job's result, or `busy` if it was not `started` because
+    /// another one runs.
     template <class Prepare, class Each>
     ethercat::outcome run_job(bool started, std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
         return started ? run_job(limit, prepare, each) : ethercat::outcome{.error = ethercat::master_errc::busy};
     }
-    /// The same with the job that runs.
+    /// The same for the running job.
     template <class Prepare, class Each>
     ethercat::outcome run_job(std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
         const auto deadline = jaus::saturating_add(now(), limit);
@@ -97,7 +96,7 @@ template <ethercat::link Link> class cycle_runner {
         return master_.result();
     }
 
-    /// Cycles that were left out because one before took too long.
+    /// Cycles that were skipped because an earlier one took too long.
     [[nodiscard]] std::uint64_t overruns() const noexcept { return timer_.overruns(); }
 
   private:
@@ -108,10 +107,10 @@ template <ethercat::link Link> class cycle_runner {
     }
     static time now() noexcept { return to_time(cycle_timer::clock::now()); }
 
-    // The process data are under way.
+    // Process data are outstanding.
     static bool waits(const cycle_report& report) noexcept { return report.sent && !report.back; }
 
-    // The master's turn; returns when it has something to do again.
+    // Lets the master send or time out; returns the time of its next event.
     time work(time at, time end) noexcept {
         master_.on_time(at);
         if (end - at > config_.period / std::max(config_.reserve, 1u)) {

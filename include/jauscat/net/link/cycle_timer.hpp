@@ -1,5 +1,5 @@
-// Waiting for the next of many instants that are one period apart, for a loop that exchanges process data. The instants
-// are absolute, so that what a cycle takes does not shift the ones after it.
+// Waits for periodic instants, for a loop that exchanges process data. The instants are absolute, so that the duration
+// of a cycle does not shift the next ones.
 #pragma once
 
 #include <chrono>
@@ -9,23 +9,22 @@
 
 namespace jauscat::net {
 
-/// Periodic instants on CLOCK_MONOTONIC (std::chrono::steady_clock); the first is one period after the timer is made.
-/// Used by one thread, whose sleeps it makes as exact as the system can: by default Linux lets an ordinary thread
-/// oversleep by 50 microseconds.
+/// Periodic instants on CLOCK_MONOTONIC (std::chrono::steady_clock); the first is one period after construction. For
+/// one thread, whose timer slack it sets to the minimum: by default Linux lets a thread oversleep by 50 microseconds.
 class cycle_timer {
   public:
     using clock = std::chrono::steady_clock;
 
-    /// `period` is above 0. The last `spin` of each wait is spent awake, looking at the clock: that costs processor
-    /// time and saves the time a sleeping thread takes to wake; 0 sleeps all the time.
+    /// `period` is above 0. In the last `spin` of each wait the thread polls the clock, which uses processor time and
+    /// avoids the wake-up latency; 0: it sleeps until the end.
     explicit cycle_timer(std::chrono::nanoseconds period, std::chrono::nanoseconds spin = {}) noexcept
         : period_{period}, spin_{spin}, due_{clock::now()} {
         ::prctl(PR_SET_TIMERSLACK, 1UL); // 1 ns; 0 would be the default again
     }
 
-    /// Waits for the next instant and returns by how much it came later, 0 or more. An instant that is over by less
-    /// than half a period is still used: who waited for something until the end of a cycle is late by a little.
-    /// Instants that are over for longer are left out and counted as overruns. Those after them stay where they are.
+    /// Waits for the next instant and returns the delay, 0 or more. An instant that has passed by less than half a
+    /// period is still used, because a caller that waited until the end of a cycle is a little late. Instants that have
+    /// passed by more are skipped and counted as overruns. The later ones do not shift.
     std::chrono::nanoseconds wait() noexcept {
         due_ += period_;
         auto now = clock::now();
@@ -40,9 +39,9 @@ class cycle_timer {
         return now - due_;
     }
 
-    /// The instant that the last `wait` waited for.
+    /// The instant of the last `wait`.
     [[nodiscard]] clock::time_point due() const noexcept { return due_; }
-    /// How many instants were left out.
+    /// Number of skipped instants.
     [[nodiscard]] std::uint64_t overruns() const noexcept { return overruns_; }
 
   private:
@@ -51,7 +50,7 @@ class cycle_timer {
         const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
         const timespec until{.tv_sec = static_cast<std::time_t>(seconds.count()),
                              .tv_nsec = static_cast<long>((time - seconds).count())};
-        // A signal ends it early; then the loop that called spins for the rest of the period.
+        // A signal ends it early; then the calling loop polls for the rest of the period.
         ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
     }
 

@@ -1,4 +1,4 @@
-// Giving up what a program needed to open a raw socket: from then on a fault in it is that of an ordinary user.
+// Drops the privileges that a program needed to open a raw socket, so that later faults have those of an ordinary user.
 #pragma once
 
 #include <jauscat/net/outcome.hpp>
@@ -20,7 +20,7 @@ namespace jauscat::net {
 
 namespace detail {
 
-/// A number from the environment, above 0.
+/// A positive number from the environment.
 inline std::optional<unsigned> id_from_environment(const char* name) {
     const char* const text = std::getenv(name);
     if (!text) return {};
@@ -48,20 +48,19 @@ inline outcome not_dropped(const char* what) {
 
 } // namespace detail
 
-/// Gives up all capabilities, CAP_NET_RAW among them, for good: neither a call nor another program that is started gets
-/// them back. A program that was started by sudo becomes the user who called it (SUDO_UID, SUDO_GID), without
-/// supplementary groups; one with the set-user-ID bit the user who started it; root without sudo stays user 0, whose
-/// files it can still change, but without capabilities. A program that has no privileges has none to drop, which is
-/// fine.
+/// Drops all capabilities, including CAP_NET_RAW, irrevocably, also for started programs. A program started by sudo
+/// becomes the user who called it (SUDO_UID, SUDO_GID), without supplementary groups; one with the set-user-ID bit the
+/// user who started it. Root without sudo stays user 0 without capabilities, and can still change that user's files.
+/// Without privileges the call succeeds and changes nothing.
 ///
-/// Open sockets stay as they are; a raw_link works on, also when its interface comes back. Call it after everything
-/// that takes privileges (raw sockets, real-time priority, locked memory, ports below 1024) and before threads are
-/// started: Linux keeps capabilities for each thread. When it fails, the program should end.
+/// Open sockets are not affected; a raw_link continues, also when its interface returns. Call it after everything that
+/// needs privileges (raw sockets, real-time priority, locked memory, ports below 1024) and before threads are started,
+/// because Linux keeps capabilities for each thread. If it fails, the program should end.
 [[nodiscard]] inline outcome drop_privileges() {
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return detail::not_dropped("no_new_privs");
     ::prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0); // older kernels have none
     if (::geteuid() == 0) {
-        // What sudo says counts only where nobody else can have said it.
+        // The variables of sudo are trusted only if no other user can have set them.
         const bool by_root = ::getuid() == 0;
         const auto user = by_root ? detail::id_from_environment("SUDO_UID") : std::optional{::getuid()};
         const auto group = by_root ? detail::id_from_environment("SUDO_GID") : std::optional{::getgid()};

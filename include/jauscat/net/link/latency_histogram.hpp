@@ -1,5 +1,5 @@
-// How long something took, many times over: counts in buckets that grow with the time, so that nanoseconds and seconds
-// fit one table of fixed size and adding costs a few instructions. A bucket is 1/64 as wide as its value, or 1 ns.
+// Histogram of durations. The width of a bucket is 1/64 of its value, or 1 ns, so that nanoseconds and seconds fit one
+// table of fixed size, and adding costs a few instructions.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace jauscat::net {
 
-/// A histogram of times from 0 to 137 s (2^37 ns); longer ones are counted with the longest, negative ones as 0.
-/// 16 KiB; nothing is allocated. Quantiles are exact below 128 ns, and above at most 1/64 too high.
+/// Times from 0 to 137 s (2^37 ns); longer ones are counted as the longest, negative ones as 0. 16 KiB, without
+/// allocation. Quantiles are exact below 128 ns, and above at most 1/64 too high.
 class latency_histogram {
   public:
     using nanoseconds = std::chrono::nanoseconds;
@@ -29,14 +29,13 @@ class latency_histogram {
         max_ = std::max(max_, time);
     }
 
-    /// Times that were added.
+    /// Number of times.
     [[nodiscard]] std::uint64_t count() const noexcept { return count_; }
-    /// The shortest and the longest time, exactly; 0 when there is none.
+    /// The shortest and the longest time, exact; 0 if there is none.
     [[nodiscard]] nanoseconds min() const noexcept { return count_ == 0 ? nanoseconds{} : min_; }
     [[nodiscard]] nanoseconds max() const noexcept { return max_; }
 
-    /// The time that the share `q` of all, 0 to 1, does not exceed: `quantile(0.5)` is the median. 0 when there is
-    /// none.
+    /// Quantile for `q` from 0 to 1: `quantile(0.5)` is the median. 0 if there is no time.
     [[nodiscard]] nanoseconds quantile(double q) const noexcept {
         const auto wanted = std::max(std::ceil(q * static_cast<double>(count_)), 1.0);
         std::uint64_t sum = 0;
@@ -48,12 +47,12 @@ class latency_histogram {
         return max();
     }
 
-    /// Calls `visit(from, below, count)` for each bucket that holds something, shortest time first.
+    /// Calls `visit(from, below, count)` for each bucket that is not empty, shortest time first.
     template <class Visitor> void for_each_bucket(Visitor visit) const { for_each_group(1, visit); }
 
-    /// Prints one line for each time that occurred, coarser than the buckets (8 lines from a time to its double): its
-    /// lower bound in microseconds, the count, and a bar whose longest is `width` characters. The bars' lengths are
-    /// logarithmic, because what happens once in a million matters here.
+    /// Prints one line for each range of times, 8 ranges for each octave: its lower bound in microseconds, the count,
+    /// and a bar of at most `width` characters. The lengths of the bars are logarithmic, because rare times matter
+    /// here.
     void print(std::ostream& out, std::size_t width = 50) const {
         constexpr std::size_t group = buckets_per_octave / 8;
         std::uint64_t most = 0;
@@ -79,9 +78,9 @@ class latency_histogram {
 
   private:
     static constexpr std::size_t octave_bits = 6, buckets_per_octave = std::size_t{1} << octave_bits;
-    static constexpr std::size_t longest_bits = 37; ///< of a time that has a bucket of its own
+    static constexpr std::size_t longest_bits = 37; ///< bits of the longest time with a bucket of its own
 
-    /// Below 128 ns a time is its own bucket; above, the 7 highest bits say which.
+    /// Below 128 ns each time has a bucket; above, the 7 highest bits select it.
     static constexpr std::size_t bucket_of(std::uint64_t time) noexcept {
         if (time < 2 * buckets_per_octave) return static_cast<std::size_t>(time);
         const auto shift = static_cast<std::size_t>(std::bit_width(time)) - (octave_bits + 1);

@@ -1,4 +1,4 @@
-// Multicast at a UDP socket: taking part in a group, and how far what is sent to one goes. IPv4 and IPv6 alike.
+// Multicast at a UDP socket: membership in a group, and reach of sent datagrams. IPv4 and IPv6.
 #pragma once
 
 #include <jauscat/net/config/udp_options.hpp>
@@ -17,7 +17,7 @@ namespace jauscat::net {
 
 namespace detail {
 
-/// Throws the error of a multicast option, with what to do.
+/// Throws `open_error` with what to do.
 [[noreturn]] inline void fail_multicast(const multicast_options& options, const char* what, int error) {
     auto reason = std::string{what} + ' ' + options.group.to_string();
     if (!options.interface_name.empty()) reason += " on " + options.interface_name;
@@ -29,7 +29,7 @@ namespace detail {
     throw open_error{reason};
 }
 
-/// The interface's number; 0 for no name, which leaves the choice to the routing table. Throws `open_error`.
+/// The interface's index; 0 without a name: the routing table selects the interface. Throws `open_error`.
 inline unsigned multicast_interface(const multicast_options& options) {
     if (options.interface_name.empty()) return 0;
     const auto index = ::if_nametoindex(options.interface_name.c_str());
@@ -48,8 +48,8 @@ inline void need_multicast_group(const multicast_options& options) {
 
 } // namespace detail
 
-/// Makes `socket`, bound to the group's port, receive what is sent to the group. It receives them if it is bound to the
-/// group's address or to none (0.0.0.0, ::), not if it is bound to an address of this host. Throws `open_error`.
+/// Joins the group with `socket`, which is bound to the group's port. It receives the group's datagrams if it is bound
+/// to the group's address or to none (0.0.0.0, ::), not if it is bound to an address of this host. Throws `open_error`.
 inline void join_group(boost::asio::ip::udp::socket& socket, const multicast_options& options) {
     detail::need_multicast_group(options);
     group_req request{};
@@ -64,7 +64,7 @@ inline void join_group(boost::asio::ip::udp::socket& socket, const multicast_opt
                        v6 ? IPV6_MULTICAST_ALL : IP_MULTICAST_ALL, int{0});
 }
 
-/// Chooses the interface, the reach and the echo of what `socket` sends to a group. Throws `open_error`.
+/// Sets the interface, the reach and the loopback of datagrams that `socket` sends to a group. Throws `open_error`.
 inline void set_multicast_sending(boost::asio::ip::udp::socket& socket, const multicast_options& options) {
     detail::need_multicast_group(options);
     const int handle = socket.native_handle(), ttl = options.ttl, loop = options.loop ? 1 : 0;

@@ -1,5 +1,5 @@
-// EtherCAT on an Ethernet interface: a packet socket (Linux AF_PACKET) that sees EtherCAT datagrams alone.
-// It needs the capability CAP_NET_RAW.
+// EtherCAT on an Ethernet interface: a packet socket (Linux AF_PACKET) that receives EtherCAT datagrams only.
+// Needs the capability CAP_NET_RAW.
 #pragma once
 
 #include <jauscat/net/link/detail/ethernet_interface.hpp>
@@ -32,16 +32,15 @@ namespace jauscat::net {
 
 /// A link on a network interface, for a master or a slave.
 ///
-/// Own frames are not heard: the kernel copies outgoing frames only to sockets for every EtherType. A reply's VLAN tag
-/// has been taken off by the kernel before the EtherType is looked at. When the interface goes down, loses its link or
-/// vanishes, `problem()` says so until it is back; the link need not be opened anew.
+/// Own frames are not received: the kernel copies outgoing frames only to sockets for every EtherType. The kernel
+/// removes a reply's VLAN tag before it checks the EtherType. While the interface is down, without link or removed,
+/// `problem()` reports that; the link need not be opened again.
 class raw_link {
   public:
-    /// Opens the interface of that name, such as "eth0". Throws `open_error` when the program may not, when there is
-    /// no such interface, when it is down, and when it is not Ethernet. It need not have a link yet: then `problem()`
-    /// says so.
+    /// Opens the interface of that name, such as "eth0". Throws `open_error` without the capability, and if the
+    /// interface does not exist, is down or is not Ethernet. It need not have a link yet: `problem()` reports that.
     explicit raw_link(std::string interface) : name_{std::move(interface)} {
-        // Protocol 0 receives nothing; `bind` sets the EtherType, so that no other interface's frame slips in between.
+        // Protocol 0 receives nothing; `bind` sets the EtherType, so that no frame of another interface is received.
         if (socket_.get() < 0)
             throw open_error{errno == EPERM ? not_permitted()
                                             : std::string{"no packet socket: "} + std::strerror(errno)};
@@ -59,7 +58,7 @@ class raw_link {
     raw_link(raw_link&&) = default;
 
     /// Sends a frame, padded to 60 bytes, with the interface's address as source if the frame has zeros there.
-    /// False when it has no Ethernet header or the interface does not take it; `problem()` says why.
+    /// False if it has no Ethernet header or the interface refuses it; `problem()` has the reason.
     bool send(std::span<const std::byte> frame) {
         problem_.clear();
         if (frame.size() < header_size) {
@@ -80,8 +79,8 @@ class raw_link {
         return false;
     }
 
-    /// The next frame, padded to 60 bytes. `buffer` takes at least 60 bytes, or nothing is received; 1514 take all.
-    /// When none came, `problem()` says whether the interface is the reason.
+    /// The next frame, padded to 60 bytes. `buffer` must have 60 bytes, or nothing is received; 1514 hold every frame.
+    /// Without a frame, `problem()` reports whether the interface is the reason.
     std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
         problem_.clear();
         const auto size = wait_.receive(socket_.get(), buffer, timeout, [&](int flags) { return take(buffer, flags); });
@@ -89,16 +88,16 @@ class raw_link {
         return size;
     }
 
-    /// Why the last `send` or `receive` failed, in one line; empty if it did not, or if nothing came in time from an
-    /// interface that has a link.
+    /// The reason for the failure of the last `send` or `receive`, in one line; empty without a failure, and for a
+    /// timeout with a ready interface.
     const std::string& problem() const noexcept { return problem_; }
 
-    /// The socket, to wait for frames with others: when it is readable, `receive` does not wait.
+    /// The socket, for select or poll: when it is readable, `receive` does not wait.
     [[nodiscard]] int native_handle() const noexcept { return socket_.get(); }
     /// The interface's Ethernet address.
     const std::array<std::byte, 6>& mac() const noexcept { return mac_; }
 
-    /// How long `receive` polls before it sleeps; 50 microseconds unless set.
+    /// Time for which `receive` polls before it sleeps; default 50 microseconds.
     void busy_poll(std::chrono::nanoseconds time) noexcept { wait_.busy_poll(time); }
 
   private:
@@ -109,7 +108,7 @@ class raw_link {
     }
 
     std::optional<std::size_t> take(std::span<std::byte> buffer, int flags) {
-        // MSG_TRUNC tells the true size of a larger frame.
+        // MSG_TRUNC: the result is the size of the whole frame.
         const auto size = ::recv(socket_.get(), buffer.data(), buffer.size(), flags | MSG_TRUNC);
         if (size >= 0 && static_cast<std::size_t>(size) <= buffer.size()) return static_cast<std::size_t>(size);
         if (size >= 0 || errno == EAGAIN || errno == EINTR) return {};
@@ -117,15 +116,15 @@ class raw_link {
         return 0;
     }
 
-    /// Finds out why a call failed with `error`, or why nothing comes (0). An interface that vanished and came back
-    /// under its name, such as an adapter on USB, is taken again.
+    /// Determines the reason for a failure with `error`, or for a missing frame (0). Binds again to an interface that
+    /// was removed and has returned under its name, such as a USB adapter.
     void explain(int error) {
         problem_ = detail::problem_of_interface(detail::state_of_interface(socket_.get(), name_), name_);
         if (problem_.empty() && ::if_nametoindex(name_.c_str()) != index_) problem_ = bind();
         if (problem_.empty() && error != 0) problem_ = "interface " + name_ + ": " + std::strerror(error);
     }
 
-    /// Binds to the interface that has the name now. Returns why it cannot.
+    /// Binds to the interface that has the name now. Returns the reason for a failure, or an empty text.
     std::string bind() {
         sockaddr_ll address{};
         address.sll_family = AF_PACKET;
@@ -142,7 +141,7 @@ class raw_link {
         return hear_every_destination();
     }
 
-    /// Slaves take any destination address, so a link takes all of them: it listens promiscuously while it is open.
+    /// Slaves accept any destination address, so a link must, too: it is promiscuous while it is open.
     std::string hear_every_destination() {
         packet_mreq membership{};
         membership.mr_ifindex = static_cast<int>(index_);
@@ -152,10 +151,10 @@ class raw_link {
         return "interface " + name_ + " cannot listen to every address: " + std::strerror(errno);
     }
 
-    /// Other frames of the EtherType, such as network variables, would wake the receiver for nothing.
+    /// Other frames of the EtherType, such as network variables, would wake the receiver without need.
     ///
     /// Two other options were measured and are not used: PACKET_QDISC_BYPASS saves 0.1 of 3.6 microseconds, and hides
-    /// what is sent from every capture on this machine; SO_BUSY_POLL makes no difference at a packet socket.
+    /// sent frames from captures on this machine; SO_BUSY_POLL makes no difference at a packet socket.
     void hear_datagrams_only() {
         constexpr unsigned ether_type_at = 12, type_at = 15, refuse = 0, take_all = 0xFFFF;
         std::array program{

@@ -1,4 +1,4 @@
-// Runs a bridge's ring over a link in an io_context: beside a node, on the node's thread.
+// Runs a bridge's ring over a link in an io_context, on the node's thread.
 #pragma once
 
 #include <jauscat/bridge/ring.hpp>
@@ -19,7 +19,7 @@
 namespace jauscat::net {
 
 /// Waits for frames and for the ring's next event; nothing blocks. The io_context, the link and the ring must outlive
-/// it. `Link` has what ethercat::link asks for, and native_handle().
+/// it. `Link` models ethercat::link and has native_handle().
 ///
 ///     net::ring_runner runner{context, link, ring, node.out()};
 ///     front.on_work(runner.wake()); // for each slave
@@ -28,7 +28,7 @@ template <class Link> class ring_runner {
   public:
     using time = std::chrono::nanoseconds;
 
-    /// `out` takes the JAUS messages of the ring.
+    /// `out`: sink for the JAUS messages of the ring.
     ring_runner(boost::asio::io_context& context, Link& link, bridge::ring& ring, jaus::message_sink out)
         : link_{link}, ring_{ring}, out_{out}, frames_{context, ::dup(link.native_handle())}, timer_{context, [this] {
                                                                                                          on_time();
@@ -36,9 +36,9 @@ template <class Link> class ring_runner {
     ring_runner(const ring_runner&) = delete;
     ring_runner& operator=(const ring_runner&) = delete;
 
-    /// To be given to each slave_front of the ring.
+    /// For `on_work` of each slave_front of the ring.
     [[nodiscard]] const jaus::callback<void()>& wake() const noexcept { return wake_; }
-    /// Called after each turn: what is looked at after frames and messages, such as the link's problem.
+    /// Called after each turn, for checks after frames and messages, such as the link's problem.
     std::function<void()> after_turn{};
 
     void start() {
@@ -74,7 +74,7 @@ template <class Link> class ring_runner {
         end_turn();
     }
     void on_time() {
-        // A link says why nothing comes only to one that waits for it.
+        // A link reports a problem of its interface only to a caller that waits.
         if (now() - heard_ > silence) {
             heard_ = now();
             if (const auto size = link_.receive(frame_, std::chrono::microseconds{1}); size != 0)
@@ -103,7 +103,7 @@ template <class Link> class ring_runner {
     boost::asio::posix::stream_descriptor frames_;
     detail::wake_timer timer_;
     bool runs_{};
-    std::shared_ptr<char> alive_{std::make_shared<char>()}; ///< a handler may be queued when this goes
+    std::shared_ptr<char> alive_{std::make_shared<char>()}; ///< a handler may be queued at destruction
     time heard_{};
     std::array<std::byte, ethercat::max_frame_size> frame_{};
     struct waker {

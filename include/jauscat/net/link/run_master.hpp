@@ -13,9 +13,9 @@
 
 namespace jauscat::net {
 
-/// Drives the job that was started (`scan`, `bring_up`, `download` or another) and returns how it ended; at once if
-/// none runs. After `limit` it is given up, with nanoseconds::max() never. Errors besides those of the job: timeout,
-/// not_sent.
+/// Runs the started job (`scan`, `bring_up`, `download` or another) and returns its result; returns at once if none
+/// runs. The job is abandoned after `limit`; nanoseconds::max(): without limit. Errors in addition to those of the job:
+/// timeout, not_sent.
 template <ethercat::link Link>
 ethercat::outcome run(Link& link, ethercat::master& master, std::chrono::nanoseconds limit = std::chrono::seconds{10}) {
     const auto clock = [] {
@@ -39,8 +39,8 @@ ethercat::outcome run(Link& link, ethercat::master& master, std::chrono::nanosec
     return master.result();
 }
 
-/// Starts a job and drives it: `net::run(link, master, master.bring_up(0, 1))`. Error `busy` where it did not start;
-/// the job that runs instead stays where it is, and its result is not taken for this one's.
+/// Starts a job and runs it: `net::run(link, master, master.bring_up(0, 1))`. Error `busy` if it did not start because
+/// another job runs, which is not affected.
 template <ethercat::link Link>
 ethercat::outcome run(Link& link, ethercat::master& master, bool started,
                       std::chrono::nanoseconds limit = std::chrono::seconds{10}) {

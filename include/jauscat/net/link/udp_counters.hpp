@@ -11,23 +11,23 @@
 namespace jauscat::net {
 
 /// Counts since the socket was opened. Every datagram that reached the socket is in one of the first seven, except
-/// those in `errors` that held no message.
+/// those without a message, which are in `errors`.
 struct udp_counters {
-    std::uint64_t received{};  ///< messages given to the handler
-    std::uint64_t dropped{};   ///< datagrams that the kernel dropped because the socket's buffer was full; known with
-                               ///< the next datagram that is received
+    std::uint64_t received{};  ///< messages passed to the handler
+    std::uint64_t dropped{};   ///< datagrams that the kernel dropped because the socket's buffer was full; updated by
+                               ///< the next received datagram
     std::uint64_t oversize{};  ///< datagrams larger than the largest over IPv4
-    std::uint64_t malformed{}; ///< refused by the filter: no JAUS header that could be answered
-    std::uint64_t unknown_peer{}; ///< refused by the filter: nobody of that JAUS source is known
-    std::uint64_t wrong_sender{}; ///< refused by the filter: the JAUS source is another's
-    std::uint64_t rate_limited{}; ///< refused by the filter: more than the peer may send
+    std::uint64_t malformed{}; ///< refused by the filter: no valid JAUS header
+    std::uint64_t unknown_peer{}; ///< refused by the filter: no system has this JAUS source
+    std::uint64_t wrong_sender{}; ///< refused by the filter: the JAUS source belongs to another address
+    std::uint64_t rate_limited{}; ///< refused by the filter: above the rate limit of the peer
 
-    std::uint64_t sent{};        ///< messages that the network took
-    std::uint64_t would_block{}; ///< messages that it did not take because its buffers were full
-    std::uint64_t refused{};     ///< messages that a peer's machine or a router sent back: closed port, no way
-    std::uint64_t errors{};      ///< everything else that failed, either way
+    std::uint64_t sent{};        ///< messages that the network accepted
+    std::uint64_t would_block{}; ///< messages refused because a buffer was full
+    std::uint64_t refused{};     ///< messages answered with an ICMP error: closed port, no route
+    std::uint64_t errors{};      ///< all other failures, in both directions
 
-    /// Counts a datagram by what the gate said of it.
+    /// Counts a datagram by the gate's verdict.
     constexpr void count(verdict v) noexcept {
         switch (v) {
         case verdict::taken: ++received; break;
@@ -42,9 +42,9 @@ struct udp_counters {
 
 struct named_counter {
     std::string_view name{};
-    std::uint64_t udp_counters::* value{}; ///< where it stands
+    std::uint64_t udp_counters::* value{}; ///< its member
 };
-/// All counters, in the order in which people want them.
+/// All counters, the most useful first.
 inline constexpr std::array udp_counter_list{named_counter{"received", &udp_counters::received},
                                              named_counter{"dropped", &udp_counters::dropped},
                                              named_counter{"oversize", &udp_counters::oversize},
@@ -57,7 +57,7 @@ inline constexpr std::array udp_counter_list{named_counter{"received", &udp_coun
                                              named_counter{"refused", &udp_counters::refused},
                                              named_counter{"errors", &udp_counters::errors}};
 
-/// What has happened since `before`.
+/// The increase since `before`.
 constexpr udp_counters operator-(udp_counters now, const udp_counters& before) noexcept {
     for (const auto& counter : udp_counter_list) now.*counter.value -= before.*counter.value;
     return now;

@@ -1,5 +1,5 @@
-// EtherCAT in UDP: a link that needs no privileges and works on the loopback interface. A datagram holds what follows
-// the Ethernet header: EtherCAT header and datagrams. ETG.1000.4, clause 5.3; port 34980 = 88A4h.
+// EtherCAT in UDP: a link that needs no privileges and works on the loopback interface. A UDP datagram contains the
+// EtherCAT header and datagrams, without Ethernet header. ETG.1000.4, clause 5.3; port 34980 = 88A4h.
 #pragma once
 
 #include <jauscat/net/link/detail/bind_udp.hpp>
@@ -26,16 +26,16 @@
 
 namespace jauscat::net {
 
-/// One end of an EtherCAT link in UDP. It takes the Ethernet header and the padding off and puts them back on, so that
-/// master and slave see Ethernet frames.
+/// One end of an EtherCAT link in UDP. It removes the Ethernet header and the padding and adds them again, so that
+/// master and slave process Ethernet frames.
 class udp_link {
   public:
     /// UDP port of EtherCAT.
     static constexpr std::uint16_t ethercat_port = 34980;
 
-    udp_link(udp_link&&) = default; ///< no assignment: a socket goes before its io_context
+    udp_link(udp_link&&) = default; ///< no assignment: a socket must be destroyed before its io_context
 
-    /// The slave's end: receives at a port (0: the system chooses) and answers to whoever sent last.
+    /// The slave's end: receives at a port (0: selected by the system) and answers to the last sender.
     /// `address` is the IP address to receive at; the default is all of this machine's. Throws `open_error`.
     static udp_link serve(std::uint16_t port = ethercat_port, const std::string& address = "0.0.0.0") {
         boost::system::error_code error;
@@ -47,8 +47,8 @@ class udp_link {
         return link;
     }
 
-    /// The master's end: sends to a slave's host (a name or an address) and port, and receives from there alone.
-    /// Throws `open_error` when there is no way to the host; whether a slave is there shows at the first exchange.
+    /// The master's end: sends to a slave's host (a name or an address) and port, and receives only from there.
+    /// Throws `open_error` without a route to the host. A missing slave is detected at the first exchange.
     static udp_link connect(const std::string& host, std::uint16_t port = ethercat_port) {
         udp_link link;
         boost::system::error_code error;
@@ -64,8 +64,8 @@ class udp_link {
         return link;
     }
 
-    /// Sends what the frame's EtherCAT header announces. False when the frame is shorter than that, when a serving end
-    /// has heard from nobody yet, and when the network refuses; `problem()` says which.
+    /// Sends as many bytes as the frame's EtherCAT header announces. False if the frame is shorter, if a serving end
+    /// has received no frame yet, and if the network refuses it; `problem()` has the reason.
     bool send(std::span<const std::byte> frame) {
         problem_.clear();
         ethercat::frame_header header;
@@ -85,21 +85,22 @@ class udp_link {
         return sent >= 0;
     }
 
-    /// The next frame, padded to 60 bytes. `buffer` takes at least 60 bytes, or nothing is received; 1514 take all.
+    /// The next frame, padded to 60 bytes. `buffer` must have 60 bytes, or nothing is received; 1514 hold every frame.
     std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
         problem_.clear();
         return wait_.receive(socket_.native_handle(), buffer, timeout, [&](int flags) { return take(buffer, flags); });
     }
 
-    /// Why the last `send` or `receive` failed, in one line; empty if it did not, or if nothing came in time.
+    /// The reason for the failure of the last `send` or `receive`, in one line; empty without a failure, and for a
+    /// timeout.
     const std::string& problem() const noexcept { return problem_; }
 
-    /// The socket, to wait for frames with others: when it is readable, `receive` does not wait.
+    /// The socket, for select or poll: when it is readable, `receive` does not wait.
     [[nodiscard]] int native_handle() { return socket_.native_handle(); }
     /// The UDP port of this end.
     std::uint16_t port() const { return socket_.local_endpoint().port(); }
 
-    /// How long `receive` polls before it sleeps; not at all unless set, since the other end often shares a processor.
+    /// Time for which `receive` polls before it sleeps; default 0, because both ends often share a processor.
     void busy_poll(std::chrono::nanoseconds time) noexcept { wait_.busy_poll(time); }
 
   private:
@@ -136,7 +137,7 @@ class udp_link {
 
     std::unique_ptr<boost::asio::io_context> context_{std::make_unique<boost::asio::io_context>()};
     boost::asio::ip::udp::socket socket_{*context_};
-    boost::asio::ip::udp::endpoint peer_{}; ///< port 0 until a serving end has heard from a master
+    boost::asio::ip::udp::endpoint peer_{}; ///< of a serving end: port 0 until the first frame
     detail::frame_wait wait_{std::chrono::nanoseconds{}};
     std::string problem_{};
 };

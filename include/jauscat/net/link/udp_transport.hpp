@@ -1,4 +1,4 @@
-// JAUS messages over UDP with Boost.Asio: one socket, one thread, no allocation for a message that goes well.
+// JAUS messages over UDP with Boost.Asio: one socket, one thread, no allocation for a message without errors.
 #pragma once
 
 #include <jauscat/jaus/message/framing.hpp>
@@ -40,20 +40,20 @@ class udp_transport {
     using endpoint = boost::asio::ip::udp::endpoint;
     /// Largest datagram over IPv4, prefix included, in bytes.
     static constexpr std::size_t max_datagram_size = 65507;
-    /// Called with each message: its bytes (valid during the call), its sender, and how it was framed.
+    /// Called with each message: its bytes (valid during the call), its sender and its framing.
     using message_handler =
         std::function<void(std::span<const std::byte> message, const endpoint& from, jaus::framing framing)>;
 
-    /// Called with a line of text for everything that went wrong without a caller to tell: a closed port at a peer,
-    /// a datagram that holds no message, a failed receive. The transport goes on receiving. What a network refuses on
-    /// the way to a peer is told once, until something comes from that peer or the reason changes.
+    /// Called with a line of text for each asynchronous error: a closed port at a peer, a datagram without a message, a
+    /// failed receive. The transport continues to receive. Errors on the way to a peer are reported once, until a
+    /// message from that peer arrives or the reason changes.
     using error_handler = std::function<void(std::string_view text)>;
 
-    /// Called with each datagram's content, framing removed, before anything is done with it; it may be empty.
+    /// Called with each datagram's content, framing removed, before it is processed; it may be empty.
     using filter = std::function<verdict(std::span<const std::byte> message, const endpoint& from)>;
 
-    /// Opens and binds the socket; port 0 lets the system choose. Throws `open_error`. A socket bound to `::` receives
-    /// and sends IPv4 too; the endpoints that it shows and takes are then those of IPv4.
+    /// Opens and binds the socket; port 0: selected by the system. Throws `open_error`. A socket bound to `::` also
+    /// receives and sends IPv4; its endpoints are then those of IPv4.
     udp_transport(boost::asio::io_context& context, const endpoint& local, const udp_options& options = {})
         : socket_{context}, v6_{local.protocol() == boost::asio::ip::udp::v6()} {
         detail::bind_udp(socket_, local, options);
@@ -64,26 +64,26 @@ class udp_transport {
     udp_transport(const udp_transport&) = delete;
     udp_transport& operator=(const udp_transport&) = delete;
 
-    /// Receives from now on, while the io_context runs, up to 128 datagrams between two of its other handlers. An
-    /// exception from a handler leaves `run` and ends receiving; `start` again to go on with the datagram behind.
+    /// Starts to receive while the io_context runs, up to 128 datagrams between two of its other handlers. An exception
+    /// of a handler leaves `run` and ends receiving; `start` again to continue with the next datagram.
     void start(message_handler on_message, error_handler on_error) {
         on_message_ = std::move(on_message);
         on_error_ = std::move(on_error);
         receive();
     }
 
-    /// Hands on what `accept` takes, and counts the rest without a report: unsolicited datagrams must not flood the
+    /// Passes on what `accept` takes, and counts the rest without a report: unsolicited datagrams must not flood the
     /// log.
     void set_filter(filter accept) { filter_ = std::move(accept); }
 
-    /// Also receives what is sent to a group; see net::join_group for what that takes. Throws `open_error`.
+    /// Also receives the datagrams of a group; see net::join_group for the conditions. Throws `open_error`.
     void join(const multicast_options& options) { join_group(socket_, options); }
 
-    /// Interface, reach and echo of what is sent to a group from here. Throws `open_error`.
+    /// Sets interface, reach and loopback of datagrams sent to a group. Throws `open_error`.
     void send_multicast_by(const multicast_options& options) { set_multicast_sending(socket_, options); }
 
     /// Sends one message with the given framing; does not wait. Fails for an empty message, one that does not fit a
-    /// datagram, and when the network refuses at once; a closed port at the peer is told later, to the error handler.
+    /// datagram, and if the network refuses at once; a closed port at the peer is reported later, to the error handler.
     outcome send(std::span<const std::byte> message, const endpoint& to, jaus::framing framing = jaus::framing::bare) {
         const auto prefix = jaus::prefix(framing);
         if (message.empty()) return failure("an empty message is not sent");
@@ -93,16 +93,17 @@ class udp_transport {
         flush();
         const auto target = detail::for_socket(to, v6_);
         int error = detail::send_parts(socket_, prefix, message, target);
-        // An earlier datagram's refusal, perhaps another peer's, is reported in place of sending: take it and repeat.
+        // The error of an earlier datagram, maybe to another peer, is reported instead of sending: remove it and
+        // repeat.
         if (error != 0 && take_refusals() > 0) error = detail::send_parts(socket_, prefix, message, target);
         if (error != 0) return not_sent(to, error);
         ++counters_.sent;
         return {};
     }
 
-    /// As `send`, but what a message handler answers waits until the datagrams that were received together have been
-    /// handed on, and then goes out with one system call: a tenth less time for each message under load. Errors of the
-    /// network go to the error handler.
+    /// As `send`, but replies of a message handler are queued until the datagrams that were received together have been
+    /// processed, and then sent with one system call: a tenth less time for each message under load. Errors of the
+    /// network are passed to the error handler.
     void post(std::span<const std::byte> message, const endpoint& to, jaus::framing framing = jaus::framing::bare) {
         const auto prefix = jaus::prefix(framing);
         if (!handing_on_ || message.empty() || prefix.size() + message.size() > max_posted_size) {
@@ -113,25 +114,25 @@ class udp_transport {
         out_.push(prefix, message, detail::for_socket(to, v6_));
     }
 
-    /// In a message handler: how long the message had waited in the socket. Too little in the first moments of
-    /// the socket when no other of the machine asks for arrival times: Linux switches them on a moment later.
+    /// In a message handler: the time of the message in the socket. Too short at first if no other socket of the
+    /// machine uses arrival times, because Linux enables them with a delay.
     [[nodiscard]] std::chrono::nanoseconds waited() const noexcept { return waited_; }
 
-    /// Closes the socket and leaves its groups. What was sent or posted goes out; no handler is called afterwards.
+    /// Closes the socket and leaves its groups. Sent and posted messages go out; no handler is called afterwards.
     void stop() {
         flush();
         boost::system::error_code ignored;
         socket_.close(ignored);
     }
 
-    /// Where this transport receives.
+    /// The local endpoint.
     endpoint local() const { return socket_.local_endpoint(); }
-    /// Since it was made.
+    /// Since construction.
     const udp_counters& counts() const noexcept { return counters_; }
 
   private:
     void receive() {
-        // The token shows a completion that was already queued whether the transport still exists.
+        // By the token a completion that was already queued detects whether the transport still exists.
         auto complete = [this, token = std::weak_ptr<char>{alive_}](boost::system::error_code error) {
             if (token.expired() || !socket_.is_open()) return;
             if (error)
@@ -140,17 +141,17 @@ class udp_transport {
                 receive_batches();
             if (socket_.is_open()) receive();
         };
-        // What an exception left is handed on as soon as the io_context runs: a UDP socket can always be written to.
+        // Datagrams left by an exception are processed as soon as the io_context runs: a UDP socket is always writable.
         const auto event = batch_.empty() ? socket_.wait_read : socket_.wait_write;
         socket_.async_wait(event, detail::remembered_handler{std::move(complete), memory_});
     }
 
-    /// Going to sleep and being woken costs as much as several datagrams; so it looks once more before it does, though
-    /// not without end: the io_context has other handlers.
+    /// Sleeping and waking costs as much as several datagrams, so it polls once more before, a limited number of times:
+    /// the io_context has other handlers.
     void receive_batches() {
         for (int batches = 0; socket_.is_open() && batches != max_batches; ++batches) {
             const int error = batch_.empty() ? batch_.receive(socket_.native_handle()) : 0;
-            if (error == EAGAIN && batches != 0) return; // a refusal would have come before what was received
+            if (error == EAGAIN && batches != 0) return; // an error would have been reported before
             if (error != 0) return receive_failed(error);
             hand_on_batch();
         }
@@ -171,7 +172,7 @@ class udp_transport {
         flush();
     }
 
-    /// Sends what was posted.
+    /// Sends posted messages.
     void flush() {
         while (!out_.empty()) {
             int error = out_.send(socket_.native_handle(), counters_.sent);
@@ -214,13 +215,13 @@ class udp_transport {
     }
 
     void receive_failed(int error) {
-        // A refusal that `send` took from the queue in the meantime has been reported there.
+        // An error that `send` has removed from the queue meanwhile was reported there.
         if (take_refusals() == 0 && error != ECONNREFUSED && error != EAGAIN && error != EINTR)
             report("receiving failed: " + std::generic_category().message(error));
     }
 
     void count_drops(std::uint32_t dropped) noexcept {
-        if (dropped == 0) return; // the kernel tells only once there are some
+        if (dropped == 0) return; // the kernel reports only numbers above 0
         counters_.dropped += dropped - std::exchange(dropped_, dropped);
     }
 
@@ -234,7 +235,8 @@ class udp_transport {
                                              : ": not delivered: " + error.message()));
         });
     }
-    /// Heartbeats go to an absent peer each second. Of more peers than are remembered all is news.
+    /// An absent peer is sent a heartbeat each second, so its error is reported once. With more peers than the limit
+    /// every error is reported.
     bool is_news(const endpoint& peer, std::error_code error) {
         constexpr std::size_t most = 256;
         if (unreachable_.size() == most && !unreachable_.contains(peer)) return true;
@@ -263,7 +265,7 @@ class udp_transport {
     error_handler on_error_{};
     filter filter_{};
     udp_counters counters_{};
-    std::map<endpoint, std::error_code> unreachable_{}; ///< peers, and what the network said last
+    std::map<endpoint, std::error_code> unreachable_{}; ///< peers, and the last error of each
     std::chrono::nanoseconds waited_{};
     std::uint32_t dropped_{}; ///< the kernel's count, modulo 2^32, at the last datagram
     std::shared_ptr<detail::handler_memory> memory_{std::make_shared<detail::handler_memory>()};

@@ -12,11 +12,10 @@
 
 namespace jauscat::net {
 
-/// Decides about each datagram before anything is done with it. A datagram that is not taken leaves no trace but in the
-/// counters of whoever asks: nothing is stored and nothing is answered.
+/// Decides on each datagram before it is processed. A refused datagram is not stored and not answered.
 ///
-/// Each peer of the configuration has a limit of its own. In an open list those that are not in the configuration share
-/// a table of 1024 places, by IP address. Nothing allocates but the constructor.
+/// Each peer of the configuration has a limit of its own. In an open list all other senders share a table of 1024
+/// places, by IP address. Only the constructor allocates.
 ///
 ///     datagram_gate gate{config};
 ///     transport.set_filter([&](auto message, const auto& from) {
@@ -27,7 +26,7 @@ class datagram_gate {
     using endpoint = access_list::endpoint;
     using time = token_bucket::time;
 
-    /// For the system that the configuration calls its own.
+    /// For the configuration's own system.
     explicit datagram_gate(const jaus_config& config, access how = access::closed)
         : datagram_gate{config, how, std::random_device{}()} {}
     /// `seed`: a random number; see rate_limit.

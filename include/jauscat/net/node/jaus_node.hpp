@@ -10,13 +10,13 @@
 
 namespace jauscat::net {
 
-/// One node of this system of a configuration, or a few components of one. Its node is the one that the system's jausip
-/// names, or 1; it has the node manager (component 1, instance 1) if the jausip covers that.
+/// One node of the configuration's own system, or some components of a node. Its node ID is that of the system's
+/// jausip, or 1; it has the node manager (component 1, instance 1) if the jausip covers that.
 ///
-/// Messages go by the systems of the configuration, to each with its framing; what comes is taken only from where the
-/// configuration says, put together if it is a large data set, and handed to the components or forwarded. Components
-/// are driven when they want to be. Messages between them are handed on when the sender is done. Unroutable, refused
-/// and timed-out messages are logged. docs/jaus-node.md is the manual.
+/// Messages are sent to the systems of the configuration, each with its framing. Received messages are accepted only
+/// from the configured addresses, reassembled if they are large data sets, and delivered to the components or
+/// forwarded. Messages between local components are delivered when the sender has returned. Unroutable, refused and
+/// timed-out messages are logged. docs/jaus-node.md is the manual.
 ///
 ///     net::jaus_node node{context, config, {.log = log}};
 ///     node.add(arm, arm_messages); // a jaus::component and a dispatcher for its own messages
@@ -46,20 +46,20 @@ class jaus_node {
     ~jaus_node() {
         try {
             stop();
-        } catch (...) { // a log that throws is not worth more than the sockets that go anyway
+        } catch (...) { // of the log; the sockets are closed in any case
         }
     }
     jaus_node(const jaus_node&) = delete;
     jaus_node& operator=(const jaus_node&) = delete;
 
-    /// A component of this node, and what takes its own messages, such as a dispatcher; see component::on_message.
-    /// Before start. Throws `std::invalid_argument` for a component of another node and for a second node manager.
+    /// Adds a component, and the handler of its own messages, such as a dispatcher; see component::on_message. Call
+    /// before start. Throws `std::invalid_argument` for a component of another node and for a second node manager.
     template <class Component, class Application> void add(Component& component, Application& application) {
         machine_.add(component, application);
     }
 
-    /// Opens the sockets and begins, after `stop` from the start: who was there is forgotten. Not from within a
-    /// handler of this node. Throws `open_error` and `config_error`.
+    /// Opens the sockets and starts. A start after `stop` begins without known peers. Must not be called from a handler
+    /// of this node. Throws `open_error` and `config_error`.
     void start() {
         machine_.start(now());
         try {
@@ -74,8 +74,8 @@ class jaus_node {
         arm();
     }
 
-    /// What was sent goes out; what waits inside does not, and is logged. No handler is called afterwards. May be
-    /// called from a handler.
+    /// Sent messages go out; queued ones are dropped and logged. No handler is called afterwards. May be called from a
+    /// handler.
     void stop() {
         if (!running()) return;
         timer_.cancel();
@@ -87,25 +87,25 @@ class jaus_node {
         }
         socket_->stop();
     }
-    /// Whether it was started and not stopped.
+    /// Between start and stop.
     [[nodiscard]] bool running() const noexcept { return machine_.running(); }
 
-    /// Sends a message of a component of this node; one of more than 4080 bytes of body as a large data set, bit by
-    /// bit; where `ack_nak` asks for acknowledgement its packets are repeated until they have it. Of `head` all counts
-    /// but `data_size` and `data_flag`, and for a large data set `sequence_number`.
+    /// Sends a message of a component of this node. A body of more than 4080 bytes is sent as a large data set, paced;
+    /// if `ack_nak` requests acknowledgement, its packets are repeated until they are acknowledged. `data_size` and
+    /// `data_flag` of `head` are ignored, for a large data set also `sequence_number`.
     outcome send(const jaus::header& head, bytes body) {
         auto what = machine_.send(head, body, now());
         arm();
         return what;
     }
-    /// The same for a typed body. Throws nothing; a value that does not encode is a problem of the outcome.
+    /// The same for a typed body. A value that does not encode gives an outcome with a problem, not an exception.
     template <jaus::coded_message T> outcome send(const jaus::header& head, const T& body) {
         auto what = machine_.send(head, body, now());
         arm();
         return what;
     }
-    /// Where components put their messages when the application makes them send. Whole messages of at most 4096 bytes;
-    /// what is unroutable is logged.
+    /// Sink for messages that components send on behalf of the application. Whole messages of at most 4096 bytes;
+    /// unroutable ones are logged.
     [[nodiscard]] jaus::message_sink out() noexcept { return out_; }
     /// Call after changing a component without sending: its next event may be earlier.
     void wake() {
@@ -113,14 +113,14 @@ class jaus_node {
         arm();
     }
 
-    /// The time that components get: that of the steady clock.
+    /// The time of the steady clock, as components get it.
     [[nodiscard]] static time now() noexcept { return std::chrono::steady_clock::now().time_since_epoch(); }
-    /// The node manager's address, also where another program has it.
+    /// The node manager's address, also if it is in another program.
     [[nodiscard]] const jaus::address& manager() const noexcept { return machine_.manager(); }
     /// The components alive at the node manager; nullptr without a node manager or before the first start.
     [[nodiscard]] const jaus::liveness_table* present() const noexcept { return machine_.present(); }
     [[nodiscard]] const jaus_config& config() const noexcept { return machine_.config(); }
-    /// Of the socket and the group's together, since the last start.
+    /// Sum of both sockets, since the last start.
     [[nodiscard]] udp_counters counts() const noexcept { return socket_ ? socket_->counts() : udp_counters{}; }
 
   private:
@@ -144,7 +144,7 @@ class jaus_node {
         jaus_node& node;
         void operator()(bytes message) const {
             const bool in_turn = node.machine_.in_turn();
-            node.machine_.put(message, in_turn ? node.received_at_ : now()); // within a turn its own time counts
+            node.machine_.put(message, in_turn ? node.received_at_ : now()); // within a turn its time is used
             if (!in_turn) node.arm();
         }
     };
@@ -154,7 +154,7 @@ class jaus_node {
     detail::wake_timer timer_;
     component_output out_{*this};
     std::optional<detail::node_socket> socket_{};
-    time received_at_{}; ///< a look at the clock costs as much as a component's work
+    time received_at_{}; ///< reading the clock costs as much as a component's work
 };
 
 } // namespace jauscat::net

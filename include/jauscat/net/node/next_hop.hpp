@@ -12,8 +12,8 @@
 
 namespace jauscat::net {
 
-/// Sends a whole message, header first, to the system whose jausip covers its destination, framed as that system wants
-/// it. Fails when the header is incomplete, when no system covers the destination, and when `udp_transport::send` does.
+/// Sends a whole message, header first, to the system whose jausip covers its destination, with that system's framing.
+/// Fails if the header is incomplete, if no system covers the destination, and if `udp_transport::send` fails.
 inline outcome send_to_next_hop(udp_transport& transport, const jaus_config& config,
                                 std::span<const std::byte> message) {
     jaus::header header;

@@ -15,9 +15,9 @@
 
 namespace jauscat::net {
 
-/// What jaus_node does between its sockets and its timer: datagrams and time in, datagrams out. It reads no clock,
-/// opens no socket and starts no thread, so that it runs in simulated time too. Times are of one clock that never goes
-/// back.
+/// The part of jaus_node between its sockets and its timer: datagrams and time in, datagrams out. It reads no clock,
+/// opens no socket and starts no thread, so that it also runs in simulated time. The times must be of one monotonic
+/// clock.
 ///
 ///     net::node_machine node{config, {.log = log}, [&](auto message, const auto& to, auto framing) { ... }, seed};
 ///     node.add(arm, arm_messages); // a jaus::component and a dispatcher for its own messages
@@ -25,19 +25,20 @@ namespace jauscat::net {
 ///     node.on_datagram(message, from, framing, by_group, now);
 ///     if (node.next_event() <= now) node.on_time(now);
 ///
-/// Whoever drives it asks next_event() again after every other call. Components must outlive it. An exception that a
-/// component, a handler or `send` throws leaves the call that led to it, or the next; then stop it, and start it again.
+/// Call next_event() again after every other call. Components must outlive it. An exception of a component, a handler
+/// or `send` leaves the call that caused it, or the next one; then stop it, and start it again.
 class node_machine {
   public:
     using time = std::chrono::nanoseconds;
     /// A message, or its body.
     using bytes = std::span<const std::byte>;
     using endpoint = access_list::endpoint;
-    /// Sends a message to a neighbour or to the multicast group, framed as told. The bytes are valid during the call.
+    /// Sends a message to a neighbour or to the multicast group with the given framing. The bytes are valid during the
+    /// call.
     using send_handler = detail::node_core::send_handler;
 
-    /// `seed` is a random number. Of `options` all count but `socket`. Throws `config_error` if this system's jausip
-    /// has no subsystem.
+    /// `seed` is a random number. `options.socket` is ignored. Throws `config_error` if this system's jausip has no
+    /// subsystem.
     node_machine(jaus_config config, jaus_node_options options, send_handler send, std::uint64_t seed)
         : config_{std::move(config)},
           options_{std::move(options)},
@@ -52,8 +53,8 @@ class node_machine {
     node_machine(const node_machine&) = delete;
     node_machine& operator=(const node_machine&) = delete;
 
-    /// A component of this node, and what takes its own messages, such as a dispatcher; see component::on_message.
-    /// Before start. Throws `std::invalid_argument` for a component of another node and for a second node manager.
+    /// Adds a component, and the handler of its own messages, such as a dispatcher; see component::on_message. Call
+    /// before start. Throws `std::invalid_argument` for a component of another node and for a second node manager.
     template <class Component, class Application> void add(Component& component, Application& application) {
         const auto& id = component.self();
         if (running() || in_turn()) throw std::logic_error{"components are added before the node is started"};
@@ -67,7 +68,7 @@ class node_machine {
              std::make_shared<detail::default_answers>(config_, id, detail::offered_messages{component, application})});
     }
 
-    /// Begins, after `stop` from the start: who was there is forgotten. Not from within a handler of this node. Throws
+    /// A start after `stop` begins without known peers. Must not be called from a handler of this node. Throws
     /// `config_error`.
     void start(time now) {
         if (running() || in_turn()) throw std::logic_error{"the node is running"};
@@ -98,12 +99,12 @@ class node_machine {
         if (unsent != 0)
             log_(at_, [&] { return std::to_string(unsent) + " large data sets were not sent to their end"; });
     }
-    /// Whether it was started and not stopped.
+    /// Between start and stop.
     [[nodiscard]] bool running() const noexcept { return running_; }
-    /// Whether a handler or a component may be at work: within a call of received, on_datagram or on_time.
+    /// Whether a handler or a component may be active: within a call of received, on_datagram or on_time.
     [[nodiscard]] bool in_turn() const noexcept { return core_.in_turn(); }
 
-    /// The gate's decision about a datagram's content without the framing; the rest belongs to `received`.
+    /// The gate's decision on a datagram's content without the framing. Pass accepted messages to `received`.
     verdict check(bytes message, const endpoint& from, time now) {
         at_ = now;
         const auto what = (*gate_)(message, from, now);
@@ -114,8 +115,8 @@ class node_machine {
             });
         return what;
     }
-    /// A message that has passed `check`. `by_group`: it was sent to the multicast group. `waited`: how long it has
-    /// lain here before this call, where that is known: a packet of an old large data set is not one of the next.
+    /// Processes a message that has passed `check`. `by_group`: it was sent to the multicast group. `waited`: time in
+    /// the socket before this call, if known; it separates a packet of an old large data set from those of the next.
     void received(bytes message, const endpoint& from, jaus::framing how, bool by_group, time now, time waited = {}) {
         if (!running()) return;
         at_ = now;
@@ -132,7 +133,7 @@ class node_machine {
         if (!is_for_others) core_.tell(m.header, what, now);
         end_turn();
     }
-    /// Both of them: a datagram, framing removed. Not one that this node has sent to the group itself.
+    /// `check` and `received` for a datagram without framing. Not for datagrams that this node has sent to the group.
     verdict on_datagram(bytes message, const endpoint& from, jaus::framing how, bool by_group, time now,
                         time waited = {}) {
         if (!running()) return verdict::taken;
@@ -141,7 +142,7 @@ class node_machine {
         return what;
     }
 
-    /// Does what is due at `now`. Earlier than next_event it does no harm.
+    /// Does what is due at `now`. A call before next_event has no effect.
     void on_time(time now) {
         if (!running()) return;
         at_ = now;
@@ -152,7 +153,7 @@ class node_machine {
         });
         end_turn();
     }
-    /// When on_time has something to do, unless another call comes before. Not within a turn.
+    /// When on_time is due, unless another call comes before. Not within a turn.
     [[nodiscard]] std::optional<time> next_event() {
         if (!running()) return std::nullopt;
         if (wake_at_) return wake_at_;
@@ -163,9 +164,9 @@ class node_machine {
         return std::max(next, at_);
     }
 
-    /// Sends a message of a component of this node; one of more than 4080 bytes of body as a large data set, bit by
-    /// bit; where `ack_nak` asks for acknowledgement its packets are repeated until they have it. Of `head` all counts
-    /// but `data_size` and `data_flag`, and for a large data set `sequence_number`.
+    /// Sends a message of a component of this node. A body of more than 4080 bytes is sent as a large data set, paced;
+    /// if `ack_nak` requests acknowledgement, its packets are repeated until they are acknowledged. `data_size` and
+    /// `data_flag` of `head` are ignored, for a large data set also `sequence_number`.
     outcome send(jaus::header head, bytes body, time now) {
         if (!running()) return outcome{"the node is not running"};
         head.data_flag = jaus::data_flag::only;
@@ -187,7 +188,7 @@ class node_machine {
             return outcome{std::string{describe(what.outcome)} + ": " + to_jausip(head.destination)};
         return {};
     }
-    /// The same for a typed body. Throws nothing; a value that does not encode is a problem of the outcome.
+    /// The same for a typed body. A value that does not encode gives an outcome with a problem, not an exception.
     template <jaus::coded_message T> outcome send(jaus::header head, const T& body, time now) {
         std::array<std::byte, jaus::max_body_size> packet{};
         std::vector<std::byte> larger{};
@@ -198,7 +199,7 @@ class node_machine {
         head.command_code = jaus::command_code_of<T>;
         return send(head, bytes{encoded}.first(size.size()), now);
     }
-    /// A whole message of a component, of at most 4096 bytes; what is unroutable is logged.
+    /// Sends a whole message of a component, of at most 4096 bytes; an unroutable one is logged.
     void put(bytes message, time now) noexcept {
         if (!running()) return;
         if (in_turn()) now = at_;
@@ -209,7 +210,7 @@ class node_machine {
         }
         wake_after_sending(now);
     }
-    /// Where components put their messages when the application makes them send, until the next call with a time.
+    /// Sink for messages that components send on behalf of the application, until the next call with a time.
     [[nodiscard]] jaus::message_sink out(time now) noexcept {
         if (!in_turn()) at_ = now;
         return own_out_;
@@ -218,12 +219,12 @@ class node_machine {
     void wake(time now) noexcept {
         if (running()) wake_at_ = now;
     }
-    /// A line for the log, such as what its sockets say.
+    /// Logs a line, such as an error of its sockets.
     void log(std::string_view line, time now) {
         log_(now, [&] { return std::string{line}; });
     }
 
-    /// The node manager's address, also where another program has it.
+    /// The node manager's address, also if it is in another program.
     [[nodiscard]] const jaus::address& manager() const noexcept { return self_; }
     /// The components alive at the node manager; nullptr without a node manager or before the first start.
     [[nodiscard]] const jaus::liveness_table* present() const noexcept {
@@ -237,7 +238,7 @@ class node_machine {
     void make_manager(const std::vector<jaus::address>& components) {
         manager_.emplace(config_, self_, components, options_, changes_);
     }
-    // Outside of a turn: there may be something for a component here, or to be repeated.
+    // Outside of a turn: a local component may have a message, or a message may have to be repeated.
     void wake_after_sending(time now) noexcept {
         if (!in_turn()) wake(now);
     }
@@ -262,15 +263,15 @@ class node_machine {
     jaus::address self_; ///< of the node manager
     std::uint64_t seed_;
     limited_log log_;
-    detail::node_core core_; ///< of its components the node manager is the first
+    detail::node_core core_; ///< its first component is the node manager
     component_output own_out_{*this};
     detail::presence_changes changes_{};
     std::optional<datagram_gate> gate_{};
     std::optional<detail::own_manager> manager_{};
     bool running_{};
     std::exception_ptr thrown_{};   ///< by a handler that was called while a component sent
-    std::optional<time> wake_at_{}; ///< something was done outside of a turn
-    time at_{};                     ///< the last time that was told
+    std::optional<time> wake_at_{}; ///< after a call outside of a turn
+    time at_{};                     ///< time of the last call
 };
 
 } // namespace jauscat::net

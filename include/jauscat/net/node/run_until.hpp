@@ -1,4 +1,4 @@
-// Waiting for an answer in a program that has no main loop of its own.
+// Waits for an answer in a program without a main loop.
 #pragma once
 
 #include <jauscat/jaus/message/saturating_add.hpp>
@@ -11,9 +11,8 @@
 
 namespace jauscat::net {
 
-/// Runs the handlers of `context` until `done()` is true, at most for `timeout`;
-/// nanoseconds::max() is for ever. Returns `done()`.
-/// `done` is asked after each handler.
+/// Runs the handlers of `context` until `done()` is true, at most for `timeout`; nanoseconds::max(): without limit.
+/// `done` is called after each handler. Returns `done()`.
 template <std::predicate Done>
 bool run_until(boost::asio::io_context& context, std::chrono::nanoseconds timeout, Done done) {
     using clock = std::chrono::steady_clock;

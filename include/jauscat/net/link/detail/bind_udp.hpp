@@ -1,4 +1,4 @@
-// Opening a UDP socket at a given port, with an explanation when that fails.
+// Opens a UDP socket at a given port, with an explanation of failures.
 #pragma once
 
 #include <jauscat/net/config/udp_options.hpp>

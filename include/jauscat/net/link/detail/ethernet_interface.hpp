@@ -21,7 +21,7 @@ inline interface_state state_of_interface(int socket, const std::string& name) n
     return (flags & IFF_RUNNING) == 0 ? interface_state::no_link : interface_state::ready;
 }
 
-/// Why nothing passes the interface `name`, in one line with what to do; empty when it is ready.
+/// The reason why the interface `name` is not ready, in one line with what to do; empty if it is ready.
 inline std::string problem_of_interface(interface_state state, const std::string& name) {
     switch (state) {
     case interface_state::ready: break;

@@ -1,4 +1,4 @@
-// A socket of a kind that Boost.Asio adds nothing to.
+// Owner of a file descriptor, for sockets that are used without Boost.Asio.
 #pragma once
 
 #include <unistd.h>
@@ -6,7 +6,7 @@
 
 namespace jauscat::net::detail {
 
-/// Closes what it holds; -1 is nothing.
+/// -1: none.
 class file_descriptor {
   public:
     explicit file_descriptor(int number) noexcept : number_{number} {}

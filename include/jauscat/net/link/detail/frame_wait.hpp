@@ -1,4 +1,4 @@
-// Waiting for a frame at a socket, with as little between its arrival and its receiver as a process can do about it.
+// Waits for a frame at a socket with minimal latency.
 #pragma once
 
 #include <jauscat/schema/ethercat/frame.hpp>
@@ -14,17 +14,17 @@
 
 namespace jauscat::net::detail {
 
-/// Makes a blocking receive at `socket` return after 10 ms without anything; the kernel rounds up, to 20 ms at most.
+/// Makes a blocking receive at `socket` return after 10 ms without a frame; the kernel rounds up, to 20 ms at most.
 inline void limit_blocking(int socket) noexcept {
     const timeval slice{.tv_sec = 0, .tv_usec = 10'000};
     ::setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &slice, sizeof slice);
 }
 
-/// How one end of a link waits: it polls for a while, then sleeps.
+/// The wait of one end of a link: it polls for some time, then sleeps.
 ///
-/// An answer that is a few microseconds away costs less than being put to sleep and woken. But where the sender is a
-/// process that the system has given the same processor, the poll only holds it up; so a poll in vain, after which a
-/// frame did come, makes the next 200 receives sleep at once. docs/performance.md has the measurements.
+/// Polling for a few microseconds is cheaper than sleeping and waking. If the sender is a process on the same
+/// processor, the poll delays it; so after a poll without a result that was followed by a frame, the next 200 receives
+/// sleep at once. docs/performance-notes.md has the measurements.
 class frame_wait {
   public:
     explicit frame_wait(std::chrono::nanoseconds busy_poll) noexcept : busy_poll_{busy_poll} {}
@@ -34,9 +34,9 @@ class frame_wait {
         without_poll_ = 0;
     }
 
-    /// Repeats `attempt(flags)`, a receive at `socket` that was prepared by `limit_blocking`, until it gives the size
-    /// of a frame in `buffer`, which is then padded to 60 bytes, or until `timeout` is over, then 0. It gives nothing
-    /// when there was nothing to receive, and 0 when the medium failed. A buffer below 60 bytes receives nothing.
+    /// Repeats `attempt(flags)`, a receive at `socket` that was prepared by `limit_blocking`. `attempt` returns the
+    /// size of a frame in `buffer`, nothing if there was none, or 0 if the medium failed. Returns the size, padded to
+    /// 60 bytes, or 0 after `timeout`. A buffer below 60 bytes receives nothing.
     template <class Attempt>
     std::size_t receive(int socket, std::span<std::byte> buffer, std::chrono::nanoseconds timeout, Attempt attempt) {
         constexpr auto shortest = ethercat::min_frame_size;
@@ -49,7 +49,7 @@ class frame_wait {
         const bool polls = now < poll_end;
         for (;;) {
             const bool sleeps = now >= poll_end;
-            // A blocking receive needs one system call where ppoll and a receive are two; but only ppoll is exact.
+            // A blocking receive needs one system call, ppoll and receive need two; but only ppoll is exact.
             const bool blocks = sleeps && deadline - now > longest_block;
             if (sleeps && !blocks && now < deadline) sleep(socket, deadline - now);
             if (const std::optional<std::size_t> size = attempt(blocks ? 0 : MSG_DONTWAIT)) {
@@ -65,7 +65,7 @@ class frame_wait {
 
   private:
     using clock = std::chrono::steady_clock;
-    static constexpr std::chrono::milliseconds longest_block{18}; // so that the master's 20 ms still begin with it
+    static constexpr std::chrono::milliseconds longest_block{18}; // below the master's 20 ms
     static constexpr unsigned receives_without_poll = 200;
 
     static void sleep(int socket, std::chrono::nanoseconds time) noexcept {
@@ -73,7 +73,7 @@ class frame_wait {
         const timespec wait{.tv_sec = static_cast<std::time_t>(seconds.count()),
                             .tv_nsec = static_cast<long>((time - seconds).count())};
         pollfd readable{.fd = socket, .events = POLLIN, .revents = 0};
-        ::ppoll(&readable, 1, &wait, nullptr); // whatever ends it, a signal included, the next attempt finds out
+        ::ppoll(&readable, 1, &wait, nullptr); // the next attempt finds the reason why it ended
     }
 
     std::chrono::nanoseconds busy_poll_;

@@ -1,5 +1,5 @@
-// Learning that a peer's port is closed. Linux tells an unconnected UDP socket about an ICMP answer only on request,
-// and keeps with it, in the socket's error queue, where the refused datagram was sent.
+// Detects that a peer's port is closed. Linux reports ICMP errors to an unconnected UDP socket only on request, with
+// the destination of the refused datagram, in the socket's error queue.
 #pragma once
 
 #include <boost/asio/ip/udp.hpp>
@@ -14,7 +14,7 @@
 
 namespace jauscat::net::detail {
 
-/// Asks for ICMP errors. From here on a send or receive may fail with the error of an earlier send.
+/// Enables ICMP errors. From then on a send or receive may fail with the error of an earlier send.
 inline void want_icmp_errors(boost::asio::ip::udp::socket& socket, const boost::asio::ip::udp& protocol) {
     const int on = 1;
     const bool v6 = protocol == boost::asio::ip::udp::v6();
@@ -22,8 +22,7 @@ inline void want_icmp_errors(boost::asio::ip::udp::socket& socket, const boost::
                  sizeof on);
 }
 
-/// Takes all waiting errors from the queue: `report(where the datagram was sent, std::error_code)`.
-/// Returns how many there were.
+/// Removes all errors from the queue: `report(destination of the datagram, std::error_code)`. Returns their number.
 template <class Report> std::size_t take_icmp_errors(boost::asio::ip::udp::socket& socket, Report report) {
     std::size_t count = 0;
     for (;; ++count) {

@@ -1,4 +1,4 @@
-// Taking several datagrams from a UDP socket with one system call (Linux recvmmsg), into memory that is used again.
+// Receives several datagrams from a UDP socket with one system call (Linux recvmmsg), into reused memory.
 #pragma once
 
 #include <boost/asio/ip/udp.hpp>
@@ -21,13 +21,13 @@ namespace jauscat::net::detail {
 
 /// Up to `capacity` datagrams of at most `MaxSize` bytes each.
 ///
-/// The memory is reserved once and touched as far as datagrams reach into it: with messages of up to one page, one page
-/// for each datagram of the largest batch that there was.
+/// The memory is reserved once. Only the pages that datagrams need are touched: with messages of up to one page, one
+/// page for each datagram of the largest batch so far.
 template <std::size_t MaxSize> class receive_batch {
   public:
     using endpoint = boost::asio::ip::udp::endpoint;
 
-    /// A wake-up costs two system calls, which this many datagrams share.
+    /// This many datagrams share the two system calls of a wake-up.
     static constexpr std::size_t capacity = 32;
 
     receive_batch() {
@@ -44,7 +44,7 @@ template <std::size_t MaxSize> class receive_batch {
     receive_batch(const receive_batch&) = delete;
     receive_batch& operator=(const receive_batch&) = delete;
 
-    /// Takes what waits at `socket`, without waiting. Returns errno; 0 when there was at least one.
+    /// Receives what is queued at `socket`, without waiting. Returns errno; 0 if there was at least one.
     int receive(int socket) noexcept {
         renew(count_);
         next_ = count_ = 0;
@@ -57,10 +57,10 @@ template <std::size_t MaxSize> class receive_batch {
 
     [[nodiscard]] bool empty() const noexcept { return next_ == count_; }
 
-    /// Forgets the first of those that are left.
+    /// Removes the first remaining datagram.
     void pop() noexcept { ++next_; }
 
-    /// The first of those that are left.
+    /// The first remaining datagram.
     [[nodiscard]] std::span<const std::byte> bytes() const noexcept {
         return {memory_.get() + next_ * stride, messages_[next_].msg_len};
     }
@@ -71,12 +71,12 @@ template <std::size_t MaxSize> class receive_batch {
     /// It was larger than `MaxSize`; the rest is lost.
     [[nodiscard]] bool truncated() const noexcept { return (messages_[next_].msg_hdr.msg_flags & MSG_TRUNC) != 0; }
 
-    /// How many datagrams the kernel had dropped at this socket, modulo 2^32, when it received this one; 0 if none. See
+    /// Number of datagrams that the kernel had dropped at this socket, modulo 2^32, when it received this one. See
     /// `want_drop_count`.
     [[nodiscard]] std::uint32_t dropped_before() noexcept {
         return told_by_kernel<std::uint32_t>(SO_RXQ_OVFL).value_or(0);
     }
-    /// How long it had waited in the socket when the batch was taken; 0 if the kernel does not tell. See
+    /// Its time in the socket when the batch was received; 0 if the kernel does not report it. See
     /// `want_arrival_time`.
     [[nodiscard]] std::chrono::nanoseconds waited() noexcept {
         const auto arrived = told_by_kernel<timespec>(SCM_TIMESTAMPNS);
@@ -85,7 +85,7 @@ template <std::size_t MaxSize> class receive_batch {
     }
 
   private:
-    /// What it says about the first datagram of those that are left.
+    /// A control message of the first remaining datagram.
     template <class T> [[nodiscard]] std::optional<T> told_by_kernel(int type) noexcept {
         auto& head = messages_[next_].msg_hdr;
         for (auto* part = CMSG_FIRSTHDR(&head); part != nullptr; part = CMSG_NXTHDR(&head, part)) {
@@ -105,7 +105,7 @@ template <std::size_t MaxSize> class receive_batch {
         ::clock_gettime(CLOCK_REALTIME, &now);
         return in_nanoseconds(now);
     }
-    /// The kernel has written how much it used of the first `count`.
+    /// Restores the sizes of the first `count`, which the kernel has overwritten.
     void renew(std::size_t count) noexcept {
         for (std::size_t i = 0; i != count; ++i) {
             messages_[i].msg_hdr.msg_namelen = static_cast<socklen_t>(senders_[i].capacity());
@@ -113,7 +113,7 @@ template <std::size_t MaxSize> class receive_batch {
         }
     }
 
-    /// Not a multiple of a page: the first bytes of all would compete for the same few lines of the cache.
+    /// Not a multiple of a page: otherwise the first bytes of all would compete for the same lines of the cache.
     static constexpr std::size_t stride = (MaxSize / 64 + 2) * 64;
 
     struct control {
@@ -129,13 +129,13 @@ template <std::size_t MaxSize> class receive_batch {
     std::chrono::nanoseconds taken_at_{};
 };
 
-/// Makes the kernel tell, with each datagram, how many it had to drop because the socket's buffer was full.
+/// Makes the kernel report with each datagram the number of those dropped because the socket's buffer was full.
 inline void want_drop_count(boost::asio::ip::udp::socket& socket) noexcept {
     const int on = 1;
     ::setsockopt(socket.native_handle(), SOL_SOCKET, SO_RXQ_OVFL, &on, sizeof on);
 }
 
-/// Makes the kernel tell, with each datagram, when it arrived.
+/// Makes the kernel report the arrival time of each datagram.
 inline void want_arrival_time(boost::asio::ip::udp::socket& socket) noexcept {
     const int on = 1;
     ::setsockopt(socket.native_handle(), SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on);

@@ -1,4 +1,4 @@
-// Sending several datagrams with one system call (Linux sendmmsg), from memory that is used again.
+// Sends several datagrams with one system call (Linux sendmmsg), from reused memory.
 #pragma once
 
 #include <boost/asio/ip/udp.hpp>
@@ -14,7 +14,7 @@
 
 namespace jauscat::net::detail {
 
-/// Up to `capacity` datagrams of at most `MaxSize` bytes each that wait to be sent.
+/// Up to `capacity` queued datagrams of at most `MaxSize` bytes each.
 template <std::size_t MaxSize> class send_batch {
   public:
     using endpoint = boost::asio::ip::udp::endpoint;
@@ -33,7 +33,7 @@ template <std::size_t MaxSize> class send_batch {
     [[nodiscard]] bool empty() const noexcept { return next_ == count_; }
     [[nodiscard]] bool full() const noexcept { return count_ == capacity; }
 
-    /// Copies a datagram that is made of two parts. The batch must not be full, nor the datagram too large.
+    /// Copies a datagram of two parts. The batch must not be full, nor the datagram too large.
     void push(std::span<const std::byte> first, std::span<const std::byte> second, const endpoint& to) noexcept {
         auto* const out = memory_.get() + count_ * MaxSize;
         std::ranges::copy(second, std::ranges::copy(first, out).out);
@@ -45,8 +45,8 @@ template <std::size_t MaxSize> class send_batch {
         ++count_;
     }
 
-    /// Sends as many as the network takes, without waiting. Returns errno of the first that it did not take, which
-    /// `front` and `pop` then are about; 0 when all were sent. `sent` counts.
+    /// Sends as many as the network accepts, without waiting. Returns 0 if all were sent, or errno of the first that
+    /// was refused, which is then the front. `sent` counts.
     template <class Count> int send(int socket, Count& sent) noexcept {
         while (!empty()) {
             const auto left = static_cast<unsigned>(count_ - next_);
@@ -59,10 +59,10 @@ template <std::size_t MaxSize> class send_batch {
         return 0;
     }
 
-    /// Where the first of those that are left is to go.
+    /// Destination of the first remaining datagram.
     [[nodiscard]] const endpoint& front() const noexcept { return targets_[next_]; }
 
-    /// Forgets it.
+    /// Removes it.
     void pop() noexcept {
         if (++next_ == count_) next_ = count_ = 0;
     }

@@ -1,4 +1,4 @@
-// Sending a datagram from two pieces of memory, without waiting.
+// Sends a datagram from two pieces of memory, without waiting.
 #pragma once
 
 #include <boost/asio/ip/udp.hpp>
@@ -12,7 +12,7 @@
 
 namespace jauscat::net::detail {
 
-/// Returns errno, 0 when the network took the datagram.
+/// Returns errno, or 0.
 inline int send_parts(boost::asio::ip::udp::socket& socket, std::span<const std::byte> first,
                       std::span<const std::byte> second, const boost::asio::ip::udp::endpoint& to) noexcept {
     const auto part = [](std::span<const std::byte> bytes) { // sendmsg only reads it
@@ -28,7 +28,7 @@ inline int send_parts(boost::asio::ip::udp::socket& socket, std::span<const std:
     return ::sendmsg(socket.native_handle(), &message, MSG_DONTWAIT | MSG_NOSIGNAL) >= 0 ? 0 : errno;
 }
 
-/// Whether the same datagram may pass later: a buffer of the socket or of the interface was full.
+/// Whether a retry may succeed: a buffer of the socket or of the interface was full.
 constexpr bool is_back_pressure(int error) noexcept {
     return error == EAGAIN || error == EWOULDBLOCK || error == ENOBUFS;
 }
