@@ -23,11 +23,11 @@ namespace jauscat::esi {
 
 /// Result of one check.
 struct finding {
-    std::string what{};    ///< path of the element, or a rule that concerns several
+    std::string what{};    ///< path of the element, or a rule for several
     std::string reason{};  ///< the source of the requirement
-    std::string problem{}; ///< empty: it is there and right; else `line n: what is wrong`
+    std::string problem{}; ///< empty if the requirement is met; else `line n: problem`
 
-    /// Whether it is there as it has to be.
+    /// Whether the requirement is met.
     [[nodiscard]] bool met() const noexcept { return problem.empty(); }
 };
 
@@ -201,8 +201,8 @@ class esi_checker : xml_source {
 
 } // namespace detail
 
-/// Looks for everything that configuration tools require; one finding each, in a fixed order. `source` is the file's
-/// name in messages. Throws `esi_error` for text that is no well-formed ESI document at all.
+/// Checks all requirements of configuration tools; one finding each, in a fixed order. `source` is the file's
+/// name in messages. Throws `esi_error` for a text that is not a well-formed ESI document.
 inline std::vector<finding> check_esi_text(std::string_view text, const std::string& source) {
     return detail::esi_checker{text, source}.check();
 }

@@ -1,4 +1,4 @@
-// What an ESI file (EtherCAT Slave Information, ETG.2000) says about one device: plain values, to be written or read.
+// Description of one device in an ESI file (EtherCAT Slave Information, ETG.2000), as plain values.
 #pragma once
 
 #include <jauscat/schema/ethercat/sii.hpp>
@@ -11,35 +11,35 @@
 
 namespace jauscat::esi {
 
-/// An ESI file that cannot be used. `what()` is `file:line: element: what is wrong and what was expected`.
+/// An ESI file that cannot be used. `what()` is `file:line: element: problem and expectation`.
 class esi_error : public std::runtime_error {
   public:
-    /// A sentence for the user, and the line of the file; 0: none in particular.
+    /// `line` of the file; 0: none.
     esi_error(const std::string& text, std::size_t at_line) : std::runtime_error{text}, line_{at_line} {}
 
-    /// Line in the file, from 1; 0 when the file could not be read, or when the device did not come from a file.
+    /// Line in the file, from 1; 0 if the file could not be read, or if the device is not from a file.
     [[nodiscard]] std::size_t line() const noexcept { return line_; }
 
   private:
     std::size_t line_;
 };
 
-/// Anything else that is to be known of an object or entry. Tools that do not know the name leave it alone.
+/// Additional property of an object or entry. Tools ignore unknown names.
 struct property {
-    std::string name{};  ///< by which tools find it
-    std::string value{}; ///< any text
+    std::string name{};
+    std::string value{};
 
     friend bool operator==(const property&, const property&) = default;
 };
 
 struct entry {
     std::uint8_t subindex{};               ///< 0 to 255
-    std::string name{};                    ///< for people
+    std::string name{};                    ///< for display
     std::string type{};                    ///< a base type of ETG.1020, such as USINT or OCTET_STRING(28)
-    std::uint32_t bit_size{};              ///< of a string: the most it can hold
+    std::uint32_t bit_size{};              ///< of a string: the maximum
     bool readable{};                       ///< a master may read it
     bool writable{};                       ///< a master may write it
-    std::vector<std::byte> default_data{}; ///< as they travel, little-endian; empty: none given
+    std::vector<std::byte> default_data{}; ///< little-endian; empty: none
     std::vector<property> properties{};    ///< further properties
 
     friend bool operator==(const entry&, const entry&) = default;
@@ -52,11 +52,11 @@ enum class object_code : std::uint8_t { variable = 7, array = 8, record = 9 };
 /// USINT, the highest subindex; the others follow in ascending order, in an array all of one type and without gaps.
 struct object {
     std::uint16_t index{};              ///< 0000h to FFFFh
-    std::string name{};                 ///< for people
+    std::string name{};                 ///< for display
     object_code code{};                 ///< variable, array or record
     bool mandatory{};                   ///< category m
     std::vector<entry> entries{};       ///< in ascending order of subindices
-    std::vector<property> properties{}; ///< what else is to be known of it
+    std::vector<property> properties{}; ///< further properties
 
     friend bool operator==(const object&, const object&) = default;
 };
@@ -64,10 +64,10 @@ struct object {
 /// SyncManager settings of the device.
 struct sync_manager {
     ethercat::sii_sync_manager_use use{};
-    std::uint16_t start{};        ///< where its memory begins in the slave
+    std::uint16_t start{};        ///< start address in the slave
     std::uint16_t default_size{}; ///< bytes
-    std::uint16_t min_size{};     ///< 0: not said
-    std::uint16_t max_size{};     ///< 0: not said
+    std::uint16_t min_size{};     ///< 0: not stated
+    std::uint16_t max_size{};     ///< 0: not stated
     std::uint8_t control{};       ///< 26h mailbox out, 22h mailbox in, 64h outputs, 20h inputs
     bool enabled{};               ///< from the start
 
@@ -79,55 +79,55 @@ struct pdo_entry {
     std::uint16_t index{};   ///< of the mapped object; 0: a gap
     std::uint8_t subindex{}; ///< of a gap: 0
     std::uint8_t bits{};     ///< 1 to 255
-    std::string name{};      ///< for people
+    std::string name{};      ///< for display
     std::string type{};      ///< a base type of ETG.1020; of a gap: none
 
     friend bool operator==(const pdo_entry&, const pdo_entry&) = default;
 };
 
-/// Process data that travel together.
+/// PDO: process data that are mapped together.
 struct pdo {
     std::uint16_t index{};            ///< of its mapping object
-    std::string name{};               ///< for people
-    std::uint8_t sync_manager{};      ///< that carries it from the start
+    std::string name{};               ///< for display
+    std::uint8_t sync_manager{};      ///< its default SyncManager
     bool fixed{};                     ///< its entries cannot be changed
     bool mandatory{};                 ///< it is always assigned
-    std::vector<pdo_entry> entries{}; ///< in the order in which they travel
+    std::vector<pdo_entry> entries{}; ///< in wire order
 
     friend bool operator==(const pdo&, const pdo&) = default;
 };
 
 /// CoE features of the device.
 struct coe_features {
-    bool sdo_information{};   ///< without it, tools take the dictionary from the ESI file
+    bool sdo_information{};   ///< without it, tools use the dictionary of the ESI file
     bool pdo_assign{};        ///< objects 1C12h and 1C13h can be written
     bool pdo_configuration{}; ///< PDO mapping objects can be written
-    bool complete_access{};   ///< takes a whole object in one transfer
-    bool segmented_sdo{};     ///< takes objects that do not fit its mailbox
+    bool complete_access{};   ///< accepts a whole object in one transfer
+    bool segmented_sdo{};     ///< accepts objects larger than its mailbox
 
     friend bool operator==(const coe_features&, const coe_features&) = default;
 };
 
-/// The memory behind the SII.
+/// The EEPROM, which holds the SII.
 struct eeprom {
     std::uint32_t byte_size{};            ///< of the memory
-    std::vector<std::byte> config_data{}; ///< SII words 0 to 6, 14 bytes; the checksum after them is the tool's
+    std::vector<std::byte> config_data{}; ///< SII words 0 to 6, 14 bytes; tools add the checksum
     std::vector<std::byte> bootstrap{};   ///< SII words 14h to 17h, 8 bytes; empty: no state BOOT
 
     friend bool operator==(const eeprom&, const eeprom&) = default;
 };
 
 struct device {
-    std::uint32_t vendor_id{};                 ///< number that the EtherCAT Technology Group gave the vendor
-    std::string vendor_name{};                 ///< for people
-    std::string group_type{};                  ///< key of the group that tools list the device in
-    std::string group_name{};                  ///< for people
-    std::string physics{"YY"};                 ///< one letter per port: Y 100BASE-TX, K E-bus, space none
+    std::uint32_t vendor_id{};                 ///< assigned by the EtherCAT Technology Group
+    std::string vendor_name{};                 ///< for display
+    std::string group_type{};                  ///< key of the device's group
+    std::string group_name{};                  ///< for display
+    std::string physics{"YY"};                 ///< one letter for each port: Y 100BASE-TX, K E-bus, space none
     std::string type{};                        ///< short name, such as an order number
     std::uint32_t product_code{};              ///< object 1018h:2
     std::uint32_t revision{};                  ///< object 1018h:3
-    std::uint32_t serial{};                    ///< 0: not said, as in a file for all devices of a type
-    std::string name{};                        ///< for people
+    std::uint32_t serial{};                    ///< 0: not stated, as in a file for all devices of a type
+    std::string name{};                        ///< for display
     std::uint16_t profile{};                   ///< device profile, low word of object 1000h; 0: none
     std::vector<object> objects{};             ///< the dictionary, in ascending order of indices
     std::vector<std::string> fmmus{};          ///< use of each: Outputs, Inputs, MBoxState
@@ -135,7 +135,7 @@ struct device {
     std::vector<pdo> rx_pdos{};                ///< master to slave
     std::vector<pdo> tx_pdos{};                ///< slave to master
     coe_features coe{};
-    esi::eeprom eeprom{}; ///< the memory behind its SII
+    esi::eeprom eeprom{}; ///< EEPROM of the SII
 
     friend bool operator==(const device&, const device&) = default;
 };

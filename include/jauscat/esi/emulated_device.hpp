@@ -21,8 +21,8 @@
 
 namespace jauscat::esi {
 
-/// Converts an ESI description to the form that `ethercat::slave`, `ethercat::standard_objects`,
-/// `ethercat::mapped_objects` and `bridge::listed_objects` take. Must outlive them.
+/// Converts an ESI description to the arguments of `ethercat::slave`, `ethercat::standard_objects`,
+/// `ethercat::mapped_objects` and `bridge::listed_objects`. Must outlive them.
 ///
 ///     esi::emulated_device device{esi::read_esi("arm.xml")};
 ///     bridge::listed_objects listed{device.components(), application};
@@ -31,16 +31,16 @@ namespace jauscat::esi {
 ///     std::vector<std::byte> memory(device.transfer_size());
 ///     ethercat::slave slave{device.description(), objects, {.transfer_memory = memory}};
 ///
-/// An ESI does not say whether the slave controller gives 4 or 8 bytes in a read of the SII: the emulated one gives 4.
+/// An ESI does not state whether a read of the SII returns 4 or 8 bytes: the emulated slave returns 4.
 class emulated_device {
   public:
-    /// Throws `esi_error` for a device that the emulated slave cannot be: one with other PDOs than one of each
-    /// direction, other objects, other features of CoE.
+    /// Throws `esi_error` for a device that cannot be emulated: with other PDOs than one of each direction, other
+    /// objects, other CoE features.
     explicit emulated_device(device what) : device_{std::move(what)} {
         read_description();
         for (const auto& each : device_.objects)
             if (const auto* id = find(each.properties, property_names::component)) add_component(each, id->value);
-        // The way back gives the same description, or there is something in it that an emulated slave does not have.
+        // If the description generated from the emulated slave differs, the device has a part that cannot be emulated.
         const auto emulated =
             make_device(description_, {device_.vendor_name, device_.group_type, device_.group_name, device_.type},
                         components_, device_.coe.segmented_sdo);
@@ -69,7 +69,7 @@ class emulated_device {
     [[nodiscard]] const ethercat::slave_description& description() const noexcept { return description_; }
     /// The objects of JAUS components.
     [[nodiscard]] std::span<const bridge::object_description> components() const noexcept { return components_; }
-    /// Bytes of the largest object, for transfers in segments; 0 for a device without them.
+    /// Bytes of the largest object, for segmented transfers; 0 for a device without them.
     [[nodiscard]] std::size_t transfer_size() const noexcept {
         return device_.coe.segmented_sdo ? bridge::largest_subobject(components_) : 0;
     }
@@ -121,7 +121,7 @@ class emulated_device {
         const auto found = std::ranges::find(device_.objects, index, &object::index);
         return found == device_.objects.end() ? nullptr : &*found;
     }
-    // The default of a string object; empty where it is not there.
+    // The default of a string object, or empty.
     [[nodiscard]] std::string text_of(std::uint16_t index) const {
         std::string text;
         if (const auto* const what = find_object(index); what != nullptr && !what->entries.empty())

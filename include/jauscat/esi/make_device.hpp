@@ -1,4 +1,4 @@
-// Makes the ESI description of an emulated slave from its SII, its standard objects and the objects of JAUS messages.
+// Generates the ESI description of an emulated slave from its SII, its standard objects and its JAUS objects.
 #pragma once
 
 #include <jauscat/bridge/object_list.hpp>
@@ -20,22 +20,22 @@ namespace jauscat::esi {
 
 /// Texts of a device that the slave itself does not report.
 struct device_texts {
-    std::string vendor_name{}; ///< for people
-    std::string group_type{};  ///< key of the group that tools list the device in
-    std::string group_name{};  ///< for people
+    std::string vendor_name{}; ///< for display
+    std::string group_type{};  ///< key of the device's group
+    std::string group_name{};  ///< for display
     std::string type{};        ///< short name, such as an order number
 };
 
-/// Properties that make an object of the ESI a component's object again.
+/// Properties by which an object of the ESI is read as that of a component.
 namespace property_names {
 inline constexpr std::string_view component = "JausComponent";      ///< of an object: JAUS component ID
 inline constexpr std::string_view command_code = "JausCommandCode"; ///< of an entry
-inline constexpr std::string_view exact_size = "ExactSize";         ///< of an object: entries take and give one size
+inline constexpr std::string_view exact_size = "ExactSize";         ///< of an object: its entries have one size
 } // namespace property_names
 
 namespace detail {
 
-/// An application without objects: what is behind the standard objects when only these are asked for.
+/// An application without objects.
 struct no_objects {
     static ethercat::object_read read(std::uint16_t, std::uint8_t, std::span<std::byte>) noexcept {
         return {.error = ethercat::abort_code::no_object};
@@ -45,7 +45,7 @@ struct no_objects {
     }
 };
 
-/// The name that an ESI gives a data type of a standard object.
+/// The ESI name of a standard object's data type.
 inline std::string type_name(const ethercat::entry_info& entry) {
     const auto name = data_type_name(entry.data_type);
     return name.empty() ? string_type(entry.bits / 8u) : std::string{name};
@@ -58,7 +58,7 @@ inline bool is_mandatory(std::uint16_t index) {
            index == ethercat::pdo_indices::inputs;
 }
 
-/// The standard objects, and those that PDOs map, as a slave of that description answers with them.
+/// The standard objects and the mapped objects of a slave with this description.
 inline std::vector<object> describe_standard_objects(const ethercat::slave_description& slave) {
     no_objects none{};
     ethercat::mapped_objects mapped{slave, none};
@@ -66,7 +66,7 @@ inline std::vector<object> describe_standard_objects(const ethercat::slave_descr
     std::vector<object> made;
     for (auto index = source.next_index(0); index != 0; index = source.next_index(index)) {
         auto info = *source.describe(index);
-        // A file has no type for the elements of an array that has none.
+        // An ESI has no type for the elements of an empty array.
         if (info.code == ethercat::object_code::array && info.highest_subindex == 0)
             info.code = ethercat::object_code::record;
         made.push_back({.index = index,
@@ -90,7 +90,7 @@ inline std::vector<object> describe_standard_objects(const ethercat::slave_descr
     return made;
 }
 
-/// The one PDO of a direction; none without entries.
+/// The PDO of a direction; none without entries.
 inline std::vector<pdo> describe_pdo(std::uint16_t index, const char* name, std::size_t manager,
                                      std::span<const ethercat::pdo_entry> all) {
     const auto entries = ethercat::pdo_contents(all);
@@ -154,8 +154,8 @@ inline void describe_process_data(device& made, const ethercat::slave_descriptio
 
 } // namespace detail
 
-/// Describes the emulated slave of that description, with standard_objects in front of the objects in `components`.
-/// `segmented_sdo`: it has memory for transfers in segments (`coe_options::transfer_memory`).
+/// Describes the emulated slave of that description, with standard_objects and the objects in `components`.
+/// `segmented_sdo`: it has memory for segmented transfers (`coe_options::transfer_memory`).
 inline device make_device(const ethercat::slave_description& slave, const device_texts& texts,
                           std::span<const bridge::object_description> components, bool segmented_sdo) {
     // Both kinds of objects describe themselves.

@@ -1,4 +1,4 @@
-// Reads an ESI file back: one device, its objects resolved through the file's data types.
+// Reads an ESI file: one device, its objects resolved through the file's data types.
 #pragma once
 
 #include <jauscat/esi/device.hpp>
@@ -199,7 +199,7 @@ class esi_reader : xml_source {
         made.entries.push_back(std::move(each));
     }
 
-    // The object says the names and the default values of its entries, in the order of its type.
+    // The object has the names and the default values of its entries, in the order of its type.
     void name_items(object& made, pugi::xml_node info) const {
         auto each = made.entries.begin();
         for (const auto item : info.children("SubItem")) {
@@ -216,7 +216,7 @@ class esi_reader : xml_source {
         const std::string_view access = node.child("Flags").child("Access").text().get();
         if (access != "ro" && access != "wo" && access != "rw" && !access.empty())
             fail(node, "access \"" + std::string{access} + "\", expected ro, wo or rw");
-        made.readable = access != "wo"; // ro unless said
+        made.readable = access != "wo"; // ro by default
         made.writable = access == "wo" || access == "rw";
     }
 

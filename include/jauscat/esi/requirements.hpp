@@ -1,6 +1,6 @@
-// What configuration tools require of an ESI file, as tables: the elements and attributes, and the order of the
-// elements. Sources: the schema EtherCATInfo.xsd (version 1.19 of ETG.2000), what tools take into the SII (ETG.2010),
-// and what emulators that load the dictionary read.
+// Requirements of configuration tools on an ESI file, as tables: elements and attributes, and the order of elements.
+// Sources: the schema EtherCATInfo.xsd (version 1.19 of ETG.2000), the content that tools write to the SII (ETG.2010),
+// and the content that emulators read for the dictionary.
 #pragma once
 
 #include <array>
@@ -15,16 +15,16 @@ enum class content : std::uint8_t {
     text,         ///< any text
     number,       ///< `#x1A` or `26`
     boolean,      ///< `true`, `false`, `1` or `0`
-    bytes,        ///< hexadecimal digits, two a byte
+    bytes,        ///< hexadecimal digits, two for each byte
     access,       ///< `ro`, `wo` or `rw`
     sync_manager, ///< `MBoxOut`, `MBoxIn`, `Outputs` or `Inputs`
 };
 
-/// One required element, or attribute where the last step begins with @.
+/// One required element, or attribute if the last step begins with @.
 struct requirement {
     std::string_view path{};   ///< below EtherCATInfo
     content holds{};           ///< required content
-    bool if_parent{};          ///< required only in parents that are there; else one parent at least has to be there
+    bool if_parent{};          ///< required in each existing parent; else at least one parent must exist
     std::string_view reason{}; ///< source of the requirement
 };
 
@@ -96,10 +96,10 @@ inline constexpr std::array requirements{
     requirement{"Descriptions/Devices/Device/Eeprom/ConfigData", content::bytes, false, "SII words 0 to 6"},
 };
 
-/// The children that an element may have, in their order.
+/// The permitted children of an element, in order.
 struct element_order {
-    std::string_view element{}; ///< its name, or parent/name where that name means different things
-    std::string_view children{}; ///< names, with spaces between them
+    std::string_view element{}; ///< its name, or parent/name if the name is ambiguous
+    std::string_view children{}; ///< names, separated by spaces
 };
 
 /// The order of the elements that the schema prescribes.

@@ -17,7 +17,7 @@
 
 namespace jauscat::esi {
 
-/// `#x1A`: a number as the schema's type HexDecValue has it, with at least `digits` digits.
+/// `#x1A`: a number in the schema's type HexDecValue, with at least `digits` digits.
 inline std::string hex_number(std::uint32_t value, std::size_t digits = 1) {
     std::string text;
     for (; value != 0 || text.size() < digits; value >>= 4) text.insert(text.begin(), "0123456789ABCDEF"[value & 15]);
@@ -42,7 +42,7 @@ inline std::optional<bool> parse_boolean(std::string_view text) {
     return std::nullopt;
 }
 
-/// Two digits a byte, without anything between them.
+/// Two digits for each byte, without separators.
 inline std::string hex_bytes(std::span<const std::byte> bytes) {
     std::string text;
     for (const auto byte : bytes) {
@@ -52,7 +52,7 @@ inline std::string hex_bytes(std::span<const std::byte> bytes) {
     return text;
 }
 
-/// The bytes of what `hex_bytes` writes; nothing if it is anything else.
+/// The reverse of `hex_bytes`; nothing for any other text.
 inline std::optional<std::vector<std::byte>> parse_bytes(std::string_view text) {
     std::vector<std::byte> bytes;
     if (text.size() % 2 != 0) return std::nullopt;
@@ -65,13 +65,13 @@ inline std::optional<std::vector<std::byte>> parse_bytes(std::string_view text) 
     return bytes;
 }
 
-/// Base types of ETG.1020 that have one size, in bits.
+/// Base types of ETG.1020 with a fixed size, in bits.
 inline constexpr std::array<std::pair<std::string_view, std::uint32_t>, 22> sized_types{
     {{"BOOL", 1},   {"BIT1", 1},   {"BIT2", 2},  {"BIT3", 3},  {"BIT4", 4},   {"BIT5", 5},  {"BIT6", 6},  {"BIT7", 7},
      {"BIT8", 8},   {"BYTE", 8},   {"SINT", 8},  {"USINT", 8}, {"INT", 16},   {"UINT", 16}, {"WORD", 16}, {"DINT", 32},
      {"UDINT", 32}, {"DWORD", 32}, {"REAL", 32}, {"LINT", 64}, {"ULINT", 64}, {"LREAL", 64}}};
 
-/// The names of ETG.1000.6's data types that PDO entries have.
+/// Names of the data types of PDO entries (ETG.1000.6).
 inline constexpr std::array<std::pair<std::uint16_t, std::string_view>, 19> data_type_names{
     {{ethercat::data_types::boolean, "BOOL"},
      {ethercat::data_types::integer8, "SINT"},
@@ -93,22 +93,22 @@ inline constexpr std::array<std::pair<std::uint16_t, std::string_view>, 19> data
      {ethercat::data_types::bit1 + 6, "BIT7"},
      {ethercat::data_types::bit1 + 7, "BIT8"}}};
 
-/// The name of a data type; empty where it has none here.
+/// The name of a data type, or empty.
 inline std::string_view data_type_name(std::uint16_t type) {
     for (const auto& [number, name] : data_type_names)
         if (number == type) return name;
     return {};
 }
-/// The data type of that name; 0 where there is none.
+/// The data type of that name, or 0.
 inline std::uint16_t parse_data_type(std::string_view text) {
     for (const auto& [number, name] : data_type_names)
         if (name == text) return number;
     return 0;
 }
 
-/// The base type of so many bytes.
+/// The base type of this number of bytes.
 inline std::string octet_string_type(std::size_t bytes) { return "OCTET_STRING(" + std::to_string(bytes) + ')'; }
-/// The base type of so many characters.
+/// The base type of this number of characters.
 inline std::string string_type(std::size_t characters) { return "STRING(" + std::to_string(characters) + ')'; }
 
 /// Size in bits of a base type: one of `sized_types`, STRING(n), OCTET_STRING(n), ARRAY [0..n] OF BYTE.
@@ -137,7 +137,7 @@ inline constexpr std::array<std::pair<ethercat::sii_sync_manager_use, std::strin
      {ethercat::sii_sync_manager_use::outputs, "Outputs"},
      {ethercat::sii_sync_manager_use::inputs, "Inputs"}}};
 
-/// The use that an element Sm names.
+/// The use in an element Sm.
 inline std::optional<ethercat::sii_sync_manager_use> parse_sync_manager_use(std::string_view text) {
     for (const auto& [use, name] : sync_manager_uses)
         if (text == name) return use;

@@ -1,4 +1,4 @@
-// Writes an ESI file: a document after EtherCATInfo.xsd, its elements in the schema's order.
+// Writes an ESI file: a document by EtherCATInfo.xsd, its elements in the schema's order.
 #pragma once
 
 #include <jauscat/esi/device.hpp>
@@ -22,7 +22,7 @@ inline pugi::xml_node add(pugi::xml_node parent, const char* name, const std::st
     node.text().set(text.c_str());
     return node;
 }
-/// A name in English, as the schema's NameType has it.
+/// A name in English, the schema's NameType.
 inline void add_name(pugi::xml_node parent, const std::string& text) {
     add(parent, "Name", text).append_attribute("LcId").set_value("1033");
 }
@@ -31,7 +31,7 @@ inline void set(pugi::xml_node node, const char* name, const std::string& text) 
 }
 inline std::string number(std::uint64_t value) { return std::to_string(value); }
 
-/// Puts one device into a document.
+/// Adds one device to a document.
 class esi_writer {
   public:
     explicit esi_writer(const device& what) : device_{what} {}
@@ -110,7 +110,7 @@ class esi_writer {
     }
 
     void put_mailbox(pugi::xml_node node) const {
-        set(node, "DataLinkLayer", "true"); // a lost reply can be asked for again
+        set(node, "DataLinkLayer", "true"); // a lost reply can be requested again
         const auto coe = add(node, "CoE");
         const auto put = [&](const char* name, bool value) { set(coe, name, value ? "true" : "false"); };
         put("SdoInfo", device_.coe.sdo_information);
@@ -140,7 +140,7 @@ class esi_writer {
             if (what.code != object_code::variable) {
                 const auto item = add(info, "SubItem");
                 add(item, "Name", each.name);
-                to = add(item, "Info"); // there even if empty: some readers look no further without it
+                to = add(item, "Info"); // also if empty: some readers stop without it
             }
             if (!each.default_data.empty()) add(to, "DefaultData", hex_bytes(each.default_data));
         }
@@ -196,12 +196,12 @@ class esi_writer {
             add(item, "BitOffs", number(offset));
             add(add(item, "Flags"), "Access", access(each.readable, each.writable));
             for (const auto& extra : each.properties) put_property(item, extra);
-            if (elements) break; // one item stands for all
+            if (elements) break; // one item for all elements
             offset = each.subindex == 0 ? 16 : offset + size;
         }
     }
 
-    // Subindex 0 takes 16 bits in front of the others, as in a complete access.
+    // Subindex 0 has 16 bits before the others, as in a complete access.
     static std::uint32_t record_bits(const object& what) {
         std::uint32_t bits = 16;
         for (const auto& each : what.entries)

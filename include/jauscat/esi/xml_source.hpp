@@ -22,10 +22,10 @@
 
 namespace jauscat::esi::detail {
 
-/// The file's text, or an error that says why it cannot be had.
+/// The file's text. Throws `esi_error`.
 inline std::string text_of(const std::filesystem::path& path) {
     std::ifstream file{path, std::ios::binary};
-    file.peek(); // a directory opens, and fails here
+    file.peek(); // a directory can be opened, and fails here
     if (!file && !file.eof())
         throw esi_error{path.string() + ": cannot be read: " + std::generic_category().message(errno), 0};
     std::ostringstream text;
@@ -35,10 +35,10 @@ inline std::string text_of(const std::filesystem::path& path) {
 
 class xml_source {
   public:
-    /// `text` outlives the source. `source` is the file's name in messages.
+    /// `text` must outlive the source. `source` is the file's name in messages.
     xml_source(std::string_view text, std::string source) : text_{text}, source_{std::move(source)} {}
 
-    /// Parses the text and gives the root element.
+    /// Parses the text and returns the root element.
     pugi::xml_node load() {
         const auto parsed = document_.load_buffer(text_.data(), text_.size());
         if (!parsed) fail(line_at(parsed.offset), std::string{"not well-formed XML: "} + parsed.description());

@@ -1,4 +1,4 @@
-// A component of any type as its node sees it.
+// Type-erased component of a node.
 #pragma once
 
 #include <jauscat/jaus/component/component_outcome.hpp>
@@ -18,7 +18,7 @@ struct attached_component {
     using time = std::chrono::nanoseconds;
     using bytes = std::span<const std::byte>;
 
-    /// Refers to both. `answers` gets what they leave.
+    /// Refers to both. `answers` gets the messages that they do not handle.
     template <class Component, class Application>
     attached_component(Component& component, Application& application,
                        const std::shared_ptr<default_answers>& answers = {})

@@ -1,4 +1,4 @@
-// A digest of a body, by which two of them are told apart.
+// Digest of a body, to compare bodies.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace jauscat::net::detail {
 
-/// FNV-1a of 64 bits, eight bytes at a time, and the size. Two bodies that differ have equal digests with a chance of
-/// 2^-64; it protects against no one who wants that.
+/// FNV-1a of 64 bits, eight bytes at a time, and the size. Two different bodies have equal digests with a probability
+/// of 2^-64. It is not a cryptographic digest.
 inline std::uint64_t digest_of(std::span<const std::byte> body) noexcept {
     constexpr std::uint64_t prime = 0x100000001B3;
     std::uint64_t digest = 0xCBF29CE484222325 ^ body.size();

@@ -1,4 +1,4 @@
-// Events of a node manager: Report Configuration, whenever components of the subsystem come or go.
+// Events of a node manager: Report Configuration, sent when components of the subsystem appear or disappear.
 #pragma once
 
 #include <jauscat/jaus/events/events.hpp>
@@ -8,8 +8,8 @@
 
 namespace jauscat::net::detail {
 
-/// Node managers and communicators of others create such an event once they have found a node, and rely on it from then
-/// on.
+/// Node managers and communicators of other vendors create such an event when they have detected a node, and rely on
+/// it.
 class configuration_events {
     struct filler {
         const jaus::node_manager& manager;
@@ -20,7 +20,7 @@ class configuration_events {
             return manager.configuration(wanted.query_field, body);
         }
     };
-    static constexpr double most_a_second = 10; ///< so that no event floods whom it goes to
+    static constexpr double most_a_second = 10; ///< limits the load of the receiver
     static constexpr auto code = jaus::command_code_of<jaus::report_configuration>;
     static constexpr std::array reports{jaus::eventful_report{.command_code = code, .max_rate = most_a_second}};
 
@@ -36,7 +36,7 @@ class configuration_events {
     configuration_events(const configuration_events&) = delete;
     configuration_events& operator=(const configuration_events&) = delete;
 
-    /// To be called when a component of the subsystem has appeared or disappeared.
+    /// Call when a component of the subsystem has appeared or disappeared.
     void changed(std::chrono::nanoseconds now, jaus::message_sink out) {
         if (const auto size = fill_(code, {}, report_))
             part.changed(code, std::span<const std::byte>{report_}.first(*size), now, out);

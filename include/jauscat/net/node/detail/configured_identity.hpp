@@ -1,4 +1,4 @@
-// What a configuration says that a component is called, as its reports tell it.
+// Identification of a component from the configuration.
 #pragma once
 
 #include <jauscat/jaus/component/described_component.hpp>
@@ -8,10 +8,10 @@
 
 namespace jauscat::net::detail {
 
-/// As much of a text as Report Identification has room for.
+/// A text, cut to the limit of Report Identification.
 inline std::string_view in_report(std::string_view text) noexcept { return text.substr(0, 80); }
 
-/// `unnamed`, with the name and the authority that `config` has for the component. Points into `config`.
+/// `unnamed` with the name and the authority of the component in `config`. Refers to `config`.
 inline jaus::identity identity_of(const jaus_config& config, const jaus::address& component,
                                   jaus::identity unnamed) noexcept {
     for (const auto& system : config.systems)

@@ -19,12 +19,12 @@
 
 namespace jauscat::net::detail {
 
-/// Answers Query Identification with the name that the configuration has for the component, Query Services with the
-/// core service and that of the component's own messages, Query Heartbeat Pulse; and requests for service connections
-/// and events with a refusal. It sends no heartbeats.
+/// Answers Query Identification with the name in the configuration, Query Services with the core service and the
+/// component's own messages, and Query Heartbeat Pulse. Refuses requests for service connections and events. Sends no
+/// heartbeats.
 class default_answers {
   public:
-    /// `config` must outlive this. `more`: what the component takes and sends beside the core service.
+    /// `config` must outlive this. `more`: messages of the component in addition to the core service.
     default_answers(const jaus_config& config, const jaus::address& self, offered_messages more)
         : self_{self},
           number_{"component " + std::to_string(self.component)},
@@ -71,7 +71,7 @@ class default_answers {
 
   private:
     jaus::address self_;
-    std::string number_;    ///< what a component is called that has no name
+    std::string number_;    ///< name of a component without a name in the configuration
     offered_messages more_; ///< listed in the second service
     std::array<jaus::offered_service, 2> services_{jaus::core_messages::service};
     std::vector<std::byte> memory_; ///< for the longest answer

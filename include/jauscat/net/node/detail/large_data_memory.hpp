@@ -1,4 +1,4 @@
-// The large data sets that a component receives, and the memory for them.
+// Memory for the reassembly of a component's large data sets.
 #pragma once
 
 #include <jauscat/jaus/large_data/reassembler.hpp>

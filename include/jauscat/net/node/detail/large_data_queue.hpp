@@ -1,4 +1,4 @@
-// Large data sets on their way out, paced so that neither buffers nor a peer's rate limit overflow.
+// Queue of large data sets to be sent, paced so that neither buffers nor a peer's rate limit overflow.
 #pragma once
 
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
@@ -19,46 +19,47 @@
 
 namespace jauscat::net::detail {
 
-/// How large data sets are sent.
+/// Pacing of large data sets.
 struct large_data_pacing {
     unsigned packets{4}; ///< each millisecond
-    /// Between two data sets of the same source and code to the same destination, where packets of the first may still
-    /// be on their way, or the receiver may have a part of it: see large_data_queue.
+    /// Pause between two data sets of the same source and code to the same destination, if packets of the first may
+    /// still be in transit, or the receiver may have a part of it: see large_data_queue.
     std::chrono::nanoseconds pause{std::chrono::milliseconds{500}};
     jaus::acknowledgement_options acknowledgement{.timeout = std::chrono::milliseconds{50}, .retries = 20};
 };
 
-/// Copies of bodies, sent one after the other, for packets carry nothing that names their data set.
+/// Copies of bodies, sent one after the other, because packets do not identify their data set.
 ///
-/// Of a data set that asks for acknowledgement each packet is repeated until its ACK is there. The first goes alone and
-/// so does the last: then the receiver knows the data set before anything of it is repeated, and acknowledges the last
-/// one only when it has the whole. A packet that goes unanswered several times is of a data set that the receiver has
-/// lost: then all of it is sent once more, as long as the receiver has not forgotten what it may have got of the whole.
+/// If a data set requests acknowledgement, each packet is repeated until its ACK is received. The first packet is sent
+/// alone, and so is the last: the receiver then has a place for the data set before a packet is repeated, and
+/// acknowledges the last one only when it has the whole. If a packet is not answered several times, the receiver has
+/// lost the data set: all of it is sent once more, unless the receiver may have forgotten that it has received it.
 ///
-/// A packet that is equal to that of the data set before is sent twice, where that one was acknowledged a moment ago:
-/// the receiver does not acknowledge the first copy, which may be a late one of that data set.
+/// A packet that equals that of the previous data set is sent twice if that one was acknowledged shortly before: the
+/// receiver does not acknowledge the first copy, which may be a late packet of the previous data set.
 ///
-/// A data set follows another one of its source and code to the same destination
+/// A data set follows the previous one of its source and code to the same destination
 /// - 40 ms after the end of one that was acknowledged without a repeat;
-/// - after the pause, if that one asked for no acknowledgement, was repeated or refused, and after a start;
-/// - after twice the pause, if that one was given up: acknowledgements of its packets would be taken for its own;
-/// - after `memory` and the pause, if both ask for acknowledgement and have the same body: the receiver would take the
-///   second for a repeat of the first.
+/// - after the pause, if that one requested no acknowledgement, was repeated or refused, and after a start;
+/// - after twice the pause, if that one was abandoned, because late acknowledgements of its packets would count for
+/// this;
+/// - after `memory` and the pause, if both request acknowledgement and have the same body, because the receiver would
+///   treat the second as a repeat of the first.
 class large_data_queue {
   public:
     using time = std::chrono::nanoseconds;
     /// Called once for each data set that requested an acknowledgement.
     using done_handler = std::function<void(const jaus::header&, jaus::delivered)>;
 
-    /// How long a receiver knows an acknowledged data set that it has got.
+    /// Time for which a receiver remembers an acknowledged data set.
     static constexpr time memory = std::chrono::seconds{2};
 
-    /// `most`: bytes that may wait.
+    /// `most`: limit of queued bytes.
     large_data_queue(std::size_t most, const large_data_pacing& pacing) : most_{most}, pacing_{pacing} {
         pacing_.packets = std::max(pacing_.packets, 1U);
     }
 
-    /// ok, no_space where `most` bytes wait, or what large_data_sender says.
+    /// Errors: no_space above `most` bytes, and those of large_data_sender.
     jaus::errc push(const jaus::header& head, std::span<const std::byte> body) {
         if (body.size() > most_ - waiting_) return jaus::errc::no_space;
         auto made = std::make_unique<entry>(head, body);
@@ -76,7 +77,7 @@ class large_data_queue {
     void on_time(time now, jaus::message_sink out, const done_handler& done) {
         if (!current_ && !choose(now)) return;
         if (now < next_) return;
-        const auto set = current_; // a handler may call clear() while it is sent
+        const auto set = current_; // a handler may call clear() meanwhile
         next_ = now + beat;
         if (set->packets.empty()) {
             for (unsigned i = 0; i != pacing_.packets && current_ == set && set->sender.next(out); ++i) {}
@@ -88,7 +89,7 @@ class large_data_queue {
         end(now);
         if (done) done(set->head, *set->outcome);
     }
-    /// True: it was the ACK or NAK of a packet that was sent, or came late.
+    /// True if it was the ACK or NAK of a sent packet, also a late one.
     bool on_acknowledgement(const jaus::header& head, time now) {
         if (!current_ || current_->packets.empty()) return false;
         auto& set = *current_;
@@ -102,13 +103,13 @@ class large_data_queue {
             set.outcome = jaus::delivered::refused;
         else if (!std::exchange(packet.acknowledged, true) && ++set.acknowledged == set.packets.size())
             set.outcome = jaus::delivered::acknowledged;
-        next_ = std::min(next_, now + beat); // more may be sent, or it is at its end
+        next_ = std::min(next_, now + beat); // the next packets may be sent, or it has ended
         return true;
     }
     [[nodiscard]] std::optional<time> next_event() const noexcept {
         return size() == 0 ? std::nullopt : std::optional{next_};
     }
-    /// How many data sets are not yet sent.
+    /// Number of data sets that are not yet sent.
     [[nodiscard]] std::size_t size() const noexcept { return sets_.size() + (current_ ? 1 : 0); }
     /// Clears the queue and sends nothing before the pause is over: packets from before a restart may still be in
     /// transit.
@@ -127,16 +128,16 @@ class large_data_queue {
 
   private:
     static constexpr time beat = std::chrono::milliseconds{1};
-    static constexpr time short_pause = std::chrono::milliseconds{40}; ///< for copies that the network makes
-    static constexpr time latest_resent = memory * 3 / 4; ///< after the last packet was sent for the first time
+    static constexpr time short_pause = std::chrono::milliseconds{40}; ///< for copies made by the network
+    static constexpr time latest_resent = memory * 3 / 4; ///< after the first transmission of the last packet
     static constexpr unsigned tries_until_restart = 4;
 
     struct sent_packet {
-        time due{};       ///< when it is sent again
-        unsigned sent{};  ///< how often
-        unsigned tries{}; ///< how often since the data set was begun, or begun again
+        time due{};       ///< time of the next repeat
+        unsigned sent{};  ///< number of transmissions
+        unsigned tries{}; ///< the same since the last start of the data set
         bool acknowledged{};
-        bool is_alike{}; ///< to that of the data set before: the receiver takes the first copy for one of that
+        bool is_alike{}; ///< equals that of the previous data set: the receiver does not acknowledge the first copy
     };
     struct entry {
         entry(const jaus::header& h, std::span<const std::byte> bytes)
@@ -145,22 +146,22 @@ class large_data_queue {
         std::vector<std::byte> body;
         std::array<std::byte, jaus::header_size + jaus::max_body_size> packet{};
         jaus::large_data_sender sender;
-        std::vector<sent_packet> packets{};   ///< none where no acknowledgement is asked for
-        std::uint64_t digest{};               ///< of the body, where it is
+        std::vector<sent_packet> packets{};   ///< none without acknowledgement
+        std::uint64_t digest{};               ///< of the body, with acknowledgement
         std::vector<std::uint64_t> digests{}; ///< of the packets
         std::size_t acknowledged{};           ///< of the packets
-        std::size_t first_open{};             ///< those before it are acknowledged
+        std::size_t first_open{};             ///< all before it are acknowledged
         unsigned restarts{};
         bool is_sent_again{};               ///< all of it, after the last packet
-        std::optional<time> last_sent_at{}; ///< the last packet, for the first time
+        std::optional<time> last_sent_at{}; ///< first transmission of the last packet
         std::optional<jaus::delivered> outcome{};
     };
     /// What went last from a source to a destination with a command code.
     struct rest {
         jaus::header head{};
         time since{};
-        time pause{};                      ///< before the next one
-        std::optional<time> known_since{}; ///< the receiver may know one with this digest
+        time pause{};                      ///< before the next data set
+        std::optional<time> known_since{}; ///< since then the receiver may remember this digest
         std::uint64_t digest{};
         std::vector<std::uint64_t> digests{}; ///< of its packets
     };
@@ -193,7 +194,7 @@ class large_data_queue {
                 set.packets[i].is_alike = set.digests[i] == one.digests[i];
         }
     }
-    // The first that need not wait becomes the current one.
+    // The first that is not in its pause becomes the current one.
     bool choose(time now) {
         if (now < next_) return false;
         next_ = time::max();
@@ -213,7 +214,7 @@ class large_data_queue {
         return false;
     }
 
-    /// False when a packet has been sent often enough.
+    /// False if a packet has reached the limit of repeats.
     bool send_acknowledged(entry& set, time now, jaus::message_sink out) {
         if (set.is_sent_again && !is_known_still(set, now)) return false;
         const auto last = set.packets.size() - 1;
@@ -236,7 +237,7 @@ class large_data_queue {
                     return true;
                 }
                 --left;
-                // The first is sent as the first each time: until it is acknowledged it may be all that there is.
+                // Each repeat of the first packet has the flag first: the receiver may not have the data set yet.
                 if (i == 0) set.sender.restart();
                 if (i == last && !set.last_sent_at) set.last_sent_at = now;
                 const bool again = packet.tries != 0;
@@ -282,7 +283,7 @@ class large_data_queue {
 
     [[nodiscard]] time pause_after(const entry& set) const noexcept {
         if (set.packets.empty()) return pacing_.pause;
-        // Packets may be on their way, and then their acknowledgements.
+        // Packets may be in transit, and afterwards their acknowledgements.
         if (set.outcome == jaus::delivered::timed_out) return jaus::saturating_add(pacing_.pause, pacing_.pause);
         const bool repeated =
             std::ranges::any_of(set.packets, [](const auto& p) { return p.sent > (p.is_alike ? 2U : 1U); });
@@ -296,7 +297,7 @@ class large_data_queue {
                    one.head.destination == made.head.destination;
         });
         if (before == rests_.end()) return rests_.push_back(std::move(made));
-        if (!made.known_since && before->known_since) { // its packets were a reason not to forget the one before
+        if (!made.known_since && before->known_since) { // its packets have made the receiver remember the previous one
             made.known_since = made.since;
             made.digest = before->digest;
         }
@@ -309,7 +310,7 @@ class large_data_queue {
     time next_{time::max()};
     time begins_at_{time::min()};
     std::deque<std::unique_ptr<entry>> sets_{};
-    std::shared_ptr<entry> current_{}; ///< the one that is being sent
+    std::shared_ptr<entry> current_{}; ///< being sent
     std::vector<rest> rests_{};
 };
 

@@ -1,4 +1,4 @@
-// Messages between components of one program: handed on when the component that sent them is done.
+// Queue of messages between components of one program: delivered when the sending component has returned.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 
 namespace jauscat::net::detail {
 
-/// Takes up to `most` bytes at a time. Its memory grows to what is needed, and is used again.
+/// Holds up to `most` bytes. Its memory grows as needed, and is reused.
 class local_queue {
   public:
     explicit local_queue(std::size_t most) : most_{most} {}
 
-    /// False, and nothing is queued, where there is no room.
+    /// False, without a change, if it is full.
     bool push(std::uint16_t component, std::span<const std::byte> message) {
         if (message.size() > most_ - waiting_.bytes.size()) return false;
         waiting_.bytes.insert(waiting_.bytes.end(), message.begin(), message.end());
@@ -23,7 +23,7 @@ class local_queue {
     }
     [[nodiscard]] bool empty() const noexcept { return waiting_.messages.empty(); }
 
-    /// `use(component, bytes)` for each message that waits now, not for those pushed meanwhile. Not from within `use`.
+    /// Calls `use(component, bytes)` for each queued message, not for those pushed meanwhile. Not from within `use`.
     void hand_on(auto&& use) {
         std::swap(waiting_, current_);
         waiting_.clear();

@@ -1,4 +1,4 @@
-// The components of one program: messages and large data sets are handed to them, and they are driven.
+// The components of one program: delivers messages and large data sets, and calls due components.
 #pragma once
 
 #include <jauscat/jaus/component/answer.hpp>
@@ -30,13 +30,13 @@ inline std::string in_text(const jaus::header& head) {
            to_jausip(head.destination);
 }
 
-/// When a message is looked at, and how long it has waited for that.
+/// Time of processing of a message, and its time in the queue before.
 struct arrival {
     std::chrono::nanoseconds now{};
     std::chrono::nanoseconds waited{};
 };
 
-/// A component's number is its place in the order in which they were added.
+/// A component's number is its position in the order of addition.
 class node_components {
   public:
     using time = std::chrono::nanoseconds;
@@ -53,8 +53,9 @@ class node_components {
         return list;
     }
 
-    /// Memory for large data sets anew: up to 64 KiB for the node manager, which is the first component if there is
-    /// one, equal parts of the rest for the others. `present`: whom the node manager hears, or nullptr.
+    /// Allocates memory for large data sets: up to 64 KiB for the node manager, which is the first component if there
+    /// is one, equal parts of the rest for the others. `present`: the node manager's table of live components, or
+    /// nullptr.
     void start(std::size_t memory, const jaus::liveness_table* present) {
         const bool first_is_manager = present != nullptr;
         const std::size_t of_manager = first_is_manager ? std::min(memory / 4, std::size_t{64} << 10U) : 0;
@@ -71,7 +72,7 @@ class node_components {
         present_ = present;
         going_ = true;
     }
-    /// No component gets anything from now on.
+    /// No delivery from now on.
     void stop() noexcept { going_ = false; }
 
   private:
@@ -85,15 +86,15 @@ class node_components {
     }
 
   public:
-    /// A message, or a packet of a large data set. A packet is acknowledged when it is kept; the last one, and one that
-    /// makes the data set whole, with what the component makes of the whole, and not before.
+    /// Delivers a message, or a packet of a large data set. A packet is acknowledged when it is stored. The last
+    /// packet, and one that completes the data set, get the outcome of the delivery.
     void hand_on(std::uint16_t to, const jaus::header& head, bytes body, const arrival& at, jaus::message_sink out) {
         if (!going_ || peers_.heard(head, at.now)) return;
         if (head.data_flag == jaus::data_flag::only || jaus::is_acknowledgement(head)) {
             give(all_[to], head, body, at.now, out);
             return;
         }
-        if (at.waited > longest_gap()) { // its sender may have begun the next data set since
+        if (at.waited > longest_gap()) { // its sender may have started the next data set
             log_(at.now, [&] { return in_text(head) + ": dropped: it has waited here for " + in_ms(at.waited); });
             return;
         }
@@ -116,7 +117,7 @@ class node_components {
                         std::min(stale_at_, jaus::saturating_add(set.last_heard_at, options_.large_data_timeout));
         }
     }
-    /// Asks those that have got, sent or done something since: each looks through all that it waits for.
+    /// Queries only components that were called or have sent: next_event searches all that a component waits for.
     [[nodiscard]] std::optional<time> next_event() {
         time next = std::min(stale_at_, peers_.next_event().value_or(time::max()));
         for (auto& one : all_) {
@@ -125,7 +126,7 @@ class node_components {
         }
         return next == time::max() ? std::nullopt : std::optional{next};
     }
-    /// It sends something: there may be more to do for it.
+    /// A component has sent: its next event may be earlier.
     void sends(const jaus::address& who) noexcept {
         for (auto& one : all_)
             if (one.it.self == who) one.changed = true;
@@ -139,7 +140,7 @@ class node_components {
     [[nodiscard]] time longest_gap() const noexcept { return options_.large_data_pause / 4; }
     [[nodiscard]] static std::string in_ms(time t) { return std::to_string(t / std::chrono::milliseconds{1}) + " ms"; }
 
-    /// A large data set that was handed on.
+    /// A delivered large data set.
     struct whole_set {
         jaus::address source{};
         std::uint16_t command_code{};
@@ -150,9 +151,9 @@ class node_components {
     struct entry {
         attached_component it;
         std::unique_ptr<large_data_memory> large{};
-        std::vector<whole_set> whole{}; ///< the last one of each source and code, for a while
-        bool changed{true};             ///< since `next` was asked for
-        time next{};                    ///< when it wants to be driven
+        std::vector<whole_set> whole{}; ///< the last one of each source and code, for some time
+        bool changed{true};             ///< since the last query of `next`
+        time next{};                    ///< its next event
     };
 
     void tell_components_lost(const jaus::address& who) {
@@ -204,13 +205,13 @@ class node_components {
     [[nodiscard]] static bool is_acknowledged(const jaus::header& head) noexcept {
         return head.ack_nak == jaus::ack_nak::request && jaus::names_one_component(head.destination);
     }
-    /// False: not delivered, since a repetition could not be recognised; the sender will repeat it.
+    /// False: not delivered, because a repeat could not be detected; the sender will repeat it.
     bool hand_on_whole(entry& receiver, const jaus::header& last, jaus::header first, bytes complete, time now,
                        jaus::message_sink out) {
         const auto before = find_whole(receiver, last);
         const auto digest = is_acknowledged(last) ? digest_of(complete) : 0;
         if (is_acknowledged(last) && before != receiver.whole.end() && before->digest == digest)
-            return true; // its sender has not heard of it
+            return true; // its sender has not received the outcome
         if (before != receiver.whole.end()) receiver.whole.erase(before);
         if (is_acknowledged(last) && receiver.whole.size() == most_whole) return false;
         first.ack_nak = jaus::ack_nak::none;
@@ -227,7 +228,7 @@ class node_components {
             return one.source == head.source && one.command_code == head.command_code;
         });
     }
-    /// What a packet is answered with, if at all: its sender repeats one that is not.
+    /// The answer to a packet, if any: its sender repeats an unanswered one.
     static std::optional<jaus::ack_nak> answer_to(entry& receiver, const jaus::header& head, jaus::reassembled what) {
         using enum jaus::reassembled;
         if (what == too_large) return jaus::ack_nak::nak;
@@ -269,7 +270,7 @@ class node_components {
     std::vector<entry> all_{};
     peer_watch peers_;
     const jaus::liveness_table* present_{};
-    time stale_at_{time::max()}; ///< when a large data set may have to be given up
+    time stale_at_{time::max()}; ///< when a large data set may have to be discarded
     bool going_{};
 };
 

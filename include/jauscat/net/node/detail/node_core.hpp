@@ -11,8 +11,8 @@
 
 namespace jauscat::net::detail {
 
-/// A message that a component sends to another of the program is queued until the turn is over, so that no component
-/// is called while it is busy. A turn is a message from the network, or a look at the time.
+/// A message from one component of the program to another is queued until the end of the turn, so that no component is
+/// called from within a call. A turn is the processing of a message from the network, or of the time.
 class node_core {
   public:
     using time = std::chrono::nanoseconds;
@@ -35,12 +35,12 @@ class node_core {
         router_.emplace(routes_->table(), primary);
     }
     [[nodiscard]] node_routes& routes() noexcept { return *routes_; }
-    /// Whether a component may be at work.
+    /// Whether a component may be active.
     [[nodiscard]] bool in_turn() const noexcept { return in_turn_; }
-    /// Whether components have sent each other what they have not got yet.
+    /// Whether messages between components are queued.
     [[nodiscard]] bool has_more() const noexcept { return !local_.empty(); }
 
-    /// A message of a component here.
+    /// A message of a local component.
     jaus::routing send(bytes message, time now) {
         const auto m = jaus::split(message);
         return m ? send(message, m.header, now) : jaus::routing{.outcome = jaus::routed::invalid_source};
@@ -69,7 +69,7 @@ class node_core {
         });
         return what;
     }
-    /// `work()` in a turn of its own; what components send each other because of it is handed on.
+    /// Calls `work()` in a turn of its own, and then delivers the messages between components.
     void turn(time now, jaus::message_sink out, auto&& work) {
         struct guard {
             bool& flag;
@@ -105,13 +105,13 @@ class node_core {
             });
     }
 
-    // Not to all, of no service connection and no event: not what goes on without being asked for again.
+    // Not broadcasts, service connections and events, which are sent repeatedly without a request.
     static bool is_answer(const jaus::header& head) noexcept {
         return jaus::names_one_component(head.destination) && !head.service_connection &&
                head.command_code != jaus::command_code_of<jaus::event>;
     }
 
-    static constexpr int most_rounds = 16; ///< components that go on answering each other leave time for the network
+    static constexpr int most_rounds = 16; ///< of components that answer each other, so that the network is served
 
     limited_log& log_;
     send_handler send_;

@@ -17,8 +17,8 @@
 
 namespace jauscat::net::detail {
 
-/// The node manager of the node that a program is: `node`, or if that is 0 the one of its jausip, or else the first
-/// that it names, or 1. Throws `config_error`.
+/// Address of a program's node manager. The node is `node`, or if that is 0 that of its jausip, or else the first of
+/// its <node> entries, or 1. Throws `config_error`.
 inline jaus::address manager_of(const jaus_config& config, std::uint8_t node) {
     const auto& me = config.me();
     if (me.jausip.subsystem == 0)
@@ -30,13 +30,12 @@ inline jaus::address manager_of(const jaus_config& config, std::uint8_t node) {
     return {.instance = 1, .component = 1, .node = node, .subsystem = me.jausip.subsystem};
 }
 
-/// A hop is an endpoint: systems of the configuration that share one are reached together. The multicast group of this
-/// system, if it has one, is a hop too. Systems that do not take part in the group get copies of their own.
+/// A hop is an endpoint: systems of the configuration with the same endpoint share a hop. The multicast group of this
+/// system, if it has one, is also a hop. Systems outside the group get copies of their own.
 ///
-/// Where everybody may send (an open access list), a subsystem that the configuration does not cover is answered where
-/// it was last heard: one hop for each, and nothing that others can make grow. Heartbeats, reports of service
-/// connections and events go to such a hop as long as it is heard, so that a forged datagram does not make this node
-/// send them to its victim for ever.
+/// With an open access list, a subsystem that the configuration does not cover is answered at its last endpoint: one
+/// hop for each subsystem, so that the memory is bounded. Heartbeats, reports of service connections and events are
+/// sent to such a hop only while messages arrive from it, so that one forged datagram does not cause an endless flow.
 class node_routes {
   public:
     using endpoint = boost::asio::ip::udp::endpoint;
@@ -45,11 +44,12 @@ class node_routes {
     struct neighbour {
         endpoint to{};
         jaus::framing framing{};
-        time quiet_after{time::max()}; ///< gets answers only after this
+        time quiet_after{time::max()}; ///< afterwards it gets answers only
     };
 
-    /// `components` are those of this program, all of one node; the router calls them by their place. `strangers`: ways
-    /// to those who are not in the configuration are learned, and kept for so long. Throws `config_error`.
+    /// `components` are those of this program, all of one node; the router identifies them by position. `strangers`:
+    /// routes to subsystems that are not in the configuration are learned and kept for this time. Throws
+    /// `config_error`.
     node_routes(const jaus_config& config, std::span<const jaus::address> components, std::uint8_t subsystem,
                 std::uint8_t node, std::optional<time> strangers)
         : config_{config},
@@ -73,8 +73,8 @@ class node_routes {
 
     [[nodiscard]] jaus::routing_table& table() noexcept { return table_; }
     [[nodiscard]] const neighbour& operator[](jaus::hop hop) const noexcept { return neighbours_[hop]; }
-    /// Where a message comes from: a neighbour has the endpoint, or one that may send from others has the JAUS source;
-    /// else it comes from the group that heard it, or from nobody that is known.
+    /// The hop from which a message comes: the neighbour with this endpoint, or one with any source port that has the
+    /// JAUS source; else the multicast group that has received it, or none.
     [[nodiscard]] jaus::hop origin(const jaus::address& source, const endpoint& from, jaus::framing framing,
                                    bool by_group, const access_list& list, time now) {
         if (strangers_) learn(source, {from, framing, jaus::saturating_add(now, *strangers_)}, by_group);
@@ -93,7 +93,7 @@ class node_routes {
         if (source.subsystem == table_.subsystem()) return;
         const auto known = learned_.find(source.subsystem);
         if (known == learned_.end()) {
-            if (table_.next_hop(source)) return; // by the configuration
+            if (table_.next_hop(source)) return; // in the configuration
             const auto hop = static_cast<jaus::hop>(neighbours_.size());
             if (table_.add_way({.subsystem = source.subsystem}, hop) != jaus::added::ok) return;
             if (!by_group) table_.keep_outside_groups(hop);
@@ -136,7 +136,7 @@ class node_routes {
         group_ = static_cast<jaus::hop>(neighbours_.size());
         neighbours_.push_back({{options.group, options.port}, config_.me().framing});
         static_cast<void>(table_.add_way({.node = 255, .subsystem = 255}, *group_));
-        // It takes the place of single ways only where every node of the subsystem has it.
+        // It replaces single routes only if every node of the subsystem is a member.
         const bool by_all = std::ranges::all_of(config_.systems, [&](const system_entry& system) {
             return system.jausip.subsystem != table_.subsystem() || shares_group(system);
         });

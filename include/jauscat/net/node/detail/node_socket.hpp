@@ -1,4 +1,4 @@
-// The sockets of a node: its own, and one that hears its multicast group.
+// The sockets of a node: its own, and one that receives its multicast group.
 #pragma once
 
 #include <jauscat/net/config/jaus_config.hpp>
@@ -8,8 +8,8 @@
 
 namespace jauscat::net::detail {
 
-/// All is sent from the node's own socket, to a group too, so that others see where the answer belongs. What is sent to
-/// a group is heard by a second socket, bound to the group's address: any number of programs on a host can have one.
+/// All messages are sent from the node's own socket, also to a group, so that others see the address for answers. A
+/// second socket, bound to the group's address, receives the group: any number of programs on a host can have one.
 class node_socket {
   public:
     using endpoint = udp_transport::endpoint;

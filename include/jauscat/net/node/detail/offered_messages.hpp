@@ -8,11 +8,11 @@
 
 namespace jauscat::net::detail {
 
-/// Each code once, and those of the core service not at all. As many as Report Services can count.
+/// Each code once, without those of the core service, up to the limit of Report Services.
 struct offered_messages {
     std::vector<jaus::supported_message> input{}, output{};
 
-    /// Asks those among `all` that have `list_messages(takes, sends)`.
+    /// Calls `list_messages(takes, sends)` of those in `all` that have it.
     explicit offered_messages(const auto&... all) { (ask(all), ...); }
 
   private:

@@ -13,10 +13,10 @@
 
 namespace jauscat::net::detail {
 
-/// Knows from the start the components of this program and those that the configuration gives the node.
+/// Starts with the components of this program and those that the configuration lists for the node.
 class own_manager {
   public:
-    /// Places for components that are heard of; three quarters of them can be used.
+    /// Places for detected components; three quarters of them can be used.
     static constexpr std::size_t places = 4096;
 
     own_manager(const jaus_config& config, const jaus::address& self, std::span<const jaus::address> components,
@@ -25,7 +25,7 @@ class own_manager {
           description_{described(config, self, components_)},
           presences_(places),
           lists_(8 * (places + components_.size() + 1) + 32 * 256), // see node_manager_memory
-          report_(3 * 4096 + 4 * (places + components_.size())), // packet, answer and 4 bytes for each that is listed
+          report_(3 * 4096 + 4 * (places + components_.size())),    // packet, answer and 4 bytes for each listed one
           manager_{self,
                    description_,
                    {presences_, lists_, report_},
@@ -45,9 +45,9 @@ class own_manager {
     void tell_change(const jaus::address& who, std::chrono::nanoseconds now, jaus::message_sink out) {
         if (who.subsystem == core.self().subsystem) events_.changed(now, out);
     }
-    /// All that is gone when `who` is no longer heard, with 255 for all of a level: a node with its node manager, and
-    /// of another subsystem what nobody is heard of any more. Its heartbeats are one component's, often the
-    /// communicator's, and nobody hears of its other components.
+    /// The address range that is lost with `who`; 255 is all of a level: a node with its node manager, and another
+    /// subsystem with its last node. Its heartbeats come from one component, often the communicator, and its other
+    /// components are not detected.
     [[nodiscard]] jaus::address gone_with(const jaus::address& who) const noexcept {
         const bool is_own = who.subsystem == core.self().subsystem;
         bool of_subsystem = is_own, of_node = is_own;

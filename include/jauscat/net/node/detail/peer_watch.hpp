@@ -1,4 +1,4 @@
-// Liveness of the components that local components depend on, where no node manager hears of them.
+// Liveness of the components that local components depend on, if no node manager receives their heartbeats.
 #pragma once
 
 #include <jauscat/jaus/component/answer.hpp>
@@ -17,11 +17,11 @@
 
 namespace jauscat::net::detail {
 
-/// Heartbeats go to node managers, so a program without one does not notice who is gone; neither does one with a node
-/// manager where a peer's node sends none. A peer that asks a local component for control, for a service connection or
-/// for events, sets its emergency, or confirms its event, is therefore watched: after a silence it is asked for its
-/// pulse (2202h), and it is lost when nothing at all has come from it for the timeout. Watched is who has a place;
-/// their number is bounded.
+/// Heartbeats are sent to node managers, so a program without one does not detect lost peers; neither does one with a
+/// node manager if a peer's node sends no heartbeats. A peer is therefore watched if it requests control, a service
+/// connection or events from a local component, sets its emergency, or confirms its event. After a time without
+/// messages it is sent a Query Heartbeat Pulse (2202h); after the timeout without any message it is lost. The number of
+/// watched peers is bounded.
 class peer_watch {
   public:
     using time = std::chrono::nanoseconds;
@@ -29,7 +29,7 @@ class peer_watch {
 
     explicit peer_watch(time timeout) : timeout_{std::max(timeout, 3 * shortest)} {}
 
-    /// Whether a component depends on the sender of a message that it has taken.
+    /// Whether a component depends on the sender of a message that it has accepted.
     [[nodiscard]] static constexpr bool binds(std::uint16_t command_code) noexcept {
         switch (command_code) {
         case jaus::command_code_of<jaus::set_emergency>:
@@ -40,7 +40,7 @@ class peer_watch {
         default: return false;
         }
     }
-    /// `component` has taken a message of `peer` that binds it.
+    /// `component` depends on `peer` from now on.
     void bind(const jaus::address& peer, const jaus::address& component, time now) {
         if (peers_.size() == most && !peers_.contains(peer)) return;
         auto& bound = peers_.try_emplace(peer, entry{.component = component}).first->second;
@@ -48,7 +48,7 @@ class peer_watch {
         bound.due = jaus::saturating_add(now, silence());
         next_ = std::min(next_, bound.due);
     }
-    /// A message of anybody. True: it is the answer to a pulse that was asked for here, and nobody else's.
+    /// Call for each received message. True if it is the answer to a query of this object.
     bool heard(const jaus::header& head, time now) {
         if (peers_.empty()) return false;
         const auto found = peers_.find(head.source);
@@ -59,7 +59,7 @@ class peer_watch {
                              !jaus::is_acknowledgement(head) && head.destination == peer.component;
         return answers && std::exchange(peer.asked, false);
     }
-    /// All that `who` stands for is lost already.
+    /// Removes all peers that `who` covers, which are lost already.
     void forget(const jaus::address& who) {
         std::erase_if(peers_, [&](const auto& peer) { return jaus::stands_for(who, peer.first); });
     }
@@ -68,8 +68,8 @@ class peer_watch {
         next_ = time::max();
     }
 
-    /// `is_known(peer)`: a node manager here hears its node, and says when that is lost. `lost(peer)` is called for
-    /// each that is lost.
+    /// `is_known(peer)`: a local node manager receives the heartbeats of its node and detects its loss. `lost(peer)` is
+    /// called for each lost peer.
     void on_time(time now, auto&& is_known, jaus::message_sink out, auto&& lost) {
         if (now < next_) return;
         next_ = time::max();
@@ -95,10 +95,10 @@ class peer_watch {
     static constexpr time shortest = std::chrono::milliseconds{1};
 
     struct entry {
-        jaus::address component{}; ///< here, which asks
+        jaus::address component{}; ///< local, sends the query
         time heard_at{};
-        time due{};   ///< when it is looked at
-        bool asked{}; ///< and not answered
+        time due{};   ///< time of the next check
+        bool asked{}; ///< without an answer
     };
     struct by_number {
         static constexpr auto of(const jaus::address& a) noexcept {

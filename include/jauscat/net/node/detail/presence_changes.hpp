@@ -32,7 +32,7 @@ class presence_changes {
         list_.clear();
         current_.clear();
     }
-    /// `use(who, is_there)` for each, until one of them calls `clear`. Not from within `use`.
+    /// Calls `use(who, is_there)` for each, until one of them calls `clear`. Not from within `use`.
     void take(auto&& use) {
         std::swap(list_, current_);
         for (std::size_t i = 0; i < current_.size(); ++i) {
