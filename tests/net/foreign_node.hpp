@@ -86,11 +86,11 @@ class foreign_node {
         send(to, m);
         timer_.expires_after(std::chrono::milliseconds{100});
         timer_.async_wait([this, to, m](boost::system::error_code error) {
-            if (!error) repeat(to, m);
+            if (!error && !is_silent_) repeat(to, m);
         });
     }
 
-    void fall_silent() { timer_.cancel(); }
+    void fall_silent() { is_silent_ = true; } // a timer that has expired cannot be cancelled any more
 
     /// The next datagram, while the node that is tested runs; empty when none comes.
     std::vector<std::byte> receive(std::chrono::milliseconds patience = support::wait_limit) {
@@ -117,6 +117,7 @@ class foreign_node {
     boost::asio::io_context& context_;
     udp::socket socket_;
     boost::asio::steady_timer timer_{context_};
+    bool is_silent_{};
 };
 
 } // namespace net_test
