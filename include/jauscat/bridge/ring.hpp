@@ -403,7 +403,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         unit_->on_executed(order_.header, now, out);
     }
     void end_stop(bool was_executed, const refusal_reason& why, time now, jaus::message_sink out) {
-        // A slave that was lost meanwhile may have lost it again, and is told again when it is back.
+        // A confirmation from before the slave's loss does not count: the order is sent again when the slave is back.
         if (was_executed && !served_->front->up()) return;
         if (was_executed) return unit_->on_confirmed(stop_, now, out);
         using enum ethercat::abort_code;
