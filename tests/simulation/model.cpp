@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 namespace simulation {
 namespace {
@@ -196,7 +197,7 @@ void model::starts(std::uint8_t which) {
     a.orphaned_since.reset();
     a.holders.clear();
     a.current = 0;
-    a.arrived_count = 0;
+    a.arrived.clear();
     // What was executed in an earlier life may be executed again.
     for (auto& one : sent_)
         if (one.destination == a.id) one.executed = 0;
@@ -208,7 +209,7 @@ void model::arrives(std::uint8_t which, std::uint32_t message, const jaus::heade
     a.head = head;
     a.acknowledged = a.refused = false;
     auto* sent = find(message);
-    if (sent != nullptr && sent->wants_acknowledgement) a.arrived[a.arrived_count++ % a.arrived.size()] = message;
+    if (sent != nullptr && sent->wants_acknowledgement) note_arrival(a, message);
     a.was_repeat = sent != nullptr && sent->done;
     if (sent != nullptr) sent->was_refused = false;
     if (sent != nullptr && sent->arrived_at == time{}) sent->arrived_at = world_.now();
@@ -218,6 +219,16 @@ void model::arrives(std::uint8_t which, std::uint32_t message, const jaus::heade
                  .code = head.command_code,
                  .number = head.sequence_number,
                  .message = message});
+}
+
+// Keeps the last 64, and each earlier one without an acknowledgement: a component acknowledges a stop order when its
+// slave has confirmed it, however many messages arrive before that.
+void model::note_arrival(actuator_account& a, std::uint32_t message) {
+    constexpr std::ptrdiff_t last = 64;
+    a.arrived.push_back(message);
+    if (std::ssize(a.arrived) <= last) return;
+    const auto older = a.arrived.end() - last - 1;
+    if (const auto* sent = find(*older); sent == nullptr || sent->acknowledged) a.arrived.erase(older);
 }
 
 void model::answers(std::uint8_t which, bytes message) {
@@ -248,8 +259,8 @@ void model::later_acknowledged(actuator_account& a, const jaus::header& head) {
     std::uint32_t latest = 0;
     look(a);
     for (const bool takes_refused : {false, true}) {
-        for (std::size_t i = 0; i != std::min<std::size_t>(a.arrived_count, a.arrived.size()); ++i) {
-            const auto* sent = find(a.arrived[(a.arrived_count - 1 - i) % a.arrived.size()]);
+        for (auto number = a.arrived.rbegin(); number != a.arrived.rend(); ++number) {
+            const auto* sent = find(*number);
             if (sent == nullptr || sent->source != head.destination || sent->code != head.command_code ||
                 sent->sequence_number != head.sequence_number ||
                 (!takes_refused && sent->was_refused && !sent->done && sent->sequence_number == 0))
@@ -311,6 +322,7 @@ void model::acknowledged(actuator_account& a, std::uint32_t number) {
                  .code = sent->code,
                  .number = sent->sequence_number,
                  .message = number});
+    sent->acknowledged = true;
     look(a);
     if (sent->is_malformed)
         return breaks(contract::s1, a, number, "a NAK, or nothing, for a body that is none of this message",

@@ -35,7 +35,8 @@ struct sent_message {
     unsigned executed{};    ///< how often, in one life of the actuator
     time executed_at{};
     time arrived_at{};
-    bool closed{}; ///< its sender has the outcome
+    bool acknowledged{}; ///< by its actuator
+    bool closed{};       ///< its sender has the outcome
 };
 
 /// A large data set that a program has sent.
@@ -94,8 +95,7 @@ struct actuator_account {
     std::uint32_t current{};
     jaus::header head{};
     bool acknowledged{}, refused{}, was_repeat{};
-    std::array<std::uint32_t, 64> arrived{};
-    std::uint32_t arrived_count{};
+    std::vector<std::uint32_t> arrived{}; ///< messages that request acknowledgement, see note_arrival
     // What was in force, and when:
     time failed_since{}, not_ready_since{}, rest_seen_at{}, emergency_seen_at{}, controlled_since{};
     std::array<std::pair<time, command_number>, 32> efforts{};
@@ -181,6 +181,7 @@ class model {
     }
     [[nodiscard]] std::optional<std::uint8_t> account_of(const jaus::address& id) const noexcept;
     [[nodiscard]] std::optional<time> unreachable_since(std::uint8_t sender, const actuator_account& to) const;
+    void note_arrival(actuator_account& a, std::uint32_t message);
     void acknowledged(actuator_account& a, std::uint32_t number);
     void later_acknowledged(actuator_account& a, const jaus::header& head);
     [[nodiscard]] bool has_effect(const actuator_account& a, const sent_message& sent) const;

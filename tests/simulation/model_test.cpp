@@ -58,6 +58,11 @@ struct stage {
     void acknowledge(const sent& one, jaus::ack_nak how = jaus::ack_nak::ack) {
         jaus::acknowledge(one.head, robot_id, how, [&](bytes whole) { m.answers(actuator, whole); });
     }
+    void refuse(const sent& one) {
+        m.arrives(actuator, one.message, one.head);
+        acknowledge(one, jaus::ack_nak::nak);
+        m.handled(actuator);
+    }
     /// It comes, `work()` is done, and it is acknowledged.
     void take(const sent& one, auto&& work) {
         m.arrives(actuator, one.message, one.head);
@@ -147,6 +152,27 @@ TEST_CASE("S2: a stop order is acknowledged, and the robot has not stopped") {
     stage s;
     s.take(s.send(s.sender, jaus::standby{}), [] {});
     REQUIRE(s.broken() == contract::s2);
+}
+
+TEST_CASE("S2: Standby with the number 0 is acknowledged after 64 other messages and a refused Standby") {
+    stage s;
+    const auto send_standby = [&] {
+        s.number = 0;
+        return s.send(s.sender, jaus::standby{});
+    };
+    const auto first = send_standby();
+    SECTION("the first Standby was executed") {
+        s.m.arrives(s.actuator, first.message, first.head);
+        s.m.enters(s.actuator, jaus::primary_status_code::ready, jaus::primary_status_code::standby);
+        s.m.handled(s.actuator);
+    }
+    SECTION("the first Standby was refused") { s.refuse(first); }
+    s.m.learns_nothing(s.sender, first.head);
+    for (int i = 0; i != 64; ++i) s.refuse(s.send(s.other, jaus::resume{}));
+    const bool was_executed = s.m.actuator(s.actuator).state == jaus::primary_status_code::standby;
+    s.refuse(send_standby());
+    s.acknowledge(first);
+    REQUIRE(s.broken() == (was_executed ? std::nullopt : std::optional{contract::s2}));
 }
 
 TEST_CASE("S2: Set Emergency changes nothing, also where it asks for no acknowledgement") {
