@@ -198,9 +198,9 @@ void model::starts(std::uint8_t which) {
     a.holders.clear();
     a.current = 0;
     a.arrived.clear();
-    // What was executed in an earlier life may be executed again.
+    // What was executed and acknowledged in an earlier life may be executed and acknowledged again.
     for (auto& one : sent_)
-        if (one.destination == a.id) one.executed = 0;
+        if (one.destination == a.id) one.executed = 0, one.acknowledged = false;
 }
 
 void model::arrives(std::uint8_t which, std::uint32_t message, const jaus::header& head) {
