@@ -1,5 +1,7 @@
 // Everything below the I/O line: codec, translation, schemas, behaviour. No heap, exceptions, RTTI, clock or socket.
 #pragma once
+#include <jauscat/base/result.hpp>
+#include <jauscat/base/time.hpp>
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/bridge/image_exchange.hpp>
 #include <jauscat/bridge/listed_objects.hpp>
