@@ -323,6 +323,30 @@ TEST_CASE("standby is acknowledged when the slave is at rest, and nothing that w
     CHECK(r.answer(late).has_value());
 }
 
+TEST_CASE("each Standby numbered 0 that comes while the first one is pending is acknowledged once") {
+    rig r;
+    r.run_until_ready();
+    r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
+    const auto acknowledged = [&] {
+        return std::ranges::count_if(r.messages, [](const auto& message) {
+            const auto head = jaus::split(message).header;
+            return head.ack_nak == ack_nak::ack && head.sequence_number == 0 &&
+                   head.command_code == jaus::command_code_of<jaus::standby>;
+        });
+    };
+    r.motor().abort_code_of = jaus::command_code_of<jaus::set_wrench_effort>;
+    r.motor().aborts = 2;
+    r.repeat(jaus::standby{}, 0);
+    r.repeat(jaus::resume{}, 0);
+    r.repeat(jaus::standby{}, 0);
+    CHECK(acknowledged() == 0);
+    r.run_until([&] { return r.unit().debt().settled(); });
+    r.run(1ms);
+    CHECK(acknowledged() == 2);
+    r.repeat(jaus::standby{}, 0);
+    CHECK(acknowledged() == 3);
+}
+
 TEST_CASE("a repeat of a message that is not executed yet is not executed twice") {
     rig r;
     r.round_trip = 8ms;

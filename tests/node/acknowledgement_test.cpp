@@ -377,6 +377,19 @@ TEST_CASE("what may be the repeat of an executed message numbered 0 gets no NAK"
     REQUIRE(a.answer(3) == ack_nak::nak);
 }
 
+TEST_CASE("a refused repeat of a pending message numbered 0 gets no NAK") {
+    arm a;
+    REQUIRE(a.hear(0x0405, 0, 1, 0s, message_outcome::deferred) == received::handed_on);
+    REQUIRE(a.hear(0x0004, 0) == received::handed_on); // a command in between: the next one may be new
+    REQUIRE(a.answer(0) == ack_nak::ack);
+    for (int i = 0; i != 2; ++i) REQUIRE(a.hear(0x0405, 0, 1, 0s, message_outcome::refused) == received::handed_on);
+    REQUIRE(a.sent.size() == 1);
+    const jaus::header pending{
+        .ack_nak = ack_nak::request, .command_code = 0x0405, .destination = arm_address, .source = ocu_address};
+    REQUIRE(a.commands.finish(pending, true, 0s, a.sent.sink()));
+    REQUIRE(a.answer(1) == ack_nak::ack);
+}
+
 TEST_CASE("a program that is started again and then numbers all its messages 0 is known by that") {
     arm a;
     const auto begun_anew = GENERATE(0ms, 500ms);                    // all of it may have waited in the socket

@@ -177,9 +177,11 @@ class component {
             front_.wake();
         }
         if (debt_.settled()) return taken;
+        // The core passes a repeated Set Emergency on; of other commands a message with a waiting one's header is new.
         const auto same = [&](const jaus::header& each) {
             return each.source == head.source && each.sequence_number == head.sequence_number &&
-                   each.command_code == head.command_code;
+                   each.command_code == head.command_code &&
+                   head.command_code == jaus::command_code_of<jaus::set_emergency>;
         };
         const auto known = std::span{waiting_}.first(waiting_count_);
         if (head.ack_nak != jaus::ack_nak::request || std::ranges::any_of(known, same)) return deferred;

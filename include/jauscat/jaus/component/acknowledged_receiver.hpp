@@ -160,7 +160,7 @@ class acknowledged_receiver {
         acknowledged_message* same{};
         acknowledged_message* free{};
         std::size_t of_source{}; // places that the source has
-        bool may_be_done{};      // or it is new; its number does not tell
+        bool may_be_done{};      // executed or pending, or it is new; its number does not tell
     };
     [[nodiscard]] constexpr search find(const acknowledged_message& key, std::chrono::nanoseconds now) const noexcept {
         search found{};
@@ -175,6 +175,8 @@ class acknowledged_receiver {
                 found.may_be_done |= was_done && is_same_message && key.sequence_number == 0;
             } else if (m.source == key.source) {
                 ++found.of_source;
+                // It is pending, and its answer is still to come: a refusal of the new one would look like that answer.
+                found.may_be_done |= m.superseded && is_pending(m) && is_same_message && key.sequence_number == 0;
                 if (m.superseded || m.sequence_number != key.sequence_number) continue;
                 if (is_same_message)
                     found.same = &m;
