@@ -55,7 +55,7 @@ class front {
           link_{link, options.trace_name},
           exchange_{std::move(exchange)},
           narrator_{say},
-          slave_{options.slave, *exchange_, timing_, memory_, narrator_},
+          slave_{options.slave, *exchange_, timing_, memory_, narrator_.observer()},
           node_{context_, config,
                 node_options(static_cast<std::uint8_t>(options.slave.identity.station), options.who)} {
         for (const auto& entry : components_in_front(config.me(), node_.manager().node)) {

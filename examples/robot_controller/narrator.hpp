@@ -14,12 +14,33 @@ namespace example {
 
 namespace bridge = jauscat::bridge;
 
-class narrator final : public bridge::observer {
+class narrator {
   public:
     explicit narrator(speaker say) : say_{std::move(say)} {}
+    narrator(const narrator&) = delete;
+    narrator& operator=(const narrator&) = delete;
 
-    void slave_up(const bridge::slave_front& slave, const jauscat::ethercat::slave_record& record,
-                  bool ready) override {
+    /// Refers to this object.
+    [[nodiscard]] bridge::observer observer() {
+        using jauscat::jaus::bound;
+        return {.slave_up = bound<&narrator::slave_up>(*this),
+                .bring_up_failed = bound<&narrator::bring_up_failed>(*this),
+                .slave_lost = bound<&narrator::slave_lost>(*this),
+                .slave_emergency = bound<&narrator::slave_emergency>(*this),
+                .no_keep_alive = bound<&narrator::no_keep_alive>(*this),
+                .changed_state = bound<&narrator::changed_state>(*this),
+                .changed_controller = bound<&narrator::changed_controller>(*this),
+                .owed = bound<&narrator::owed>(*this),
+                .stop_refused = bound<&narrator::stop_refused>(*this),
+                .settled = bound<&narrator::settled>(*this),
+                .translated = bound<&narrator::translated>(*this),
+                .asks_report = bound<&narrator::asks_report>(*this),
+                .into_image = bound<&narrator::into_image>(*this),
+                .from_image = bound<&narrator::from_image>(*this),
+                .refused = bound<&narrator::refused>(*this)};
+    }
+
+    void slave_up(const bridge::slave_front& slave, const jauscat::ethercat::slave_record& record, bool ready) {
         failure_.clear();
         const auto& identity = record.identity;
         if (!ready || !slave.options().cyclic)
@@ -27,12 +48,11 @@ class narrator final : public bridge::observer {
                  jauscat::text::hex_number(identity.product, 8));
         if (ready && slave.options().cyclic) say_(name(slave) + " is in OP");
     }
-    void bring_up_failed(const bridge::slave_front& slave, const jauscat::ethercat::outcome& why) override {
+    void bring_up_failed(const bridge::slave_front& slave, const jauscat::ethercat::outcome& why) {
         const auto text = explain(why);
         if (std::exchange(failure_, text) != text) say_.bad(name(slave) + " cannot be brought up: " + text);
     }
-    void slave_lost(const bridge::slave_front& slave, bridge::loss what,
-                    const jauscat::ethercat::outcome& why) override {
+    void slave_lost(const bridge::slave_front& slave, bridge::loss what, const jauscat::ethercat::outcome& why) {
         if (!slave.up() && what == bridge::loss::no_process_data) {
             const auto text = explain(why);
             if (std::exchange(failure_, text) != text) say_.bad(name(slave) + ": no process data: " + text);
@@ -40,52 +60,51 @@ class narrator final : public bridge::observer {
         }
         say_.bad(name(slave) + ' ' + loss_text(what, slave.options().cyclic) + ": " + explain(why));
     }
-    void slave_emergency(const bridge::slave_front& slave, const jauscat::ethercat::coe_emergency& emergency) override {
+    void slave_emergency(const bridge::slave_front& slave, const jauscat::ethercat::coe_emergency& emergency) {
         say_.bad("emergency of " + name(slave) + ": error code " + jauscat::text::hex_number(emergency.error_code, 4) +
                  ", error register " + jauscat::text::hex_number(emergency.error_register, 2) + ", data " +
                  jauscat::text::hex(emergency.data));
     }
-    void no_keep_alive(const bridge::slave_front& slave, const bridge::refusal_reason& why) override {
+    void no_keep_alive(const bridge::slave_front& slave, const bridge::refusal_reason& why) {
         say_.bad(name(slave) + " takes no Report Heartbeat Pulse (" + refusal_text(slave, why) +
                  "): it does not stop by itself if this program ends without a word");
     }
 
     void changed_state(const bridge::component& unit, jauscat::jaus::primary_status_code from,
-                       jauscat::jaus::primary_status_code to) override {
+                       jauscat::jaus::primary_status_code to) {
         say_(name(unit) + ": " + jauscat::text::to_text(from) + " -> " + jauscat::text::to_text(to));
     }
-    void changed_controller(const bridge::component& unit, jauscat::jaus::control_change) override {
+    void changed_controller(const bridge::component& unit, jauscat::jaus::control_change) {
         const auto& now = unit.control().controller();
         say_(name(unit) + " is controlled by " +
              (now ? jauscat::text::to_text(now->address) + ", authority " + std::to_string(now->authority_code)
                   : "nobody"));
     }
-    void owed(const bridge::component& unit, bridge::stop_order, bridge::stop_cause why) override {
+    void owed(const bridge::component& unit, bridge::stop_order, bridge::stop_cause why) {
         const auto when = unit.front().up() ? ": efforts go to zero" : ": efforts go to zero when the slave is back";
         say_(name(unit) + ": " + cause_text(unit, why) + when);
     }
     void stop_refused(const bridge::component& unit, bridge::stop_order what, const bridge::refusal_reason& why,
-                      unsigned attempts) override {
+                      unsigned attempts) {
         if (attempts != 1 && attempts != 10 && attempts % 100 != 0) return;
         say_.bad(name(unit) + ": the slave has not confirmed " + order_text(what) + ", attempt " +
                  std::to_string(attempts) + ": " + refusal_text(unit.front(), why) + "; it is repeated");
     }
-    void settled(const bridge::component& unit) override { say_(name(unit) + ": the slave has confirmed"); }
+    void settled(const bridge::component& unit) { say_(name(unit) + ": the slave has confirmed"); }
 
-    void translated(const bridge::slave_front&, std::span<const std::byte> packet) override {
+    void translated(const bridge::slave_front&, std::span<const std::byte> packet) {
         say_("translated to an SDO download packet", packet_text(packet));
     }
-    void asks_report(const bridge::slave_front&, std::span<const std::byte> packet) override {
+    void asks_report(const bridge::slave_front&, std::span<const std::byte> packet) {
         say_("asks for the report by an SDO upload packet, " + upload_text(packet));
     }
-    void into_image(const bridge::slave_front&, std::uint32_t count, std::span<const std::byte> outputs) override {
+    void into_image(const bridge::slave_front&, std::uint32_t count, std::span<const std::byte> outputs) {
         say_("into the process image, command " + std::to_string(count) + ": " + jauscat::text::hex(outputs));
     }
-    void from_image(const bridge::slave_front&, std::span<const std::byte> inputs) override {
+    void from_image(const bridge::slave_front&, std::span<const std::byte> inputs) {
         say_("answers from the process image: " + jauscat::text::hex(inputs));
     }
-    void refused(const bridge::component& unit, const jauscat::jaus::header&,
-                 const bridge::refusal_reason& why) override {
+    void refused(const bridge::component& unit, const jauscat::jaus::header&, const bridge::refusal_reason& why) {
         say_.bad("not delivered to " + name(unit) + ": " +
                  (why.why == bridge::refusal::slave_down ? name(unit.front()) + " does not answer"
                                                          : refusal_text(unit.front(), why)));

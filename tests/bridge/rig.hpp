@@ -18,27 +18,36 @@ namespace bridge = jauscat::bridge;
 using bytes = std::span<const std::byte>;
 
 /// Remembers what is told.
-struct notes : bridge::observer {
+struct notes {
     unsigned up{}, lost{}, settled_debts{}, stops_refused{}, failed_bring_ups{};
     std::optional<bridge::loss> last_loss{};
     std::vector<bridge::refusal> refusals{};
     std::vector<std::uint16_t> emergencies{};
 
-    void slave_up(const bridge::slave_front&, const ethercat::slave_record&, bool ready) override { up += ready; }
-    void bring_up_failed(const bridge::slave_front&, const ethercat::outcome&) override { ++failed_bring_ups; }
-    void slave_lost(const bridge::slave_front&, bridge::loss what, const ethercat::outcome&) override {
+    void slave_up(const bridge::slave_front&, const ethercat::slave_record&, bool ready) { up += ready; }
+    void bring_up_failed(const bridge::slave_front&, const ethercat::outcome&) { ++failed_bring_ups; }
+    void slave_lost(const bridge::slave_front&, bridge::loss what, const ethercat::outcome&) {
         ++lost;
         last_loss = what;
     }
-    void slave_emergency(const bridge::slave_front&, const ethercat::coe_emergency& what) override {
+    void slave_emergency(const bridge::slave_front&, const ethercat::coe_emergency& what) {
         emergencies.push_back(what.error_code);
     }
-    void settled(const bridge::component&) override { ++settled_debts; }
-    void stop_refused(const bridge::component&, bridge::stop_order, const bridge::refusal_reason&, unsigned) override {
+    void settled(const bridge::component&) { ++settled_debts; }
+    void stop_refused(const bridge::component&, bridge::stop_order, const bridge::refusal_reason&, unsigned) {
         ++stops_refused;
     }
-    void refused(const bridge::component&, const jaus::header&, const bridge::refusal_reason& why) override {
+    void refused(const bridge::component&, const jaus::header&, const bridge::refusal_reason& why) {
         refusals.push_back(why.why);
+    }
+    bridge::observer observer() {
+        return {.slave_up = jaus::bound<&notes::slave_up>(*this),
+                .bring_up_failed = jaus::bound<&notes::bring_up_failed>(*this),
+                .slave_lost = jaus::bound<&notes::slave_lost>(*this),
+                .slave_emergency = jaus::bound<&notes::slave_emergency>(*this),
+                .stop_refused = jaus::bound<&notes::stop_refused>(*this),
+                .settled = jaus::bound<&notes::settled>(*this),
+                .refused = jaus::bound<&notes::refused>(*this)};
     }
 };
 
@@ -59,7 +68,7 @@ class rig {
             fronts.emplace_back(bridge::slave_options{.position = static_cast<std::uint16_t>(i),
                                                       .identity = {.subsystem = 2, .station = station},
                                                       .cyclic = cyclic},
-                                exchanges.back(), options, memories_.back(), watcher);
+                                exchanges.back(), options, memories_.back(), watcher.observer());
             units.emplace_back(unit_address(i), fronts.back(), core_options);
             REQUIRE(bus.add(fronts.back()));
         }

@@ -15,7 +15,7 @@ jaus::address unit_id(const place& at) {
 
 /// One slave, its component and its node.
 struct bridge_program::unit {
-    unit(bridge_program& program, std::size_t i, const bridge::bridge_options& options, bridge::observer& watcher)
+    unit(bridge_program& program, std::size_t i, const bridge::bridge_options& options, const bridge::observer& watcher)
         : identity{.subsystem = arm_unit::subsystem, .station = program.wire_[i].station},
           front{
               {.position = static_cast<std::uint16_t>(i), .identity = identity, .cyclic = program.settings_.cyclic[i]},
@@ -46,15 +46,18 @@ struct bridge_program::unit {
 };
 
 /// What a life of the program has.
-struct bridge_program::life_data final : bridge::observer {
+struct bridge_program::life_data {
     explicit life_data(bridge_program& program) : mine{program}, options{program.settings_.options()} {}
-    void changed_state(const bridge::component& who, jaus::primary_status_code from,
-                       jaus::primary_status_code to) override {
+    void changed_state(const bridge::component& who, jaus::primary_status_code from, jaus::primary_status_code to) {
         mine.model_.enters(account(who), from, to);
     }
-    void changed_controller(const bridge::component& who, jaus::control_change) override {
+    void changed_controller(const bridge::component& who, jaus::control_change) {
         const auto& now = who.control().controller();
         mine.model_.controlled(account(who), now ? std::optional{now->address} : std::nullopt);
+    }
+    [[nodiscard]] bridge::observer observer() {
+        return {.changed_state = jaus::bound<&life_data::changed_state>(*this),
+                .changed_controller = jaus::bound<&life_data::changed_controller>(*this)};
     }
     [[nodiscard]] std::uint8_t account(const bridge::component& who) const {
         for (std::size_t i = 0; i != mine.accounts_.size(); ++i)
@@ -95,7 +98,7 @@ void bridge_program::boot() {
     data_ = std::make_unique<life_data>(*this);
     data_->bus.emplace(data_->options);
     for (std::size_t i = 0; i != accounts_.size(); ++i) {
-        auto& one = data_->units.emplace_back(*this, i, data_->options, *data_);
+        auto& one = data_->units.emplace_back(*this, i, data_->options, data_->observer());
         one.watched.seen_in = [this, &one, i](const jaus::header& head) {
             model_.arrives(accounts_[i], std::exchange(one.current_message, 0), head);
         };

@@ -5,6 +5,7 @@
 #include <jauscat/ethercat/master/slave_record.hpp>
 #include <jauscat/jaus/component/component_control.hpp>
 #include <jauscat/jaus/component/component_state.hpp>
+#include <jauscat/jaus/message/hook.hpp>
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/ethercat/coe.hpp>
 #include <jauscat/schema/ethercat/hilscher.hpp>
@@ -59,42 +60,41 @@ enum class stop_cause : std::uint8_t {
     program_ends,
 };
 
-/// Receives the events of a bridge. All functions are optional; none may call the bridge.
-class observer {
-  public:
-    virtual ~observer() = default;
-
+/// The functions that a bridge calls on events: see jaus::hook. All may be left out; none may call the bridge.
+///
+///     const auto lost = [&](const bridge::slave_front&, bridge::loss, const ethercat::outcome&) { ... };
+///     const bridge::observer watcher{.slave_lost = lost};
+struct observer {
     /// The slave answers; not `ready` while its process data are being set up.
-    virtual void slave_up(const slave_front& /*slave*/, const ethercat::slave_record& /*record*/, bool /*ready*/) {}
+    jaus::hook<void(const slave_front& slave, const ethercat::slave_record& record, bool ready)> slave_up{};
     /// An attempt to bring it up has failed.
-    virtual void bring_up_failed(const slave_front& /*slave*/, const ethercat::outcome& /*why*/) {}
+    jaus::hook<void(const slave_front& slave, const ethercat::outcome& why)> bring_up_failed{};
     /// `why` says more where the master does.
-    virtual void slave_lost(const slave_front& /*slave*/, loss /*what*/, const ethercat::outcome& /*why*/) {}
-    virtual void slave_emergency(const slave_front& /*slave*/, const ethercat::coe_emergency& /*emergency*/) {}
+    jaus::hook<void(const slave_front& slave, loss what, const ethercat::outcome& why)> slave_lost{};
+    jaus::hook<void(const slave_front& slave, const ethercat::coe_emergency& emergency)> slave_emergency{};
     /// The slave does not take Report Heartbeat Pulse: nothing stops it when this program ends without a word.
-    virtual void no_keep_alive(const slave_front& /*slave*/, const refusal_reason& /*why*/) {}
+    jaus::hook<void(const slave_front& slave, const refusal_reason& why)> no_keep_alive{};
 
-    virtual void changed_state(const component& /*unit*/, jaus::primary_status_code /*from*/,
-                               jaus::primary_status_code /*to*/) {}
-    virtual void changed_controller(const component& /*unit*/, jaus::control_change /*why*/) {}
+    jaus::hook<void(const component& unit, jaus::primary_status_code from, jaus::primary_status_code to)>
+        changed_state{};
+    jaus::hook<void(const component& unit, jaus::control_change why)> changed_controller{};
     /// The actuator is owed a stop order from now on.
-    virtual void owed(const component& /*unit*/, stop_order /*what*/, stop_cause /*why*/) {}
+    jaus::hook<void(const component& unit, stop_order what, stop_cause why)> owed{};
     /// The actuator has refused it, for the `attempts`th time: it is tried again.
-    virtual void stop_refused(const component& /*unit*/, stop_order /*what*/, const refusal_reason& /*why*/,
-                              unsigned /*attempts*/) {}
+    jaus::hook<void(const component& unit, stop_order what, const refusal_reason& why, unsigned attempts)>
+        stop_refused{};
     /// The actuator has confirmed all that was owed.
-    virtual void settled(const component& /*unit*/) {}
+    jaus::hook<void(const component& unit)> settled{};
 
     /// A message was translated into this packet.
-    virtual void translated(const slave_front& /*slave*/, std::span<const std::byte> /*packet*/) {}
+    jaus::hook<void(const slave_front& slave, std::span<const std::byte> packet)> translated{};
     /// The report of a query is fetched by this packet.
-    virtual void asks_report(const slave_front& /*slave*/, std::span<const std::byte> /*packet*/) {}
+    jaus::hook<void(const slave_front& slave, std::span<const std::byte> packet)> asks_report{};
     /// A command went into the outputs, as the `count`th.
-    virtual void into_image(const slave_front& /*slave*/, std::uint32_t /*count*/,
-                            std::span<const std::byte> /*outputs*/) {}
+    jaus::hook<void(const slave_front& slave, std::uint32_t count, std::span<const std::byte> outputs)> into_image{};
     /// A query was answered from the inputs.
-    virtual void from_image(const slave_front& /*slave*/, std::span<const std::byte> /*inputs*/) {}
-    virtual void refused(const component& /*unit*/, const jaus::header& /*message*/, const refusal_reason& /*why*/) {}
+    jaus::hook<void(const slave_front& slave, std::span<const std::byte> inputs)> from_image{};
+    jaus::hook<void(const component& unit, const jaus::header& message, const refusal_reason& why)> refused{};
 };
 
 } // namespace jauscat::bridge

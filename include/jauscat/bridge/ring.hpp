@@ -296,7 +296,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     void tell_packet(bytes packet) const {
         if (purpose_ == purpose::keep_alive) return;
-        auto& watcher = served_->front->watcher();
+        const auto& watcher = served_->front->watcher();
         hilscher::packet_header head{};
         static_cast<void>(wire::decode_prefix(head, packet));
         if (head.ul_cmd == hilscher::packet_command::sdo_upload_req)

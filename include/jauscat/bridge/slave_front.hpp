@@ -4,7 +4,7 @@
 #include <jauscat/bridge/bridge_options.hpp>
 #include <jauscat/bridge/observer.hpp>
 #include <jauscat/bridge/order_queue.hpp>
-#include <jauscat/jaus/message/callback.hpp>
+#include <jauscat/jaus/message/hook.hpp>
 
 #include <array>
 #include <cstddef>
@@ -18,11 +18,11 @@ inline constexpr std::size_t component_capacity = 8;
 /// Between the components in front of a slave and the ring that reaches it. Both refer to it.
 class slave_front {
   public:
-    /// The exchange, made for the same slave identity, the options of the bridge, the memory and the observer must
-    /// outlive this.
+    /// The exchange, made for the same slave identity, the options of the bridge, the memory and the functions of the
+    /// observer must outlive this.
     template <std::size_t Orders, std::size_t Size>
     slave_front(const slave_options& options, any_exchange& exchange, const bridge_options& timing,
-                order_memory<Orders, Size>& memory, observer& watcher) noexcept
+                order_memory<Orders, Size>& memory, const observer& watcher) noexcept
         : options_{options}, exchange_{exchange}, timing_{timing}, watcher_{watcher}, orders_{memory} {}
     slave_front(const slave_front&) = delete;
     slave_front& operator=(const slave_front&) = delete;
@@ -35,14 +35,14 @@ class slave_front {
     void set_up(bool up) noexcept { up_ = up; }
 
     [[nodiscard]] any_exchange& exchange() const noexcept { return exchange_; }
-    [[nodiscard]] observer& watcher() const noexcept { return watcher_; }
+    [[nodiscard]] const observer& watcher() const noexcept { return watcher_; }
     [[nodiscard]] order_queue& orders() noexcept { return orders_; }
     [[nodiscard]] const order_queue& orders() const noexcept { return orders_; }
     [[nodiscard]] std::span<component* const> components() const noexcept {
         return std::span{components_}.first(component_count_);
     }
     /// `wake` is called when there is something to do for the slave, from within a component's functions.
-    void on_work(const jaus::callback<void()>& wake) noexcept { wake_ = wake; }
+    void on_work(const jaus::hook<void()>& wake) noexcept { wake_ = wake; }
     void wake() const {
         if (wake_) wake_();
     }
@@ -57,12 +57,12 @@ class slave_front {
     slave_options options_;
     any_exchange& exchange_;
     const bridge_options& timing_;
-    observer& watcher_;
+    observer watcher_;
     order_queue orders_;
     std::array<component*, component_capacity> components_{};
     std::size_t component_count_{};
     bool up_{};
-    jaus::callback<void()> wake_{};
+    jaus::hook<void()> wake_{};
 };
 
 } // namespace jauscat::bridge

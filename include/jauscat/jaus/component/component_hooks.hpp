@@ -3,7 +3,7 @@
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/jaus/component/component_control.hpp>
 #include <jauscat/jaus/component/component_state.hpp>
-#include <jauscat/jaus/component/hook.hpp>
+#include <jauscat/jaus/message/hook.hpp>
 
 namespace jauscat::jaus {
 

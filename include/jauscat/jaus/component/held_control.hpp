@@ -2,7 +2,7 @@
 // subgroup. The other side is component_control.hpp.
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
-#include <jauscat/jaus/message/callback.hpp>
+#include <jauscat/jaus/message/hook.hpp>
 #include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
@@ -37,7 +37,7 @@ class held_control {
   public:
     /// `changed` is called with each new state; it must outlive this object.
     constexpr held_control(const address& self, const address& target, const held_control_options& options = {},
-                           callback<void(control_state)> changed = {}) noexcept
+                           hook<void(control_state)> changed = {}) noexcept
         : self_{self}, target_{target}, options_{options}, changed_{changed} {}
 
     /// Whether control is held, asked for or gone.
@@ -145,7 +145,7 @@ class held_control {
     address self_;
     address target_;
     held_control_options options_;
-    callback<void(control_state)> changed_;
+    hook<void(control_state)> changed_;
     control_state state_{};
     std::uint8_t authority_{};
     unsigned asked_{};              // requests since the last answer

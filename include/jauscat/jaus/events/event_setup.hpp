@@ -2,7 +2,7 @@
 #pragma once
 #include <jauscat/jaus/events/event_condition.hpp>
 #include <jauscat/jaus/events/update_rate.hpp>
-#include <jauscat/jaus/message/callback.hpp>
+#include <jauscat/jaus/message/hook.hpp>
 #include <jauscat/jaus/message/message.hpp>
 
 namespace jauscat::jaus {
@@ -21,10 +21,10 @@ struct eventful_report {
 
 /// Writes the body of report `command_code` to the front of `body` and returns its size; nothing where there is nothing
 /// to report now. `query`: the body of the query for it, which selects its fields; empty: all of them.
-using event_filler = callback<std::optional<std::size_t>(std::uint16_t command_code, std::span<const std::byte> query,
-                                                         std::span<std::byte> body)>;
+using event_filler = hook<std::optional<std::size_t>(std::uint16_t command_code, std::span<const std::byte> query,
+                                                     std::span<std::byte> body)>;
 /// Whether a component may have an event: successful, or the reason why not, for example connection_refused.
-using event_judge = callback<event_response(const header&, std::uint16_t message_code)>;
+using event_judge = hook<event_response(const header&, std::uint16_t message_code)>;
 
 /// Parameters of an event.
 struct event_setup {

@@ -3,7 +3,7 @@
 #pragma once
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/update_rate.hpp>
-#include <jauscat/jaus/message/callback.hpp>
+#include <jauscat/jaus/message/hook.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
@@ -22,10 +22,10 @@ struct connectable_report {
 
 /// Writes the body of report `command_code`, with the fields that `presence_vector` asks for, to the front of `body`
 /// and returns its size; nothing where there is nothing to report now.
-using report_filler = callback<std::optional<std::size_t>(std::uint16_t command_code, std::uint32_t presence_vector,
-                                                          std::span<std::byte> body)>;
+using report_filler = hook<std::optional<std::size_t>(std::uint16_t command_code, std::uint32_t presence_vector,
+                                                      std::span<std::byte> body)>;
 /// Whether a component may connect: connection_created, or the reason why not, for example insufficient_authority.
-using connection_judge = callback<service_connection_response(const header&, const create_service_connection&)>;
+using connection_judge = hook<service_connection_response(const header&, const create_service_connection&)>;
 
 /// A service connection of a provider.
 struct service_connection {

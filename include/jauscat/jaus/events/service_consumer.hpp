@@ -4,7 +4,7 @@
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/consumed_connection.hpp>
 #include <jauscat/jaus/events/update_rate.hpp>
-#include <jauscat/jaus/message/callback.hpp>
+#include <jauscat/jaus/message/hook.hpp>
 #include <jauscat/jaus/message/saturating_add.hpp>
 
 #include <optional>
@@ -18,7 +18,7 @@ template <std::size_t Capacity> class service_consumer {
   public:
     /// `changed` is called with each new state of a connection; it must outlive this object.
     constexpr explicit service_consumer(const address& self, consumer_options options = {},
-                                        callback<void(const consumed_connection&)> changed = {}) noexcept
+                                        hook<void(const consumed_connection&)> changed = {}) noexcept
         : self_{self}, options_{options}, changed_{changed} {}
 
     /// Asks `provider` for report `code` at `rate` hertz (at most 1092) with the fields of `presence_vector`, also when
@@ -219,7 +219,7 @@ template <std::size_t Capacity> class service_consumer {
 
     address self_;
     consumer_options options_;
-    callback<void(const consumed_connection&)> changed_;
+    hook<void(const consumed_connection&)> changed_;
     std::array<consumed_connection, Capacity> connections_{};
 };
 

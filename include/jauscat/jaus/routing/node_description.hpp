@@ -1,7 +1,7 @@
 // Description and options of a node manager.
 #pragma once
 #include <jauscat/jaus/component/described_component.hpp>
-#include <jauscat/jaus/message/callback.hpp>
+#include <jauscat/jaus/message/hook.hpp>
 #include <jauscat/jaus/routing/liveness_table.hpp>
 
 namespace jauscat::jaus {
@@ -30,8 +30,8 @@ struct node_manager_options {
     std::chrono::nanoseconds timeout{std::chrono::seconds{3}};
     /// Interval of queries to the other nodes of the subsystem for their components; 0: only when a node appears.
     std::chrono::nanoseconds survey{std::chrono::seconds{10}};
-    callback<void(const address&)> appeared{};    ///< a component is new
-    callback<void(const address&)> disappeared{}; ///< a component is gone
+    hook<void(const address&)> appeared{};    ///< a component is new
+    hook<void(const address&)> disappeared{}; ///< a component is gone
 };
 
 /// The caller's memory. None of it may be shared.

@@ -95,7 +95,7 @@ class node_manager {
     [[nodiscard]] std::uint64_t not_remembered() const noexcept { return not_remembered_; }
 
   private:
-    static void tell(const callback<void(const address&)>& whom, const address& who) noexcept {
+    static void tell(const hook<void(const address&)>& whom, const address& who) noexcept {
         if (whom) whom(who);
     }
     static message_outcome done(bool sent) noexcept { return sent ? message_outcome::taken : message_outcome::refused; }

@@ -37,7 +37,7 @@ template <class Link> class ring_runner {
     ring_runner& operator=(const ring_runner&) = delete;
 
     /// For `on_work` of each slave_front of the ring.
-    [[nodiscard]] const jaus::callback<void()>& wake() const noexcept { return wake_; }
+    [[nodiscard]] const jaus::hook<void()>& wake() const noexcept { return wake_; }
     /// Called after each turn, for checks after frames and messages, such as the link's problem.
     std::function<void()> after_turn{};
 
@@ -112,7 +112,7 @@ template <class Link> class ring_runner {
             if (mine.runs_) mine.timer_.arm(now());
         }
     } waker_{*this};
-    jaus::callback<void()> wake_{waker_};
+    jaus::hook<void()> wake_{waker_};
 };
 
 } // namespace jauscat::net

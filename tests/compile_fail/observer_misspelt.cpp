@@ -1,0 +1,7 @@
+// expect: slave_lots
+#include <jauscat/bridge/observer.hpp>
+
+namespace bridge = jauscat::bridge;
+
+constexpr auto lost = [](const bridge::slave_front&, bridge::loss, const jauscat::ethercat::outcome&) {};
+const bridge::observer watcher{.slave_lots = lost};
