@@ -63,9 +63,10 @@ class component {
     /// `application` gets what the core leaves; what that leaves is the slave's.
     jaus::component_outcome on_message(const jaus::header& head, bytes body, time now, jaus::message_sink out,
                                        auto&& application) {
+        jaus::require_application<std::remove_reference_t<decltype(application)>>();
         show_debt();
         const auto what = core_.on_message(head, body, now, out, [&](const jaus::header& own, bytes own_body) {
-            const jaus::message_outcome answered = application(own, own_body);
+            const auto answered = jaus::outcome_of(application(own, own_body));
             return answered == jaus::message_outcome::not_mine ? accept(own, own_body, now, out) : answered;
         });
         follow_up(now, out);

@@ -5,6 +5,7 @@
 #include <jauscat/jaus/component/component_hooks.hpp>
 #include <jauscat/jaus/component/component_options.hpp>
 #include <jauscat/jaus/component/component_outcome.hpp>
+#include <jauscat/jaus/component/component_part.hpp>
 #include <jauscat/jaus/component/dispatcher.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 
@@ -46,11 +47,14 @@ template <class... Parts> class component {
           clock_{self},
           sender_{memory.waiting, memory.copies, options.acknowledgement},
           receiver_{self, memory.remembered, options.memory},
-          parts_{parts...} {}
+          parts_{parts...} {
+        (require_part<Parts>(), ...);
+    }
 
-    /// `application(head, body)` gets what is not the core's; it returns a message_outcome, or what a dispatcher does.
+    /// `application` gets what is not the core's: see component_application.
     constexpr component_outcome on_message(const header& head, std::span<const std::byte> body, time now,
                                            message_sink out, auto&& application) {
+        require_application<std::remove_reference_t<decltype(application)>>();
         const component_outcome what = take(head, body, now, out, application);
         ++counts_[static_cast<std::size_t>(what)];
         return what;
@@ -112,9 +116,7 @@ template <class... Parts> class component {
         state_.on_lost(gone);
         control_.on_lost(gone);
         tell_own_changes();
-        each_part([&](auto& part) {
-            if constexpr (requires { part.on_lost(who); }) part.on_lost(who);
-        });
+        each_part([&](auto& part) { part.on_lost(who); });
     }
 
     /// Asks the parts that have such a function for the messages that they take and send.
@@ -179,10 +181,7 @@ template <class... Parts> class component {
         message_outcome outcome = state_.on_message(head, body, now, out);
         if (outcome == message_outcome::taken && is_state_command(head.command_code)) outcome = tell_command(head);
         const auto ask = [&](auto& next) {
-            if constexpr (requires {
-                              { next.on_message(head, body, now, out) } -> std::same_as<message_outcome>;
-                          })
-                if (outcome == message_outcome::not_mine) outcome = next.on_message(head, body, now, out);
+            if (outcome == message_outcome::not_mine) outcome = next.on_message(head, body, now, out);
         };
         ask(control_);
         ask(clock_);

@@ -87,6 +87,8 @@ class described_component {
         if (beat_.period <= time{}) return std::nullopt;
         return next_;
     }
+    /// No effect: nothing depends on another component.
+    constexpr void on_lost(const address&) noexcept {}
 
     [[nodiscard]] static constexpr report_identification identification(query_type whose,
                                                                         const identity& name) noexcept {

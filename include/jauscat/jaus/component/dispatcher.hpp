@@ -1,6 +1,6 @@
 // Calls the handler of a message's type, in constant time and without a heap.
 #pragma once
-#include <jauscat/jaus/component/answer.hpp>
+#include <jauscat/jaus/component/component_application.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
 #include <jauscat/wire/code_index.hpp>
 
@@ -8,17 +8,6 @@
 #include <utility>
 
 namespace jauscat::jaus {
-
-/// Result of dispatching a message.
-enum class dispatched : std::uint8_t { handled, unknown, malformed, acknowledgement };
-
-/// The outcome of an application that returns message_outcome.
-[[nodiscard]] constexpr message_outcome outcome_of(message_outcome outcome) noexcept { return outcome; }
-/// The outcome of an application that is a dispatcher.
-[[nodiscard]] constexpr message_outcome outcome_of(dispatched what) noexcept {
-    if (what == dispatched::unknown) return message_outcome::not_mine;
-    return what == dispatched::malformed ? message_outcome::malformed : message_outcome::taken;
-}
 
 namespace detail {
 
@@ -40,6 +29,12 @@ template <class H> concept is_typed = requires { typename H::message_type; };
 
 template <template <class> class Kind, class H> inline constexpr bool is_kind = false;
 template <template <class> class Kind, class F> inline constexpr bool is_kind<Kind, Kind<F>> = true;
+
+/// Whether on, on_unknown, on_malformed or on_acknowledgement has made it.
+template <class H> inline constexpr bool is_handler = is_typed<H>;
+template <class F> inline constexpr bool is_handler<unknown_handler<F>> = true;
+template <class F> inline constexpr bool is_handler<malformed_handler<F>> = true;
+template <class F> inline constexpr bool is_handler<acknowledgement_handler<F>> = true;
 
 /// The handlers of a dispatcher, in a flat list: all messages' handlers in a std::tuple take a minute to compile.
 template <std::size_t I, class H> struct placed_handler {
@@ -112,16 +107,37 @@ template <class... Handlers> struct dispatch_table {
 
 } // namespace detail
 
-/// Handles the message `T`: `handle(const header&, const T&)`.
+/// A handler of the message `T`: `handle(const header&, const T&)`, without a result.
+template <class F, class T>
+concept message_handler =
+    std::invocable<F&, const header&, const T&> && std::is_void_v<std::invoke_result_t<F&, const header&, const T&>>;
+
+/// Handles the message `T`: see message_handler. A component that refuses or defers messages has no dispatcher alone,
+/// but an application that returns their outcome.
 template <coded_message T, class F> constexpr auto on(F handle) {
+    constexpr bool has_parameters = std::invocable<F&, const header&, const T&>;
+    static_assert(has_parameters, "on: the handler of a message cannot be called with (const header&, const T&)");
+    if constexpr (has_parameters)
+        static_assert(message_handler<F, T>, "on: the handler of a message returns something, which would be ignored");
     return detail::typed_handler<T, F>{std::move(handle)};
 }
 /// Handles command codes that no handler takes: `handle(const header&, std::span<const std::byte> body)`.
-template <class F> constexpr auto on_unknown(F handle) { return detail::unknown_handler<F>{std::move(handle)}; }
+template <class F> constexpr auto on_unknown(F handle) {
+    static_assert(std::invocable<F&, const header&, const std::span<const std::byte>&>,
+                  "on_unknown: the handler cannot be called with (const header&, std::span<const std::byte>)");
+    return detail::unknown_handler<F>{std::move(handle)};
+}
 /// Handles bodies that do not decode: `handle(const header&, std::span<const std::byte> body, wire::errc)`.
-template <class F> constexpr auto on_malformed(F handle) { return detail::malformed_handler<F>{std::move(handle)}; }
+template <class F> constexpr auto on_malformed(F handle) {
+    static_assert(std::invocable<F&, const header&, const std::span<const std::byte>&, const wire::errc&>,
+                  "on_malformed: the handler cannot be called with (const header&, std::span<const std::byte>,"
+                  " wire::errc)");
+    return detail::malformed_handler<F>{std::move(handle)};
+}
 /// Handles ACK and NAK, which have a command code but no body: `handle(const header&)`.
 template <class F> constexpr auto on_acknowledgement(F handle) {
+    static_assert(std::invocable<F&, const header&>,
+                  "on_acknowledgement: the handler cannot be called with (const header&)");
     return detail::acknowledgement_handler<F>{std::move(handle)};
 }
 
@@ -142,6 +158,9 @@ inline constexpr std::uint32_t presence_bits_of = [] {
 ///                          jaus::on_unknown([&](const jaus::header& head, auto body) { ... })};
 ///     arm(head, body);
 template <class... Handlers> class dispatcher {
+    static_assert((detail::is_handler<Handlers> && ...),
+                  "dispatcher: a handler is made by none of on, on_unknown, on_malformed and on_acknowledgement");
+
   public:
     constexpr explicit dispatcher(Handlers... handlers) : handlers_{std::move(handlers)...} {}
 

@@ -76,6 +76,8 @@ class node_manager {
         if (options_.survey > time{}) earlier(next_survey_);
         return next;
     }
+    /// No effect: liveness comes from heartbeats alone.
+    void on_lost(const address&) noexcept {}
 
     /// The components that are present.
     [[nodiscard]] const liveness_table& present() const noexcept { return present_; }

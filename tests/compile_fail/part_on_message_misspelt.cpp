@@ -1,0 +1,17 @@
+// expect: component: a part has no on_message(const header&, std::span<const std::byte>, std::chrono::nanoseconds,
+// message_sink)
+#include <jauscat/jaus/component/component.hpp>
+
+namespace jaus = jauscat::jaus;
+using std::chrono::nanoseconds;
+
+struct lamp {
+    jaus::message_outcome on_mesage(const jaus::header&, std::span<const std::byte>, nanoseconds, jaus::message_sink) {
+        return jaus::message_outcome::not_mine;
+    }
+    void on_time(nanoseconds, jaus::message_sink) {}
+    std::optional<nanoseconds> next_event() const { return std::nullopt; }
+    void on_lost(const jaus::address&) {}
+} one;
+jaus::component_memory<> memory;
+jaus::component core{{}, memory, {}, {}, one};
