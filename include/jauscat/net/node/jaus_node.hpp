@@ -52,8 +52,8 @@ class jaus_node {
     jaus_node(const jaus_node&) = delete;
     jaus_node& operator=(const jaus_node&) = delete;
 
-    /// Adds a component, and the handler of its own messages, such as a dispatcher; see component::on_message. Call
-    /// before start. Throws `std::invalid_argument` for a component of another node and for a second node manager.
+    /// Adds a component and its application: see node_component and jaus::component_application. Call before start.
+    /// Throws `std::invalid_argument` for a component of another node and for a second node manager.
     template <class Component, class Application> void add(Component& component, Application& application) {
         machine_.add(component, application);
     }

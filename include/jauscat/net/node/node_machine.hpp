@@ -7,6 +7,7 @@
 #include <jauscat/net/node/detail/node_core.hpp>
 #include <jauscat/net/node/detail/own_manager.hpp>
 #include <jauscat/net/node/detail/presence_changes.hpp>
+#include <jauscat/net/node/node_component.hpp>
 #include <jauscat/net/outcome.hpp>
 
 #include <exception>
@@ -53,9 +54,11 @@ class node_machine {
     node_machine(const node_machine&) = delete;
     node_machine& operator=(const node_machine&) = delete;
 
-    /// Adds a component, and the handler of its own messages, such as a dispatcher; see component::on_message. Call
-    /// before start. Throws `std::invalid_argument` for a component of another node and for a second node manager.
+    /// Adds a component and its application: see node_component and jaus::component_application. Call before start.
+    /// Throws `std::invalid_argument` for a component of another node and for a second node manager.
     template <class Component, class Application> void add(Component& component, Application& application) {
+        require_component<Component>();
+        require_application<Application>();
         const auto& id = component.self();
         if (running() || in_turn()) throw std::logic_error{"components are added before the node is started"};
         if (id.subsystem != self_.subsystem || id.node != self_.node)
