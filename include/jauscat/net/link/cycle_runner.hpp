@@ -36,13 +36,15 @@ struct cycle_config {
     unsigned patience{2};
 };
 
-/// Between cycles the master is free for a new job.
-template <ethercat::link Link> class cycle_runner {
+/// Between cycles the master is free for a new job. `Link` models ethercat::link.
+template <class Link> class cycle_runner {
   public:
     /// The arguments must outlive this.
     cycle_runner(Link& link, ethercat::process_data& data, ethercat::master& master,
                  const cycle_config& config = {}) noexcept
-        : link_{link}, data_{data}, master_{master}, config_{config}, timer_{config.period, config.spin} {}
+        : link_{link}, data_{data}, master_{master}, config_{config}, timer_{config.period, config.spin} {
+        ethercat::require_link<Link>();
+    }
 
     /// Waits for the next cycle, calls `prepare()`, which writes the outputs, and sends them at once. Then receives
     /// frames until the process data have returned and the master is idle, at most until the end of the cycle. The

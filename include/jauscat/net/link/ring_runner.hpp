@@ -2,6 +2,7 @@
 #pragma once
 
 #include <jauscat/bridge/ring.hpp>
+#include <jauscat/ethercat/link.hpp>
 #include <jauscat/net/detail/wake_timer.hpp>
 
 #include <boost/asio/posix/stream_descriptor.hpp>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -18,8 +20,15 @@
 
 namespace jauscat::net {
 
+/// A link with a file descriptor that is readable when a frame has come. Needed besides those of ethercat::link:
+/// `native_handle()` returns it as an int.
+template <class L>
+concept descriptor_link = ethercat::link<L> && requires(L& medium) {
+    { medium.native_handle() } -> std::same_as<int>;
+};
+
 /// Waits for frames and for the ring's next event; nothing blocks. The io_context, the link and the ring must outlive
-/// it. `Link` models ethercat::link and has native_handle().
+/// it. `Link` models descriptor_link.
 ///
 ///     net::ring_runner runner{context, link, ring, node.out()};
 ///     front.on_work(runner.wake()); // for each slave
@@ -30,9 +39,9 @@ template <class Link> class ring_runner {
 
     /// `out`: sink for the JAUS messages of the ring.
     ring_runner(boost::asio::io_context& context, Link& link, bridge::ring& ring, jaus::message_sink out)
-        : link_{link}, ring_{ring}, out_{out}, frames_{context, ::dup(link.native_handle())}, timer_{context, [this] {
-                                                                                                         on_time();
-                                                                                                     }} {}
+        : link_{link}, ring_{ring}, out_{out}, frames_{context, handle_of(link)}, timer_{context, [this] {
+                                                                                             on_time();
+                                                                                         }} {}
     ring_runner(const ring_runner&) = delete;
     ring_runner& operator=(const ring_runner&) = delete;
 
@@ -55,6 +64,12 @@ template <class Link> class ring_runner {
     [[nodiscard]] static time now() noexcept { return std::chrono::steady_clock::now().time_since_epoch(); }
 
   private:
+    static int handle_of(Link& link) {
+        ethercat::require_link<Link>();
+        static_assert(!ethercat::link<Link> || descriptor_link<Link>,
+                      "ring_runner: the link has no native_handle() that returns an int");
+        return ::dup(link.native_handle());
+    }
     void wait_for_frames() {
         frames_.async_wait(boost::asio::posix::stream_descriptor::wait_read,
                            [this, alive = std::weak_ptr<char>{alive_}](const boost::system::error_code& error) {

@@ -16,8 +16,9 @@ namespace jauscat::net {
 /// Runs the started job (`scan`, `bring_up`, `download` or another) and returns its result; returns at once if none
 /// runs. The job is abandoned after `limit`; nanoseconds::max(): without limit. Errors in addition to those of the job:
 /// timeout, not_sent.
-template <ethercat::link Link>
+template <class Link>
 ethercat::outcome run(Link& link, ethercat::master& master, std::chrono::nanoseconds limit = std::chrono::seconds{10}) {
+    ethercat::require_link<Link>();
     const auto clock = [] {
         return std::chrono::duration_cast<std::chrono::nanoseconds>(
             std::chrono::steady_clock::now().time_since_epoch());
@@ -41,7 +42,7 @@ ethercat::outcome run(Link& link, ethercat::master& master, std::chrono::nanosec
 
 /// Starts a job and runs it: `net::run(link, master, master.bring_up(0, 1))`. Error `busy` if it did not start because
 /// another job runs, which is not affected.
-template <ethercat::link Link>
+template <class Link>
 ethercat::outcome run(Link& link, ethercat::master& master, bool started,
                       std::chrono::nanoseconds limit = std::chrono::seconds{10}) {
     return started ? run(link, master, limit) : ethercat::outcome{.error = ethercat::master_errc::busy};
