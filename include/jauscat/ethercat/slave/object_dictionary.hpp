@@ -18,17 +18,40 @@ struct object_read {
     std::size_t size{};
 };
 
-/// A type that can stand behind a slave.
+namespace detail {
+
+template <class T>
+concept reads_objects = requires(T& object, std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) {
+    { object.read(index, subindex, out) } -> std::same_as<object_read>;
+};
+template <class T>
+concept writes_objects =
+    requires(T& object, std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) {
+        { object.write(index, subindex, data) } -> std::same_as<abort_code>;
+    };
+template <class T>
+concept is_noexcept_source = requires(T& object, std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out,
+                                      std::span<const std::byte> data) {
+    { object.read(index, subindex, out) } noexcept;
+    { object.write(index, subindex, data) } noexcept;
+};
+// At least one operation of a described_object_source, perhaps with other parameters.
+template <class T>
+concept describes_something =
+    requires { &T::next_index; } || requires { &T::describe; } || requires { &T::is_described; } ||
+    requires(T& object, std::uint16_t index) { object.describe(index); } ||
+    requires(T& object, std::uint16_t index, std::uint8_t subindex) { object.describe(index, subindex); };
+
+} // namespace detail
+
+/// The objects behind a slave. Both functions are noexcept.
 /// - `read(index, subindex, out)`: the object's bytes to `out`; `abort_code::exceeds_mailbox` if they do not fit.
 /// - `write(index, subindex, data)`: `abort_code::none` if the object took `data`.
 template <class T>
-concept object_source = requires(T& object, std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out,
-                                 std::span<const std::byte> data) {
-    { object.read(index, subindex, out) } noexcept -> std::same_as<object_read>;
-    { object.write(index, subindex, data) } noexcept -> std::same_as<abort_code>;
-};
+concept object_source = detail::reads_objects<T> && detail::writes_objects<T> && detail::is_noexcept_source<T>;
 
-/// An object source that can say what it has, for SDO information and complete access.
+/// An object source that can say what it has, for SDO information and complete access. All functions are const and
+/// noexcept.
 /// - `next_index(after)`: the lowest index above `after`, 0 if there is none.
 /// - `describe(index)`, `describe(index, subindex)`: nothing if there is no such object or entry. Names outlive the
 ///   source.
@@ -41,11 +64,30 @@ concept described_object_source =
         { object.describe(index, subindex) } noexcept -> std::same_as<std::optional<entry_info>>;
     };
 
-/// A reference to an object source, without its type. Made from a source that must outlive it.
+namespace detail {
+
+// Does not compile for a source that lacks an operation, and says which.
+template <class Source> consteval void require_object_source() noexcept {
+    static_assert(reads_objects<Source>,
+                  "object_dictionary: the source has no read(std::uint16_t index, std::uint8_t subindex,"
+                  " std::span<std::byte> out) that returns an object_read");
+    static_assert(writes_objects<Source>,
+                  "object_dictionary: the source has no write(std::uint16_t index, std::uint8_t subindex,"
+                  " std::span<const std::byte> data) that returns an abort_code");
+    static_assert(!reads_objects<Source> || !writes_objects<Source> || is_noexcept_source<Source>,
+                  "object_dictionary: read or write of the source is not noexcept");
+    static_assert(!object_source<Source> || described_object_source<Source> || !describes_something<Source>,
+                  "object_dictionary: the source describes its objects in part: next_index(index), describe(index) and"
+                  " describe(index, subindex) go together, const and noexcept");
+}
+
+} // namespace detail
+
+/// A reference to an object source, without its type. Made from an object_source that must outlive it.
 class object_dictionary {
   public:
     /// `source` must outlive this object.
-    template <object_source T>
+    template <class T>
     requires(!std::same_as<T, object_dictionary>) // a copy refers to the source, not to the copied reference
     constexpr object_dictionary(T& source) noexcept
         : source_{&source},
@@ -56,6 +98,7 @@ class object_dictionary {
               [](void* object, std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
                   return static_cast<T*>(object)->write(index, subindex, data);
               }} {
+        detail::require_object_source<T>();
         if constexpr (described_object_source<T>) {
             described_ = true;
             if constexpr (requires { source.is_described(); }) described_ = source.is_described();
