@@ -1,24 +1,12 @@
-// The rows that a translation table is made of. Each says what happens to one field, in both directions.
-//
-// A row offers
-//   uses     the JAUS fields that it takes out of `rest`
-//   writes   the packet fields that it fills
-//   to_packet    from a JAUS header to a packet, or from a message to an image
-//   from_packet  the reverse
+// The rows that a translation table is made of. Each says what happens to one field, in both directions. row.hpp lists
+// what a row needs.
 #pragma once
-#include <jauscat/translate/path.hpp>
-#include <jauscat/translate/result.hpp>
+#include <jauscat/translate/row.hpp>
 #include <jauscat/wire/code_index.hpp>
 
 #include <limits>
 
 namespace jauscat::translate {
-
-/// Sizes of a message on both sides of a table.
-struct sizes {
-    std::size_t body{}; ///< bytes behind the JAUS header
-    std::size_t data{}; ///< bytes of the packet's data: what `rest` keeps of the header, then the body
-};
 
 namespace detail {
 

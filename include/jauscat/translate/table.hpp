@@ -93,6 +93,7 @@ template <wire::fixed_message Header, wire::fixed_message Packet, std::size_t Ma
     /// Most bytes of data in one packet.
     static constexpr std::size_t max_data = MaxData;
 
+    static_assert((detail::require_row<Rows, Header, Packet>() && ...));
     using used = joined_paths<typename Rows::uses...>;
     using written = joined_paths<typename Rows::writes...>;
     static_assert(used::template found_in<paths_of<Header>> == used::size &&
