@@ -22,8 +22,17 @@ template <auto Member> struct at<Member> {
     }
 };
 
+namespace detail {
+template <class T> inline constexpr bool is_path = false;
+template <auto First, auto... Rest> inline constexpr bool is_path<at<First, Rest...>> = true;
+} // namespace detail
+
+/// A field that a row names: an `at<...>`.
+template <class T> concept path = detail::is_path<T>;
+
 /// The fields that a row reads or fills.
 template <class... Paths> struct path_list {
+    static_assert((path<Paths> && ...), "path_list: a row names what is no field; write at<&T::member>");
     static constexpr std::size_t size = sizeof...(Paths);
     template <class Path> static constexpr std::size_t count = (std::size_t{std::is_same_v<Path, Paths>} + ... + 0);
     template <auto Outer> using within = path_list<typename Paths::template within<Outer>...>;
