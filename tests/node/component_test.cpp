@@ -668,6 +668,13 @@ TEST_CASE("parts are asked after the core, and are driven in time") {
     REQUIRE(a.part.heard == 1);
 }
 
+TEST_CASE("a hook without a result that refers to no function does nothing") {
+    STATIC_REQUIRE([] {
+        jaus::hook<void(int)>{}(1);
+        return !jaus::hook<void(int)>{};
+    }());
+}
+
 TEST_CASE("service connections, events, a description and control of another are parts of a component") {
     std::array<std::byte, 512> service_memory{}, event_memory{}, description_memory{};
     const std::array service_reports{jaus::connectable_report{0x440A}};
