@@ -64,9 +64,9 @@ class bench {
   private:
     row& new_row(const std::string& name) { return rows_.emplace_back(row{.name = name}); }
 
-    void work(bool started, const char* what) { check(jauscat::net::run(link_, master_, started), what); }
-    static void check(const ethercat::outcome& result, const char* what) {
-        if (!result) throw std::runtime_error{std::string{what} + ": " + std::string{describe(result.error)}};
+    void work(const auto& job, const char* what) { check(jauscat::net::run(link_, master_, job), what); }
+    template <class T> static void check(const ethercat::master_result<T>& result, const char* what) {
+        if (!result) throw std::runtime_error{std::string{what} + ": " + std::string{describe(result.error())}};
     }
 
     /// What the system needs for a frame there and back, whoever sends it.
@@ -83,7 +83,7 @@ class bench {
         auto& r = new_row("bring-up to PRE-OP");
         measure(r, 200, [&] {
             master_ = ethercat::master{};
-            work(master_.bring_up(0, station), "bring-up");
+            work(ethercat::bring_up{0, station}, "bring-up");
         });
         r.frames = static_cast<double>(master_.statistics().sent);
         print(r);
@@ -93,7 +93,8 @@ class bench {
     void datagrams() {
         auto& r = new_row("one datagram (FPRD of 2 bytes)");
         std::array<std::byte, 2> data{};
-        measure(r, count_, [&] { work(master_.exchange(ethercat::command::fprd, station, 0x0010, data), "datagram"); });
+        measure(r, count_,
+                [&] { work(ethercat::exchange_datagram{ethercat::command::fprd, station, 0x0010, data}, "datagram"); });
         r.frames = 1;
         print(r);
     }
@@ -111,13 +112,13 @@ class bench {
         r.frames = static_cast<double>(master_.statistics().sent - before) / static_cast<double>(downloads);
         print(r);
     }
-    void download(std::span<const std::byte> data) { work(master_.download(station, 0x2000, 1, data), "download"); }
+    void download(std::span<const std::byte> data) { work(ethercat::download{station, 0x2000, 1, data}, "download"); }
 
     /// The two frames of such a download, made before, by hand: what the slave and the system need for it.
     void probe() {
         const std::array<std::byte, 28> data{};
         recording_link recorder{link_};
-        check(jauscat::net::run(recorder, master_, master_.download(station, 0x2000, 1, data)), "download");
+        check(jauscat::net::run(recorder, master_, ethercat::download{station, 0x2000, 1, data}), "download");
         auto& frames = recorder.frames;
         if (frames.size() != 2) throw std::runtime_error{"a download took other than two frames"};
         const bare_socket socket{"jc0", {.busy_poll = busy_poll_}};
@@ -139,7 +140,7 @@ class bench {
         r.frames = 2;
         print(r);
         master_ = ethercat::master{}; // the slave's mailbox counters have moved on
-        work(master_.bring_up(0, station), "bring-up");
+        work(ethercat::bring_up{0, station}, "bring-up");
     }
 
     void commands_by_mailbox() {
@@ -149,12 +150,12 @@ class bench {
     }
 
     void go_to_op() {
-        work(master_.configure(station), "configuration");
-        work(master_.change_state(station, ethercat::al_state::safe_op), "SAFE-OP");
+        work(ethercat::configure{station}, "configuration");
+        work(ethercat::change_state{station, ethercat::al_state::safe_op}, "SAFE-OP");
         data_ = ethercat::process_data{master_.slaves()};
         runner start{link_, data_, master_};
         check(start.run_job(
-                  master_.change_state(station, ethercat::al_state::op), seconds{2}, [] {}, [](const auto&) {}),
+                  ethercat::change_state{station, ethercat::al_state::op}, seconds{2}, [] {}, [](const auto&) {}),
               "OP");
     }
 

@@ -28,19 +28,16 @@ template <ethercat::link Link> class channel {
 
     // [put_packet]
     void put_packet(std::span<const std::byte> request) {
-        ethercat::packet_job job{request, confirmation_};
-        for (bool runs = job.start(master_); runs; runs = job.next(master_))
-            static_cast<void>(net::run(link_, master_));
-        size_ = job.finish(master_.result());
+        packet_ = ethercat::execute_packet(master_, request, confirmation_, [&] { return net::run(link_, master_); });
     }
     // [put_packet end]
-    [[nodiscard]] std::span<const std::byte> get_packet() const { return std::span{confirmation_}.first(size_); }
+    [[nodiscard]] std::span<const std::byte> get_packet() const { return packet_; }
 
   private:
     Link& link_;
     ethercat::master master_{};
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation_{};
-    std::size_t size_{};
+    std::span<const std::byte> packet_{};
 };
 
 // From here on it is code for the card.

@@ -74,14 +74,13 @@ class gripper_slave {
     std::array<std::byte, delivery::translator::max_message_size> message_{};
 };
 
-/// Brings the slave up and has one request packet executed; returns the confirmation's size.
-std::size_t execute(std::span<const std::byte> request, std::span<std::byte> confirmation, ethercat::slave& device) {
+/// Brings the slave up and has one request packet executed; returns the confirmation, empty where there is no slave.
+std::span<const std::byte> execute(std::span<const std::byte> request, std::span<std::byte> confirmation,
+                                   ethercat::slave& device) {
     ethercat::loopback_link link{std::span{&device, 1}};
     ethercat::master master;
-    auto result = net::run(link, master, master.bring_up(0, gripper_slave::station));
-    ethercat::packet_job job{request, confirmation};
-    for (bool runs = result && job.start(master); runs; runs = job.next(master)) result = net::run(link, master);
-    return job.finish(result);
+    if (!net::run(link, master, ethercat::bring_up{.position = 0, .station = gripper_slave::station})) return {};
+    return ethercat::execute_packet(master, request, confirmation, [&] { return net::run(link, master); });
 }
 
 int failed(std::string_view why) {
@@ -121,8 +120,7 @@ int main() {
     gripper_slave application;
     ethercat::slave device{{.vendor = 1, .product = 1, .name = "gripper"}, application};
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation{};
-    const auto size = execute(packet, confirmation, device);
-    step = exchange.on_confirmation(std::span{confirmation}.first(size), buffer);
+    step = exchange.on_confirmation(execute(packet, confirmation, device), buffer);
     std::cout << "confirmation: " << text::explain(exchange.status()) << "\n";
     if (step.what != bridge::exchange_progress::done) return failed("the slave did not take the message");
 

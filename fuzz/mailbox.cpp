@@ -63,10 +63,10 @@ void check_slave(std::span<const std::byte> message, std::size_t room) {
                         : sdo_transfer::download(request.header.index, request.header.subindex, {});
     check(transfer.take(reply) == reply_kind::complete, "a master takes a slave's answer");
     const bool aborted = sdo.header.specifier == sdo_specifier::abort;
-    check(transfer.result().error == (aborted ? master_errc::sdo_abort : master_errc::ok),
+    check(transfer.result().error().code == (aborted ? master_errc::sdo_abort : master_errc::ok),
           "master and slave agree on how it ended");
     if (!aborted && source.reads != 0)
-        check(transfer.result().size == std::size_t{request.header.subindex} * 4, "an object is read whole");
+        check(*transfer.result() == std::size_t{request.header.subindex} * 4, "an object is read whole");
 }
 
 // A server that describes its objects: each message of an answer fits, and the answer ends.
@@ -92,15 +92,15 @@ void check_master(std::span<const std::byte> message, sdo_transfer transfer, std
     const auto before = transfer.result();
     const auto what = transfer.take(message);
     if (what == reply_kind::unrelated) {
-        check(transfer.result().error == before.error && transfer.result().size == before.size,
-              "what is not the answer changes no result");
+        check(transfer.result() == before, "what is not the answer changes no result");
         return;
     }
     coe_header coe{};
     sdo_header sdo{};
     const bool is_complete = wire::decode_prefix(coe, message) && wire::decode_prefix(sdo, message.subspan(2));
-    check(is_complete || transfer.result().error == master_errc::sdo_abort, "an answer that is no abort is complete");
-    check(transfer.result().size <= room, "an upload fits its buffer");
+    check(is_complete || transfer.result().error().code == master_errc::sdo_abort,
+          "an answer that is no abort is complete");
+    check(*transfer.result() <= room, "an upload fits its buffer");
 }
 
 } // namespace

@@ -89,18 +89,18 @@ bytes repeated_session(std::uint8_t options) {
     test::simulated_link link{devices};
     link.record = true;
     ethercat::master master;
-    const auto done = [&](bool started) {
-        if (!started || !link.run(master)) throw std::runtime_error{"the simulated session fails"};
+    const auto done = [&](const auto& job) {
+        if (!link.run(master, job)) throw std::runtime_error{"the simulated session fails"};
     };
-    done(master.bring_up(0, 2));
+    done(ethercat::bring_up{0, 2});
     int passed = 0;
     link.on_way_back = [&](bytes& frame) {
         if (++passed % 5 == 0) frame.clear();
     };
     const bytes data(8);
     bytes into(8);
-    done(master.download(2, 0x1000, 4, data));
-    done(master.upload(2, 0x1000, 2, into));
+    done(ethercat::download{2, 0x1000, 4, data});
+    done(ethercat::upload{2, 0x1000, 2, into});
 
     bytes session{std::byte{options}};
     for (const auto& frame : link.seen) {

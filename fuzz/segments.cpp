@@ -63,7 +63,7 @@ class session {
 
         const auto& result = transfer.result();
         check((what == reply_kind::complete) == transfer.finished(), "a transfer knows whether it is finished");
-        check(result.size <= into.size(), "an upload fits its buffer");
+        check(*result <= into.size(), "an upload fits its buffer");
         if (!clean_) return;
         check(what == reply_kind::complete, "a clean transfer is answered");
         const auto first_room = (uploads ? in_room : out_room) - 10;
@@ -72,7 +72,7 @@ class session {
         check(static_cast<bool>(result) != refused, "a clean transfer succeeds unless the slave cannot take it");
         check(result || !transfer.is_open(), "an aborted transfer is not open");
         if (!result) return;
-        if (uploads) check(into == data && result.size == data.size(), "an upload gives the object");
+        if (uploads) check(into == data && *result == data.size(), "an upload gives the object");
         if (!uploads) check(source.value == data, "a download writes the data");
         if (!uploads) check(source.writes == (cleared && !ruled ? 2u : 1u), "a download writes once");
     }

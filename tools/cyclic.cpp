@@ -86,7 +86,7 @@ class stoppable_link {
     example::any_link& link_;
 };
 
-void require(const ethercat::outcome& result, const std::string& what) {
+template <class T> void require(const ethercat::master_result<T>& result, const std::string& what) {
     if (!result && example::stop_requested) throw std::runtime_error{"stopped before all slaves were in OP"};
     example::require(result, what);
 }
@@ -95,21 +95,22 @@ void require(const ethercat::outcome& result, const std::string& what) {
 std::vector<std::uint16_t> set_up(example::any_link& medium, ethercat::master& master, std::uint16_t first,
                                   milliseconds watchdog) {
     stoppable_link link{medium};
-    const auto run = [&](bool started, const std::string& what) {
-        const auto result = jauscat::net::run(link, master, started);
+    const auto run = [&](const auto& job, const std::string& what) {
+        const auto result = jauscat::net::run(link, master, job);
         require(result, what);
-        return result.size;
+        return result;
     };
-    const auto count = run(master.scan(), "no slaves");
+    const auto slaves = *run(ethercat::scan{}, "no slaves");
     std::vector<std::uint16_t> stations;
-    for (std::size_t i = 0; i != count; ++i) {
+    for (std::size_t i = 0; i != slaves; ++i) {
         const auto station = static_cast<std::uint16_t>(first + i);
         const auto name = "slave " + std::to_string(station);
-        run(master.bring_up(static_cast<std::uint16_t>(i), station), name + " to PRE-OP");
-        run(master.configure(station, watchdog), name + ", process data");
-        run(master.change_state(station, ethercat::al_state::safe_op), name + " to SAFE-OP");
-        const auto& place = master.find(station)->process_data;
-        std::cout << "cyclic: " << name << ": " << place.output_size << " bytes of outputs, " << place.input_size
+        static_cast<void>(run(ethercat::bring_up{.position = static_cast<std::uint16_t>(i), .station = station},
+                              name + " to PRE-OP"));
+        const auto place = run(ethercat::configure{.station = station, .watchdog = watchdog}, name + ", process data");
+        static_cast<void>(
+            run(ethercat::change_state{.station = station, .goal = ethercat::al_state::safe_op}, name + " to SAFE-OP"));
+        std::cout << "cyclic: " << name << ": " << place->output_size << " bytes of outputs, " << place->input_size
                   << " of inputs\n";
         stations.push_back(station);
     }
@@ -123,9 +124,9 @@ class uploads {
 
     void work(ethercat::master& master, measurement& counts) {
         if (runs_ && master.idle()) {
-            ++(master.result() ? counts.uploads : counts.failed_uploads);
-            if (!master.result())
-                std::cout << example::bad("cyclic: upload: " + example::explain(master.result())) << "\n";
+            const auto result = master.result<ethercat::upload>();
+            ++(result ? counts.uploads : counts.failed_uploads);
+            if (!result) std::cout << example::bad("cyclic: upload: " + example::explain(result.error())) << "\n";
             runs_ = false;
         }
         const auto now = std::chrono::steady_clock::now();
@@ -133,7 +134,7 @@ class uploads {
         due_ = now + every_;
         const auto station = stations_[next_++ % stations_.size()];
         if (!master.find(station)->mailbox.coe) return;
-        runs_ = master.upload(station, identity_object, vendor, value_);
+        runs_ = static_cast<bool>(master.start(ethercat::upload{station, identity_object, vendor, value_}));
     }
 
   private:
@@ -199,7 +200,7 @@ void leave_op(example::any_link& link, ethercat::master& master, const std::vect
         const auto left = deadline - std::chrono::steady_clock::now();
         if (left <= left.zero()) return;
         static_cast<void>(
-            jauscat::net::run(link, master, master.change_state(station, ethercat::al_state::pre_op), left));
+            jauscat::net::run(link, master, ethercat::change_state{station, ethercat::al_state::pre_op}, left));
     }
 }
 
@@ -218,11 +219,11 @@ int measure(example::any_link& link, const auto& values) {
         link, data, master, {.period = period, .spin = microseconds{values["spin"].template as<unsigned>()}}};
     const auto nothing = [](auto&&...) {};
     for (const auto station : stations) { // outputs have to flow while a slave goes to OP
-        const bool started = master.change_state(station, ethercat::al_state::op);
         const auto give_up_on_stop = [&](const auto&) {
             if (example::stop_requested) master.cancel(ethercat::master_errc::timeout);
         };
-        require(cycles.run_job(started, seconds{10}, nothing, give_up_on_stop),
+        require(cycles.run_job(ethercat::change_state{.station = station, .goal = ethercat::al_state::op}, seconds{10},
+                               nothing, give_up_on_stop),
                 "slave " + std::to_string(station) + " to OP");
     }
     std::cout << "cyclic: " << stations.size() << " in OP, a cycle every " << period.count() << " us (Ctrl-C ends)"

@@ -91,10 +91,8 @@ inline unsigned command_by_mailbox(row& into, unsigned count, jauscat::net::raw_
     jaus_socket socket{[&](std::span<const std::byte> message) {
         std::array<std::byte, delivery::translator::max_packet_size> packet; // not zeroed: to_packet returns its size
         const auto size = delivery::translator::to_packet(message, packet);
-        ethercat::packet_job job{std::span{packet}.first(size ? size.size() : 0), confirmation};
-        for (bool runs = job.start(master); runs; runs = job.next(master))
-            static_cast<void>(jauscat::net::run(link, master));
-        static_cast<void>(job.finish(master.result()));
+        static_cast<void>(ethercat::execute_packet(master, std::span{packet}.first(size ? size.size() : 0),
+                                                   confirmation, [&] { return jauscat::net::run(link, master); }));
     }};
     const operator_unit unit{socket.port(), slave, count, into.times};
     while (!unit.done())

@@ -23,7 +23,7 @@ template <ethercat::link Link> class controller {
     explicit controller(Link& link) : link_{link} {}
 
     /// Brings the slave up.
-    ethercat::outcome start() { return net::run(link_, master_, master_.bring_up(0, station)); }
+    auto start() { return net::run(link_, master_, ethercat::bring_up{.position = 0, .station = station}); }
 
     /// Delivers a message; passes its report, if it is a query, and its acknowledgement to `answer`.
     template <class Answer> void carry(std::span<const std::byte> message, Answer answer) {
@@ -41,10 +41,7 @@ template <ethercat::link Link> class controller {
   private:
     /// Executes a request packet by the master; returns the confirmation.
     std::span<const std::byte> execute(std::span<const std::byte> request) {
-        ethercat::packet_job job{request, confirmation_};
-        for (bool runs = job.start(master_); runs; runs = job.next(master_))
-            static_cast<void>(net::run(link_, master_));
-        return std::span{confirmation_}.first(job.finish(master_.result()));
+        return ethercat::execute_packet(master_, request, confirmation_, [&] { return net::run(link_, master_); });
     }
 
     static constexpr std::uint16_t station = 2;
@@ -75,7 +72,7 @@ int main() {
 
     // [use]
     controller robot{link};
-    if (const auto up = robot.start(); !up) return std::cerr << describe(up.error) << '\n', 1;
+    if (const auto up = robot.start(); !up) return std::cerr << describe(up.error()) << '\n', 1;
     const auto show = [](std::span<const std::byte> answer) {
         const auto message = jaus::split(answer);
         std::cout << "  answer: " << jauscat::text::summary(message.header) << '\n';

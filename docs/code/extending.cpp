@@ -204,7 +204,7 @@ int main() {
     // [objects_use end]
 
     // [observer]
-    const auto lost = [](const bridge::slave_front& slave, bridge::loss, const ethercat::outcome&) {
+    const auto lost = [](const bridge::slave_front& slave, bridge::loss, const ethercat::master_error&) {
         std::cout << "slave " << slave.station() << " is lost\n";
     };
     const bridge::observer watcher{.slave_lost = lost}; // for each slave_front

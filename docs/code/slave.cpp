@@ -27,16 +27,17 @@ int main() {
     // [master]
     ethercat::loopback_link link{std::span{&device, 1}}; // or net::raw_link{"eth0"}
     ethercat::master master;
-    auto result = jauscat::net::run(link, master, master.bring_up(0, 2));
-    if (!result) return std::cerr << describe(result.error) << '\n', 1;
+    const auto slave = jauscat::net::run(link, master, ethercat::bring_up{.position = 0, .station = 2});
+    if (!slave) return std::cerr << describe(slave.error()) << '\n', 1;
 
     // Half of the force forward, as an object: 12 bytes of header, 4 of body.
     constexpr std::array<unsigned char, 16> octets{0x06, 0x02, 1,    2,    1,    32,   1,    1,
                                                    0x04, 0x00, 0x22, 0x00, 0x01, 0x00, 0x00, 0x40};
     const auto half = std::as_bytes(std::span{octets});
-    result = jauscat::net::run(link, master, master.download(2, driver_objects::index, 26, half));
-    std::cout << "download: " << describe(result.error) << ", forward "
+    const auto written = jauscat::net::run(
+        link, master, ethercat::download{.station = 2, .index = driver_objects::index, .subindex = 26, .data = half});
+    std::cout << "download: " << describe(written.error()) << ", forward "
               << application.effort.propulsive_linear_effort_x.value_or(0) << " %\n";
     // [master end]
-    return result ? 0 : 1;
+    return written ? 0 : 1;
 }

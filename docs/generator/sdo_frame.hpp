@@ -45,10 +45,10 @@ inline bytes frame_with(const bridge::object_access& object) {
     ethercat::loopback_link loop{slaves};
     recording_link link{loop};
     ethercat::master master;
-    if (!net::run(link, master, master.bring_up(0, object.station))) throw std::logic_error{"no slave"};
+    if (!net::run(link, master, ethercat::bring_up{0, object.station})) throw std::logic_error{"no slave"};
     link.sent.clear();
-    const bool started = master.download(object.station, object.index, object.subindex, object.data);
-    if (!net::run(link, master, started)) throw std::logic_error{"the slave does not take the object"};
+    if (!net::run(link, master, ethercat::download{object.station, object.index, object.subindex, object.data}))
+        throw std::logic_error{"the slave does not take the object"};
     for (const auto& frame : link.sent)
         if (std::search(frame.begin(), frame.end(), object.data.begin(), object.data.end()) != frame.end())
             return frame;

@@ -83,10 +83,10 @@ class front {
         runner_.start();
         run_until(clock::now() + patience, [&] { return slave_.up() || stop_requested; });
         if (!slave_.up() && !may_come_later && !stop_requested)
-            throw std::runtime_error{"no slave to work with: " + explain(ring_.bring_up_result(slave_))};
+            throw std::runtime_error{"no slave to work with: " + explain(ring_.bring_up_error(slave_))};
         if (!stop_requested)
             say_.good("ready: JAUS on " + jauscat::net::detail::text(node_.config().me().endpoint()) + ", " +
-                      (slave_.up() ? place() : "waiting for its slave: " + explain(ring_.bring_up_result(slave_))) +
+                      (slave_.up() ? place() : "waiting for its slave: " + explain(ring_.bring_up_error(slave_))) +
                       " (Ctrl-C ends)");
         while (!stop_requested) run_until(clock::now() + std::chrono::seconds{1}, [] { return stop_requested.load(); });
         const bool is_at_rest = bring_to_rest();

@@ -48,11 +48,11 @@ class narrator {
                  jauscat::text::hex_number(identity.product, 8));
         if (ready && slave.options().cyclic) say_(name(slave) + " is in OP");
     }
-    void bring_up_failed(const bridge::slave_front& slave, const jauscat::ethercat::outcome& why) {
+    void bring_up_failed(const bridge::slave_front& slave, const jauscat::ethercat::master_error& why) {
         const auto text = explain(why);
         if (std::exchange(failure_, text) != text) say_.bad(name(slave) + " cannot be brought up: " + text);
     }
-    void slave_lost(const bridge::slave_front& slave, bridge::loss what, const jauscat::ethercat::outcome& why) {
+    void slave_lost(const bridge::slave_front& slave, bridge::loss what, const jauscat::ethercat::master_error& why) {
         if (!slave.up() && what == bridge::loss::no_process_data) {
             const auto text = explain(why);
             if (std::exchange(failure_, text) != text) say_.bad(name(slave) + ": no process data: " + text);
@@ -137,7 +137,8 @@ class narrator {
     // What the status does not say: some abort codes have none of their own.
     static std::string reason_text(const bridge::refusal_reason& why) {
         const bool is_said = jauscat::hilscher::abort_of(why.status) != jauscat::ethercat::abort_code::none;
-        return why.outcome || is_said ? std::string{} : ": " + explain(why.outcome);
+        const bool is_ok = why.of_master == jauscat::ethercat::master_error{};
+        return is_ok || is_said ? std::string{} : ": " + explain(why.of_master);
     }
     // The slave may take its JAUS address from its own configuration, and refuse what is sent to another.
     static std::string place_text(const bridge::slave_front& slave, jauscat::hilscher::packet_status status) {

@@ -36,23 +36,28 @@ int main() {
     // The master: from INIT to SAFE-OP, one job after the other.
     ethercat::master master;
     constexpr std::uint16_t station = 1;
-    const auto done = [](const ethercat::outcome& result) {
-        if (!result) std::cout << describe(result.error) << '\n';
-        return static_cast<bool>(result);
+    const auto fail = [](const ethercat::master_error& error) {
+        std::cout << describe(error) << '\n';
+        return 1;
     };
-    const auto run = [&](bool started) { return done(net::run(link, master, started)); };
-    if (!run(master.bring_up(0, station))) return 1;
-    if (!run(master.configure(station))) return 1; // finds out what process data the slave has; sets its watchdog
-    if (!run(master.change_state(station, ethercat::al_state::safe_op))) return 1;
+    const auto slave = net::run(link, master, ethercat::bring_up{.position = 0, .station = station});
+    if (!slave) return fail(slave.error());
+    // Finds out what process data the slave has, and sets its watchdog.
+    const auto place = net::run(link, master, ethercat::configure{.station = station});
+    if (!place) return fail(place.error());
+    const auto safe_op =
+        net::run(link, master, ethercat::change_state{.station = station, .goal = ethercat::al_state::safe_op});
+    if (!safe_op) return fail(safe_op.error());
 
     // A slave goes to OP while outputs flow.
     ethercat::process_data data{master.slaves()};
     net::cycle_runner cycles{link, data, master, {.period = 1ms}};
     const auto outputs = data.outputs(*master.find(station));
     const auto inputs = data.inputs(*master.find(station));
-    if (!done(cycles.run_job(
-            master.change_state(station, ethercat::al_state::op), 10s, [] {}, [](const net::cycle_report&) {})))
-        return 1;
+    const auto op = cycles.run_job(
+        ethercat::change_state{.station = station, .goal = ethercat::al_state::op}, 10s, [] {},
+        [](const net::cycle_report&) {});
+    if (!op) return fail(op.error());
     std::cout << "in OP: " << outputs.size() << " byte of outputs, " << inputs.size() << " of inputs\n";
 
     // Each cycle: outputs are written just before the frame goes; what comes back is the slave's work in the last one.

@@ -23,32 +23,43 @@ struct object {
     std::vector<std::byte> value{};
 };
 
+// What did not work, and why: with the slave's abort or AL status code.
+int fail(const char* job, const ethercat::master_error& error) {
+    std::cout << job << ": " << describe(error);
+    if (const auto reason = describe_reason(error); !reason.empty())
+        std::cout << ", " << reason << " (" << jauscat::text::hex_number(reason_code(error), 8) << ')';
+    std::cout << '\n';
+    return 1;
+}
+
 template <ethercat::link Link> int write_and_read(Link& link, const object& what) {
     ethercat::master master;
-    // Each call of the master starts a job; run() sends and receives until it is done.
-    const auto done = [&](bool started, const char* job) {
-        const auto result = net::run(link, master, started);
-        std::cout << job << ": " << describe(result.error);
-        if (const auto detail = describe_detail(result); !detail.empty()) // of the slave's abort or AL status code
-            std::cout << ", " << detail << " (" << jauscat::text::hex_number(result.detail, 8) << ')';
-        std::cout << '\n';
-        return static_cast<bool>(result);
-    };
-
-    if (!done(master.scan(), "scan")) return 1;
-    std::cout << master.result().size << " slaves\n";
+    // Each job is run to its end: frames are sent and received until its result is there.
+    const auto slaves = net::run(link, master, ethercat::scan{});
+    if (!slaves) return fail("scan", slaves.error());
+    std::cout << "scan: ok\n" << *slaves << " slaves\n";
 
     constexpr std::uint16_t station = 1;
     // The first of the ring; from here on it is known by its station address.
-    if (!done(master.bring_up(0, station), "to PRE-OP")) return 1;
-    if (!done(master.download(station, what.index, what.subindex, what.value), "download to station address 1"))
-        return 1;
+    // [bring_up]
+    const auto slave = net::run(link, master, ethercat::bring_up{.position = 0, .station = station});
+    if (!slave) return fail("to PRE-OP", slave.error()); // a master_error
+    // [bring_up end]
+    std::cout << "to PRE-OP: ok\n";
+
+    const auto written = net::run(
+        link, master,
+        ethercat::download{.station = station, .index = what.index, .subindex = what.subindex, .data = what.value});
+    if (!written) return fail("download to station address 1", written.error());
+    std::cout << "download to station address 1: ok\n";
 
     std::array<std::byte, 1024> buffer{};
-    if (!done(master.upload(station, what.index, what.subindex, buffer), "upload from station address 1")) return 1;
-    const auto read = std::span{buffer}.first(master.result().size);
-    std::cout << "the slave has " << jauscat::text::hex(read) << '\n';
-    return std::ranges::equal(read, what.value) ? 0 : 1;
+    const auto read =
+        net::run(link, master,
+                 ethercat::upload{.station = station, .index = what.index, .subindex = what.subindex, .into = buffer});
+    if (!read) return fail("upload from station address 1", read.error());
+    std::cout << "upload from station address 1: ok\nthe slave has " << jauscat::text::hex(*read) << '\n';
+    return std::ranges::equal(*read, what.value) ? 0 : 1;
 }
 
 int main(int argc, char** argv) try {

@@ -19,14 +19,25 @@ namespace net = jauscat::net;
 
 constexpr const char* usage = "sdo_read INTERFACE INDEX SUBINDEX, both numbers in hex\n";
 
+// What did not work, and why: with the slave's abort or AL status code.
+int fail(const char* job, const ethercat::master_error& error) {
+    std::cout << job << ": " << describe(error);
+    if (const auto reason = describe_reason(error); !reason.empty())
+        std::cout << ", " << reason << " (" << jauscat::text::hex_number(reason_code(error), 8) << ')';
+    std::cout << '\n';
+    return 1;
+}
+
 /// Bytes of the object by the slave's SDO information; none where it has no answer, or where the size may change.
 template <ethercat::link Link>
 std::optional<std::size_t> described_size(Link& link, ethercat::master& master, std::uint16_t station,
                                           std::uint16_t index, std::uint8_t subindex) {
     std::array<std::byte, 1024> answer{};
-    ethercat::entry_answer entry{};
-    const auto asked = net::run(link, master, master.describe_entry(station, index, subindex, 0, answer));
-    if (!asked || !jauscat::wire::decode_prefix(entry, std::span{answer}.first(asked.size))) return {};
+    const auto described =
+        net::run(link, master,
+                 ethercat::describe_entry{.station = station, .index = index, .subindex = subindex, .into = answer});
+    if (!described) return {};
+    const auto& entry = described->entry;
     const bool may_be_shorter = entry.data_type >= 0x0009 && entry.data_type <= 0x000F; // strings and domains
     if (entry.bits == 0 || may_be_shorter) return {};
     return (entry.bits + 7u) / 8;
@@ -34,28 +45,26 @@ std::optional<std::size_t> described_size(Link& link, ethercat::master& master, 
 
 template <ethercat::link Link> int read(Link& link, std::uint16_t index, std::uint8_t subindex) {
     ethercat::master master;
-    // Each call of the master starts a job; run() sends and receives until it is done.
-    const auto done = [&](bool started, const char* job) {
-        const auto result = net::run(link, master, started);
-        if (result) return true;
-        std::cout << job << ": " << describe(result.error);
-        if (const auto detail = describe_detail(result); !detail.empty()) // of the slave's abort or AL status code
-            std::cout << ", " << detail << " (" << jauscat::text::hex_number(result.detail, 8) << ')';
-        std::cout << '\n';
-        return false;
-    };
-
     constexpr std::uint16_t station = 1;
-    std::array<std::byte, 1024> buffer{};
-    if (!done(master.scan(), "scan") || !done(master.bring_up(0, station), "to PRE-OP")) return 1;
+    // Each job is run to its end: frames are sent and received until its result is there.
+    if (const auto slaves = net::run(link, master, ethercat::scan{}); !slaves) return fail("scan", slaves.error());
+    const auto slave = net::run(link, master, ethercat::bring_up{.position = 0, .station = station});
+    if (!slave) return fail("to PRE-OP", slave.error());
+
     const auto size = described_size(link, master, station, index, subindex);
-    if (!done(master.upload(station, index, subindex, buffer, {.size = size}), "upload from station address 1")) {
-        if (master.result().error == ethercat::master_errc::size_mismatch && size)
-            std::cout << "the slave's SDO information says " << *size << " bytes\n";
-        return 1;
+    std::array<std::byte, 1024> buffer{};
+    const auto data = net::run(
+        link, master,
+        ethercat::upload{
+            .station = station, .index = index, .subindex = subindex, .into = buffer, .options = {.size = size}});
+    if (data) {
+        std::cout << jauscat::text::hex(*data) << '\n';
+        return 0;
     }
-    std::cout << jauscat::text::hex(std::span{buffer}.first(master.result().size)) << '\n';
-    return 0;
+    fail("upload from station address 1", data.error());
+    if (data.error().code == ethercat::master_errc::size_mismatch && size)
+        std::cout << "the slave's SDO information says " << *size << " bytes\n";
+    return 1;
 }
 
 int main(int argc, char** argv) try {

@@ -9,16 +9,16 @@
 
 namespace example {
 
-inline std::string explain(const jauscat::ethercat::outcome& result) {
-    std::string why{describe(result.error)};
-    if (const auto detail = describe_detail(result); !detail.empty())
-        why += ": " + std::string{detail} + " (" + jauscat::text::hex_number(result.detail, 8) + ")";
+inline std::string explain(const jauscat::ethercat::master_error& error) {
+    std::string why{describe(error)};
+    if (const auto reason = describe_reason(error); !reason.empty())
+        why += ": " + std::string{reason} + " (" + jauscat::text::hex_number(reason_code(error), 8) + ")";
     return why;
 }
 
 /// For programs that cannot go on without it.
-inline void require(const jauscat::ethercat::outcome& result, const std::string& what) {
-    if (!result) throw std::runtime_error{what + ": " + explain(result)};
+template <class T> void require(const jauscat::ethercat::master_result<T>& result, const std::string& what) {
+    if (!result) throw std::runtime_error{what + ": " + explain(result.error())};
 }
 
 } // namespace example

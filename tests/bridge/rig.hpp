@@ -25,8 +25,8 @@ struct notes {
     std::vector<std::uint16_t> emergencies{};
 
     void slave_up(const bridge::slave_front&, const ethercat::slave_record&, bool ready) { up += ready; }
-    void bring_up_failed(const bridge::slave_front&, const ethercat::outcome&) { ++failed_bring_ups; }
-    void slave_lost(const bridge::slave_front&, bridge::loss what, const ethercat::outcome&) {
+    void bring_up_failed(const bridge::slave_front&, const ethercat::master_error&) { ++failed_bring_ups; }
+    void slave_lost(const bridge::slave_front&, bridge::loss what, const ethercat::master_error&) {
         ++lost;
         last_loss = what;
     }

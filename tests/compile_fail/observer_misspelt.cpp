@@ -3,5 +3,5 @@
 
 namespace bridge = jauscat::bridge;
 
-constexpr auto lost = [](const bridge::slave_front&, bridge::loss, const jauscat::ethercat::outcome&) {};
+constexpr auto lost = [](const bridge::slave_front&, bridge::loss, const jauscat::ethercat::master_error&) {};
 const bridge::observer watcher{.slave_lots = lost};

@@ -57,28 +57,25 @@ class machine {
           mapped_{description, listed_},
           objects_{description, mapped_},
           slave_{{slave{description, objects_, {.transfer_memory = memory_}}}} {
-        REQUIRE(master_.bring_up(0, 0x1001));
-        REQUIRE(net::run(link_, master_));
+        REQUIRE(net::run(link_, master_, bring_up{0, 0x1001}));
     }
 
     /// How a transfer ended, and the data of an upload.
     struct answer {
-        outcome result{};
+        master_error error{};
         bytes data{};
         friend bool operator==(const answer&, const answer&) = default;
     };
 
     answer upload(std::uint16_t index, std::uint8_t subindex) {
         bytes data(2000);
-        REQUIRE(master_.upload(0x1001, index, subindex, data));
-        const auto result = net::run(link_, master_);
-        data.resize(result ? result.size : 0);
-        return {result, data};
+        const auto result = net::run(link_, master_, jauscat::ethercat::upload{0x1001, index, subindex, data});
+        data.resize(result ? result->size() : 0);
+        return {result.error(), data};
     }
     answer download(std::uint16_t index, std::uint8_t subindex, std::size_t size) {
         const bytes data(size, std::byte{0x5A});
-        REQUIRE(master_.download(0x1001, index, subindex, data));
-        return {net::run(link_, master_), {}};
+        return {net::run(link_, master_, jauscat::ethercat::download{0x1001, index, subindex, data}).error(), {}};
     }
 
     /// What a master reads of the SII, 4 bytes at a time.
@@ -129,14 +126,14 @@ template <class Table> void compare_machines(std::size_t transfer_size, const sl
         const auto index = static_cast<std::uint16_t>(i);
         const auto one = original.upload(index, 0);
         if (one != rebuilt.upload(index, 0)) FAIL("object " << std::hex << index << " answers differently");
-        if (one.result.detail != static_cast<std::uint32_t>(abort_code::no_object)) ++there;
+        if (one.error.abort != abort_code::no_object) ++there;
     }
     CHECK(there == 6);
 
     std::map<std::uint32_t, std::size_t> seen; // how often each abort code came, 0 for success
     const auto same = [&](const machine::answer& one, const machine::answer& other, unsigned index, unsigned sub) {
         if (one != other) FAIL("subindex " << std::hex << index << ':' << sub << " answers differently");
-        ++seen[one.result.detail];
+        ++seen[static_cast<std::uint32_t>(one.error.abort)];
     };
     const auto own = sample_components<Table>[0].index, every = sample_components<Table>[1].index;
     for (const std::uint16_t index : {std::uint16_t{0x1000}, std::uint16_t{0x1008}, std::uint16_t{0x1018},
@@ -218,7 +215,7 @@ TEST_CASE("a slave with process data is rebuilt from its file with its PDOs and 
                 const auto one = original.upload(static_cast<std::uint16_t>(index), subindex);
                 if (one != rebuilt.upload(static_cast<std::uint16_t>(index), subindex))
                     FAIL(std::hex << index << ':' << int{subindex} << " answers differently");
-                there += one.result && subindex == 0 ? 1 : 0;
+                there += one.error == master_error{} && subindex == 0 ? 1 : 0;
             }
         // 1000h, 1008h, 100Ah, 1018h, 1600h, 1C00h, 1C12h, 1C13h, 7000h, 7010h, two components; and 1001h, 1009h,
         // 1A00h, 1C32h, 1C33h, 6000h.

@@ -68,8 +68,7 @@ template <class Table> class robot {
 
     robot() {
         for (std::uint16_t position = 0; position != stations.size(); ++position) {
-            REQUIRE(master_.bring_up(position, stations[position]));
-            REQUIRE(net::run(link_, master_));
+            REQUIRE(net::run(link_, master_, ethercat::bring_up{position, stations[position]}));
         }
     }
 
@@ -78,9 +77,9 @@ template <class Table> class robot {
         bytes confirmation(ethercat::packet_job::confirmation_size);
         ethercat::packet_job job{request, confirmation};
         REQUIRE(job.start(master_));
-        const auto result = net::run(link_, master_);
+        static_cast<void>(net::run(link_, master_));
         CHECK_FALSE(job.next(master_));
-        confirmation.resize(job.finish(result));
+        confirmation.resize(job.finish(master_));
         return confirmation;
     }
 

@@ -42,17 +42,10 @@ struct bench {
         objects.add(0x6926, 1, 28);
     }
 
-    outcome bring_up() {
-        REQUIRE(master.bring_up(0, 0x1001));
-        return link.run(master);
-    }
-    outcome download() {
-        REQUIRE(master.download(0x1001, 0x6926, 1, data));
-        return link.run(master);
-    }
-    outcome upload(bytes& into) {
-        REQUIRE(master.upload(0x1001, 0x6926, 1, into));
-        return link.run(master);
+    master_result<> bring_up() { return link.run(master, jauscat::ethercat::bring_up{0, 0x1001}).error(); }
+    master_result<> download() { return link.run(master, jauscat::ethercat::download{0x1001, 0x6926, 1, data}); }
+    master_result<std::size_t> upload(bytes& into) {
+        return test::size_of(link.run(master, jauscat::ethercat::upload{0x1001, 0x6926, 1, into}));
     }
     [[nodiscard]] const bytes& stored() const { return objects.entries.at({0x6926, 1}).value; }
 
@@ -100,12 +93,12 @@ void put_before_answers(bench& b, std::string_view hex) {
 TEST_CASE("an empty ring has no slave, and a cut one no replies") {
     master m;
     simulated_link ring{std::span<slave>{}};
-    REQUIRE(m.bring_up(0, 1));
-    CHECK(ring.run(m) == outcome{.error = master_errc::no_slave});
+    REQUIRE(m.start(bring_up{0, 1}));
+    CHECK(ring.run(m).error() == master_error{.code = master_errc::no_slave});
     simulated_link cut{std::span<slave>{}};
     cut.faults.lose = 100;
-    REQUIRE(m.bring_up(0, 1));
-    CHECK(cut.run(m) == outcome{.error = master_errc::no_reply});
+    REQUIRE(m.start(bring_up{0, 1}));
+    CHECK(cut.run(m).error() == master_error{.code = master_errc::no_reply});
     CHECK(m.statistics().sent == 1 + 10);
     CHECK(cut.now == 10 * 20ms);
 }
@@ -122,9 +115,9 @@ TEST_CASE("a slave that loses its address during bring-up is noticed wherever it
         if (when == 1)
             CHECK(result); // it had no address yet
         else if (when == 2)
-            CHECK(result == outcome{.error = master_errc::wrong_station, .detail = 0x1001});
+            CHECK(result == master_error{.code = master_errc::wrong_station, .station = 0x1001});
         else
-            CHECK(result == outcome{.error = master_errc::working_counter});
+            CHECK(result == master_error{.code = master_errc::working_counter});
         CHECK(b.master.slaves().size() == (when == 1 ? 1 : 0));
     }
 }
@@ -141,7 +134,7 @@ TEST_CASE("another slave's alias that equals the address is noticed") {
         builder.add(command::apwr, 0, 0x0100, std::span<const std::byte>{from_hex("00000001")});
         b.device.process(std::span{frame}.first(builder.finish().size()));
     };
-    CHECK(b.bring_up() == outcome{.error = master_errc::wrong_station, .detail = 0x1001});
+    CHECK(b.bring_up().error() == master_error{.code = master_errc::wrong_station, .station = 0x1001});
 }
 
 TEST_CASE("an SII that stays busy or fails is reported, and one that is slow is waited for") {
@@ -150,7 +143,7 @@ TEST_CASE("an SII that stays busy or fails is reported, and one that is slow is 
         busy.works = false;
         return true;
     });
-    CHECK(busy.bring_up() == outcome{.error = master_errc::sii_busy});
+    CHECK(busy.bring_up().error() == master_error{.code = master_errc::sii_busy});
 
     bench slow;
     int polls = 0;
@@ -169,34 +162,33 @@ TEST_CASE("an SII that stays busy or fails is reported, and one that is slow is 
         if (d.header.cmd == command::fprd) put(d, "0020");
         return true;
     });
-    CHECK(failing.bring_up() == outcome{.error = master_errc::sii_error, .detail = 8});
+    CHECK(failing.bring_up().error() == master_error{.code = master_errc::sii_error, .sii_word = 8});
 }
 
 TEST_CASE("a slave with an unusable mailbox is refused, and one without CoE takes no SDO") {
-    CHECK(bench{{.mailbox_out_size = 0}}.bring_up() == outcome{.error = master_errc::no_mailbox});
-    CHECK(bench{{.mailbox_in_size = 1487}}.bring_up() == outcome{.error = master_errc::no_mailbox});
+    CHECK(bench{{.mailbox_out_size = 0}}.bring_up().error() == master_error{.code = master_errc::no_mailbox});
+    CHECK(bench{{.mailbox_in_size = 1487}}.bring_up().error() == master_error{.code = master_errc::no_mailbox});
     bench b;
     b.on_way_back(0x0502, [](const auto& d) {
         if (d.header.cmd == command::fprd && d.data[2] == std::byte{0x1C}) put(d, "0800", 6);
         return true;
     });
     REQUIRE(b.bring_up());
-    CHECK(b.download() == outcome{.error = master_errc::no_coe});
+    CHECK(b.download().error() == master_error{.code = master_errc::no_coe});
 }
 
 TEST_CASE("a refused state is reported with the slave's reason") {
     bench b{{.mailbox_in_offset = 0x2F80}}; // beyond the slave's memory
     const auto result = b.bring_up();
-    CHECK(result == outcome{.error = master_errc::al_error, .detail = 0x16});
-    CHECK(describe_detail(result) == "invalid mailbox configuration for PRE-OP");
+    CHECK(result == master_error{.code = master_errc::al_error, .al_status = al_status_code{0x16}});
+    CHECK(describe_reason(result.error()) == "invalid mailbox configuration for PRE-OP");
 }
 
 TEST_CASE("a slave that never leaves a state is given up after the time for it") {
     bench b{{}, {.state_timeout = 300ms}};
     int frames = 0;
     b.link.on_way_back = [&](bytes&) { b.works = ++frames < 22; };
-    CHECK(b.bring_up() ==
-          outcome{.error = master_errc::state_timeout, .detail = static_cast<std::uint32_t>(al_state::init)});
+    CHECK(b.bring_up().error() == master_error{.code = master_errc::state_timeout, .state = al_state::init});
     CHECK(b.link.now > 300ms);
     CHECK(b.link.now < 310ms);
 
@@ -205,16 +197,17 @@ TEST_CASE("a slave that never leaves a state is given up after the time for it")
         put(d, "1100 0000 5100");
         return true;
     });
-    CHECK(stubborn.bring_up() == outcome{.error = master_errc::al_error, .detail = 0x51});
+    CHECK(stubborn.bring_up().error() ==
+          master_error{.code = master_errc::al_error, .al_status = al_status_code{0x51}});
 }
 
 TEST_CASE("a slave that does not serve its mailbox is given up, and says which way it hangs") {
     bench b;
     REQUIRE(b.bring_up());
     b.works = false;
-    CHECK(b.download() == outcome{.error = master_errc::mailbox_timeout});
+    CHECK(b.download().error() == master_error{.code = master_errc::mailbox_timeout});
     CHECK(b.link.now > 1s);
-    CHECK(b.download() == outcome{.error = master_errc::mailbox_full});
+    CHECK(b.download().error() == master_error{.code = master_errc::mailbox_full});
     // The abandoned download is answered at last; the next one does not take that answer for its own.
     b.works = true;
     b.data[0] = std::byte{0x77};
@@ -227,7 +220,7 @@ TEST_CASE("a late answer to an abandoned request is not taken for the next one's
     bench b;
     REQUIRE(b.bring_up());
     b.works = false;
-    CHECK(b.download() == outcome{.error = master_errc::mailbox_timeout});
+    CHECK(b.download().error() == master_error{.code = master_errc::mailbox_timeout});
     // The slave wakes up between the drain of its reply mailbox and the next request.
     b.on_way_back(mailbox_in, [&](const auto&) {
         b.works = true;
@@ -235,7 +228,7 @@ TEST_CASE("a late answer to an abandoned request is not taken for the next one's
         return true;
     });
     b.objects.entries[{0x6926, 1}].write_abort = abort_code::read_only;
-    CHECK(b.download().error == master_errc::sdo_abort);
+    CHECK(b.download().error().code == master_errc::sdo_abort);
 }
 
 TEST_CASE("a late answer is not taken for the next one's either where the slave numbers its messages in its own way") {
@@ -244,7 +237,7 @@ TEST_CASE("a late answer is not taken for the next one's either where the slave 
             bench b;
             REQUIRE(b.bring_up());
             b.works = false;
-            CHECK(b.download() == outcome{.error = master_errc::mailbox_timeout});
+            CHECK(b.download().error() == master_error{.code = master_errc::mailbox_timeout});
             unsigned frames = 0;
             b.link.on_way_back = [&](bytes& frame) {
                 mutable_frame_view view;
@@ -308,8 +301,8 @@ TEST_CASE("a mailbox error ends the request with its code") {
         return true;
     });
     const auto result = b.download();
-    CHECK(result == outcome{.error = master_errc::mailbox_error, .detail = 9});
-    CHECK(describe_detail(result) == "the mailbox service is still at work: retry, or restart the slave");
+    CHECK(result == master_error{.code = master_errc::mailbox_error, .mailbox = mailbox_error_code{9}});
+    CHECK(describe_reason(result.error()) == "the mailbox service is still at work: retry, or restart the slave");
     b.link.on_way_back = {};
     CHECK(b.download());
 }
@@ -322,7 +315,7 @@ TEST_CASE("an abort is known by its specifier alone, whatever else the slave lea
             if (d.working_counter != 0) put(d, std::string{"0030 "} + command + " 2669 01 22000008", 6);
             return true;
         });
-        CHECK(b.download() == outcome{.error = master_errc::sdo_abort, .detail = 0x08000022});
+        CHECK(b.download().error() == master_error{.code = master_errc::sdo_abort, .abort = abort_code{0x08000022}});
     }
 }
 
@@ -337,9 +330,9 @@ TEST_CASE("an abort without a code, or cut off, is an abort") {
         });
         INFO(abort);
         const auto result = b.download();
-        CHECK(result == outcome{.error = master_errc::sdo_abort});
-        CHECK(describe_detail(result) == "the slave gave no abort code");
-        CHECK(jauscat::hilscher::status_of(result) == jauscat::hilscher::packet_status::sdo_abort_unknown);
+        CHECK(result == master_error{.code = master_errc::sdo_abort});
+        CHECK(describe_reason(result.error()) == "the slave gave no abort code");
+        CHECK(jauscat::hilscher::status_of(result.error()) == jauscat::hilscher::packet_status::sdo_abort_unknown);
     }
 }
 
@@ -383,8 +376,8 @@ TEST_CASE("a slave that answers something else for good is told apart from one t
         if (d.working_counter != 0) put(d, "4f", 8);
         return true;
     });
-    CHECK(b.download() == outcome{.error = master_errc::unexpected_reply,
-                                  .detail = static_cast<std::uint32_t>(sdo_specifier::upload_response)});
+    CHECK(b.download().error() ==
+          master_error{.code = master_errc::unexpected_reply, .specifier = sdo_specifier::upload_response});
 }
 
 TEST_CASE("an upload whose size and data differ is refused") {
@@ -398,12 +391,11 @@ TEST_CASE("an upload whose size and data differ is refused") {
         bytes into(64);
         return b.upload(into);
     };
-    CHECK(upload_announced_as("1b000000") == outcome{.error = master_errc::size_mismatch, .detail = 27});
+    CHECK(upload_announced_as("1b000000").error() == master_error{.code = master_errc::size_mismatch, .bytes = 27});
     // More than came: the master asks for the rest, of which the slave knows nothing.
-    CHECK(
-        upload_announced_as("1d000000") ==
-        outcome{.error = master_errc::sdo_abort, .detail = static_cast<std::uint32_t>(abort_code::command_specifier)});
-    CHECK(upload_announced_as("ffffffff") == outcome{.error = master_errc::data_too_long, .detail = 64});
+    CHECK(upload_announced_as("1d000000").error() ==
+          master_error{.code = master_errc::sdo_abort, .abort = abort_code::command_specifier});
+    CHECK(upload_announced_as("ffffffff").error() == master_error{.code = master_errc::data_too_long, .bytes = 64});
     CHECK(upload_announced_as("1c000000"));
 }
 
@@ -421,15 +413,12 @@ TEST_CASE("a lost frame is repeated, whichever it is, and the object is written 
                 if (frames == lost) frame.clear();
             };
             INFO("frame " << lost << (on_way_out ? " out" : " back"));
-            REQUIRE(b.master.bring_up(0, 0x1001));
-            REQUIRE(link.run(b.master));
-            REQUIRE(b.master.download(0x1001, 0x6926, 1, b.data));
-            REQUIRE(link.run(b.master));
+            REQUIRE(link.run(b.master, bring_up{0, 0x1001}));
+            REQUIRE(link.run(b.master, download{0x1001, 0x6926, 1, b.data}));
             CHECK(b.stored() == b.data);
             CHECK(b.objects.writes == 1);
             CHECK(b.master.statistics().lost == 1);
-            REQUIRE(b.master.download(0x1001, 0x6926, 1, b.data));
-            REQUIRE(link.run(b.master));
+            REQUIRE(link.run(b.master, download{0x1001, 0x6926, 1, b.data}));
             CHECK(b.objects.writes == 2);
         }
     }
@@ -439,7 +428,7 @@ TEST_CASE("replies that are late, doubled or somebody else's change nothing") {
     bench b;
     REQUIRE(b.bring_up());
     bytes out(max_frame_size);
-    REQUIRE(b.master.download(0x1001, 0x6926, 1, b.data));
+    REQUIRE(b.master.start(download{0x1001, 0x6926, 1, b.data}));
     const auto drain = b.master.next_frame(out, b.link.now);
     bytes reply(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(drain));
     b.device.process(reply);
@@ -484,7 +473,7 @@ TEST_CASE("a slave that was reset is noticed and can be brought up again") {
     REQUIRE(b.bring_up());
     REQUIRE(b.download());
     b.device.power_on();
-    CHECK(b.download() == outcome{.error = master_errc::working_counter});
+    CHECK(b.download().error() == master_error{.code = master_errc::working_counter});
     REQUIRE(b.bring_up());
     CHECK(b.download());
     CHECK(b.objects.writes == 2);
@@ -522,7 +511,7 @@ TEST_CASE("one answer that does not come costs a slave that counts its own messa
         for (unsigned round = 0; round != 7; ++round) {
             REQUIRE(b.download());
             answers = false;
-            CHECK(b.download() == outcome{.error = master_errc::mailbox_timeout});
+            CHECK(b.download().error() == master_error{.code = master_errc::mailbox_timeout});
             answers = true;
             static_cast<void>(b.download());
             for (int i = 0; i != 8; ++i) REQUIRE(b.download());
@@ -534,10 +523,10 @@ TEST_CASE("one answer that does not come costs a slave that counts its own messa
 TEST_CASE("a cancelled job leaves the master ready for the next") {
     bench b;
     REQUIRE(b.bring_up());
-    REQUIRE(b.master.download(0x1001, 0x6926, 1, b.data));
+    REQUIRE(b.master.start(download{0x1001, 0x6926, 1, b.data}));
     b.master.cancel(master_errc::timeout);
     CHECK(b.master.idle());
-    CHECK(b.master.result().error == master_errc::timeout);
+    CHECK(b.master.error().code == master_errc::timeout);
     CHECK(b.download());
 }
 
@@ -550,7 +539,7 @@ struct tally {
 };
 tally try_downloads(bench& b, unsigned count) {
     tally result{};
-    outcome up{.error = master_errc::no_reply};
+    master_result<> up{master_error{.code = master_errc::no_reply}};
     bytes into(28);
     for (unsigned i = 0; i != count; ++i) {
         if (!up) up = b.bring_up();
@@ -559,11 +548,12 @@ tally try_downloads(bench& b, unsigned count) {
         b.data[2] = static_cast<std::byte>(i >> 16);
         const auto writes = b.objects.writes;
         const auto download = up ? b.download() : up;
-        const auto read = download ? b.upload(into) : download;
+        const auto read = download ? b.upload(into) : master_result<std::size_t>{download.error()};
         result.written_twice += b.objects.writes > writes + 1;
         if (download && b.objects.writes == writes) FAIL("download " << i << " is said to be done, and is not");
         if (read && into != b.data) FAIL("download " << i << " reads back as another value");
-        if (!read && read.error != master_errc::no_reply) FAIL("download " << i << ": " << describe(read.error));
+        if (!read && read.error().code != master_errc::no_reply)
+            FAIL("download " << i << ": " << describe(read.error()));
         ++(read ? result.done : result.failed);
     }
     return result;
@@ -607,7 +597,7 @@ TEST_CASE("an empty copy of a mailbox read that comes back first does not cost t
     REQUIRE(b.bring_up());
     bytes out(max_frame_size);
     for (int i = 0; i != 3; ++i) {
-        REQUIRE(b.master.download(0x1001, 0x6926, 1, b.data));
+        REQUIRE(b.master.start(download{0x1001, 0x6926, 1, b.data}));
         while (!b.master.idle()) {
             const auto size = b.master.next_frame(out, b.link.now);
             bytes first(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size));
@@ -621,7 +611,7 @@ TEST_CASE("an empty copy of a mailbox read that comes back first does not cost t
             if (const auto next = b.master.next_event()) b.link.now = std::max(b.link.now, *next);
             b.master.on_time(b.link.now);
         }
-        CHECK(b.master.result());
+        CHECK(b.master.error() == master_error{});
     }
     CHECK(b.objects.writes == 3);
 }
@@ -632,7 +622,7 @@ TEST_CASE("a refused copy of a mailbox write that comes back first, or alone, do
         REQUIRE(b.bring_up());
         bytes out(max_frame_size);
         for (int i = 0; i != 3; ++i) {
-            REQUIRE(b.master.download(0x1001, 0x6926, 1, b.data));
+            REQUIRE(b.master.start(download{0x1001, 0x6926, 1, b.data}));
             while (!b.master.idle()) {
                 const auto size = b.master.next_frame(out, b.link.now);
                 bytes first(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size));
@@ -650,7 +640,7 @@ TEST_CASE("a refused copy of a mailbox write that comes back first, or alone, do
                 if (const auto next = b.master.next_event()) b.link.now = std::max(b.link.now, *next);
                 b.master.on_time(b.link.now);
             }
-            CHECK(b.master.result());
+            CHECK(b.master.error() == master_error{});
         }
         CHECK(b.objects.writes == 3);
     }
@@ -708,7 +698,7 @@ TEST_CASE("a frame that comes back after hundreds of others is not taken for ano
         bench b;
         REQUIRE(b.bring_up());
         bytes late(max_frame_size), value(2);
-        REQUIRE(b.master.exchange(command::fprd, 0x1001, 0x0010, value));
+        REQUIRE(b.master.start(exchange_datagram{command::fprd, 0x1001, 0x0010, value}));
         late.resize(b.master.next_frame(late, b.link.now));
         b.master.cancel(master_errc::timeout);
         if (!soon) b.link.now += 11s;

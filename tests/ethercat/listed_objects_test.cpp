@@ -153,29 +153,24 @@ template <class Table> struct strict_robot {
 
     using delivery = bridge::delivery<Table>;
 
-    void bring_up() {
-        REQUIRE(master.bring_up(0, 2));
-        REQUIRE(link.run(master));
-    }
-    ethercat::outcome deliver(std::span<const std::byte> message) {
+    void bring_up() { REQUIRE(link.run(master, ethercat::bring_up{0, 2})); }
+    ethercat::master_result<> deliver(std::span<const std::byte> message) {
         bring_up();
         std::array<std::byte, delivery::translator::max_packet_size> packet{};
         const auto size = delivery::translator::to_packet(message, packet);
         REQUIRE(size);
         const auto object = delivery::object_of(std::span{packet}.first(size.size()));
-        REQUIRE(master.download(object.station, object.index, object.subindex, object.data));
-        return link.run(master);
+        return link.run(master, ethercat::download{object.station, object.index, object.subindex, object.data});
     }
     /// The message that an upload of the report's object gives.
     std::vector<std::byte> fetch() {
         bring_up();
         std::array<std::byte, 100> data{};
-        REQUIRE(master.upload(2, 6933, 121, data));
-        const auto got = link.run(master);
+        const auto got = link.run(master, ethercat::upload{2, 6933, 121, data});
         REQUIRE(got);
         std::vector<std::byte> message(delivery::translator::max_message_size);
-        const auto size = delivery::message_of({2, 6933, 121, std::span{data}.first(got.size)},
-                                               {.subsystem = 1, .station = 2, .instance = 5}, message);
+        const auto size =
+            delivery::message_of({2, 6933, 121, *got}, {.subsystem = 1, .station = 2, .instance = 5}, message);
         message.resize(size.size());
         return message;
     }
@@ -188,9 +183,9 @@ const auto one_effort = from_hex("0602 0504 05210201 02200304 0400 2200 0100 ff7
 TEST_CASE("a strict slave aborts a shorter message, and the reason names the option that helps") {
     strict_robot<translation::seed_table> robot;
     const auto result = robot.deliver(one_effort);
-    CHECK(result.error == ethercat::master_errc::sdo_abort);
-    CHECK(result.detail == 0x06070010);
-    CHECK(describe_detail(result).find("fixed_length") != std::string_view::npos);
+    CHECK(result.error().code == ethercat::master_errc::sdo_abort);
+    CHECK(static_cast<std::uint32_t>(result.error().abort) == 0x06070010);
+    CHECK(describe_reason(result.error()).find("fixed_length") != std::string_view::npos);
     CHECK(robot.behind.writes == 0);
 }
 

@@ -38,17 +38,14 @@ struct bench {
         objects.add(0x3000, 0, 600);
     }
 
-    outcome bring_up(std::uint16_t position = 0, std::uint16_t station = 0x1001) {
-        REQUIRE(master.bring_up(position, station));
-        return link.run(master);
+    master_result<> bring_up(std::uint16_t position = 0, std::uint16_t station = 0x1001) {
+        return link.run(master, jauscat::ethercat::bring_up{position, station}).error();
     }
-    outcome download(std::uint16_t index, std::uint8_t subindex, const bytes& data) {
-        REQUIRE(master.download(0x1001, index, subindex, data));
-        return link.run(master);
+    master_result<> download(std::uint16_t index, std::uint8_t subindex, const bytes& data) {
+        return link.run(master, jauscat::ethercat::download{0x1001, index, subindex, data});
     }
-    outcome upload(std::uint16_t index, std::uint8_t subindex, bytes& into) {
-        REQUIRE(master.upload(0x1001, index, subindex, into));
-        return link.run(master);
+    master_result<std::size_t> upload(std::uint16_t index, std::uint8_t subindex, bytes& into) {
+        return test::size_of(link.run(master, jauscat::ethercat::upload{0x1001, index, subindex, into}));
     }
 };
 
@@ -86,8 +83,7 @@ TEST_CASE("a slave is brought up again from PRE-OP and from an old error") {
     CHECK(b.master.slaves().size() == 1);
     CHECK(b.devices[0].station_address() == 0x1002);
     const auto data = counting(1);
-    REQUIRE(b.master.download(0x1002, 0x2002, 0, data));
-    CHECK(b.link.run(b.master));
+    CHECK(b.link.run(b.master, download{0x1002, 0x2002, 0, data}));
 
     // SAFE-OP straight from INIT leaves an error behind.
     b.devices[0].power_on();
@@ -111,7 +107,7 @@ TEST_CASE("a download of 28 bytes takes two frames and so does an upload") {
     bytes read(100);
     const auto result = b.upload(0x1AF5, 26, read);
     REQUIRE(result);
-    CHECK(result.size == 28);
+    CHECK(result == master_result<std::size_t>{28});
     read.resize(28);
     CHECK(read == data);
     CHECK(b.master.statistics().sent - before == 202);
@@ -164,34 +160,34 @@ TEST_CASE("data fill a mailbox to the last byte, and one more needs segments, wh
     bench b{{.mailbox_out_size = 44, .mailbox_in_size = 24}};
     REQUIRE(b.bring_up());
     CHECK(b.download(0x1AF5, 26, counting(28)));
-    CHECK(b.download(0x1AF5, 26, counting(29)) ==
-          outcome{.error = master_errc::sdo_abort, .detail = static_cast<std::uint32_t>(abort_code::exceeds_mailbox)});
+    CHECK(b.download(0x1AF5, 26, counting(29)).error() ==
+          master_error{.code = master_errc::sdo_abort, .abort = abort_code::exceeds_mailbox});
     CHECK(b.objects.entries.at({0x1AF5, 26}).value == counting(28));
-    CHECK(b.download(0x2002, 0, {}) ==
-          outcome{.error = master_errc::sdo_abort, .detail = static_cast<std::uint32_t>(abort_code::length_mismatch)});
+    CHECK(b.download(0x2002, 0, {}).error() ==
+          master_error{.code = master_errc::sdo_abort, .abort = abort_code::length_mismatch});
 
     bytes into(100);
     const auto too_large = b.upload(0x1AF5, 26, into);
-    CHECK(too_large.error == master_errc::sdo_abort);
-    CHECK(describe_detail(too_large) == "the object is larger than the mailbox");
+    CHECK(too_large.error().code == master_errc::sdo_abort);
+    CHECK(describe_reason(too_large.error()) == "the object is larger than the mailbox");
 }
 
 TEST_CASE("an upload that does not fit the caller's buffer says so") {
     bench b;
     REQUIRE(b.bring_up());
     bytes small(27);
-    CHECK(b.upload(0x1AF5, 26, small) == outcome{.error = master_errc::data_too_long, .detail = 27});
+    CHECK(b.upload(0x1AF5, 26, small).error() == master_error{.code = master_errc::data_too_long, .bytes = 27});
     bytes none;
-    CHECK(b.upload(0x2002, 0, none) == outcome{.error = master_errc::data_too_long, .detail = 0});
+    CHECK(b.upload(0x2002, 0, none).error() == master_error{.code = master_errc::data_too_long, .bytes = 0});
 }
 
 TEST_CASE("an abort is reported with its code and its text, and the next transfer works") {
     bench b;
     REQUIRE(b.bring_up());
     const auto result = b.download(0x1AF6, 1, counting(28));
-    CHECK(result.error == master_errc::sdo_abort);
-    CHECK(result.detail == 0x06020000);
-    CHECK(describe_detail(result) == "no such object in the dictionary");
+    CHECK(result.error().code == master_errc::sdo_abort);
+    CHECK(static_cast<std::uint32_t>(result.error().abort) == 0x06020000);
+    CHECK(describe_reason(result.error()) == "no such object in the dictionary");
     CHECK(b.download(0x1AF5, 26, counting(28)));
 }
 
@@ -203,26 +199,22 @@ TEST_CASE("two slaves in a ring are brought up side by side and keep their objec
                        slave{{.vendor = 2, .mailbox_out_size = 64, .mailbox_in_size = 64}, second}};
     simulated_link link{devices};
     master m;
-    REQUIRE(m.bring_up(0, 0x1001));
-    REQUIRE(link.run(m));
-    REQUIRE(m.bring_up(1, 0x1002));
-    REQUIRE(link.run(m));
+    REQUIRE(link.run(m, bring_up{0, 0x1001}));
+    REQUIRE(link.run(m, bring_up{1, 0x1002}));
     CHECK(devices[0].station_address() == 0x1001);
     CHECK(devices[1].station_address() == 0x1002);
     REQUIRE(m.slaves().size() == 2);
     CHECK(m.slaves()[1].identity.vendor == 2);
     const auto one = counting(1);
-    REQUIRE(m.download(0x1002, 0x2002, 0, one));
-    REQUIRE(link.run(m));
+    REQUIRE(link.run(m, download{0x1002, 0x2002, 0, one}));
     CHECK(first.writes == 0);
     CHECK(second.writes == 1);
     // A third position has nobody.
-    REQUIRE(m.bring_up(2, 0x1003));
-    CHECK(link.run(m) == outcome{.error = master_errc::no_slave, .detail = 2});
+    CHECK(link.run(m, bring_up{2, 0x1003}).error() == master_error{.code = master_errc::no_slave, .slaves = 2});
     CHECK(m.slaves().size() == 2);
     // The address of the first slave for the second one too.
-    REQUIRE(m.bring_up(1, 0x1001));
-    CHECK(link.run(m) == outcome{.error = master_errc::duplicate_station, .detail = 2});
+    CHECK(link.run(m, bring_up{1, 0x1001}).error() ==
+          master_error{.code = master_errc::duplicate_station, .working_counter = 2});
 }
 
 TEST_CASE("a station nobody was brought up with is refused before anything is sent") {
@@ -230,18 +222,18 @@ TEST_CASE("a station nobody was brought up with is refused before anything is se
     REQUIRE(b.bring_up());
     const auto sent = b.master.statistics().sent;
     const auto data = counting(1);
-    REQUIRE(b.master.download(0x1002, 0x2002, 0, data));
+    REQUIRE(b.master.start(download{0x1002, 0x2002, 0, data}));
     CHECK(b.master.idle());
-    CHECK(b.master.result() == outcome{.error = master_errc::wrong_station, .detail = 0x1002});
+    CHECK(b.master.error() == master_error{.code = master_errc::wrong_station, .station = 0x1002});
     CHECK(b.master.statistics().sent == sent);
 }
 
 TEST_CASE("a second job is refused while one runs") {
     bench b;
-    REQUIRE(b.master.bring_up(0, 1));
+    REQUIRE(b.master.start(bring_up{0, 1}));
     const auto data = counting(1);
-    CHECK_FALSE(b.master.bring_up(0, 2));
-    CHECK_FALSE(b.master.download(1, 0x2002, 0, data));
+    CHECK_FALSE(b.master.start(bring_up{0, 2}));
+    CHECK_FALSE(b.master.start(download{1, 0x2002, 0, data}));
     CHECK(b.link.run(b.master));
 }
 
@@ -251,20 +243,18 @@ TEST_CASE("a master has room for sixteen slaves") {
     simulated_link link{devices};
     master m;
     for (std::uint16_t i = 0; i != slave_capacity; ++i) {
-        REQUIRE(m.bring_up(i, static_cast<std::uint16_t>(i + 1)));
-        REQUIRE(link.run(m));
+        REQUIRE(link.run(m, bring_up{i, static_cast<std::uint16_t>(i + 1)}));
     }
-    REQUIRE(m.bring_up(16, 17));
-    CHECK(link.run(m).error == master_errc::too_many_slaves);
+    CHECK(link.run(m, bring_up{16, 17}).error().code == master_errc::too_many_slaves);
 }
 
 TEST_CASE("a master whose frame buffer is too small gives up with a reason") {
     bench b;
     bytes small(59);
-    REQUIRE(b.master.bring_up(0, 1));
+    REQUIRE(b.master.start(bring_up{0, 1}));
     CHECK(b.master.next_frame(small, 0ns) == 0);
     CHECK(b.master.idle());
-    CHECK(b.master.result().error == master_errc::no_space);
+    CHECK(b.master.error().code == master_errc::no_space);
 }
 
 TEST_CASE("the blocking driver runs a job over the loopback link") {
@@ -273,11 +263,9 @@ TEST_CASE("the blocking driver runs a job over the loopback link") {
     std::array devices{slave{{}, objects}};
     loopback_link link{devices};
     master m;
-    REQUIRE(m.bring_up(0, 0x1001));
-    REQUIRE(jauscat::net::run(link, m));
+    REQUIRE(jauscat::net::run(link, m, bring_up{0, 0x1001}));
     const auto data = from_hex("5a");
-    REQUIRE(m.download(0x1001, 0x2002, 0, data));
-    REQUIRE(jauscat::net::run(link, m));
+    REQUIRE(jauscat::net::run(link, m, download{0x1001, 0x2002, 0, data}));
     CHECK(objects.entries.at({0x2002, 0}).value == data);
     // No job: nothing to do, and the last result stands.
     CHECK(jauscat::net::run(link, m));
@@ -289,11 +277,12 @@ TEST_CASE("a job that could not start is not taken for the one that runs") {
     loopback_link link{devices};
     master m;
     std::array<std::byte, 1> type{};
-    REQUIRE(m.exchange(command::brd, 0, 0x0000, type)); // and its result is not fetched yet
-    CHECK(jauscat::net::run(link, m, m.bring_up(0, 7)).error == master_errc::busy);
+    REQUIRE(m.start(exchange_datagram{command::brd, 0, 0x0000, type})); // and its result is not fetched yet
+    CHECK(jauscat::net::run(link, m, bring_up{0, 7}).error().code == master_errc::busy);
     CHECK(m.slaves().empty());
-    CHECK(jauscat::net::run(link, m) == outcome{.detail = 1, .size = 1});
-    CHECK(jauscat::net::run(link, m, m.bring_up(0, 7)));
+    REQUIRE(jauscat::net::run(link, m));
+    CHECK(m.result<exchange_datagram>() == master_result<std::uint16_t>{1});
+    CHECK(jauscat::net::run(link, m, bring_up{0, 7}));
     CHECK(m.slaves().size() == 1);
 }
 
@@ -302,24 +291,25 @@ TEST_CASE("a check says what state a slave is in and whether mail waits") {
     std::array devices{slave{{}, objects}};
     loopback_link link{devices};
     master m;
-    REQUIRE(jauscat::net::run(link, m, m.bring_up(0, 7)));
-    REQUIRE(jauscat::net::run(link, m, m.check(7)));
+    REQUIRE(jauscat::net::run(link, m, bring_up{0, 7}));
+    REQUIRE(jauscat::net::run(link, m, check{7}));
     CHECK(m.find(7)->al.state == al_state::pre_op);
     CHECK_FALSE(m.find(7)->mail_waits);
 
     auto request = from_hex("0a00 0000 00 13 0020 40 0220 00 00000000"); // an upload of another master's
     request.resize(m.find(7)->mailbox.receive_size);
-    REQUIRE(jauscat::net::run(link, m, m.exchange(command::fpwr, 7, m.find(7)->mailbox.receive_offset, request)));
-    REQUIRE(jauscat::net::run(link, m, m.check(7)));
+    REQUIRE(
+        jauscat::net::run(link, m, exchange_datagram{command::fpwr, 7, m.find(7)->mailbox.receive_offset, request}));
+    REQUIRE(jauscat::net::run(link, m, check{7}));
     CHECK(m.find(7)->mail_waits);
-    REQUIRE(jauscat::net::run(link, m, m.collect_emergencies(7)));
-    REQUIRE(jauscat::net::run(link, m, m.check(7)));
+    REQUIRE(jauscat::net::run(link, m, collect_emergencies{7}));
+    REQUIRE(jauscat::net::run(link, m, check{7}));
     CHECK_FALSE(m.find(7)->mail_waits);
 
     devices[0].power_on();
-    CHECK(jauscat::net::run(link, m, m.check(7)).error == master_errc::working_counter);
+    CHECK(jauscat::net::run(link, m, check{7}).error().code == master_errc::working_counter);
     CHECK(m.find(7)->al.state == al_state{}); // the old state is no news
-    CHECK(jauscat::net::run(link, m, m.check(8)).error == master_errc::wrong_station);
+    CHECK(jauscat::net::run(link, m, check{8}).error().code == master_errc::wrong_station);
 }
 
 TEST_CASE("the blocking driver reports a link that takes no frames and a deadline that passes") {
@@ -330,25 +320,22 @@ TEST_CASE("the blocking driver reports a link that takes no frames and a deadlin
     };
     dead_link link{};
     master m;
-    REQUIRE(m.bring_up(0, 1));
-    CHECK(jauscat::net::run(link, m).error == master_errc::not_sent);
+    CHECK(jauscat::net::run(link, m, bring_up{0, 1}).error().code == master_errc::not_sent);
     link.takes = true;
-    REQUIRE(m.bring_up(0, 1));
-    CHECK(jauscat::net::run(link, m, 1ms).error == master_errc::timeout);
+    CHECK(jauscat::net::run(link, m, bring_up{0, 1}, 1ms).error().code == master_errc::timeout);
     master impatient{{.frame_timeout = 1ms, .retries = 2}};
-    REQUIRE(impatient.bring_up(0, 1));
-    CHECK(jauscat::net::run(link, impatient).error == master_errc::no_reply);
+    CHECK(jauscat::net::run(link, impatient, bring_up{0, 1}).error().code == master_errc::no_reply);
     CHECK(impatient.statistics().sent == 3);
 }
 
 TEST_CASE("every error of the master has a line of text") {
     for (unsigned code = 0; code <= static_cast<unsigned>(master_errc::no_space); ++code)
         CHECK(describe(static_cast<master_errc>(code)) != "unknown error");
-    CHECK(describe_detail({.error = master_errc::al_error, .detail = 0x16}) ==
+    CHECK(describe_reason({.code = master_errc::al_error, .al_status = al_status_code{0x16}}) ==
           "invalid mailbox configuration for PRE-OP");
-    CHECK(describe_detail({.error = master_errc::mailbox_error, .detail = 2}) ==
+    CHECK(describe_reason({.code = master_errc::mailbox_error, .mailbox = mailbox_error_code{2}}) ==
           "the mailbox protocol is not supported");
-    CHECK(describe_detail({.error = master_errc::sdo_abort, .detail = 0x12345678}) == "unknown abort code");
-    CHECK(describe_detail({.error = master_errc::no_reply}).empty());
+    CHECK(describe_reason({.code = master_errc::sdo_abort, .abort = abort_code{0x12345678}}) == "unknown abort code");
+    CHECK(describe_reason({.code = master_errc::no_reply}).empty());
     STATIC_REQUIRE(describe(abort_code::read_only) == "the object can only be read");
 }

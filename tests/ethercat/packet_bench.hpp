@@ -49,9 +49,9 @@ template <class Objects> class basic_packet_bench {
     /// Has a packet executed and returns its confirmation.
     bytes execute(std::span<const std::byte> request, std::size_t room = ethercat::packet_job::confirmation_size) {
         bytes confirmation(room);
-        ethercat::packet_job job{request, confirmation, options};
-        for (bool runs = job.start(master); runs; runs = job.next(master)) static_cast<void>(link.run(master));
-        confirmation.resize(job.finish(master.result()));
+        const auto made =
+            ethercat::execute_packet(master, request, confirmation, [&] { return link.run(master); }, options);
+        confirmation.resize(made.size());
         return confirmation;
     }
     std::string answer(const char* request) { return to_hex(execute(from_hex(request))); }

@@ -85,11 +85,9 @@ TEST_CASE("set state takes the slaves of the configuration up and down together"
 TEST_CASE("the state of the bus is that of its lowest slave, and 0 without slaves") {
     bus b;
     REQUIRE(b.set(bus_state::op) == 0);
-    REQUIRE(b.master.change_state(0x200, al_state::pre_op));
-    REQUIRE(b.link.run(b.master));
+    REQUIRE(b.link.run(b.master, change_state{0x200, al_state::pre_op}));
     CHECK(b.state() == "02 00");
-    REQUIRE(b.master.change_state(33, al_state::init));
-    REQUIRE(b.link.run(b.master));
+    REQUIRE(b.link.run(b.master, change_state{33, al_state::init}));
     CHECK(b.state() == "01 00");
     CHECK(b.set(bus_state::op) == 0);
     b.expect(al_state::op);
@@ -131,7 +129,7 @@ TEST_CASE("states that cannot be set are confirmed with the reason") {
     CHECK(b.set(bus_state::pre_op) == 0);
 
     bytes data(4);
-    REQUIRE(b.master.upload(0x100, 0x1000, 0, data));
+    REQUIRE(b.master.start(upload{0x100, 0x1000, 0, data}));
     CHECK(b.set(bus_state::op) == 0xC0650075);
     CHECK(b.ask(get_state_request{}).status == 0xC065001B);
 }
@@ -247,8 +245,7 @@ TEST_CASE("emergencies are read and forgotten, and those that wait in the mailbo
 TEST_CASE("a slave in INIT, one that is gone and one without CoE are told apart") {
     bus b;
     REQUIRE(b.set(bus_state::pre_op) == 0);
-    REQUIRE(b.master.change_state(0x200, al_state::init));
-    REQUIRE(b.link.run(b.master));
+    REQUIRE(b.link.run(b.master, change_state{0x200, al_state::init}));
     CHECK(b.read(0x200) == 0xC0650013);
     b.devices.pop_back();
     CHECK(b.read(33) == 0xC0650016);
@@ -276,8 +273,8 @@ TEST_CASE("what the link and the mailbox say against a packet has a status") {
         REQUIRE(job.start(b.master));
         b.master.cancel(error);
         CHECK_FALSE(job.next(b.master));
-        CHECK(job.result().error == error);
-        REQUIRE(job.finish(b.master.result()) == 52);
+        CHECK(job.error().code == error);
+        REQUIRE(job.finish(b.master) == 52);
         packet_header head{};
         REQUIRE(jauscat::wire::decode_prefix(head, confirmation));
         return static_cast<std::uint32_t>(head.ul_sta);
@@ -290,7 +287,7 @@ TEST_CASE("a service that could not be started for another reason is confirmed w
     bytes request(40), confirmation(packet_job::confirmation_size);
     REQUIRE(jauscat::wire::encode(get_state_request{}, request));
     packet_job job{request, confirmation};
-    REQUIRE(job.finish({.error = master_errc::no_reply}) == 40);
+    REQUIRE(job.finish(master{}, {.code = master_errc::no_reply}) == 40);
     packet_header head{};
     REQUIRE(jauscat::wire::decode_prefix(head, confirmation));
     CHECK(static_cast<std::uint32_t>(head.ul_sta) == 0xC0650014);

@@ -13,8 +13,7 @@ namespace {
 struct bench : jauscat::test::basic_packet_bench<jauscat::test::described_objects> {
     explicit bench(std::uint16_t mailbox) {
         add({.vendor = 1, .mailbox_out_size = mailbox, .mailbox_in_size = mailbox});
-        REQUIRE(master.bring_up(0, 0x100));
-        REQUIRE(link.run(master));
+        REQUIRE(link.run(master, bring_up{0, 0x100}));
     }
     jauscat::test::confirmed list(packet_list_type type) {
         return ask(get_od_list_request{.ul_node_id = 0x100, .ul_list_type = type});

@@ -19,8 +19,7 @@ struct bench : packet_bench {
 
     bench() {
         add({.vendor = 1, .mailbox_out_size = size, .mailbox_in_offset = 0x1600, .mailbox_in_size = size});
-        REQUIRE(master.bring_up(0, 0x100));
-        REQUIRE(link.run(master));
+        REQUIRE(link.run(master, bring_up{0, 0x100}));
         link.on_way_back = [this](bytes& frame) { substitute(frame); };
     }
     std::string answer_with(std::string_view mail, const char* request) {

@@ -129,28 +129,23 @@ struct bench {
     class master master{};
 
     explicit bench(const char* capture, std::uint16_t station) : device{capture}, station_{station} {
-        REQUIRE(master.bring_up(0, station));
-        REQUIRE(link.run(master));
+        REQUIRE(link.run(master, bring_up{0, station}));
         REQUIRE(master.slaves().size() == 1);
     }
-    outcome download(std::uint16_t index, std::uint8_t subindex, const bytes& data) {
-        REQUIRE(master.download(station_, index, subindex, data));
-        return link.run(master);
+    master_result<> download(std::uint16_t index, std::uint8_t subindex, const bytes& data) {
+        return link.run(master, jauscat::ethercat::download{station_, index, subindex, data});
     }
     std::string upload(std::uint16_t index, std::uint8_t subindex) {
         bytes into(64);
-        REQUIRE(master.upload(station_, index, subindex, into));
-        const auto result = link.run(master);
-        return result ? to_hex(std::span{into}.first(result.size)) : std::string{describe_detail(result)};
+        const auto result = link.run(master, jauscat::ethercat::upload{station_, index, subindex, into});
+        return result ? to_hex(*result) : std::string{describe_reason(result.error())};
     }
 
   private:
     std::uint16_t station_;
 };
 
-outcome aborted(abort_code code) {
-    return {.error = master_errc::sdo_abort, .detail = static_cast<std::uint32_t>(code)};
-}
+master_result<> aborted(abort_code code) { return master_error{.code = master_errc::sdo_abort, .abort = code}; }
 
 } // namespace
 

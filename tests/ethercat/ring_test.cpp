@@ -55,23 +55,20 @@ struct bench {
     }
 
     slave& at(std::size_t i) { return devices[i]->here; }
-    outcome run(bool started) {
-        REQUIRE(started);
-        return link.run(master);
-    }
-    outcome up(std::uint16_t position, std::uint16_t station) { return run(master.bring_up(position, station)); }
+    template <master_job Job> typename Job::result_type run(const Job& job) { return link.run(master, job); }
+    bring_up::result_type up(std::uint16_t position, std::uint16_t station) { return run(bring_up{position, station}); }
     /// All slaves, under the stations 1, 2 ..., to SAFE-OP.
     void safe_op() {
         for (std::uint16_t i = 0; i != devices.size(); ++i) {
             REQUIRE(up(i, static_cast<std::uint16_t>(i + 1)));
-            REQUIRE(run(master.configure(static_cast<std::uint16_t>(i + 1))));
-            REQUIRE(run(master.change_state(static_cast<std::uint16_t>(i + 1), al_state::safe_op)));
+            REQUIRE(run(configure{static_cast<std::uint16_t>(i + 1)}));
+            REQUIRE(run(change_state{static_cast<std::uint16_t>(i + 1), al_state::safe_op}));
         }
     }
     void op() {
         safe_op();
         for (std::uint16_t i = 0; i != devices.size(); ++i)
-            REQUIRE(run(master.change_state(static_cast<std::uint16_t>(i + 1), al_state::op)));
+            REQUIRE(run(change_state{static_cast<std::uint16_t>(i + 1), al_state::op}));
     }
     /// One cycle: out, through all slaves, back.
     bool cycle(process_data& data, bytes* sent = nullptr) {
@@ -103,9 +100,9 @@ TEST_CASE("a scan counts the slaves and takes away what an earlier master has le
     bench b{motors, lamps, plain};
     REQUIRE(b.up(0, 7));
     REQUIRE(b.up(1, 8));
-    const auto result = b.run(b.master.scan());
+    const auto result = b.run(scan{});
     REQUIRE(result);
-    CHECK(result.size == 3);
+    CHECK(*result == 3);
     CHECK(b.master.slaves().empty());
     for (std::size_t i = 0; i != 3; ++i) {
         CHECK(b.at(i).state() == al_state::init);
@@ -113,7 +110,7 @@ TEST_CASE("a scan counts the slaves and takes away what an earlier master has le
     }
 
     bench empty{};
-    CHECK(empty.run(empty.master.scan()) == outcome{});
+    CHECK(empty.run(scan{}).error() == master_error{});
 
     bench stubborn{plain};
     stubborn.works = false;
@@ -123,7 +120,7 @@ TEST_CASE("a scan counts the slaves and takes away what an earlier master has le
         for (const auto d : view)
             if (d.header.ado == 0x0130) d.data[0] = std::byte{0x12};
     };
-    CHECK(stubborn.run(stubborn.master.scan()) == outcome{.error = master_errc::state_timeout, .detail = 2});
+    CHECK(stubborn.run(scan{}).error() == master_error{.code = master_errc::state_timeout, .state = al_state{2}});
 }
 
 TEST_CASE("a station address that an earlier master has left at another slave is taken away from it") {
@@ -136,20 +133,20 @@ TEST_CASE("a station address that an earlier master has left at another slave is
     CHECK(b.at(0).station_address() == 1);
     CHECK(b.at(1).station_address() == 0);
     CHECK(b.at(2).station_address() == 3);
-    REQUIRE(b.run(b.master.check(1)));
-    REQUIRE(b.run(b.master.check(3)));
+    REQUIRE(b.run(check{1}));
+    REQUIRE(b.run(check{3}));
     REQUIRE(b.up(1, 2));
     CHECK(b.master.slaves().size() == 3);
 }
 
 TEST_CASE("a slave that is not the expected one is refused before it is configured") {
     bench b{motors};
-    CHECK(b.run(b.master.bring_up(0, 1, {.vendor = 1, .product = 0x11, .serial = 7})));
-    CHECK(b.run(b.master.bring_up(0, 1, {.vendor = 2})) ==
-          outcome{.error = master_errc::wrong_identity, .detail = 0x11});
-    CHECK(b.run(b.master.bring_up(0, 1, {.product = 0x12})).error == master_errc::wrong_identity);
-    CHECK(b.run(b.master.bring_up(0, 1, {.revision = 9})).error == master_errc::wrong_identity);
-    CHECK(b.run(b.master.bring_up(0, 1, {.serial = 8})).error == master_errc::wrong_identity);
+    CHECK(b.run(bring_up{0, 1, {.vendor = 1, .product = 0x11, .serial = 7}}));
+    CHECK(b.run(bring_up{0, 1, {.vendor = 2}}).error() ==
+          master_error{.code = master_errc::wrong_identity, .product = 0x11});
+    CHECK(b.run(bring_up{0, 1, {.product = 0x12}}).error().code == master_errc::wrong_identity);
+    CHECK(b.run(bring_up{0, 1, {.revision = 9}}).error().code == master_errc::wrong_identity);
+    CHECK(b.run(bring_up{0, 1, {.serial = 8}}).error().code == master_errc::wrong_identity);
     CHECK(b.master.slaves().empty());
     CHECK(b.at(0).state() == al_state::init);
 }
@@ -157,28 +154,30 @@ TEST_CASE("a slave that is not the expected one is refused before it is configur
 TEST_CASE("a slave goes up step by step and down at once") {
     bench b{motors};
     REQUIRE(b.up(0, 1));
-    REQUIRE(b.run(b.master.configure(1)));
-    REQUIRE(b.run(b.master.change_state(1, al_state::op)));
+    REQUIRE(b.run(configure{1}));
+    REQUIRE(b.run(change_state{1, al_state::op}));
     CHECK(b.at(0).state() == al_state::op);
-    REQUIRE(b.run(b.master.change_state(1, al_state::op)));
-    REQUIRE(b.run(b.master.change_state(1, al_state::pre_op)));
+    REQUIRE(b.run(change_state{1, al_state::op}));
+    REQUIRE(b.run(change_state{1, al_state::pre_op}));
     CHECK(b.at(0).state() == al_state::pre_op);
-    REQUIRE(b.run(b.master.change_state(1, al_state::init)));
+    REQUIRE(b.run(change_state{1, al_state::init}));
     CHECK(b.at(0).state() == al_state::init);
-    REQUIRE(b.run(b.master.change_state(1, al_state::safe_op)));
+    REQUIRE(b.run(change_state{1, al_state::safe_op}));
     CHECK(b.at(0).state() == al_state::safe_op);
 }
 
 TEST_CASE("a refused state is explained, and the error does not stand in the way of the next try") {
     bench b{motors};
     REQUIRE(b.up(0, 1));
-    const auto result = b.run(b.master.change_state(1, al_state::safe_op)); // nothing is configured
-    REQUIRE(result.error == master_errc::al_error);
-    CHECK((result.detail == 0x1D || result.detail == 0x1E || result.detail == 0x17));
-    CHECK_FALSE(describe_detail(result).empty());
-    REQUIRE(b.run(b.master.configure(1)));
-    CHECK(b.run(b.master.change_state(1, al_state::safe_op)));
-    CHECK(b.run(b.master.change_state(2, al_state::op)) == outcome{.error = master_errc::wrong_station, .detail = 2});
+    const auto result = b.run(change_state{1, al_state::safe_op}); // nothing is configured
+    REQUIRE(result.error().code == master_errc::al_error);
+    const auto why = static_cast<unsigned>(result.error().al_status);
+    CHECK((why == 0x1D || why == 0x1E || why == 0x17));
+    CHECK_FALSE(describe_reason(result.error()).empty());
+    REQUIRE(b.run(configure{1}));
+    CHECK(b.run(change_state{1, al_state::safe_op}));
+    CHECK(b.run(change_state{2, al_state::op}).error() ==
+          master_error{.code = master_errc::wrong_station, .station = 2});
 }
 
 TEST_CASE("a state that is not known leads to INIT, never upwards") {
@@ -199,16 +198,16 @@ TEST_CASE("a state that is not known leads to INIT, never upwards") {
         CHECK(asked == "11 01 02 ");
         asked.clear();
         polls = 1;
-        REQUIRE(b.run(b.master.change_state(1, al_state::init)));
+        REQUIRE(b.run(change_state{1, al_state::init}));
         CHECK(asked == "01 ");
         REQUIRE(b.up(0, 1));
         asked.clear();
         polls = 1;
-        REQUIRE(b.run(b.master.change_state(1, al_state::pre_op)));
+        REQUIRE(b.run(change_state{1, al_state::pre_op}));
         CHECK(asked == "01 02 ");
         asked.clear();
-        CHECK(b.run(b.master.change_state(1, static_cast<al_state>(raw))) ==
-              outcome{.error = master_errc::al_error, .detail = 0x12});
+        CHECK(b.run(change_state{1, static_cast<al_state>(raw)}).error() ==
+              master_error{.code = master_errc::al_error, .al_status = al_status_code{0x12}});
         CHECK(asked.empty());
     }
 }
@@ -226,7 +225,7 @@ TEST_CASE("an error in a state that is not known is acknowledged with INIT") {
             if (d.header.ado == 0x0130 && fails) fails = false, d.data[0] = std::byte{0x10};
         }
     };
-    REQUIRE(b.run(b.master.change_state(1, al_state::pre_op)));
+    REQUIRE(b.run(change_state{1, al_state::pre_op}));
     CHECK(asked == "11 02 ");
 }
 
@@ -237,26 +236,26 @@ TEST_CASE("configure sets the watchdog, whatever an earlier tool has left in its
         std::string text;
         for (const std::uint16_t address : {std::uint16_t{0x0400}, std::uint16_t{0x0420}}) {
             std::array<std::byte, 2> value{};
-            REQUIRE(b.run(b.master.exchange(command::fprd, 1, address, value)));
+            REQUIRE(b.run(exchange_datagram{command::fprd, 1, address, value}));
             text += to_hex(value) + " ";
         }
         return text;
     };
     write_register(b.at(0), command::fpwr, 1, 0x0400, "ffff");
     write_register(b.at(0), command::fpwr, 1, 0x0420, "0000");
-    REQUIRE(b.run(b.master.configure(1)));
+    REQUIRE(b.run(configure{1}));
     CHECK(registers() == "c2 09 e8 03 ");
     CHECK(b.master.find(1)->watchdog == 100ms);
-    REQUIRE(b.run(b.master.configure(1, 250ms)));
+    REQUIRE(b.run(configure{1, 250ms}));
     CHECK(registers() == "c2 09 c4 09 ");
-    REQUIRE(b.run(b.master.configure(1, 1ns))); // rounded up
+    REQUIRE(b.run(configure{1, 1ns})); // rounded up
     CHECK(registers() == "c2 09 01 00 ");
     CHECK(b.master.find(1)->watchdog == 100us);
     for (const auto wrong : {0ns, -1ns, std::chrono::nanoseconds{6'553'500'001}}) {
-        CHECK(b.run(b.master.configure(1, wrong)).error == master_errc::watchdog_range);
-        CHECK(b.run(b.master.change_state(1, al_state::op)).error == master_errc::not_configured);
+        CHECK(b.run(configure{1, wrong}).error().code == master_errc::watchdog_range);
+        CHECK(b.run(change_state{1, al_state::op}).error().code == master_errc::not_configured);
     }
-    REQUIRE(b.run(b.master.configure(1, std::chrono::nanoseconds{6'553'500'000})));
+    REQUIRE(b.run(configure{1, std::chrono::nanoseconds{6'553'500'000}}));
     CHECK(registers() == "c2 09 ff ff ");
 }
 
@@ -270,20 +269,22 @@ TEST_CASE("a slave that does not keep its watchdog's settings does not get to OP
         };
     };
     const auto refused = [&](bench& b) {
-        const auto result = b.run(b.master.configure(1));
-        CHECK(b.run(b.master.change_state(1, al_state::op)).error == master_errc::not_configured);
+        const auto result = b.run(configure{1});
+        CHECK(b.run(change_state{1, al_state::op}).error().code == master_errc::not_configured);
         CHECK(b.at(0).state() == al_state::pre_op);
         return result;
     };
     bench b{motors};
     REQUIRE(b.up(0, 1));
-    CHECK(b.run(b.master.change_state(1, al_state::op)).error == master_errc::not_configured);
+    CHECK(b.run(change_state{1, al_state::op}).error().code == master_errc::not_configured);
     spoil(b, 0x0420, "0000");
-    CHECK(refused(b) == outcome{.error = master_errc::watchdog_not_kept, .detail = 0x000009C2});
+    CHECK(refused(b).error() ==
+          master_error{.code = master_errc::watchdog_not_kept, .watchdog_divider = 2498, .watchdog_units = 0});
     spoil(b, 0x0400, "ffff");
-    CHECK(refused(b) == outcome{.error = master_errc::watchdog_not_kept, .detail = 0x03E8FFFF});
+    CHECK(refused(b).error() ==
+          master_error{.code = master_errc::watchdog_not_kept, .watchdog_divider = 65535, .watchdog_units = 1000});
     spoil(b, 0x0810, "001c 0400 24 00 01 00"); // writes of the outputs do not trigger it
-    CHECK(refused(b).error == master_errc::watchdog_not_kept);
+    CHECK(refused(b).error().code == master_errc::watchdog_not_kept);
     CHECK_FALSE(describe(master_errc::watchdog_not_kept).empty());
     b.link.on_way_back = [](bytes& frame) { // a controller without these registers
         mutable_frame_view view;
@@ -291,18 +292,18 @@ TEST_CASE("a slave that does not keep its watchdog's settings does not get to OP
         for (const auto d : view)
             if (d.header.ado == 0x0420) d.bytes.last(2).front() = std::byte{0};
     };
-    CHECK(refused(b).error == master_errc::working_counter);
+    CHECK(refused(b).error().code == master_errc::working_counter);
     b.link.on_way_back = {};
-    REQUIRE(b.run(b.master.configure(1)));
-    REQUIRE(b.run(b.master.change_state(1, al_state::op)));
+    REQUIRE(b.run(configure{1}));
+    REQUIRE(b.run(change_state{1, al_state::op}));
     REQUIRE(b.up(0, 1)); // once more
-    CHECK(b.run(b.master.change_state(1, al_state::op)).error == master_errc::not_configured);
+    CHECK(b.run(change_state{1, al_state::op}).error().code == master_errc::not_configured);
 
     bench without{sensor}; // without outputs there is nothing to watch
     REQUIRE(without.up(0, 1));
     spoil(without, 0x0420, "0000");
-    REQUIRE(without.run(without.master.configure(1)));
-    REQUIRE(without.run(without.master.change_state(1, al_state::op)));
+    REQUIRE(without.run(configure{1}));
+    REQUIRE(without.run(change_state{1, al_state::op}));
 }
 
 TEST_CASE("writes of the outputs trigger the watchdog even if the SII says otherwise") {
@@ -320,7 +321,7 @@ TEST_CASE("writes of the outputs trigger the watchdog even if the SII says other
     CHECK(changed != 0);
     process_data data{b.master.slaves()};
     std::array<std::byte, 8> manager{};
-    REQUIRE(b.run(b.master.exchange(command::fprd, 1, 0x0810, manager)));
+    REQUIRE(b.run(exchange_datagram{command::fprd, 1, 0x0810, manager}));
     CHECK(to_hex(std::span{manager}.first(5)) == "00 1c 04 00 64");
     b.at(0).on_time(0ms);
     REQUIRE(b.cycle(data));
@@ -350,7 +351,7 @@ TEST_CASE("each slave gets a place for its process data, and keeps it when it co
     CHECK(image.read_write == 6);
 
     REQUIRE(b.up(0, 1));
-    REQUIRE(b.run(b.master.configure(1)));
+    REQUIRE(b.run(configure{1}));
     CHECK(place(1).output_address == 0);
     CHECK(process_image::of(b.master.slaves()).size == 8);
 }
@@ -411,7 +412,7 @@ TEST_CASE("a cycle that does not come back is lost, and a late one is not taken 
     CHECK(data.statistics().complete == 1);
     // What the master sent is not this one's, and the other way round.
     bytes frame(max_frame_size);
-    REQUIRE(b.master.change_state(1, al_state::op));
+    REQUIRE(b.master.start(change_state{1, al_state::op}));
     frame.resize(b.master.next_frame(frame, 2ms));
     b.at(0).process(frame);
     CHECK_FALSE(data.on_frame(frame));
@@ -570,7 +571,7 @@ TEST_CASE("a slave that could not be brought up again keeps its place in the ima
     bench b{motors, motors, motors};
     for (std::uint16_t i = 0; i != 2; ++i) {
         REQUIRE(b.up(i, static_cast<std::uint16_t>(i + 1)));
-        REQUIRE(b.run(b.master.configure(static_cast<std::uint16_t>(i + 1))));
+        REQUIRE(b.run(configure{static_cast<std::uint16_t>(i + 1)}));
     }
     const auto place = b.master.find(2)->process_data;
     for (const std::uint16_t position : std::initializer_list<std::uint16_t>{0, 1, 1}) {
@@ -579,10 +580,10 @@ TEST_CASE("a slave that could not be brought up again keeps its place in the ima
     }
     b.link.faults.lose = 0;
     REQUIRE(b.up(2, 3));
-    REQUIRE(b.run(b.master.configure(3)));
+    REQUIRE(b.run(configure{3}));
     CHECK(b.master.find(3)->process_data.output_address >= place.output_address + place.size());
     REQUIRE(b.up(1, 2));
-    REQUIRE(b.run(b.master.configure(2)));
+    REQUIRE(b.run(configure{2}));
     CHECK(b.master.find(2)->process_data.output_address == place.output_address);
 }
 
@@ -602,7 +603,7 @@ TEST_CASE("slaves without process data are watched too, and a full reply mailbox
     write_register(b.at(0), command::fpwr, 1, plain.mailbox_out_offset, to_hex(request));
     REQUIRE(b.cycle(data));
     CHECK(status.mail_waits);
-    REQUIRE(b.run(b.master.collect_emergencies(1)));
+    REQUIRE(b.run(collect_emergencies{1}));
     REQUIRE(b.cycle(data));
     CHECK_FALSE(status.mail_waits);
 }
@@ -685,8 +686,8 @@ TEST_CASE("mail goes on between the cycles") {
         REQUIRE(b.cycle(data));
         REQUIRE(data.is_complete());
         if (b.master.idle()) {
-            if (cycles != 0) REQUIRE(b.master.result());
-            REQUIRE(b.master.download(1, 0x2002, 0, value));
+            if (cycles != 0) REQUIRE(b.master.error() == master_error{});
+            REQUIRE(b.master.start(download{1, 0x2002, 0, value}));
         }
         if (const auto size = b.master.next_frame(frame, b.link.now += 1ms); size != 0) {
             b.at(0).process(std::span{frame}.first(size));
@@ -723,10 +724,10 @@ TEST_CASE("process data that do not fit the image are refused") {
     const slave_description large{.outputs = many, .inputs = many};
     bench b{large, large};
     REQUIRE(b.up(0, 1));
-    REQUIRE(b.run(b.master.configure(1)));
+    REQUIRE(b.run(configure{1}));
     CHECK(b.master.find(1)->process_data.size() == 1024);
     REQUIRE(b.up(1, 2));
-    CHECK(b.run(b.master.configure(2)) == outcome{.error = master_errc::image_full, .detail = 1024});
+    CHECK(b.run(configure{2}).error() == master_error{.code = master_errc::image_full, .bytes = 1024});
     CHECK(b.master.find(2)->process_data.size() == 0);
 }
 
@@ -753,7 +754,7 @@ TEST_CASE("PDOs of more than 65,535 bytes are refused") {
         }
     };
     REQUIRE(b.up(0, 1));
-    CHECK(b.run(b.master.configure(1)) == outcome{.error = master_errc::image_full, .detail = 65'567 + 1});
+    CHECK(b.run(configure{1}).error() == master_error{.code = master_errc::image_full, .bytes = 65'567 + 1});
 }
 
 TEST_CASE("an SII that lists more SyncManagers than there are registers for is refused") {
@@ -771,7 +772,7 @@ TEST_CASE("an SII that lists more SyncManagers than there are registers for is r
                 std::ranges::copy(from_hex(listed(std::to_integer<unsigned>(d.data[2]))), d.data.subspan(6).begin());
     };
     REQUIRE(b.up(0, 1));
-    CHECK(b.run(b.master.configure(1)) == outcome{.error = master_errc::sii_malformed, .detail = 0x42 + 32 * 4});
+    CHECK(b.run(configure{1}).error() == master_error{.code = master_errc::sii_malformed, .sii_word = 0x42 + 32 * 4});
 }
 
 TEST_CASE("without mapping objects, and without a mailbox, the SII says what process data there are") {
@@ -785,7 +786,7 @@ TEST_CASE("without mapping objects, and without a mailbox, the SII says what pro
                     std::ranges::copy(from_hex("00000206"), d.data.subspan(12).begin());
     };
     REQUIRE(b.up(0, 1));
-    REQUIRE(b.run(b.master.configure(1)));
+    REQUIRE(b.run(configure{1}));
     CHECK(b.master.find(1)->process_data.output_size == 4);
     CHECK(b.master.find(1)->process_data.input_size == 1);
 }
@@ -798,9 +799,9 @@ TEST_CASE("a ring is brought to OP and its process data exchanged over a bad wir
     for (int i = 0; i != 200; ++i) {
         bool up = true;
         for (std::uint16_t station = 1; up && station != 4; ++station) {
-            up = b.up(static_cast<std::uint16_t>(station - 1), station) && b.run(b.master.configure(station)) &&
-                 b.run(b.master.change_state(station, al_state::op));
-            if (!up) CHECK(b.master.result().error == master_errc::no_reply);
+            up = b.up(static_cast<std::uint16_t>(station - 1), station) && b.run(configure{station}) &&
+                 b.run(change_state{station, al_state::op});
+            if (!up) CHECK(b.master.error().code == master_errc::no_reply);
         }
         good += up;
         if (!up) continue;

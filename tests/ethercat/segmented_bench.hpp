@@ -42,23 +42,21 @@ struct segmented_bench {
                      return options;
                  }()} {
         link.on_way_back = [this](bytes& frame) { look_at(frame); };
-        REQUIRE(master.bring_up(0, 0x1001));
-        REQUIRE(link.run(master));
+        REQUIRE(link.run(master, ethercat::bring_up{0, 0x1001}));
     }
 
-    ethercat::outcome download(const bytes& data, const ethercat::download_options& options = {}) {
+    ethercat::master_result<> download(const bytes& data, const ethercat::download_options& options = {}) {
         return download(index, subindex, data, options);
     }
-    ethercat::outcome download(std::uint16_t object, std::uint8_t entry, const bytes& data,
-                               const ethercat::download_options& options = {}) {
+    ethercat::master_result<> download(std::uint16_t object, std::uint8_t entry, const bytes& data,
+                                       const ethercat::download_options& options = {}) {
         mail.clear();
-        REQUIRE(master.download(0x1001, object, entry, data, options));
-        return link.run(master);
+        return link.run(master, ethercat::download{0x1001, object, entry, data, options});
     }
-    ethercat::outcome upload(bytes& into, std::uint16_t object = index, std::uint8_t entry = subindex) {
+    ethercat::master_result<std::size_t> upload(bytes& into, std::uint16_t object = index,
+                                                std::uint8_t entry = subindex) {
         mail.clear();
-        REQUIRE(master.upload(0x1001, object, entry, into));
-        return link.run(master);
+        return size_of(link.run(master, ethercat::upload{0x1001, object, entry, into}));
     }
     void set(const bytes& value) { objects.entries[{index, subindex}].value = value; }
     [[nodiscard]] const bytes& stored() const { return objects.entries.at({index, subindex}).value; }

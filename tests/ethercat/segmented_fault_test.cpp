@@ -35,7 +35,7 @@ TEST_CASE("an answer with the wrong toggle bit ends a transfer, and the slave is
     b.set(bytes(28));
     b.before_read = instead_of(std::byte{0x30}, "20"); // the answer to the second segment
     const auto result = b.download(counting(28));
-    CHECK(result == outcome{.error = master_errc::toggle_bit});
+    CHECK(result == master_error{.code = master_errc::toggle_bit});
     CHECK(b.mail.back() == "0a 00 00 00 00 43 00 20 80 26 69 01 00 00 03 05");
     b.before_read = {};
     b.set(bytes(28));
@@ -44,10 +44,10 @@ TEST_CASE("an answer with the wrong toggle bit ends a transfer, and the slave is
 
     b.before_read = instead_of(std::byte{0x00}, "10");
     bytes into(28);
-    CHECK(b.upload(into) == outcome{.error = master_errc::toggle_bit});
+    CHECK(b.upload(into).error() == master_error{.code = master_errc::toggle_bit});
     CHECK(b.mail.back().substr(18) == "00 20 80 26 69 01 00 00 03 05");
     b.before_read = {};
-    CHECK(b.upload(into) == outcome{.size = 28});
+    CHECK(b.upload(into) == master_result<std::size_t>{28});
 }
 
 TEST_CASE("a slave's abort between segments is reported and not answered") {
@@ -56,16 +56,18 @@ TEST_CASE("a slave's abort between segments is reported and not answered") {
     // As slaves send it: with the object, without it, with other bits of the command left over.
     for (const char* abort : {"80 2669 01 22000008", "80 0000 00 22000008", "9f 2669 01 22000008"}) {
         b.before_read = instead_of(std::byte{0x20}, abort);
-        CHECK(b.download(counting(28)) == outcome{.error = master_errc::sdo_abort, .detail = 0x08000022});
+        CHECK(b.download(counting(28)).error() ==
+              master_error{.code = master_errc::sdo_abort, .abort = abort_code{0x08000022}});
         CHECK(b.mail.size() == 4);
         bytes into(28);
         b.before_read = instead_of(std::byte{0x00}, abort);
-        CHECK(b.upload(into) == outcome{.error = master_errc::sdo_abort, .detail = 0x08000022});
+        CHECK(b.upload(into).error() == master_error{.code = master_errc::sdo_abort, .abort = abort_code{0x08000022}});
         CHECK(b.mail.size() == 4);
     }
     b.before_read = {};
     b.objects.entries.at({b.index, b.subindex}).write_abort = abort_code::read_only;
-    CHECK(b.download(counting(28)) == outcome{.error = master_errc::sdo_abort, .detail = 0x06010002});
+    CHECK(b.download(counting(28)).error() ==
+          master_error{.code = master_errc::sdo_abort, .abort = abort_code{0x06010002}});
     CHECK(b.stored() == bytes(28));
 }
 
@@ -79,7 +81,7 @@ TEST_CASE("an upload whose segments are not the size announced is refused") {
         b.before_read = {};
         return result;
     };
-    const outcome mismatch{.error = master_errc::size_mismatch, .detail = 28};
+    const master_error mismatch{.code = master_errc::size_mismatch, .bytes = 28};
     CHECK(upload_with(std::byte{0x00}, "01") == mismatch); // the last one, five bytes early
     CHECK(b.mail.size() == 4);
     CHECK(upload_with(std::byte{0x15}, "17") == mismatch); // one byte fewer
@@ -89,20 +91,20 @@ TEST_CASE("an upload whose segments are not the size announced is refused") {
     CHECK(b.mail.size() == 7);
     CHECK(b.mail.back().substr(18) == "00 20 80 26 69 01 10 00 07 06");
     CHECK(upload_with(std::byte{0x15}, "1e") == mismatch); // none, and another segment: it would never end
-    CHECK(upload_with(std::byte{0x41}, "41 2669 01 1b000000") ==
-          outcome{.error = master_errc::size_mismatch, .detail = 27});
+    CHECK(upload_with(std::byte{0x41}, "41 2669 01 1b000000").error() ==
+          master_error{.code = master_errc::size_mismatch, .bytes = 27});
 }
 
 TEST_CASE("an upload in segments that the buffer cannot hold is read to its end, and one without end aborted") {
     segmented_bench b{24};
     b.set(counting(28));
     bytes small(27);
-    const outcome too_long{.error = master_errc::data_too_long, .detail = 27};
+    const master_error too_long{.code = master_errc::data_too_long, .bytes = 27};
     CHECK(b.upload(small) == too_long);
     CHECK(b.mail.size() == 6);
     CHECK(b.mail.back().substr(18, 8) == "00 30 15"); // the last segment: the slave's transfer is complete
     bytes none{};
-    CHECK(b.upload(none) == outcome{.error = master_errc::data_too_long});
+    CHECK(b.upload(none).error() == master_error{.code = master_errc::data_too_long});
     CHECK(b.mail.size() == 6);
 
     b.before_read = instead_of(std::byte{0x00}, "80 2669 01 22000008"); // the slave gives up on the way
@@ -114,7 +116,7 @@ TEST_CASE("an upload in segments that the buffer cannot hold is read to its end,
     CHECK(b.mail.size() == 3);
     CHECK(b.mail.back().substr(18) == "00 20 80 26 69 01 05 00 04 05");
     bytes into(28);
-    CHECK(b.upload(into) == outcome{.size = 28});
+    CHECK(b.upload(into) == master_result<std::size_t>{28});
 }
 
 TEST_CASE("an upload of another size than the caller knows is refused") {
@@ -123,14 +125,14 @@ TEST_CASE("an upload of another size than the caller knows is refused") {
         b.set(counting(size));
         bytes into(40);
         const auto upload = [&](std::size_t expected) {
-            REQUIRE(b.master.upload(0x1001, b.index, b.subindex, into, {.size = expected}));
-            return b.link.run(b.master);
+            return jauscat::test::size_of(
+                b.link.run(b.master, jauscat::ethercat::upload{0x1001, b.index, b.subindex, into, {.size = expected}}));
         };
-        CHECK(upload(size) == outcome{.size = size});
-        const outcome mismatch{.error = master_errc::size_mismatch, .detail = static_cast<std::uint32_t>(size)};
+        CHECK(upload(size) == master_result<std::size_t>{size});
+        const master_error mismatch{.code = master_errc::size_mismatch, .bytes = static_cast<std::uint32_t>(size)};
         CHECK(upload(size + 1) == mismatch);
         CHECK(upload(size - 1) == mismatch);
-        CHECK(upload(size) == outcome{.size = size});
+        CHECK(upload(size) == master_result<std::size_t>{size});
     }
 }
 
@@ -149,7 +151,7 @@ TEST_CASE("a slave that falls silent between segments is given up and hears of i
     segmented_bench b{24};
     b.set(bytes(40));
     b.before_read = [&](const datagram& d) { b.works = d.data[8] != std::byte{0x20}; };
-    CHECK(b.download(counting(40)) == outcome{.error = master_errc::mailbox_timeout});
+    CHECK(b.download(counting(40)).error() == master_error{.code = master_errc::mailbox_timeout});
     CHECK(b.objects.writes == 0);
     // The abort stands in the mailbox, or waits for room there.
     b.before_read = {};
@@ -170,8 +172,8 @@ TEST_CASE("a transfer that was cancelled between segments is aborted before the 
     b.link.on_way_back = [&](bytes& frame) {
         if (++frames > 5) frame.clear(); // drain, start and its answer, segment and its answer
     };
-    REQUIRE(b.master.download(0x1001, b.index, b.subindex, data));
-    CHECK(b.link.run(b.master, 100ms) == outcome{.error = master_errc::timeout});
+    CHECK(b.link.run(b.master, download{0x1001, b.index, b.subindex, data}, 100ms).error() ==
+          master_error{.code = master_errc::timeout});
     CHECK(b.objects.writes == 0);
 
     const auto other = counting(28);
@@ -180,8 +182,8 @@ TEST_CASE("a transfer that was cancelled between segments is aborted before the 
     c.before_read = [&](const datagram& d) {
         if (d.data[8] == std::byte{0x20}) c.link.now += 1s; // the caller's patience ends here
     };
-    REQUIRE(c.master.download(0x1001, c.index, c.subindex, other));
-    CHECK(c.link.run(c.master, 500ms) == outcome{.error = master_errc::timeout});
+    CHECK(c.link.run(c.master, download{0x1001, c.index, c.subindex, other}, 500ms).error() ==
+          master_error{.code = master_errc::timeout});
     c.before_read = {};
     REQUIRE(c.download(counting(28, 5)));
     REQUIRE(c.mail.size() >= 7);
@@ -200,10 +202,9 @@ TEST_CASE("a slave reset between segments is noticed and takes the next transfer
     b.before_read = [&](const datagram& d) {
         if (d.data[8] == std::byte{0x20}) b.device.power_on();
     };
-    CHECK(b.download(counting(28)) == outcome{.error = master_errc::working_counter});
+    CHECK(b.download(counting(28)).error() == master_error{.code = master_errc::working_counter});
     b.before_read = {};
-    REQUIRE(b.master.bring_up(0, 0x1001));
-    REQUIRE(b.link.run(b.master));
+    REQUIRE(b.link.run(b.master, bring_up{0, 0x1001}));
     REQUIRE(b.download(counting(28)));
     CHECK(b.stored() == counting(28));
     // A change of state does not end a transfer in every slave, so an abort goes first.
@@ -227,13 +228,12 @@ TEST_CASE("a frame lost anywhere in a transfer in segments is repeated and the v
             };
             INFO("frame " << lost << (on_way_out ? " out" : " back"));
             const auto data = counting(40);
-            REQUIRE(b.master.download(0x1001, b.index, b.subindex, data));
-            CHECK(link.run(b.master));
+            CHECK(link.run(b.master, download{0x1001, b.index, b.subindex, data}));
             CHECK(b.stored() == data);
             CHECK(b.objects.writes == 1);
             bytes into(40);
-            REQUIRE(b.master.upload(0x1001, b.index, b.subindex, into));
-            CHECK(link.run(b.master) == outcome{.size = 40});
+            CHECK(jauscat::test::size_of(link.run(b.master, upload{0x1001, b.index, b.subindex, into})) ==
+                  master_result<std::size_t>{40});
             CHECK(into == data);
             CHECK(b.master.statistics().lost == 1);
         }
@@ -248,16 +248,15 @@ TEST_CASE("transfers in segments over a bad wire are each done right or end in a
     bool up = true;
     for (unsigned i = 0; i != 500; ++i) {
         if (!up) {
-            REQUIRE(b.master.bring_up(0, 0x1001));
-            up = static_cast<bool>(b.link.run(b.master));
+            up = static_cast<bool>(b.link.run(b.master, bring_up{0, 0x1001}));
             if (!up) continue;
         }
         const auto before = b.stored();
         const auto writes = b.objects.writes;
         const auto data = counting(60, i);
         const auto result = b.download(data);
-        INFO("download " << i << ": " << describe(result.error));
-        REQUIRE((result || result.error == master_errc::no_reply));
+        INFO("download " << i << ": " << describe(result.error()));
+        REQUIRE((result || result.error().code == master_errc::no_reply));
         REQUIRE(b.objects.writes <= writes + 1);
         REQUIRE((b.stored() == data || (!result && b.stored() == before)));
         if (!result) {
@@ -267,7 +266,7 @@ TEST_CASE("transfers in segments over a bad wire are each done right or end in a
         REQUIRE(b.objects.writes == writes + 1);
         bytes into(60);
         const auto read = b.upload(into);
-        REQUIRE((read || read.error == master_errc::no_reply));
+        REQUIRE((read || read.error().code == master_errc::no_reply));
         if (read) REQUIRE(into == data);
         done += read ? 1 : 0;
     }

@@ -16,7 +16,7 @@ struct strict_bench : segmented_bench {
         objects.add(0x2000, 26, 28);
     }
 };
-constexpr outcome not_zero{.error = master_errc::sdo_abort, .detail = 0x06010003};
+constexpr master_error not_zero{.code = master_errc::sdo_abort, .abort = abort_code{0x06010003}};
 
 } // namespace
 
@@ -24,7 +24,7 @@ TEST_CASE("a download that clears subindex 0 first is taken by a slave that dema
     strict_bench b;
     const auto refused = b.download(0x1AF5, 26, counting(28));
     CHECK(refused == not_zero);
-    CHECK(describe_detail(refused) == describe(abort_code::subindex_0_not_zero));
+    CHECK(describe_reason(refused.error()) == describe(abort_code::subindex_0_not_zero));
     CHECK(b.objects.writes == 0);
 
     REQUIRE(b.download(0x1AF5, 26, counting(28), {.clear_subindex_0 = true}));
@@ -60,11 +60,11 @@ TEST_CASE("a slave makes its entries fixed again by a number in subindex 0 and a
     REQUIRE(b.download(0x1AF5, 26, counting(28)));
     REQUIRE(b.download(0x1AF5, 0, counting(1)));
     CHECK(b.download(0x1AF5, 26, counting(28)) == not_zero);
-    CHECK(b.download(0x1AF5, 0, bytes(2)) == outcome{.error = master_errc::sdo_abort, .detail = 0x06070010});
+    CHECK(b.download(0x1AF5, 0, bytes(2)).error() ==
+          master_error{.code = master_errc::sdo_abort, .abort = abort_code{0x06070010}});
     REQUIRE(b.download(0x1AF5, 0, bytes(1)));
     b.device.power_on();
-    REQUIRE(b.master.bring_up(0, 0x1001));
-    REQUIRE(b.link.run(b.master));
+    REQUIRE(b.link.run(b.master, bring_up{0, 0x1001}));
     CHECK(b.download(0x1AF5, 26, counting(28)) == not_zero);
 }
 
@@ -88,8 +88,8 @@ TEST_CASE("a slave that has no subindex 0 to clear is told apart from one that r
     segmented_bench b{256};
     b.objects.add(0x1AF5, 26, 28);
     const auto result = b.download(0x1AF5, 26, counting(28), {.clear_subindex_0 = true});
-    CHECK(result == outcome{.error = master_errc::clear_refused, .detail = 0x06020000});
-    CHECK(describe_detail(result) == "no such object in the dictionary");
+    CHECK(result == master_error{.code = master_errc::clear_refused, .abort = abort_code{0x06020000}});
+    CHECK(describe_reason(result.error()) == "no such object in the dictionary");
     CHECK(b.mail.size() == 2);
     CHECK(b.objects.writes == 0);
     CHECK(b.download(0x1AF5, 26, counting(28)));

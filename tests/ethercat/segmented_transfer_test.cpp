@@ -46,7 +46,7 @@ void transfers_whole(std::uint16_t out, std::uint16_t in, bool empty_start, bool
         CHECK(sent_by_download == 2 * messages(size, out, empty_start)); // frames: a write and a read each
 
         bytes into(size);
-        CHECK(b.upload(into) == outcome{.size = size});
+        CHECK(b.upload(into) == master_result<std::size_t>{size});
         CHECK(into == data);
         CHECK(b.master.statistics().sent - sent - sent_by_download == 2 * messages(size, in, empty_start));
     }
@@ -78,7 +78,7 @@ TEST_CASE("a download and an upload in segments are the standard's message for m
     CHECK(b.stored() == counting(28));
 
     bytes into(100);
-    CHECK(b.upload(into) == outcome{.size = 28});
+    CHECK(b.upload(into) == master_result<std::size_t>{28});
     CHECK(b.mail == std::vector<std::string>{
                         "0a 00 00 00 00 43 00 20 40 26 69 01 00 00 00 00",
                         "12 00 00 00 00 43 00 30 41 26 69 01 1c 00 00 00 01 02 03 04 05 06 07 08",
@@ -104,7 +104,7 @@ TEST_CASE("the first message of a transfer in segments may have no data") {
                         "0a 00 00 00 00 33 00 30 30 00 00 00 00 00 00 00",
                     });
     bytes into(17);
-    CHECK(b.upload(into) == outcome{.size = 17});
+    CHECK(b.upload(into) == master_result<std::size_t>{17});
     CHECK(into == counting(17));
     CHECK(b.mail.at(1) == "0a 00 00 00 00 43 00 30 41 26 69 01 11 00 00 00");
     CHECK(b.mail.at(3) == "12 00 00 00 00 53 00 30 00 01 02 03 04 05 06 07 08 09 0a 0b 0c 0d 0e 0f");

@@ -40,27 +40,22 @@ struct bench {
 
     bench() { objects.add(0x2000, 1, 1000); }
 
-    ethercat::outcome bring_up() {
-        REQUIRE(master.bring_up(0, station));
-        return net::run(link, master);
+    ethercat::bring_up::result_type bring_up() { return net::run(link, master, ethercat::bring_up{0, station}); }
+    ethercat::download::result_type download() {
+        return net::run(link, master, ethercat::download{station, 0x2000, 1, data});
     }
-    ethercat::outcome download() {
-        REQUIRE(master.download(station, 0x2000, 1, data));
-        return net::run(link, master);
-    }
-    ethercat::outcome upload(std::span<std::byte> into) {
-        REQUIRE(master.upload(station, 0x2000, 1, into));
-        return net::run(link, master);
+    ethercat::upload::result_type upload(std::span<std::byte> into) {
+        return net::run(link, master, ethercat::upload{station, 0x2000, 1, into});
     }
 
     /// Brings the slave up, writes the object and reads it back.
     void works() {
-        REQUIRE(bring_up().error == master_errc::ok);
-        REQUIRE(download().error == master_errc::ok);
+        REQUIRE(bring_up().error().code == master_errc::ok);
+        REQUIRE(download().error().code == master_errc::ok);
         std::vector<std::byte> read(data.size());
         const auto result = upload(read);
-        REQUIRE(result.error == master_errc::ok);
-        CHECK(result.size == data.size());
+        REQUIRE(result.error().code == master_errc::ok);
+        CHECK(result->size() == data.size());
         CHECK(read == data);
     }
 };
@@ -76,9 +71,9 @@ TEST_CASE("the interface goes down in the middle of a transfer and comes back", 
     b.works();
     std::ranges::reverse(b.data);
     until_down = 6;
-    CHECK(b.download().error == master_errc::not_sent);
+    CHECK(b.download().error().code == master_errc::not_sent);
     CHECK(b.link.problem() == "interface jc0 is down; run: sudo ip link set jc0 up");
-    CHECK(b.bring_up().error == master_errc::not_sent);
+    CHECK(b.bring_up().error().code == master_errc::not_sent);
     REQUIRE(ip("link set jc0 up"));
     b.works();
 }
@@ -92,9 +87,9 @@ TEST_CASE("the cable is pulled in the middle of a transfer and put back", "[veth
     b.works();
     std::ranges::reverse(b.data);
     until_down = 6;
-    CHECK(b.download().error == master_errc::no_reply);
+    CHECK(b.download().error().code == master_errc::no_reply);
     CHECK(b.link.problem() == "no link on jc0: is the cable in, and the other end on?");
-    CHECK(b.bring_up().error == master_errc::no_reply);
+    CHECK(b.bring_up().error().code == master_errc::no_reply);
     CHECK(b.link.problem() == "no link on jc0: is the cable in, and the other end on?");
     REQUIRE(ip("link set jc1 up"));
     b.works();
@@ -112,7 +107,7 @@ TEST_CASE("a cable that is out for a moment costs nothing but time", "[veth]") {
     std::ranges::reverse(b.data);
     until_down = 6;
     const auto lost = b.master.statistics().lost;
-    CHECK(b.download().error == master_errc::ok);
+    CHECK(b.download().error().code == master_errc::ok);
     CHECK(b.master.statistics().lost > lost);
     CHECK(b.objects.entries.at({0x2000, 1}).value == b.data);
 }

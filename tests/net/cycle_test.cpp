@@ -74,17 +74,14 @@ struct robot {
     explicit robot(const net::cycle_config& config = {.period = 10ms}, std::chrono::nanoseconds frame_timeout = 1s)
         : master{{.frame_timeout = frame_timeout, .frame_lifetime = 5ms, .retries = 3}},
           cycles{link, data, master, config} {
-        done(master.bring_up(0, station));
-        done(master.configure(station));
-        done(master.change_state(station, ethercat::al_state::safe_op));
+        done(ethercat::bring_up{0, station});
+        done(ethercat::configure{station});
+        done(ethercat::change_state{station, ethercat::al_state::safe_op});
         data = ethercat::process_data{master.slaves()};
-        done(master.change_state(station, ethercat::al_state::op));
+        done(ethercat::change_state{station, ethercat::al_state::op});
         link.process_frames = link.other_frames = 0;
     }
-    void done(bool started) {
-        REQUIRE(started);
-        REQUIRE(net::run(link, master));
-    }
+    void done(const auto& job) { REQUIRE(net::run(link, master, job)); }
     ethercat::slave& slave() { return slaves.front(); }
     const ethercat::slave_record& record() { return *master.find(station); }
 };
@@ -128,9 +125,8 @@ TEST_CASE("a JAUS command is in the slave's outputs one cycle after it came, and
 
 TEST_CASE("a job without a limit of time is run to its end") {
     robot r;
-    CHECK(net::run(r.link, r.master, r.master.check(station), std::chrono::nanoseconds::max()));
-    REQUIRE(r.master.check(station));
-    CHECK(r.cycles.run_job(std::chrono::nanoseconds::max(), nothing, nothing));
+    CHECK(net::run(r.link, r.master, ethercat::check{station}, std::chrono::nanoseconds::max()));
+    CHECK(r.cycles.run_job(ethercat::check{station}, std::chrono::nanoseconds::max(), nothing, nothing));
 }
 
 TEST_CASE("process data that do not come back are lost, and the next cycle goes all the same") {
@@ -154,8 +150,7 @@ TEST_CASE("an upload goes on in the time that cycles leave, and costs none of th
     std::array<std::byte, 4> vendor{};
     std::size_t cycles = 0;
     for (int i = 0; i != 5; ++i) {
-        REQUIRE(r.master.upload(station, 0x1018, 1, vendor));
-        REQUIRE(r.cycles.run_job(1s, nothing, [&](const auto& report) {
+        REQUIRE(r.cycles.run_job(ethercat::upload{station, 0x1018, 1, vendor}, 1s, nothing, [&](const auto& report) {
             ++cycles;
             CHECK(report.back);
         }));
@@ -169,10 +164,10 @@ TEST_CASE("a job without answers is given up while cycles go on") {
     robot r{{.period = 10ms}, 30ms};
     r.link.loses = [](ethercat::command cmd) { return cmd != ethercat::command::lrw; };
     std::array<std::byte, 4> vendor{};
-    REQUIRE(r.master.upload(station, 0x1018, 1, vendor));
-    CHECK(r.cycles.run_job(10s, nothing, nothing).error == ethercat::master_errc::no_reply);
-    REQUIRE(r.master.upload(station, 0x1018, 1, vendor));
-    CHECK(r.cycles.run_job(6ms, nothing, nothing).error == ethercat::master_errc::timeout);
+    CHECK(r.cycles.run_job(ethercat::upload{station, 0x1018, 1, vendor}, 10s, nothing, nothing).error().code ==
+          ethercat::master_errc::no_reply);
+    CHECK(r.cycles.run_job(ethercat::upload{station, 0x1018, 1, vendor}, 6ms, nothing, nothing).error().code ==
+          ethercat::master_errc::timeout);
     CHECK(r.data.statistics().complete == r.data.statistics().sent);
 }
 
@@ -180,22 +175,21 @@ TEST_CASE("a job goes on while no process data come back") {
     robot r;
     r.link.loses = [](ethercat::command cmd) { return cmd == ethercat::command::lrw; };
     std::array<std::byte, 4> vendor{};
-    REQUIRE(r.master.upload(station, 0x1018, 1, vendor));
-    CHECK(r.cycles.run_job(5s, nothing, nothing));
+    CHECK(r.cycles.run_job(ethercat::upload{station, 0x1018, 1, vendor}, 5s, nothing, nothing));
     CHECK(r.data.statistics().complete == 0);
     // Where the master's frames are lost, too, it learns so.
     robot silent{{.period = 10ms}, 20ms};
     silent.link.loses = [](auto) { return true; };
-    REQUIRE(silent.master.upload(station, 0x1018, 1, vendor));
-    CHECK(silent.cycles.run_job(5s, nothing, nothing).error == ethercat::master_errc::no_reply);
+    CHECK(silent.cycles.run_job(ethercat::upload{station, 0x1018, 1, vendor}, 5s, nothing, nothing).error().code ==
+          ethercat::master_errc::no_reply);
 }
 
 TEST_CASE("a job that could not start between cycles is not taken for the one that runs") {
     robot r;
     std::array<std::byte, 4> vendor{};
-    REQUIRE(r.master.upload(station, 0x1018, 1, vendor));
-    const auto refused = r.cycles.run_job(r.master.bring_up(0, station), 1s, nothing, nothing);
-    CHECK(refused.error == ethercat::master_errc::busy);
+    REQUIRE(r.master.start(ethercat::upload{station, 0x1018, 1, vendor}));
+    const auto refused = r.cycles.run_job(ethercat::bring_up{0, station}, 1s, nothing, nothing);
+    CHECK(refused.error().code == ethercat::master_errc::busy);
     CHECK(r.data.statistics().sent == 0);
     CHECK(r.cycles.run_job(1s, nothing, nothing));
     CHECK(r.slave().state() == ethercat::al_state::op);
@@ -213,8 +207,8 @@ TEST_CASE("process data that are lost do not cost the next cycle") {
 TEST_CASE("no frame of the master's begins in the part of a cycle that is kept for the next") {
     robot r{{.period = 10ms, .reserve = 1}}; // all of it
     std::array<std::byte, 4> vendor{};
-    REQUIRE(r.master.upload(station, 0x1018, 1, vendor));
+    REQUIRE(r.master.start(ethercat::upload{station, 0x1018, 1, vendor}));
     for (int i = 0; i != 5; ++i) CHECK(r.cycles.run(nothing).back);
-    CHECK(r.cycles.run_job(1ns, nothing, nothing).error == ethercat::master_errc::timeout);
+    CHECK(r.cycles.run_job(1ns, nothing, nothing).error().code == ethercat::master_errc::timeout);
     CHECK(r.link.other_frames == 0);
 }

@@ -47,7 +47,7 @@ struct robot {
                    std::optional<std::uint8_t> node = {})
         : at{address}, application{2, arm, node}, watch{arm, command_timeout} {
         mapped.show(slave.outputs(), slave.inputs());
-        REQUIRE(run(master.bring_up(0, at)));
+        REQUIRE(run(ethercat::bring_up{0, at}));
     }
     void work() {
         slave.on_time(link.now);
@@ -57,12 +57,9 @@ struct robot {
     void wait(std::chrono::nanoseconds time) {
         for (const auto end = link.now + time; link.now < end; link.now += 10ms) work();
     }
-    ethercat::outcome run(bool started) {
-        REQUIRE(started);
-        return link.run(master);
-    }
+    template <ethercat::master_job Job> typename Job::result_type run(const Job& job) { return link.run(master, job); }
     /// Writes a message to the arm's object.
-    ethercat::outcome send(const auto& message) {
+    ethercat::master_result<> send(const auto& message) {
         using delivery = bridge::delivery<table>;
         std::array<std::byte, 64> bytes{};
         std::array<std::byte, delivery::translator::max_packet_size> packet{};
@@ -72,7 +69,7 @@ struct robot {
         const auto used = delivery::translator::to_packet(std::span{bytes}.first(size.size()), packet);
         REQUIRE(used);
         const auto object = delivery::object_of(std::span{packet}.first(used.size()));
-        return run(master.download(at, object.index, object.subindex, object.data));
+        return run(ethercat::download{at, object.index, object.subindex, object.data});
     }
     void drive() {
         REQUIRE(send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50.0}));
@@ -80,8 +77,8 @@ struct robot {
     }
     /// To OP; `cycle` exchanges process data from then on.
     ethercat::process_data to_op() {
-        REQUIRE(run(master.configure(station)));
-        REQUIRE(run(master.change_state(station, ethercat::al_state::op)));
+        REQUIRE(run(ethercat::configure{station}));
+        REQUIRE(run(ethercat::change_state{station, ethercat::al_state::op}));
         return ethercat::process_data{master.slaves(), {.watch_slaves = true}};
     }
     void cycle(ethercat::process_data& data) {
@@ -95,8 +92,8 @@ struct robot {
     /// What an upload brings, in hex; empty if it is aborted.
     std::string object(std::uint16_t index, std::uint8_t subindex) {
         std::vector<std::byte> value(64);
-        const auto result = run(master.upload(at, index, subindex, value));
-        return result ? test::to_hex(std::span{value}.first(result.size)) : std::string{};
+        const auto result = run(ethercat::upload{at, index, subindex, value});
+        return result ? test::to_hex(*result) : std::string{};
     }
     bool says(const std::string& line) const { return std::ranges::find(said, line) != said.end(); }
 };
@@ -111,7 +108,8 @@ jaus::clear_emergency end_of_emergency() {
     clear.emergency_code.set(jaus::clear_emergency_code::clear_emergency);
     return clear;
 }
-const ethercat::outcome refused{.error = ethercat::master_errc::sdo_abort, .detail = 0x08000022};
+const ethercat::master_error refused{.code = ethercat::master_errc::sdo_abort,
+                                     .abort = ethercat::abort_code{0x08000022}};
 
 } // namespace
 
@@ -146,8 +144,8 @@ TEST_CASE("an arm with a node of its own obeys under any station address, and wi
         CHECK(r.arm.efforts().propulsive_linear_effort_x.value_or(0) > 49);
     }
     robot without{500ms, 0x1001};
-    CHECK(without.send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50.0}) ==
-          ethercat::outcome{.error = ethercat::master_errc::sdo_abort, .detail = 0x06040043});
+    CHECK(without.send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50.0}).error() ==
+          ethercat::master_error{.code = ethercat::master_errc::sdo_abort, .abort = ethercat::abort_code{0x06040043}});
     CHECK_FALSE(without.arm.moves());
     CHECK(without.says("refused an object: the station address 4097 (0x1001) is not a JAUS node, 1 to 254: give the "
                        "node with --node"));
@@ -241,21 +239,21 @@ TEST_CASE("a command that process data bring in an emergency is not taken, then 
 TEST_CASE("the arm comes to rest when its slave leaves the states in which it is commanded") {
     robot r;
     r.drive();
-    REQUIRE(r.run(r.master.change_state(station, ethercat::al_state::init)));
+    REQUIRE(r.run(ethercat::change_state{station, ethercat::al_state::init}));
     CHECK_FALSE(r.arm.moves());
 
-    REQUIRE(r.run(r.master.bring_up(0, station)));
+    REQUIRE(r.run(ethercat::bring_up{0, station}));
     r.drive();
-    REQUIRE(r.run(r.master.bring_up(0, station))); // another master takes it over
+    REQUIRE(r.run(ethercat::bring_up{0, station})); // another master takes it over
     CHECK_FALSE(r.arm.moves());
 
     r.drive();
     std::array<std::byte, 2> other{std::byte{9}};
-    REQUIRE(r.run(r.master.exchange(ethercat::command::apwr, 0, 0x0010, other)));
+    REQUIRE(r.run(ethercat::exchange_datagram{ethercat::command::apwr, 0, 0x0010, other}));
     CHECK_FALSE(r.arm.moves());
     CHECK(r.says("another station address: all efforts to zero"));
 
-    REQUIRE(r.run(r.master.bring_up(0, station)));
+    REQUIRE(r.run(ethercat::bring_up{0, station}));
     auto data = r.to_op();
     r.cycle(data);
     r.drive(); // by mailbox, though in OP

@@ -25,6 +25,12 @@ struct link_faults {
     std::chrono::nanoseconds longest{std::chrono::milliseconds{1}}; ///< of a delay
 };
 
+/// How many bytes an upload has brought.
+[[nodiscard]] inline ethercat::master_result<std::size_t> size_of(const ethercat::upload::result_type& read) {
+    if (!read) return read.error();
+    return read->size();
+}
+
 class simulated_link {
   public:
     using bytes = std::vector<std::byte>;
@@ -45,8 +51,16 @@ class simulated_link {
     explicit simulated_link(std::function<void(std::span<std::byte>)> process, unsigned seed = 1)
         : process_{std::move(process)}, random_{seed} {}
 
-    /// Lets the master work until its job is done or `limit` of simulated time has passed.
-    ethercat::outcome run(ethercat::master& master, nanoseconds limit = std::chrono::seconds{60}) {
+    /// Lets the master do a job, for at most `limit` of simulated time, and returns its result.
+    template <ethercat::master_job Job>
+    typename Job::result_type run(ethercat::master& master, const Job& job,
+                                  nanoseconds limit = std::chrono::seconds{60}) {
+        if (const auto started = master.start(job); !started) return started.error();
+        static_cast<void>(run(master, limit));
+        return master.result<Job>();
+    }
+    /// The same for the job that has been started.
+    ethercat::master_result<> run(ethercat::master& master, nanoseconds limit = std::chrono::seconds{60}) {
         const auto deadline = now + limit;
         bytes out(ethercat::max_frame_size);
         while (!master.idle() && now < deadline) {
@@ -63,7 +77,7 @@ class simulated_link {
                 now = std::max(now, *event), master.on_time(now);
         }
         if (!master.idle()) master.cancel(ethercat::master_errc::timeout);
-        return master.result();
+        return master.error();
     }
 
   private:

@@ -80,15 +80,12 @@ TEST_CASE("a slave on one thread serves a master on another") {
 
     // Patient: a sanitizer makes all of it slow.
     ethercat::master master{{.frame_timeout = 1s, .sii_timeout = 10s, .state_timeout = 10s, .mailbox_timeout = 10s}};
-    REQUIRE(master.bring_up(0, 2));
-    REQUIRE(net::run(master_link, master, 60s));
+    REQUIRE(net::run(master_link, master, ethercat::bring_up{0, 2}, 60s));
     for (unsigned i = 0; i != 20; ++i) {
         std::array<std::byte, 28> data{}, back{};
         data.fill(static_cast<std::byte>(i + 1));
-        REQUIRE(master.download(2, 0x6000, 1, data));
-        REQUIRE(net::run(master_link, master, 60s));
-        REQUIRE(master.upload(2, 0x6000, 1, back));
-        REQUIRE(net::run(master_link, master, 60s));
+        REQUIRE(net::run(master_link, master, ethercat::download{2, 0x6000, 1, data}, 60s));
+        REQUIRE(net::run(master_link, master, ethercat::upload{2, 0x6000, 1, back}, 60s));
         CHECK(back == data);
     }
 }

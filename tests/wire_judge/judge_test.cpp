@@ -55,14 +55,14 @@ struct master_and_slaves {
     test::slave_thread slaves_thread;
     ethercat::master master{{.frame_timeout = 2s}}; // on a busy machine, too, nothing is asked twice
 
-    void run() {
-        const auto result = net::run(link, master);
-        INFO(describe(result.error) << ' ' << result.detail);
+    template <ethercat::master_job Job> auto run(const Job& job) {
+        const auto result = net::run(link, master, job);
+        INFO(describe(result.error()) << ' ' << describe_reason(result.error()));
         REQUIRE(result);
+        if constexpr (!std::is_void_v<typename Job::result_type::value_type>) return *result;
     }
-    ethercat::outcome bring_up(std::uint16_t position = 0, std::uint16_t address = station) {
-        REQUIRE(master.bring_up(position, address));
-        return net::run(link, master);
+    ethercat::bring_up::result_type bring_up(std::uint16_t position = 0, std::uint16_t address = station) {
+        return net::run(link, master, ethercat::bring_up{position, address});
     }
 
     /// Whatever was sent: nothing is missing in the capture, and tshark finds nothing to complain of.
@@ -160,7 +160,7 @@ TEST_CASE("the judge finds fault where there is one") {
 TEST_CASE("tshark reads a bring-up") {
     one_slave s;
     auto& w = s.w;
-    REQUIRE(w.bring_up().error == master_errc::ok);
+    REQUIRE(w.bring_up().error().code == master_errc::ok);
     CHECK(w.master.statistics().sent <= 30);
     w.judge();
     const std::string taken = "ecat.sub1.cnt == 1 && ";
@@ -187,21 +187,18 @@ TEST_CASE("tshark reads a bring-up") {
 TEST_CASE("tshark reads SDO transfers") {
     one_slave s;
     auto& w = s.w;
-    REQUIRE(w.bring_up().error == master_errc::ok);
+    REQUIRE(w.bring_up().error().code == master_errc::ok);
     const auto data = counting(300);
     std::uint8_t subindex = 0;
     for (const std::size_t size : {1u, 2u, 3u, 4u, 28u, 300u}) {
         s.objects.add(0x2000, ++subindex, size);
-        REQUIRE(w.master.download(station, 0x2000, subindex, std::span{data}.first(size)));
-        w.run();
+        w.run(ethercat::download{station, 0x2000, subindex, std::span{data}.first(size)});
         std::array<std::byte, 1000> read{};
-        REQUIRE(w.master.upload(station, 0x2000, subindex, read));
-        w.run();
-        CHECK(w.master.result().size == size);
+        CHECK(w.run(ethercat::upload{station, 0x2000, subindex, read}).size() == size);
         CHECK(test::to_hex(std::span{read}.first(size)) == test::to_hex(std::span{data}.first(size)));
     }
-    REQUIRE(w.master.download(station, 0x3000, 7, std::span{data}.first(28)));
-    CHECK(net::run(w.link, w.master) == ethercat::outcome{.error = master_errc::sdo_abort, .detail = 0x06020000});
+    CHECK(net::run(w.link, w.master, ethercat::download{station, 0x3000, 7, std::span{data}.first(28)}).error() ==
+          ethercat::master_error{.code = master_errc::sdo_abort, .abort = ethercat::abort_code{0x06020000}});
     w.judge();
 
     const std::string taken = "ecat_mailbox && ecat.sub1.cnt == 1";
@@ -270,24 +267,19 @@ TEST_CASE("tshark reads complete access and SDO information") {
     std::array<std::byte, 64> memory{};
     std::array slaves{ethercat::slave{description, objects, {.transfer_memory = memory}}};
     master_and_slaves w{slaves};
-    REQUIRE(w.bring_up().error == master_errc::ok);
+    REQUIRE(w.bring_up().error().code == master_errc::ok);
     std::array<std::byte, 64> into{};
     const auto data = counting(6);
-    REQUIRE(w.master.download(station, numbers.at, 1, data, {.complete_access = true}));
-    w.run();
+    w.run(ethercat::download{station, numbers.at, 1, data, {.complete_access = true}});
     CHECK(std::ranges::equal(numbers.values, data));
-    REQUIRE(w.master.upload(station, numbers.at, 0, into, {.complete_access = true}));
-    w.run();
-    CHECK(test::to_hex(std::span{into}.first(w.master.result().size)) == "03 00 01 02 03 04 05 06");
-    REQUIRE(w.master.list_objects(station, ethercat::object_list_type::all, into));
-    w.run();
-    CHECK(test::to_hex(std::span{into}.first(w.master.result().size)) == "00 10 08 10 18 10 00 1c 01 20");
-    REQUIRE(w.master.describe_object(station, numbers.at, into));
-    w.run();
-    REQUIRE(w.master.describe_entry(station, numbers.at, 2, 0, into));
-    w.run();
-    REQUIRE(w.master.describe_object(station, 0x3000, into));
-    CHECK(net::run(w.link, w.master).error == master_errc::sdo_abort);
+    CHECK(test::to_hex(w.run(ethercat::upload{station, numbers.at, 0, into, {.complete_access = true}})) ==
+          "03 00 01 02 03 04 05 06");
+    CHECK(test::to_hex(w.run(ethercat::list_objects{station, ethercat::object_list_type::all, into}).bytes()) ==
+          "00 10 08 10 18 10 00 1c 01 20");
+    w.run(ethercat::describe_object{station, numbers.at, into});
+    w.run(ethercat::describe_entry{station, numbers.at, 2, 0, into});
+    CHECK(net::run(w.link, w.master, ethercat::describe_object{station, 0x3000, into}).error().code ==
+          master_errc::sdo_abort);
     w.judge();
 
     const std::string taken = "ecat_mailbox && ecat.sub1.cnt == 1 && ";
@@ -326,16 +318,12 @@ TEST_CASE("tshark reads the way of two slaves to OP, and their cycles") {
     slaves[0].inputs()[0] = std::byte{0xA5};
     slaves[1].inputs()[0] = std::byte{0x5A};
     master_and_slaves w{slaves};
-    REQUIRE(w.master.scan());
-    w.run();
-    CHECK(w.master.result().size == 2);
+    CHECK(w.run(ethercat::scan{}) == 2);
     for (const std::uint16_t position : std::array<std::uint16_t, 2>{0, 1}) {
         const auto address = static_cast<std::uint16_t>(station + position);
-        REQUIRE(w.bring_up(position, address).error == master_errc::ok);
-        REQUIRE(w.master.configure(address));
-        w.run();
-        REQUIRE(w.master.change_state(address, ethercat::al_state::safe_op));
-        w.run();
+        REQUIRE(w.bring_up(position, address).error().code == master_errc::ok);
+        w.run(ethercat::configure{address});
+        w.run(ethercat::change_state{address, ethercat::al_state::safe_op});
     }
 
     ethercat::process_data cyclic{w.master.slaves()};
@@ -354,9 +342,9 @@ TEST_CASE("tshark reads the way of two slaves to OP, and their cycles") {
         exchange(w.master.next_frame(frame, now()), [&](auto reply) { return w.master.on_frame(reply, now()); });
     };
     for (const std::uint16_t address : {station, static_cast<std::uint16_t>(station + 1)}) {
-        REQUIRE(w.master.change_state(address, ethercat::al_state::op));
+        REQUIRE(w.master.start(ethercat::change_state{address, ethercat::al_state::op}));
         while (!w.master.idle()) cycle();
-        REQUIRE(w.master.result());
+        REQUIRE(w.master.error() == ethercat::master_error{});
     }
     const auto setting_up = w.slaves_thread.frames();
     const std::vector<std::byte> values = counting(8);

@@ -37,7 +37,7 @@ enum class refusal : std::uint8_t {
     superseded,     ///< a newer command of the same sender replaced it
     stopped,        ///< a stop order came first
     not_translated, ///< see `error`
-    by_slave,       ///< the slave or the master refused it: see `status` and `outcome`
+    by_slave,       ///< the slave or the master refused it: see `status` and `of_master`
     not_taken,      ///< the slave has not taken the command out of its process data in time
     stale,          ///< the slave's inputs are too old to answer from
 };
@@ -47,7 +47,7 @@ struct refusal_reason {
     refusal why{};
     translate::errc error{};
     hilscher::packet_status status{};
-    ethercat::outcome outcome{};
+    ethercat::master_error of_master{};
 };
 
 /// Cause of a stop order.
@@ -62,15 +62,15 @@ enum class stop_cause : std::uint8_t {
 
 /// The functions that a bridge calls on events: see jaus::hook. All may be left out; none may call the bridge.
 ///
-///     const auto lost = [&](const bridge::slave_front&, bridge::loss, const ethercat::outcome&) { ... };
+///     const auto lost = [&](const bridge::slave_front&, bridge::loss, const ethercat::master_error&) { ... };
 ///     const bridge::observer watcher{.slave_lost = lost};
 struct observer {
     /// The slave answers; not `ready` while its process data are being set up.
     jaus::hook<void(const slave_front& slave, const ethercat::slave_record& record, bool ready)> slave_up{};
     /// An attempt to bring it up has failed.
-    jaus::hook<void(const slave_front& slave, const ethercat::outcome& why)> bring_up_failed{};
+    jaus::hook<void(const slave_front& slave, const ethercat::master_error& why)> bring_up_failed{};
     /// `why` says more where the master does.
-    jaus::hook<void(const slave_front& slave, loss what, const ethercat::outcome& why)> slave_lost{};
+    jaus::hook<void(const slave_front& slave, loss what, const ethercat::master_error& why)> slave_lost{};
     jaus::hook<void(const slave_front& slave, const ethercat::coe_emergency& emergency)> slave_emergency{};
     /// The slave does not take Report Heartbeat Pulse: nothing stops it when this program ends without a word.
     jaus::hook<void(const slave_front& slave, const refusal_reason& why)> no_keep_alive{};

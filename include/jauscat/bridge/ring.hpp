@@ -111,10 +111,10 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     [[nodiscard]] const ethercat::master& master() const noexcept { return master_; }
     [[nodiscard]] const ethercat::process_data& process_data() const noexcept { return data_; }
-    /// Result of the last attempt to bring the slave up.
-    [[nodiscard]] const ethercat::outcome& bring_up_result(const slave_front& front) const noexcept {
+    /// Why the last attempt to bring the slave up has failed; ok if it has not.
+    [[nodiscard]] const ethercat::master_error& bring_up_error(const slave_front& front) const noexcept {
         const auto found = std::ranges::find(places(), &front, &place::front);
-        static constexpr ethercat::outcome none{};
+        static constexpr ethercat::master_error none{};
         return found == places().end() ? none : found->bring_up;
     }
 
@@ -142,7 +142,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     struct place {
         slave_front* front{};
         phase at{};
-        ethercat::outcome bring_up{};
+        ethercat::master_error bring_up{};
         time next_try = time::min();
         time next_keep_alive{};
         time last_seen{}; // in a state in which it can be commanded
@@ -220,29 +220,31 @@ template <class Image = wrench_effort_path> class basic_ring {
         switch (at.at) {
         case phase::absent: return now >= at.next_try && begin_bring_up(at);
         case phase::pre_op:
-            return begin_job(at, work::configure, master_.configure(at.front->station(), options_.watchdog));
+            return begin_job(at, work::configure, ethercat::configure{at.front->station(), options_.watchdog});
         case phase::configured:
-            return begin_job(at, work::safe_op, master_.change_state(at.front->station(), ethercat::al_state::safe_op));
+            return begin_job(at, work::safe_op,
+                             ethercat::change_state{at.front->station(), ethercat::al_state::safe_op});
         case phase::safe_op:
-            return begin_job(at, work::op, master_.change_state(at.front->station(), ethercat::al_state::op));
+            return begin_job(at, work::op, ethercat::change_state{at.front->station(), ethercat::al_state::op});
         case phase::settling: return false;
         case phase::up: break;
         }
-        if (at.has_mail) return begin_job(at, work::collect, master_.collect_emergencies(at.front->station()));
+        if (at.has_mail) return begin_job(at, work::collect, ethercat::collect_emergencies{at.front->station()});
         if (begin_order(at, now, out)) return true;
         return begin_keep_alive(at, now, out);
     }
 
-    bool begin_job(place& at, work what, bool started) {
+    template <ethercat::master_job Job> bool begin_job(place& at, work what, const Job& job) {
+        const bool started = static_cast<bool>(master_.start(job));
         served_ = &at;
         work_ = started ? what : work::none;
         return started;
     }
     // Slaves may still be as an earlier master, or an earlier life of this program, has left them.
     bool begin_bring_up(place& at) {
-        if (!is_cleared_) return begin_job(at, work::scan, master_.scan());
+        if (!is_cleared_) return begin_job(at, work::scan, ethercat::scan{});
         const auto& slave = at.front->options();
-        return begin_job(at, work::bring_up, master_.bring_up(slave.position, slave.identity.station));
+        return begin_job(at, work::bring_up, ethercat::bring_up{slave.position, slave.identity.station});
     }
     // Nothing that moves the actuator goes before a stop order that it has not confirmed.
     [[nodiscard]] static bool is_held_back(const order& each) noexcept {
@@ -291,7 +293,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (!job_->start(master_)) confirm(now, out);
     }
     void confirm(time now, jaus::message_sink out) {
-        const auto size = job_->finish(job_->result());
+        const auto size = job_->finish(master_);
         take_step(exchange().on_confirmation(std::span{confirmation_}.first(size), packet_), now, out);
     }
     void tell_packet(bytes packet) const {
@@ -313,9 +315,9 @@ template <class Image = wrench_effort_path> class basic_ring {
             return confirm(now, out);
         }
         place& at = *served_;
-        const auto result = master_.result();
+        const auto result = master_.error();
         switch (std::exchange(work_, work::none)) {
-        case work::scan: return cleared(at, result);
+        case work::scan: return cleared(at, master_.result<ethercat::scan>().value_or(0));
         case work::bring_up: return brought_up(at, result, now);
         case work::configure: return set_up(at, result, phase::configured, now, out);
         case work::safe_op: return set_up(at, result, phase::safe_op, now, out);
@@ -326,15 +328,15 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
 
     // A failed job is repeated, unless a slave is up that it would reset.
-    void cleared(place& at, const ethercat::outcome& result) {
+    void cleared(place& at, std::size_t slaves) {
         is_cleared_ = true;
         static_cast<void>(begin_bring_up(at));
-        is_cleared_ = result && result.size != 0;
+        is_cleared_ = slaves != 0;
     }
-    void brought_up(place& at, const ethercat::outcome& result, time now) {
-        at.bring_up = result;
+    void brought_up(place& at, const ethercat::master_error& error, time now) {
+        at.bring_up = error;
         at.next_try = jaus::saturating_add(now, options_.bring_up_interval);
-        if (!result) return at.front->watcher().bring_up_failed(*at.front, result);
+        if (error != ethercat::master_error{}) return at.front->watcher().bring_up_failed(*at.front, error);
         is_cleared_ = true;
         at.takes_keep_alive = true;
         at.has_mail = false;
@@ -342,10 +344,10 @@ template <class Image = wrench_effort_path> class basic_ring {
         at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), at.at == phase::up);
         if (at.at == phase::up) ready(at, now);
     }
-    void set_up(place& at, const ethercat::outcome& result, phase next, time now, jaus::message_sink out) {
-        if (!result) {
-            at.bring_up = result;
-            return lose(at, loss::no_process_data, result, now, out);
+    void set_up(place& at, const ethercat::master_error& error, phase next, time now, jaus::message_sink out) {
+        if (error != ethercat::master_error{}) {
+            at.bring_up = error;
+            return lose(at, loss::no_process_data, error, now, out);
         }
         at.at = next;
         if (next == phase::safe_op) rebuild_process_data(now);
@@ -369,13 +371,13 @@ template <class Image = wrench_effort_path> class basic_ring {
         work_ = work::none;
         place& at = *served_;
         const bool was_executed = step.what == exchange_progress::done;
-        const auto result = job_ ? job_->result() : ethercat::outcome{};
+        const auto error = job_ ? job_->error() : ethercat::master_error{};
         const refusal_reason why{.why = exchange().error() != translate::errc::ok ? refusal::not_translated
                                                                                   : refusal::by_slave,
                                  .error = exchange().error(),
                                  .status = exchange().status(),
-                                 .outcome = result};
-        const bool answers = was_executed || is_of_slave(result);
+                                 .of_master = error};
+        const bool answers = was_executed || is_of_slave(error);
         if (answers) at.next_keep_alive = jaus::saturating_add(now, options_.keep_alive);
         const auto report = std::span{packet_}.first(was_executed ? step.size : 0);
         job_.reset();
@@ -389,13 +391,13 @@ template <class Image = wrench_effort_path> class basic_ring {
             break;
         }
         tell_emergencies(at);
-        if (!answers) lose(at, loss::no_answer, result, now, out);
+        if (!answers) lose(at, loss::no_answer, error, now, out);
     }
     // The slave has said no, and so is there.
-    static bool is_of_slave(const ethercat::outcome& result) noexcept {
+    static bool is_of_slave(const ethercat::master_error& error) noexcept {
         using enum ethercat::master_errc;
-        return result.error == ok || result.error == sdo_abort || result.error == clear_refused ||
-               result.error == mailbox_error || result.error == data_too_long;
+        return error.code == ok || error.code == sdo_abort || error.code == clear_refused ||
+               error.code == mailbox_error || error.code == data_too_long;
     }
     void end_order(bool was_executed, bytes report, const refusal_reason& why, time now, jaus::message_sink out) {
         if (!was_executed) return unit_->on_not_executed(order_.header, why, now, out);
@@ -407,9 +409,9 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (was_executed && !served_->front->up()) return;
         if (was_executed) return unit_->on_confirmed(stop_, now, out);
         using enum ethercat::abort_code;
-        const auto code = static_cast<ethercat::abort_code>(why.outcome.detail);
+        const auto code = why.of_master.abort;
         const bool is_unknown =
-            (why.outcome.error == ethercat::master_errc::sdo_abort && (code == no_object || code == no_subindex)) ||
+            (why.of_master.code == ethercat::master_errc::sdo_abort && (code == no_object || code == no_subindex)) ||
             why.error == translate::errc::unknown_index;
         unit_->on_refused(stop_, is_unknown, why, now, out);
     }
@@ -470,7 +472,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         return next;
     }
 
-    void lose(place& at, loss what, const ethercat::outcome& why, time now, jaus::message_sink out) {
+    void lose(place& at, loss what, const ethercat::master_error& why, time now, jaus::message_sink out) {
         if (at.at == phase::absent) return; // its last job has ended only now
         const bool was_up = at.front->up();
         at.at = phase::absent;
@@ -545,22 +547,21 @@ template <class Image = wrench_effort_path> class basic_ring {
                 if (seen.condition == running)
                     start_image(each, now, out);
                 else if (now >= each.settling_until)
-                    lose(each, loss::no_process_data, {.error = ethercat::master_errc::working_counter}, now, out);
+                    lose(each, loss::no_process_data, {.code = ethercat::master_errc::working_counter}, now, out);
                 continue;
             }
             if (each.at != phase::up) continue;
             if (const auto last = last_working(each, seen)) each.last_seen = std::max(each.last_seen, *last);
             each.has_mail = seen.mail_waits;
-            const ethercat::outcome state{.error = ethercat::master_errc::al_error,
-                                          .detail = static_cast<std::uint32_t>(seen.al.code)};
+            const ethercat::master_error state{.code = ethercat::master_errc::al_error, .al_status = seen.al.code};
             if (seen.condition == absent)
-                lose(each, loss::no_station, {.error = ethercat::master_errc::working_counter}, now, out);
+                lose(each, loss::no_station, {.code = ethercat::master_errc::working_counter}, now, out);
             else if (seen.condition == duplicate)
-                lose(each, loss::no_station, {.error = ethercat::master_errc::duplicate_station}, now, out);
+                lose(each, loss::no_station, {.code = ethercat::master_errc::duplicate_station}, now, out);
             else if (seen.condition != silent && !works_in(each, seen.al.state))
                 lose(each, loss::left_state, state, now, out);
             else if (now - each.last_seen >= options_.longest_silence)
-                lose(each, loss::no_answer, {.error = ethercat::master_errc::no_reply}, now, out);
+                lose(each, loss::no_answer, {.code = ethercat::master_errc::no_reply}, now, out);
         }
     }
     // A slave by mailbox need not be in OP.
@@ -576,7 +577,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     void start_image(place& at, time now, jaus::message_sink out) {
         at.image.emplace(at.front->options().identity, Image::component);
         if (!at.image->start(outputs(at), inputs(at)))
-            return lose(at, loss::no_process_data, {.error = ethercat::master_errc::size_mismatch}, now, out);
+            return lose(at, loss::no_process_data, {.code = ethercat::master_errc::size_mismatch}, now, out);
         at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), true);
         ready(at, now);
     }
@@ -705,7 +706,7 @@ template <class Image = wrench_effort_path> class basic_ring {
                 each.unit->on_not_taken(each.header, now, out);
             if (each.is_stop && !was_reached) takes_zeros = false;
         }
-        if (!takes_zeros) lose(at, loss::no_process_data, {.error = ethercat::master_errc::timeout}, now, out);
+        if (!takes_zeros) lose(at, loss::no_process_data, {.code = ethercat::master_errc::timeout}, now, out);
     }
 
     const bridge_options& options_;

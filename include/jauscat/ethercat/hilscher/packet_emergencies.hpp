@@ -30,7 +30,7 @@ class packet_slave_handles
         }
         return service_step::done(status_);
     }
-    service_answer answer(confirmation& out, const outcome&, const packet_io&) const noexcept {
+    service_answer answer(confirmation& out, const master&, const packet_io&) const noexcept {
         out.ul_param = asked.ul_param;
         return {.size = size_};
     }
@@ -57,16 +57,17 @@ class packet_emergencies
     service_step begin(master& m, const packet_io&) noexcept {
         if (asked.ul_slave_handle > 0xFFFF || m.find(station()) == nullptr)
             return service_step::done(hilscher::packet_status::unknown_handle);
-        return service_step::started(m.collect_emergencies(station()));
+        return service_step::started(m.start(collect_emergencies{station()}));
     }
-    service_step next(master& m, const outcome& result, const packet_io&) noexcept {
-        if (!result && result.error != master_errc::no_mailbox && result.error != master_errc::no_coe)
-            return service_step::done(hilscher::status_of(result));
+    service_step next(master& m, const packet_io&) noexcept {
+        const auto& error = m.error();
+        if (error != master_error{} && error.code != master_errc::no_mailbox && error.code != master_errc::no_coe)
+            return service_step::done(hilscher::status_of(error));
         if (const auto* slave = m.find(station())) log_ = slave->emergencies;
         if (asked.f_delete_emergency != 0) m.clear_emergencies(station());
         return service_step::done();
     }
-    service_answer answer(confirmation& out, const outcome&, const packet_io& io) const noexcept {
+    service_answer answer(confirmation& out, const master&, const packet_io& io) const noexcept {
         static_assert(emergency_log::capacity == hilscher::emergency_buffer_records);
         out.ul_slave_handle = asked.ul_slave_handle;
         out.f_delete_emergency = asked.f_delete_emergency;

@@ -16,18 +16,16 @@ class packet_od_list : public packet_coe_service<hilscher::get_od_list_request, 
             asked.ul_list_type > hilscher::packet_list_type::start_up)
             return service_step::done(hilscher::packet_status::coe_invalid_list_type);
         return service_step::started(
-            m.list_objects(station(), static_cast<object_list_type>(asked.ul_list_type), io.room(fields_size)));
+            m.start(list_objects{station(), static_cast<object_list_type>(asked.ul_list_type), io.room(fields_size)}));
     }
-    service_answer answer(confirmation& out, const outcome& result, const packet_io&) const noexcept {
-        const auto count = result.size / index_size;
+    service_answer answer(confirmation& out, const master& m, const packet_io&) const noexcept {
+        const auto indices = m.result<list_objects>();
+        if (!indices) return {.status = hilscher::status_of(indices.error())};
         out.ul_node_id = asked.ul_node_id;
         out.ul_list_type = asked.ul_list_type;
-        out.ul_data_cnt = static_cast<std::uint32_t>(count);
-        return {.size = count * index_size};
+        out.ul_data_cnt = static_cast<std::uint32_t>(indices->size());
+        return {.size = indices->bytes().size()};
     }
-
-  private:
-    static constexpr std::size_t index_size = 2;
 };
 
 /// The packet that describes one object.
@@ -36,21 +34,20 @@ class packet_object : public packet_coe_service<hilscher::get_object_description
   public:
     service_step begin(master& m, const packet_io& io) noexcept {
         if (const auto wrong = check_target(); wrong != hilscher::packet_status::ok) return service_step::done(wrong);
-        return service_step::started(m.describe_object(station(), index(), place(io)));
+        return service_step::started(m.start(describe_object{station(), index(), place(io)}));
     }
-    service_answer answer(confirmation& out, const outcome& result, const packet_io& io) const noexcept {
-        object_answer object{};
-        const auto used = wire::decode_prefix(object, place(io).first(result.size));
-        if (!used) return {.status = hilscher::status_of({.error = master_errc::unexpected_reply})};
+    service_answer answer(confirmation& out, const master& m, const packet_io&) const noexcept {
+        const auto described = m.result<describe_object>();
+        if (!described) return {.status = hilscher::status_of(described.error())};
+        const auto& object = described->object;
         out.ul_node_id = asked.ul_node_id;
         out.ul_index = asked.ul_index;
         out.ul_data_type = object.data_type;
         out.ul_obj_code = static_cast<std::uint32_t>(object.code) & 0x0Fu;
         out.ul_obj_category = static_cast<std::uint32_t>(object.code) >> 4;
         out.ul_max_num_sub_index = object.highest_subindex;
-        const auto name = result.size - used.size();
-        out.ul_ob_name_len = static_cast<std::uint32_t>(name);
-        return {.size = name};
+        out.ul_ob_name_len = static_cast<std::uint32_t>(described->name.size());
+        return {.size = described->name.size()};
     }
 
   private:
@@ -68,19 +65,20 @@ class packet_entry : public packet_coe_service<hilscher::get_entry_description_r
         if (const auto wrong = check_target(); wrong != hilscher::packet_status::ok) return service_step::done(wrong);
         if (asked.ul_access_bit_mask > 0x7F)
             return service_step::done(hilscher::packet_status::coe_invalid_access_bit_mask);
-        return service_step::started(m.describe_entry(station(), index(), subindex(),
-                                                      static_cast<std::uint8_t>(asked.ul_access_bit_mask), place(io)));
+        return service_step::started(m.start(describe_entry{
+            station(), index(), subindex(), static_cast<std::uint8_t>(asked.ul_access_bit_mask), place(io)}));
     }
-    service_answer answer(confirmation& out, const outcome& result, const packet_io& io) const noexcept {
-        auto rest = place(io).first(result.size);
-        entry_answer entry{};
+    service_answer answer(confirmation& out, const master& m, const packet_io& io) const noexcept {
+        const auto described = m.result<describe_entry>();
+        if (!described) return {.status = hilscher::status_of(described.error())};
+        const auto& entry = described->entry;
+        auto rest = described->bytes.subspan(wire::max_size<entry_answer>);
         hilscher::entry_unit unit{};
-        const auto used = wire::decode_prefix(entry, rest);
-        rest = rest.subspan(used.size());
-        const bool has_unit = (entry.value_info & unit_bit) != 0;
-        const auto unit_used = has_unit ? wire::decode_prefix(unit, rest) : wire::result{0};
-        if (!used || !unit_used) return {.status = hilscher::status_of({.error = master_errc::unexpected_reply})};
-        rest = rest.subspan(unit_used.size());
+        if ((entry.value_info & unit_bit) != 0) {
+            const auto used = wire::decode_prefix(unit, rest);
+            if (!used) return {.status = hilscher::status_of({.code = master_errc::unexpected_reply})};
+            rest = rest.subspan(used.size());
+        }
         const auto values = io.room(fields_size);
         if (rest.size() > values.size()) return {.status = hilscher::packet_status::coe_slave_response_too_big};
         std::ranges::copy_backward(rest, values.begin() + static_cast<std::ptrdiff_t>(rest.size()));

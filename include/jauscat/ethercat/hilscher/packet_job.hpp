@@ -7,6 +7,7 @@
 #include <jauscat/ethercat/hilscher/packet_state.hpp>
 #include <jauscat/ethercat/hilscher/packet_transfer.hpp>
 
+#include <concepts>
 #include <variant>
 
 namespace jauscat::ethercat {
@@ -15,7 +16,7 @@ namespace jauscat::ethercat {
 ///
 ///     packet_job job{request, confirmation};
 ///     for (bool runs = job.start(master); runs; runs = job.next(master)) ...; // drive the master until it is idle
-///     const auto size = job.finish(master.result());
+///     const auto size = job.finish(master);
 ///
 /// Services: SDO download and upload, OD list, object and entry description, get and set state, bus scan and its
 /// results, slave handles and emergencies. Any other command is confirmed with unknown_command.
@@ -54,22 +55,23 @@ class packet_job {
     /// The master's job has ended. True if another one runs now.
     bool next(master& m) noexcept {
         if (!runs_) return false;
-        if (result_) result_ = m.result();
+        if (error_ == master_error{}) error_ = m.error();
         return std::visit([&](auto& service) { return take(next_of(service, m)); }, service_);
     }
 
     /// Writes the confirmation and returns its size, 40 to 1596 bytes; 0 where the request is no request packet or the
-    /// confirmation has no room. `result` is how the master's last job ended, or why none could be started. A service
-    /// of several jobs that `next` has not seen through has failed.
-    std::size_t finish(const outcome& result) noexcept {
+    /// confirmation has no room. A service of several jobs that `next` has not seen through has failed.
+    std::size_t finish(const master& m) noexcept { return finish(m, has_run_ ? m.error() : master_error{}); }
+    /// The same where no job could be started, and why.
+    std::size_t finish(const master& m, const master_error& error) noexcept {
         if (!wire::decode_prefix(head_, io_.request) || is_answer(head_)) return 0;
         head_.ul_cmd = static_cast<packet_command>(static_cast<std::uint32_t>(head_.ul_cmd) + 1);
-        if (status_ == packet_status::ok) status_ = hilscher::status_of(result);
-        return std::visit([&](auto& service) { return confirm(service, result); }, service_);
+        if (status_ == packet_status::ok) status_ = hilscher::status_of(error);
+        return std::visit([&](auto& service) { return confirm(service, m); }, service_);
     }
 
-    /// Result of the first failed job of the master, or of the last job. It has more detail than the status.
-    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    /// Why the first job of the master that failed has done so; ok if none has. It has more detail than the status.
+    [[nodiscard]] const master_error& error() const noexcept { return error_; }
 
   private:
     using packet_status = hilscher::packet_status;
@@ -103,6 +105,7 @@ class packet_job {
 
     bool take(const service_step& step) noexcept {
         runs_ = step.runs;
+        has_run_ = has_run_ || runs_;
         status_ = step.status;
         return runs_;
     }
@@ -111,10 +114,10 @@ class packet_job {
         if constexpr (std::is_same_v<Service, std::monostate>)
             return {};
         else
-            return service.next(m, m.result(), io_);
+            return service.next(m, io_);
     }
 
-    template <class Service> std::size_t confirm(Service& service, const outcome& result) noexcept {
+    template <class Service> std::size_t confirm(Service& service, const master& m) noexcept {
         if constexpr (std::is_same_v<Service, std::monostate>) {
             return refuse(0);
         } else {
@@ -122,7 +125,7 @@ class packet_job {
                 status_ = packet_status::fail; // not driven on
             if (status_ != packet_status::ok) return refuse(Service::repeated);
             typename Service::confirmation out{};
-            const auto answer = service.answer(out, result, io_);
+            const auto answer = service.answer(out, m, io_);
             status_ = answer.status;
             if (status_ != packet_status::ok) return refuse(Service::repeated);
             out.head = head_;
@@ -154,8 +157,20 @@ class packet_job {
                  packet_emergencies>
         service_{};
     packet_status status_{};
-    outcome result_{};
-    bool runs_{}; // a job of the master whose end `next` has not been told
+    master_error error_{};
+    bool runs_{};    // a job of the master whose end `next` has not been told
+    bool has_run_{}; // a job of the master was started
 };
+
+/// Executes a request packet and returns its confirmation, the front of `confirmation`; empty where packet_job::finish
+/// gives none. `run()` drives the master until it is idle:
+/// `execute_packet(master, request, confirmation, [&] { return net::run(link, master); })`.
+template <std::invocable Run>
+std::span<std::byte> execute_packet(master& m, std::span<const std::byte> request, std::span<std::byte> confirmation,
+                                    Run&& run, const packet_options& options = {}) {
+    packet_job job{request, confirmation, options};
+    for (bool runs = job.start(m); runs; runs = job.next(m)) static_cast<void>(run());
+    return confirmation.first(job.finish(m));
+}
 
 } // namespace jauscat::ethercat

@@ -24,21 +24,22 @@ class packet_start_scan
     static constexpr bool one_job = false;
     static constexpr std::size_t least_length = 0; // a manual has no timeout in it
 
-    static service_step begin(master& m, const packet_io&) noexcept { return service_step::started(m.scan()); }
+    static service_step begin(master& m, const packet_io&) noexcept { return service_step::started(m.start(scan{})); }
 
-    service_step next(master& m, const outcome& result, const packet_io& io) noexcept {
+    service_step next(master& m, const packet_io& io) noexcept {
         if (!counted_) {
-            if (!result) return service_step::done(hilscher::status_of(result));
+            const auto slaves = m.result<scan>();
+            if (!slaves) return service_step::done(hilscher::status_of(slaves.error()));
             counted_ = true;
-            found_ = result.size;
-        } else if (is_of_link(result.error)) {
-            return service_step::done(hilscher::status_of(result));
+            found_ = *slaves;
+        } else if (is_of_link(m.error().code)) {
+            return service_step::done(hilscher::status_of(m.error()));
         }
         if (position_ == std::min(found_, slave_capacity)) return service_step::done();
         const auto position = static_cast<std::uint16_t>(position_++);
-        return service_step::started(m.bring_up(position, scan_station(io, position)));
+        return service_step::started(m.start(bring_up{position, scan_station(io, position)}));
     }
-    service_answer answer(confirmation& out, const outcome&, const packet_io&) const noexcept {
+    service_answer answer(confirmation& out, const master&, const packet_io&) const noexcept {
         out.ul_found_slaves = static_cast<std::uint32_t>(found_);
         return {};
     }
@@ -62,15 +63,17 @@ class packet_scan_info
     service_step begin(master& m, const packet_io& io) noexcept {
         position_ = static_cast<std::uint16_t>(0u - asked.us_auto_inc_addr);
         if (find(m) != nullptr) return read_ports(m);
-        return service_step::started(m.bring_up(position_, scan_station(io, position_)));
+        return service_step::started(m.start(bring_up{position_, scan_station(io, position_)}));
     }
-    service_step next(master& m, const outcome& result, const packet_io&) noexcept {
-        if (result.error == master_errc::no_slave || (reads_ports_ && result && result.detail == 0))
-            return service_step::done(hilscher::packet_status::coe_invalid_index);
-        if (!result || reads_ports_) return service_step::done(hilscher::status_of(result));
-        return read_ports(m);
+    service_step next(master& m, const packet_io&) noexcept {
+        const auto& error = m.error();
+        if (error.code == master_errc::no_slave) return service_step::done(hilscher::packet_status::coe_invalid_index);
+        if (error != master_error{}) return service_step::done(hilscher::status_of(error));
+        if (!reads_ports_) return read_ports(m);
+        const bool was_read = *m.result<exchange_datagram>() != 0;
+        return service_step::done(was_read ? hilscher::packet_status::ok : hilscher::packet_status::coe_invalid_index);
     }
-    service_answer answer(confirmation& out, const outcome&, const packet_io&) const noexcept {
+    service_answer answer(confirmation& out, const master&, const packet_io&) const noexcept {
         esc_word ports{};
         static_cast<void>(wire::decode(ports, read_));
         out.ul_vendor_id = identity_.vendor;
@@ -90,7 +93,7 @@ class packet_scan_info
         identity_ = find(m)->identity;
         reads_ports_ = true;
         return service_step::started(
-            m.exchange(command::aprd, asked.us_auto_inc_addr, esc_registers::dl_status.address, read_));
+            m.start(exchange_datagram{command::aprd, asked.us_auto_inc_addr, esc_registers::dl_status.address, read_}));
     }
 
     std::uint16_t position_{};

@@ -34,9 +34,9 @@ struct service_step {
     bool runs{};
     hilscher::packet_status status{};
 
-    /// For what the functions of the master that start a job return.
-    static constexpr service_step started(bool yes) noexcept {
-        return yes ? service_step{.runs = true} : service_step{.status = hilscher::packet_status::service_in_use};
+    /// For what master::start returns.
+    static constexpr service_step started(const master_result<>& start) noexcept {
+        return start ? service_step{.runs = true} : service_step{.status = hilscher::packet_status::service_in_use};
     }
     static constexpr service_step done(hilscher::packet_status status = hilscher::packet_status::ok) noexcept {
         return {.status = status};
@@ -50,7 +50,7 @@ struct service_answer {
 };
 
 /// A service: begins with `asked`, goes on whenever a job of the master has ended, and fills its confirmation in the
-/// end. Here is what most of them need: one job, whose outcome is the service's. `Repeated` bytes of the request's body
+/// end. Here is what most of them need: one job, whose result is the service's. `Repeated` bytes of the request's body
 /// stand in a confirmation with an error.
 template <class Request, class Confirmation, std::size_t Repeated = 0> struct packet_service {
     using request = Request;
@@ -65,8 +65,8 @@ template <class Request, class Confirmation, std::size_t Repeated = 0> struct pa
 
     Request asked{};
 
-    static service_step next(master&, const outcome& result, const packet_io&) noexcept {
-        return service_step::done(hilscher::status_of(result));
+    static service_step next(master& m, const packet_io&) noexcept {
+        return service_step::done(hilscher::status_of(m.error()));
     }
 };
 
@@ -76,18 +76,20 @@ struct packet_coe_service : packet_service<Request, Confirmation, Repeated> {
     using base = packet_service<Request, Confirmation, Repeated>;
     using base::asked;
 
-    service_step next(master& m, const outcome& result, const packet_io&) noexcept {
+    service_step next(master& m, const packet_io&) noexcept {
         using hilscher::packet_status;
         if (failed_ == packet_status::ok) {
-            failed_ = hilscher::status_of(result);
-            const bool silent = result.error == master_errc::working_counter ||
-                                result.error == master_errc::mailbox_full ||
-                                result.error == master_errc::mailbox_timeout;
+            const auto& error = m.error();
+            failed_ = hilscher::status_of(error);
+            const bool silent = error.code == master_errc::working_counter || error.code == master_errc::mailbox_full ||
+                                error.code == master_errc::mailbox_timeout;
             if (!silent) return service_step::done(failed_);
-            return service_step::started(m.exchange(command::fprd, station(), esc_registers::al_status.address, read_));
+            return service_step::started(
+                m.start(exchange_datagram{command::fprd, station(), esc_registers::al_status.address, read_}));
         }
-        if (!result) return service_step::done(failed_);
-        if (result.detail == 0) return service_step::done(packet_status::coe_slave_not_addressable);
+        const auto counter = m.result<exchange_datagram>();
+        if (!counter) return service_step::done(failed_);
+        if (*counter == 0) return service_step::done(packet_status::coe_slave_not_addressable);
         al_status status{};
         static_cast<void>(wire::decode(status, read_));
         const bool has_mailbox = is_known(status.state) && status.state != al_state::init;

@@ -14,9 +14,10 @@ namespace jauscat::ethercat {
 class packet_get_state : public packet_service<hilscher::get_state_request, hilscher::get_state_confirmation> {
   public:
     service_step begin(master& m, const packet_io&) noexcept {
-        return service_step::started(m.exchange(command::brd, 0, esc_registers::al_status.address, read_));
+        return service_step::started(
+            m.start(exchange_datagram{command::brd, 0, esc_registers::al_status.address, read_}));
     }
-    service_answer answer(confirmation& out, const outcome&, const packet_io&) const noexcept {
+    service_answer answer(confirmation& out, const master&, const packet_io&) const noexcept {
         al_status all{}; // of all slaves, or-ed
         static_cast<void>(wire::decode(all, read_));
         const auto bits = static_cast<unsigned>(all.state);
@@ -52,15 +53,15 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
         return advance(m);
     }
 
-    service_step next(master& m, const outcome& result, const packet_io&) noexcept {
-        if (!result) return service_step::done(status_of(result));
+    service_step next(master& m, const packet_io&) noexcept {
+        if (m.error() != master_error{}) return service_step::done(status_of(m.error()));
         auto& member = bus_[place_];
         switch (stage_) {
         case stage::clear: // the slaves are in INIT, and the master has forgotten them
             place_ = count_;
             break;
         case stage::look:
-            if (result.detail != 0) static_cast<void>(wire::decode(member.status, read_));
+            if (*m.result<exchange_datagram>() != 0) static_cast<void>(wire::decode(member.status, read_));
             break;
         case stage::bring_up: member.status = {.state = al_state::pre_op}; break;
         case stage::lower: member.status = {.state = goal_}; break;
@@ -72,7 +73,7 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
         return advance(m);
     }
 
-    static service_answer answer(confirmation&, const outcome&, const packet_io&) noexcept { return {}; }
+    static service_answer answer(confirmation&, const master&, const packet_io&) noexcept { return {}; }
 
   private:
     enum class stage : std::uint8_t { clear, look, bring_up, lower, configure, safe_op, op };
@@ -82,10 +83,10 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
     };
 
     // What a slave says of a refused state has statuses of its own, but how they are numbered is not documented.
-    [[nodiscard]] static hilscher::packet_status status_of(const outcome& result) noexcept {
-        if (result.error == master_errc::al_error || result.error == master_errc::state_timeout)
+    [[nodiscard]] static hilscher::packet_status status_of(const master_error& error) noexcept {
+        if (error.code == master_errc::al_error || error.code == master_errc::state_timeout)
             return hilscher::packet_status::fail;
-        return hilscher::status_of(result);
+        return hilscher::status_of(error);
     }
 
     // Starts the next job that is due.
@@ -117,15 +118,16 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
         return record != nullptr && record->position == slave.position && slave.identity.accepts(record->identity);
     }
 
-    bool start(master& m, const bus_slave& slave) noexcept {
+    master_result<> start(master& m, const bus_slave& slave) noexcept {
         switch (stage_) {
-        case stage::clear: return m.scan();
-        case stage::look: return m.exchange(command::fprd, slave.station, esc_registers::al_status.address, read_);
-        case stage::bring_up: return m.bring_up(slave.position, slave.station, slave.identity);
-        case stage::lower: return m.change_state(slave.station, goal_);
-        case stage::configure: return m.configure(slave.station);
-        case stage::safe_op: return m.change_state(slave.station, al_state::safe_op);
-        default: return m.change_state(slave.station, al_state::op);
+        case stage::clear: return m.start(scan{});
+        case stage::look:
+            return m.start(exchange_datagram{command::fprd, slave.station, esc_registers::al_status.address, read_});
+        case stage::bring_up: return m.start(bring_up{slave.position, slave.station, slave.identity});
+        case stage::lower: return m.start(change_state{slave.station, goal_});
+        case stage::configure: return m.start(configure{slave.station});
+        case stage::safe_op: return m.start(change_state{slave.station, al_state::safe_op});
+        default: return m.start(change_state{slave.station, al_state::op});
         }
     }
 

@@ -94,12 +94,11 @@ template <class Meaning, std::size_t N>
     return detail::status_for(detail::abort_statuses, code, packet_status::sdo_abort_unknown);
 }
 
-/// The status of a job's outcome.
-[[nodiscard]] constexpr packet_status status_of(const ethercat::outcome& result) noexcept {
-    if (result.error == ethercat::master_errc::sdo_abort || result.error == ethercat::master_errc::clear_refused)
-        return result.detail == 0 ? packet_status::sdo_abort_unknown
-                                  : status_of(static_cast<ethercat::abort_code>(result.detail));
-    return detail::status_for(detail::master_statuses, result.error, packet_status::fail);
+/// The status of an error of the master.
+[[nodiscard]] constexpr packet_status status_of(const ethercat::master_error& error) noexcept {
+    if (error.code == ethercat::master_errc::sdo_abort || error.code == ethercat::master_errc::clear_refused)
+        return error.abort == ethercat::abort_code::none ? packet_status::sdo_abort_unknown : status_of(error.abort);
+    return detail::status_for(detail::master_statuses, error.code, packet_status::fail);
 }
 
 /// The abort code of a status; `none` for sdo_abort_unknown and for statuses that are no abort.

@@ -15,9 +15,9 @@ class packet_download : public packet_coe_service<hilscher::sdo_download_request
             return service_step::done(hilscher::packet_status::invalid_packet_length);
         if (const auto wrong = check_target(); wrong != hilscher::packet_status::ok) return service_step::done(wrong);
         return service_step::started(
-            m.download(station(), index(), subindex(), data.first(asked.ul_data_cnt), io.options.download));
+            m.start(download{station(), index(), subindex(), data.first(asked.ul_data_cnt), io.options.download}));
     }
-    static service_answer answer(confirmation&, const outcome&, const packet_io&) noexcept { return {}; }
+    static service_answer answer(confirmation&, const master&, const packet_io&) noexcept { return {}; }
 };
 
 /// The packet that reads an object.
@@ -25,14 +25,16 @@ class packet_upload : public packet_coe_service<hilscher::sdo_upload_request, hi
   public:
     service_step begin(master& m, const packet_io& io) noexcept {
         if (const auto wrong = check_target(); wrong != hilscher::packet_status::ok) return service_step::done(wrong);
-        return service_step::started(m.upload(station(), index(), subindex(), io.room(fields_size)));
+        return service_step::started(m.start(upload{station(), index(), subindex(), io.room(fields_size)}));
     }
-    service_answer answer(confirmation& out, const outcome& result, const packet_io&) const noexcept {
+    service_answer answer(confirmation& out, const master& m, const packet_io&) const noexcept {
+        const auto data = m.result<upload>();
+        if (!data) return {.status = hilscher::status_of(data.error())};
         out.ul_node_id = asked.ul_node_id;
         out.ul_index = asked.ul_index;
         out.ul_sub_index = asked.ul_sub_index;
-        out.ul_data_cnt = static_cast<std::uint32_t>(result.size);
-        return {.size = result.size};
+        out.ul_data_cnt = static_cast<std::uint32_t>(data->size());
+        return {.size = data->size()};
     }
 };
 

@@ -38,7 +38,7 @@ struct master_config {
 enum class progress : std::uint8_t {
     send, ///< the next frame at once
     wait, ///< the next frame after the poll interval
-    done, ///< finished: see the outcome
+    done, ///< finished: see the result
 };
 
 /// The datagrams of a reply, in the order they were sent.
@@ -46,11 +46,11 @@ using replies = std::span<const datagram_view>;
 
 /// Whether one slave has executed each of them, as commands to a station address want it. Errors: duplicate_station,
 /// working_counter.
-[[nodiscard]] constexpr outcome executed_by_one(replies datagrams) noexcept {
+[[nodiscard]] constexpr master_result<> executed_by_one(replies datagrams) noexcept {
     for (const auto& datagram : datagrams) {
         if (datagram.working_counter > 1)
-            return {.error = master_errc::duplicate_station, .detail = datagram.working_counter};
-        if (datagram.working_counter == 0) return {.error = master_errc::working_counter};
+            return master_error{.code = master_errc::duplicate_station, .working_counter = datagram.working_counter};
+        if (datagram.working_counter == 0) return master_error{.code = master_errc::working_counter};
     }
     return {};
 }

@@ -18,7 +18,8 @@ class datagram_exchange {
     datagram_exchange(command cmd, std::uint16_t adp, std::uint16_t ado, std::span<std::byte> data) noexcept
         : cmd_{cmd}, adp_{adp}, ado_{ado}, data_{data} {}
 
-    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    [[nodiscard]] static constexpr master_result<> result() noexcept { return {}; }
+    [[nodiscard]] std::uint16_t working_counter() const noexcept { return working_counter_; }
 
     void request(frame_builder& frame) const noexcept {
         frame.add(cmd_, adp_, ado_, std::span<const std::byte>{data_});
@@ -26,7 +27,7 @@ class datagram_exchange {
     progress reply(replies datagrams, time_point, const master_config&) noexcept {
         const auto& back = datagrams.front();
         std::ranges::copy(back.data, data_.begin());
-        result_ = {.detail = back.working_counter, .size = back.data.size()};
+        working_counter_ = back.working_counter;
         return progress::done;
     }
 
@@ -34,7 +35,7 @@ class datagram_exchange {
     command cmd_{};
     std::uint16_t adp_{}, ado_{};
     std::span<std::byte> data_{};
-    outcome result_{};
+    std::uint16_t working_counter_{};
 };
 
 } // namespace jauscat::ethercat

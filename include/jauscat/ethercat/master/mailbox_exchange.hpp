@@ -52,7 +52,8 @@ class mailbox_exchange {
         return exchange;
     }
 
-    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    /// Bytes that the protocol has received.
+    [[nodiscard]] const master_result<std::size_t>& result() const noexcept { return result_; }
     /// The request of the present step changes nothing if the slave gets it twice.
     [[nodiscard]] bool is_repeatable() const noexcept {
         return step_ != step::drain && step_ != step::collect && step_ != step::read;
@@ -102,10 +103,10 @@ class mailbox_exchange {
         const auto next = advance(datagram, slave, protocol);
         if (was_refused_ && asked_ == step::write && config.frames_may_be_copied) unsure_ = true; // a copy may be taken
         if (next == progress::done || !timeout_.expired(now, config.mailbox_timeout)) return next;
-        if (!accepted_) return fail(master_errc::mailbox_full, slave);
+        if (!accepted_) return fail({.code = master_errc::mailbox_full}, slave);
         if (const auto specifier = protocol.unexpected())
-            return fail(master_errc::unexpected_reply, slave, static_cast<std::uint32_t>(*specifier));
-        return fail(master_errc::mailbox_timeout, slave);
+            return fail({.code = master_errc::unexpected_reply, .specifier = *specifier}, slave);
+        return fail({.code = master_errc::mailbox_timeout}, slave);
     }
 
     /// The reply to the last request did not come. What was asked is asked again, except a read: the slave may have
@@ -164,13 +165,14 @@ class mailbox_exchange {
             if (executed) return take(datagram.data, slave, protocol);
             if (!accepted_) step_ = step::write;
             return progress::wait;
-        case step::ask_repeat: return executed ? go(step::wait_repeat) : fail(master_errc::working_counter, slave);
+        case step::ask_repeat:
+            return executed ? go(step::wait_repeat) : fail({.code = master_errc::working_counter}, slave);
         case step::look_taken:
         case step::look_room:
         case step::look:
         case step::wait_repeat: break;
         }
-        if (!executed) return fail(master_errc::working_counter, slave);
+        if (!executed) return fail({.code = master_errc::working_counter}, slave);
         static_cast<void>(wire::decode(mailbox, datagram.data));
         // A slave may hold a request back because its reply mailbox is full.
         if (step_ == step::look_taken) {
@@ -193,9 +195,9 @@ class mailbox_exchange {
         return progress::send;
     }
 
-    progress fail(master_errc error, slave_record& slave, std::uint32_t detail = 0) noexcept {
+    progress fail(const master_error& error, slave_record& slave) noexcept {
         abandon(slave);
-        result_ = {.error = error, .detail = detail};
+        result_ = error;
         return progress::done;
     }
 
@@ -248,7 +250,7 @@ class mailbox_exchange {
         if (header.type == mailbox_type::error) {
             mailbox_error_reply error{};
             if (!wire::decode_prefix(error, reply.message)) return progress::send;
-            return fail(master_errc::mailbox_error, slave, static_cast<std::uint32_t>(error.code));
+            return fail({.code = master_errc::mailbox_error, .mailbox = error.code}, slave);
         }
         const auto meaning = header.type == mailbox_type::coe ? protocol.take(reply.message) : reply_kind::unrelated;
         if (meaning == reply_kind::unrelated) return progress::send;
@@ -270,7 +272,7 @@ class mailbox_exchange {
     bool was_refused_{};   // it came back without being executed
     bool repeated_{};      // a repeat was asked for: the message before may come again
     timeout timeout_{};
-    outcome result_{};
+    master_result<std::size_t> result_{std::size_t{0}};
 };
 
 } // namespace jauscat::ethercat

@@ -1,6 +1,7 @@
 // Errors and results of the master.
 #pragma once
 
+#include <jauscat/base/result.hpp>
 #include <jauscat/ethercat/code_texts.hpp>
 
 #include <cstddef>
@@ -9,42 +10,42 @@
 
 namespace jauscat::ethercat {
 
-/// Each comment says what `outcome::detail` holds, if anything.
+/// Each comment names the members of master_error that hold more, if any.
 enum class master_errc : std::uint8_t {
     ok,
     busy,              ///< another job runs: this one was not started
     not_sent,          ///< the link did not take a frame
     no_reply,          ///< frames do not come back
     timeout,           ///< the caller's deadline passed
-    no_slave,          ///< no slave at that position; detail: number of slaves found
-    wrong_station,     ///< no slave has that station address; detail: the address
-    duplicate_station, ///< several slaves answer to one address; detail: how many
-    working_counter,   ///< the slave did not execute a command; detail: the working counter
+    no_slave,          ///< no slave at that position; slaves
+    wrong_station,     ///< no slave has that station address; station
+    duplicate_station, ///< several slaves answer to one address; working_counter
+    working_counter,   ///< the slave did not execute a command; working_counter
     sii_busy,          ///< the SII memory did not get ready
-    sii_error,         ///< the SII memory did not execute a read; detail: word address
-    sii_malformed,     ///< the categories of the SII do not end, or a length is not true; detail: word address
-    wrong_identity,    ///< the slave is not the one that was expected; detail: its product code
+    sii_error,         ///< the SII memory did not execute a read; sii_word
+    sii_malformed,     ///< the categories of the SII do not end, or a length is not true; sii_word
+    wrong_identity,    ///< the slave is not the one that was expected; product
     no_mailbox,        ///< the slave has no mailbox a master could use
     no_coe,            ///< the slave's mailbox carries no CoE
-    al_error,          ///< the slave refused a state; detail: al_status_code
-    state_timeout,     ///< the slave did not reach a state; detail: the state it is in
+    al_error,          ///< the slave refused a state; al_status
+    state_timeout,     ///< the slave did not reach a state; state
     too_many_slaves,   ///< the master has no room for another slave
-    no_fmmu,           ///< the slave has fewer FMMUs than it has process data; detail: how many
+    no_fmmu,           ///< the slave has fewer FMMUs than it has process data; fmmus
     too_many_managers, ///< more than four SyncManagers carry process data
-    image_full,        ///< the process image has no room for the slave's data; detail: their bytes
+    image_full,        ///< the process image has no room for the slave's data; bytes
     watchdog_range,    ///< a watchdog time that the registers cannot express
-    watchdog_not_kept, ///< the slave does not keep its watchdog's settings; detail: 0400h, and 0420h in the upper half
+    watchdog_not_kept, ///< the slave does not keep its watchdog's settings; watchdog_divider, watchdog_units
     not_configured,    ///< the slave's process data and watchdog are not set: OP is not asked for
     mailbox_full,      ///< the slave does not take its mail
     mailbox_timeout,   ///< the slave took the request and did not answer
-    mailbox_error,     ///< the slave refused the message; detail: mailbox_error_code
-    unexpected_reply,  ///< the answer was to something else; detail: its SDO command byte's specifier
-    sdo_abort,         ///< the slave aborted the transfer; detail: abort_code, 0 where it gave none
-    clear_refused,     ///< the slave refused a 0 in subindex 0, which was to come first; detail: abort_code
+    mailbox_error,     ///< the slave refused the message; mailbox
+    unexpected_reply,  ///< the answer was to something else; specifier
+    sdo_abort,         ///< the slave aborted the transfer; abort, none where it gave no code
+    clear_refused,     ///< the slave refused a 0 in subindex 0, which was to come first; abort
     toggle_bit,        ///< the answer to a segment is not the one that is due
-    size_mismatch,     ///< more or less data than the slave announced, or not `upload_options::size`; detail: announced
-    data_too_long,     ///< the data do not fit the buffer; detail: bytes that fit
-    fragment_missing,  ///< a part of an answer in fragments did not come; detail: how many should have been left
+    size_mismatch,     ///< more or less data than the slave announced, or not `upload_options::size`; bytes
+    data_too_long,     ///< the data do not fit the buffer; bytes
+    fragment_missing,  ///< a part of an answer in fragments did not come; fragments
     no_space,          ///< the frame buffer is smaller than 1514 bytes
 };
 
@@ -91,26 +92,54 @@ enum class master_errc : std::uint8_t {
     return "unknown error";
 }
 
-/// Result of a job of the master.
-struct [[nodiscard]] outcome {
-    master_errc error{};
-    std::uint32_t detail{}; ///< see master_errc; of a datagram without error, its working counter
-    std::size_t size{};     ///< upload, list, description: bytes received; scan: slaves
+/// An error of the master, and what it is about. Only the members that master_errc names for the code have a value.
+struct master_error {
+    master_errc code{};
+    al_state state{};                 ///< the state that the slave is in
+    sdo_specifier specifier{};        ///< of the answer
+    mailbox_error_code mailbox{};     ///< the slave's reason
+    al_status_code al_status{};       ///< the slave's reason
+    std::uint16_t station{};          ///< station address that no slave has
+    std::uint16_t working_counter{};  ///< of the command: how many slaves have executed it
+    std::uint16_t slaves{};           ///< slaves in the ring
+    std::uint16_t fmmus{};            ///< FMMUs that the process data need
+    std::uint16_t watchdog_divider{}; ///< that the slave has
+    std::uint16_t watchdog_units{};   ///< that the slave has
+    abort_code abort{};               ///< the slave's reason
+    std::uint32_t product{};          ///< product code of the slave
+    std::uint32_t sii_word{};         ///< word address in the SII
+    std::uint32_t bytes{}; ///< image_full: of the process data; size_mismatch: announced; data_too_long: of the buffer
+    std::uint32_t fragments{}; ///< fragments that should have been left
 
-    [[nodiscard]] constexpr explicit operator bool() const noexcept { return error == master_errc::ok; }
-    friend constexpr bool operator==(const outcome&, const outcome&) = default;
+    friend constexpr bool operator==(const master_error&, const master_error&) = default;
 };
 
+/// The error in one line: what happened and what to do.
+[[nodiscard]] constexpr std::string_view describe(const master_error& error) noexcept { return describe(error.code); }
+
 /// The reason given by the slave; empty if there is none.
-[[nodiscard]] constexpr std::string_view describe_detail(const outcome& result) noexcept {
-    switch (result.error) {
-    case master_errc::al_error: return describe(static_cast<al_status_code>(result.detail));
-    case master_errc::mailbox_error: return describe(static_cast<mailbox_error_code>(result.detail));
+[[nodiscard]] constexpr std::string_view describe_reason(const master_error& error) noexcept {
+    switch (error.code) {
+    case master_errc::al_error: return describe(error.al_status);
+    case master_errc::mailbox_error: return describe(error.mailbox);
     case master_errc::clear_refused:
     case master_errc::sdo_abort:
-        return result.detail == 0 ? "the slave gave no abort code" : describe(static_cast<abort_code>(result.detail));
+        return error.abort == abort_code::none ? "the slave gave no abort code" : describe(error.abort);
     default: return {};
     }
 }
+/// The code of the reason given by the slave; 0 if there is none.
+[[nodiscard]] constexpr std::uint32_t reason_code(const master_error& error) noexcept {
+    switch (error.code) {
+    case master_errc::al_error: return static_cast<std::uint32_t>(error.al_status);
+    case master_errc::mailbox_error: return static_cast<std::uint32_t>(error.mailbox);
+    case master_errc::clear_refused:
+    case master_errc::sdo_abort: return static_cast<std::uint32_t>(error.abort);
+    default: return 0;
+    }
+}
+
+/// What a job, or a step of it, gives, or why it gives nothing.
+template <class T = void> using master_result = result<T, master_error>;
 
 } // namespace jauscat::ethercat

@@ -20,7 +20,7 @@
 
 namespace jauscat::ethercat {
 
-/// State machine: while `wants_upload`, run `upload()` and pass its outcome to `uploaded`; else `request` adds the
+/// State machine: while `wants_upload`, run `upload()` and pass its result to `uploaded`; else `request` adds the
 /// datagrams of the present step and `reply` takes their return. Stays in place while it runs.
 class process_setup {
   public:
@@ -35,7 +35,7 @@ class process_setup {
           watchdog_units_{watchdog_units(watchdog)},
           logical_base_{logical_base} {}
 
-    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    [[nodiscard]] const master_result<>& result() const noexcept { return result_; }
     /// Location of the process data, when done.
     [[nodiscard]] const process_place& place() const noexcept { return place_; }
     [[nodiscard]] std::chrono::nanoseconds watchdog() const noexcept {
@@ -50,13 +50,14 @@ class process_setup {
                                         static_cast<std::uint8_t>(pdo_), room(pdo_));
         return sdo_transfer::upload(mapping_, static_cast<std::uint8_t>(entry_), room(entry_));
     }
-    /// Continues with the outcome of the upload.
-    progress uploaded(const outcome& upload) noexcept {
+    /// Continues with the result of the upload: its bytes.
+    progress uploaded(const master_result<std::size_t>& upload) noexcept {
         // Without assignment objects the SII counts, as for a slave without CoE.
-        if (upload.error == master_errc::sdo_abort && step_ == step::assignment && pdo_ == 0) return survey(true);
-        if (!upload) return fail(upload.error, upload.detail);
-        if (step_ == step::assignment) return assigned(number_of(upload.size));
-        return mapped(number_of(upload.size));
+        if (upload.error().code == master_errc::sdo_abort && step_ == step::assignment && pdo_ == 0)
+            return survey(true);
+        if (!upload) return fail(upload.error());
+        if (step_ == step::assignment) return assigned(number_of(*upload));
+        return mapped(number_of(*upload));
     }
 
     void request(frame_builder& frame) noexcept {
@@ -123,8 +124,8 @@ class process_setup {
         step_ = next;
         return progress::send;
     }
-    progress fail(master_errc error, std::uint32_t detail = 0) noexcept {
-        result_ = {.error = error, .detail = detail};
+    progress fail(const master_error& error) noexcept {
+        result_ = error;
         return progress::done;
     }
     progress survey(bool sizes) noexcept {
@@ -177,14 +178,15 @@ class process_setup {
     }
 
     progress lay_out() noexcept {
-        std::uint32_t outputs = 0, inputs = 0, used = 0;
+        std::uint32_t outputs = 0, inputs = 0;
+        std::uint16_t used = 0;
         for (const auto& each : survey_.managers()) {
             if (each.bits == 0) continue;
             (each.is_output() ? outputs : inputs) += each.bytes();
             ++(each.is_output() ? place_.output_managers : place_.input_managers);
             ++used;
         }
-        if (used > fmmus_) return fail(master_errc::no_fmmu, used);
+        if (used > fmmus_) return fail({.code = master_errc::no_fmmu, .fmmus = used});
         // A slave that comes back keeps its place.
         const bool same = outputs == before_.output_size && inputs == before_.input_size && before_.size() != 0;
         place_.output_address = same ? before_.output_address : static_cast<std::uint32_t>(image_.size);
@@ -192,7 +194,7 @@ class process_setup {
         const std::size_t end =
             std::max<std::size_t>(image_.size, std::size_t{place_.output_address} + outputs + inputs);
         if (end > (two_datagrams ? max_process_image_without_lrw : max_process_image))
-            return fail(master_errc::image_full, outputs + inputs);
+            return fail({.code = master_errc::image_full, .bytes = outputs + inputs});
         place_.input_address = place_.output_address + outputs;
         place_.output_size = static_cast<std::uint16_t>(outputs);
         place_.input_size = static_cast<std::uint16_t>(inputs);
@@ -257,7 +259,8 @@ class process_setup {
         });
         if (triggered && divider.value == default_watchdog_divider && units.value == watchdog_units_)
             return progress::done;
-        return fail(master_errc::watchdog_not_kept, divider.value | std::uint32_t{units.value} << 16);
+        return fail(
+            {.code = master_errc::watchdog_not_kept, .watchdog_divider = divider.value, .watchdog_units = units.value});
     }
 
     std::uint16_t station_{};
@@ -276,7 +279,7 @@ class process_setup {
     std::array<std::byte, 4> value_{}; // of an object
     std::uint32_t pdo_{}, pdos_left_{}, entry_{}, entries_left_{};
     std::uint16_t mapping_{};
-    outcome result_{};
+    master_result<> result_{};
 };
 
 } // namespace jauscat::ethercat

@@ -12,7 +12,7 @@ enum class reply_kind : std::uint8_t {
     unrelated, ///< not the answer: keep waiting
     fragment,  ///< a part of the answer: the next part comes unasked
     proceed,   ///< the answer; the protocol goes on with another request
-    complete,  ///< the last answer: see the outcome
+    complete,  ///< the last answer: see the result
 };
 
 } // namespace jauscat::ethercat

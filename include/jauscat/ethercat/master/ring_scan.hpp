@@ -15,7 +15,8 @@ namespace jauscat::ethercat {
 /// polls, however many slaves there are.
 class ring_scan {
   public:
-    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    [[nodiscard]] const master_result<>& result() const noexcept { return result_; }
+    [[nodiscard]] std::uint16_t slaves() const noexcept { return slaves_; }
 
     void request(frame_builder& frame) const noexcept {
         switch (step_) {
@@ -45,7 +46,7 @@ class ring_scan {
             return progress::send;
         }
         if (first.working_counter != slaves_) { // one came or went
-            result_ = {.error = master_errc::working_counter, .detail = first.working_counter};
+            result_ = master_error{.code = master_errc::working_counter, .working_counter = first.working_counter};
             return progress::done;
         }
         if (step_ == step::clear) {
@@ -54,15 +55,12 @@ class ring_scan {
         }
         al_status all{}; // the states of all slaves, or-ed
         static_cast<void>(wire::decode(all, first.data));
-        if (all.state == al_state::init && !all.error) {
-            result_ = {.size = slaves_};
-            return progress::done;
-        }
+        if (all.state == al_state::init && !all.error) return progress::done;
         if (!timeout_.expired(now, config.state_timeout)) {
             if (all.error) step_ = step::clear; // one that came up since
             return progress::wait;
         }
-        result_ = {.error = master_errc::state_timeout, .detail = static_cast<std::uint32_t>(all.state)};
+        result_ = master_error{.code = master_errc::state_timeout, .state = all.state};
         return progress::done;
     }
 
@@ -73,7 +71,7 @@ class ring_scan {
     step step_{};
     std::uint16_t slaves_{};
     timeout timeout_{};
-    outcome result_{};
+    master_result<> result_{};
 };
 
 } // namespace jauscat::ethercat

@@ -42,7 +42,8 @@ class sdo_information {
         return question;
     }
 
-    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    /// Bytes received.
+    [[nodiscard]] const master_result<std::size_t>& result() const noexcept { return result_; }
     [[nodiscard]] static constexpr bool expects_answer() noexcept { return true; }
     /// Nothing here is kept track of: other answers are passed over.
     [[nodiscard]] static constexpr std::optional<sdo_specifier> unexpected() noexcept { return {}; }
@@ -76,15 +77,16 @@ class sdo_information {
             message = message.subspan(repeated_);
         }
         if (message.size() > into_.size() - done_)
-            return finish({.error = master_errc::data_too_long, .detail = static_cast<std::uint32_t>(into_.size())});
+            return finish(
+                master_error{.code = master_errc::data_too_long, .bytes = static_cast<std::uint32_t>(into_.size())});
         if (begun_ && header.fragments_left + 1u != left_)
-            return finish({.error = master_errc::fragment_missing, .detail = left_ - 1u});
+            return finish(master_error{.code = master_errc::fragment_missing, .fragments = left_ - 1u});
         begun_ = true;
         left_ = header.fragments_left;
         std::ranges::copy(message, into_.subspan(done_).begin());
         done_ += message.size();
         if (left_ != 0 || header.incomplete) return reply_kind::fragment;
-        return finish({.size = done_});
+        return finish(done_);
     }
 
   private:
@@ -100,9 +102,9 @@ class sdo_information {
     reply_kind refused(std::span<const std::byte> message) noexcept {
         sdo_information_error error{};
         static_cast<void>(wire::decode_prefix(error, message));
-        return finish({.error = master_errc::sdo_abort, .detail = static_cast<std::uint32_t>(error.code)});
+        return finish(master_error{.code = master_errc::sdo_abort, .abort = error.code});
     }
-    reply_kind finish(const outcome& result) noexcept {
+    reply_kind finish(const master_result<std::size_t>& result) noexcept {
         result_ = result;
         return reply_kind::complete;
     }
@@ -115,7 +117,7 @@ class sdo_information {
     std::size_t done_{};   // bytes that have come
     std::uint32_t left_{}; // fragments
     bool begun_{};
-    outcome result_{};
+    master_result<std::size_t> result_{std::size_t{0}};
 };
 
 } // namespace jauscat::ethercat

@@ -23,7 +23,7 @@ struct download_options {
 struct upload_options {
     /// All entries of the object, as in a download.
     bool complete_access{};
-    /// Bytes of the entry where something else says how many, such as SDO information (`master::describe_entry`) or an
+    /// Bytes of the entry where something else says how many, such as SDO information (`describe_entry`) or an
     /// ESI file: an answer of another size ends with master_errc::size_mismatch.
     std::optional<std::size_t> size{};
 };

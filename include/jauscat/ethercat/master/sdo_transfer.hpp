@@ -50,7 +50,8 @@ class sdo_transfer {
     /// The slave's mailbox takes messages of `size` bytes, mailbox header included: at least 24.
     void use_mailbox(std::size_t size) noexcept { room_ = size - wire::max_size<mailbox_header>; }
 
-    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    /// Bytes received.
+    [[nodiscard]] const master_result<std::size_t>& result() const noexcept { return result_; }
     /// The last answer has come; else the next request is due.
     [[nodiscard]] bool finished() const noexcept { return finished_; }
     [[nodiscard]] bool expects_answer() const noexcept { return request_ != sdo_specifier::abort; }
@@ -60,10 +61,10 @@ class sdo_transfer {
         return open_ || (phase_ == phase::initiate && !finished_ && may_be_open);
     }
     [[nodiscard]] sdo_abort abort_message() const noexcept {
-        const auto code = result_.error == master_errc::toggle_bit      ? abort_code::toggle_bit
-                          : result_.error == master_errc::size_mismatch ? abort_code::length_mismatch
-                          : result_.error == master_errc::data_too_long ? abort_code::out_of_memory
-                                                                        : abort_code::timeout;
+        const auto code = result_.error().code == master_errc::toggle_bit      ? abort_code::toggle_bit
+                          : result_.error().code == master_errc::size_mismatch ? abort_code::length_mismatch
+                          : result_.error().code == master_errc::data_too_long ? abort_code::out_of_memory
+                                                                               : abort_code::timeout;
         return {{.specifier = sdo_specifier::abort, .index = index_, .subindex = subindex_}, code};
     }
     /// The command specifier of an answer to this object that did not answer the last request.
@@ -166,16 +167,16 @@ class sdo_transfer {
         return is_download() ? sdo_specifier::download_response : sdo_specifier::upload_response;
     }
 
-    reply_kind finish(const outcome& result) noexcept {
+    reply_kind finish(const master_result<std::size_t>& result) noexcept {
         result_ = result;
         finished_ = true;
         return reply_kind::complete;
     }
     reply_kind aborted(abort_code code) noexcept {
         open_ = false;
-        if (!spoilt_) return finish(spoilt_);
+        if (!spoilt_) return finish(spoilt_.error());
         const auto error = phase_ == phase::clear ? master_errc::clear_refused : master_errc::sdo_abort;
-        return finish({.error = error, .detail = static_cast<std::uint32_t>(code)});
+        return finish(master_error{.code = error, .abort = code});
     }
     reply_kind next_request(phase next) noexcept {
         phase_ = next;
@@ -188,7 +189,7 @@ class sdo_transfer {
         if (cleared) return next_request(phase::initiate);
         done_ += phase_ == phase::segments ? next_segment().size() : initial_data().size();
         open_ = done_ != data_.size();
-        return open_ ? next_request(phase::segments) : finish({});
+        return open_ ? next_request(phase::segments) : finish(std::size_t{0});
     }
 
     reply_kind take_upload(const sdo_header& header, std::span<const std::byte> sdo) noexcept {
@@ -206,7 +207,7 @@ class sdo_transfer {
     }
 
     reply_kind take_segment(const sdo_segment_header& segment, std::span<const std::byte> sdo) noexcept {
-        if (segment.toggle != toggle_) return finish({.error = master_errc::toggle_bit});
+        if (segment.toggle != toggle_) return finish(master_error{.code = master_errc::toggle_bit});
         toggle_ = !toggle_;
         if (is_download()) return go_on(false);
         const auto data = segment_data(segment, sdo);
@@ -217,7 +218,9 @@ class sdo_transfer {
         return keep(data, !segment.last);
     }
 
-    reply_kind mismatch() noexcept { return finish({.error = master_errc::size_mismatch, .detail = announced_}); }
+    reply_kind mismatch() noexcept {
+        return finish(master_error{.code = master_errc::size_mismatch, .bytes = announced_});
+    }
 
     // Data of an upload, all of it or with more to follow. Unwanted data are read to the end as well: some slaves serve
     // nothing else before, even after an abort.
@@ -225,13 +228,15 @@ class sdo_transfer {
         open_ = more;
         const std::size_t size = std::max<std::size_t>(more ? announced_ : 0, done_ + data.size());
         if (size > into_.size())
-            spoilt_ = {.error = master_errc::data_too_long, .detail = static_cast<std::uint32_t>(into_.size())};
+            spoilt_ =
+                master_error{.code = master_errc::data_too_long, .bytes = static_cast<std::uint32_t>(into_.size())};
         else if (expected_size_ && size != *expected_size_)
-            spoilt_ = {.error = master_errc::size_mismatch, .detail = static_cast<std::uint32_t>(size)};
+            spoilt_ = master_error{.code = master_errc::size_mismatch, .bytes = static_cast<std::uint32_t>(size)};
         if (spoilt_) std::ranges::copy(data, into_.subspan(done_).begin());
         done_ += data.size();
         if (more && (spoilt_ || size <= longest_unused)) return next_request(phase::segments);
-        return finish(spoilt_ ? outcome{.size = done_} : spoilt_);
+        if (!spoilt_) return finish(spoilt_.error());
+        return finish(done_);
     }
 
     sdo_specifier request_{};
@@ -250,9 +255,9 @@ class sdo_transfer {
     std::size_t done_{};                         // bytes of data that have been confirmed or received
     std::uint32_t announced_{};                  // by the slave: bytes of an upload in segments
     std::optional<std::size_t> expected_size_{}; // of an upload
-    outcome spoilt_{};                           // ok, or why an upload is of no use
+    master_result<> spoilt_{};                   // ok, or why an upload is of no use
     std::optional<sdo_specifier> unexpected_{};
-    outcome result_{};
+    master_result<std::size_t> result_{std::size_t{0}};
 };
 
 } // namespace jauscat::ethercat

@@ -20,7 +20,7 @@ class sii_read {
     /// `into.size()` bytes from the word `address` on. `into` stays in place until the read is done.
     sii_read(std::uint32_t address, std::span<std::byte> into) noexcept : word_{address}, rest_{into} {}
 
-    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    [[nodiscard]] const master_result<>& result() const noexcept { return result_; }
 
     void request(frame_builder& frame, std::uint16_t station) const noexcept {
         if (started_)
@@ -40,8 +40,8 @@ class sii_read {
         sii_access access{};
         static_cast<void>(wire::decode(access, datagram.data));
         if (access.request.busy)
-            return timeout_.expired(now, config.sii_timeout) ? fail(master_errc::sii_busy) : progress::wait;
-        if (access.request.command_error) return fail(master_errc::sii_error, word_);
+            return timeout_.expired(now, config.sii_timeout) ? fail({.code = master_errc::sii_busy}) : progress::wait;
+        if (access.request.command_error) return fail({.code = master_errc::sii_error, .sii_word = word_});
         const std::size_t count = std::min<std::size_t>(access.request.eight_byte_reads ? 8 : 4, rest_.size());
         std::ranges::copy(std::span{access.data}.first(count), rest_.begin());
         rest_ = rest_.subspan(count);
@@ -51,8 +51,8 @@ class sii_read {
     }
 
   private:
-    progress fail(master_errc error, std::uint32_t detail = 0) noexcept {
-        result_ = {.error = error, .detail = detail};
+    progress fail(const master_error& error) noexcept {
+        result_ = error;
         return progress::done;
     }
 
@@ -60,7 +60,7 @@ class sii_read {
     std::span<std::byte> rest_{};
     bool started_{};
     timeout timeout_{};
-    outcome result_{};
+    master_result<> result_{};
 };
 
 } // namespace jauscat::ethercat

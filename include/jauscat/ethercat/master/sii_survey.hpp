@@ -31,7 +31,7 @@ class sii_survey {
     /// With `sizes` the PDOs are read, too: a datagram pair for each entry, so only where nothing else tells the sizes.
     explicit sii_survey(bool sizes) noexcept : sizes_{sizes} {}
 
-    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    [[nodiscard]] const master_result<>& result() const noexcept { return result_; }
     /// The SyncManagers that carry process data.
     [[nodiscard]] std::span<process_manager> managers() noexcept { return std::span{managers_}.first(count_); }
     /// The SyncManagers that carry process data.
@@ -73,8 +73,8 @@ class sii_survey {
         sii_ = sii_read{word, std::span{buffer_}.first(bytes)};
         return progress::send;
     }
-    progress fail(master_errc error, std::uint32_t detail = 0) noexcept {
-        result_ = {.error = error, .detail = detail};
+    progress fail(const master_error& error) noexcept {
+        result_ = error;
         return progress::done;
     }
 
@@ -92,7 +92,8 @@ class sii_survey {
         }
     }
     progress next_category() noexcept {
-        if (++categories_ > max_categories || end_ >= sii_end) return fail(master_errc::sii_malformed, end_);
+        if (++categories_ > max_categories || end_ >= sii_end)
+            return fail({.code = master_errc::sii_malformed, .sii_word = end_});
         return read(step::category, end_, wire::max_size<sii_category_header>);
     }
 
@@ -101,11 +102,11 @@ class sii_survey {
         return read(step::sync_manager, word, wire::max_size<sii_sync_manager>);
     }
     progress sync_manager_read() noexcept {
-        if (number_ == max_managers) return fail(master_errc::sii_malformed, word_);
+        if (number_ == max_managers) return fail({.code = master_errc::sii_malformed, .sii_word = word_});
         process_manager found{.number = number_++};
         static_cast<void>(wire::decode_prefix(found.description, buffer_));
         if (found.is_output() || found.description.use == sii_sync_manager_use::inputs) {
-            if (count_ == capacity) return fail(master_errc::too_many_managers);
+            if (count_ == capacity) return fail({.code = master_errc::too_many_managers});
             managers_[count_++] = found;
         }
         return next_sync_manager(word_ + manager_words);
@@ -124,7 +125,7 @@ class sii_survey {
     }
     progress next_pdo_entry(std::uint32_t word) noexcept {
         if (entries_left_ == 0) return next_pdo(word);
-        if (word + entry_words > end_) return fail(master_errc::sii_malformed, word);
+        if (word + entry_words > end_) return fail({.code = master_errc::sii_malformed, .sii_word = word});
         return read(step::pdo_entry, word, wire::max_size<sii_pdo_entry>);
     }
     progress pdo_entry_read() noexcept {
@@ -161,7 +162,7 @@ class sii_survey {
     std::uint8_t carrier_{};
     std::uint32_t entries_left_{};
     std::array<std::uint32_t, 16> bits_{}; // of each SyncManager
-    outcome result_{};
+    master_result<> result_{};
 };
 
 } // namespace jauscat::ethercat

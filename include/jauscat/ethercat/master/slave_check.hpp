@@ -18,7 +18,7 @@ class slave_check {
     explicit slave_check(const slave_record& slave) noexcept
         : station_{slave.station}, has_mailbox_{slave.mailbox.send_size != 0} {}
 
-    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    [[nodiscard]] const master_result<>& result() const noexcept { return result_; }
     [[nodiscard]] const al_status& al() const noexcept { return al_; }
     [[nodiscard]] bool mail_waits() const noexcept { return mailbox_.enable && mailbox_.full; }
 
@@ -41,7 +41,7 @@ class slave_check {
     bool has_mailbox_{};
     al_status al_{};
     sync_manager_handshake mailbox_{};
-    outcome result_{};
+    master_result<> result_{};
 };
 
 } // namespace jauscat::ethercat

@@ -34,7 +34,7 @@ class state_change {
         return change;
     }
 
-    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    [[nodiscard]] const master_result<>& result() const noexcept { return result_; }
 
     void request(frame_builder& frame) const noexcept {
         switch (step_) {
@@ -56,18 +56,16 @@ class state_change {
         al_status status{};
         static_cast<void>(wire::decode(status, datagrams.front().data));
         const bool late = timeout_.expired(now, config.state_timeout);
-        const auto code = static_cast<std::uint32_t>(status.code);
         switch (step_) {
         case step::look: from_ = status.state; return status.error ? go(step::acknowledge) : on_the_way();
         case step::wait_acknowledged:
             from_ = status.state;
             if (!status.error) return on_the_way();
-            return late ? fail(master_errc::al_error, code) : progress::wait;
+            return late ? fail({.code = master_errc::al_error, .al_status = status.code}) : progress::wait;
         default:
-            if (status.error) return fail(master_errc::al_error, code);
+            if (status.error) return fail({.code = master_errc::al_error, .al_status = status.code});
             if (status.state != next_)
-                return late ? fail(master_errc::state_timeout, static_cast<std::uint32_t>(status.state))
-                            : progress::wait;
+                return late ? fail({.code = master_errc::state_timeout, .state = status.state}) : progress::wait;
             from_ = next_;
             return on_the_way();
         }
@@ -104,8 +102,8 @@ class state_change {
         timeout_.renew();
         return progress::send;
     }
-    progress fail(master_errc error, std::uint32_t detail = 0) noexcept {
-        result_ = {.error = error, .detail = detail};
+    progress fail(const master_error& error) noexcept {
+        result_ = error;
         return progress::done;
     }
 
@@ -113,7 +111,7 @@ class state_change {
     al_state goal_{}, from_{}, next_{};
     step step_{};
     timeout timeout_{};
-    outcome result_{};
+    master_result<> result_{};
 };
 
 } // namespace jauscat::ethercat

@@ -80,22 +80,24 @@ template <class Link> class cycle_runner {
         return report;
     }
 
-    /// Runs cycles until the master's job is done, at most for `limit` (nanoseconds::max(): without limit).
-    /// `each(report)` is called after every cycle. Returns the job's result, or `busy` if it was not `started` because
-    /// another one runs.
-    template <class Prepare, class Each>
-    ethercat::outcome run_job(bool started, std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
-        return started ? run_job(limit, prepare, each) : ethercat::outcome{.error = ethercat::master_errc::busy};
+    /// Runs cycles until the master has done `job`, at most for `limit` (nanoseconds::max(): without limit).
+    /// `each(report)` is called after every cycle. Returns the job's result; `busy` if another one runs, which is not
+    /// affected.
+    template <ethercat::master_job Job, class Prepare, class Each>
+    typename Job::result_type run_job(const Job& job, std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
+        if (const auto started = master_.start(job); !started) return started.error();
+        static_cast<void>(run_job(limit, prepare, each));
+        return master_.template result<Job>();
     }
-    /// The same for the running job.
+    /// The same for the running job: ok, or why it has failed.
     template <class Prepare, class Each>
-    ethercat::outcome run_job(std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
+    ethercat::master_result<> run_job(std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
         const auto deadline = jaus::saturating_add(now(), limit);
         while (!master_.idle()) {
             if (now() >= deadline) master_.cancel(ethercat::master_errc::timeout);
             each(run(prepare));
         }
-        return master_.result();
+        return master_.error();
     }
 
     /// Cycles that were skipped because an earlier one took too long.

@@ -1,4 +1,4 @@
-// Runs a master's job over a link, on this thread, until it is done.
+// Runs a master's jobs over a link, on this thread, until they are done.
 #pragma once
 
 #include <jauscat/ethercat/link.hpp>
@@ -13,11 +13,11 @@
 
 namespace jauscat::net {
 
-/// Runs the started job (`scan`, `bring_up`, `download` or another) and returns its result; returns at once if none
-/// runs. The job is abandoned after `limit`; nanoseconds::max(): without limit. Errors in addition to those of the job:
-/// timeout, not_sent.
+/// Runs the job that has been started and says how it has ended; returns at once if none runs. The job is abandoned
+/// after `limit`; nanoseconds::max(): without limit. Errors in addition to those of the job: timeout, not_sent.
 template <class Link>
-ethercat::outcome run(Link& link, ethercat::master& master, std::chrono::nanoseconds limit = std::chrono::seconds{10}) {
+ethercat::master_result<> run(Link& link, ethercat::master& master,
+                              std::chrono::nanoseconds limit = std::chrono::seconds{10}) {
     ethercat::require_link<Link>();
     const auto clock = [] {
         return std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -37,15 +37,18 @@ ethercat::outcome run(Link& link, ethercat::master& master, std::chrono::nanosec
         if (const auto size = link.receive(frame, wait); size != 0)
             master.on_frame(std::span{frame}.first(size), clock());
     }
-    return master.result();
+    return master.error();
 }
 
-/// Starts a job and runs it: `net::run(link, master, master.bring_up(0, 1))`. Error `busy` if it did not start because
+/// Runs a job and returns its result:
+/// `const auto slave = net::run(link, master, ethercat::bring_up{.position = 0, .station = 1})`. Error `busy` if
 /// another job runs, which is not affected.
-template <class Link>
-ethercat::outcome run(Link& link, ethercat::master& master, bool started,
-                      std::chrono::nanoseconds limit = std::chrono::seconds{10}) {
-    return started ? run(link, master, limit) : ethercat::outcome{.error = ethercat::master_errc::busy};
+template <class Link, ethercat::master_job Job>
+typename Job::result_type run(Link& link, ethercat::master& master, const Job& job,
+                              std::chrono::nanoseconds limit = std::chrono::seconds{10}) {
+    if (const auto started = master.start(job); !started) return started.error();
+    static_cast<void>(run(link, master, limit));
+    return master.result<Job>();
 }
 
 } // namespace jauscat::net

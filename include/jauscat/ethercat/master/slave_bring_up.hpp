@@ -20,12 +20,13 @@ namespace jauscat::ethercat {
 
 /// State machine: `request` adds the datagrams of the present step, `reply` takes their return and moves on. Stays in
 /// place while it runs.
-class bring_up {
+class slave_bring_up {
   public:
-    bring_up() noexcept = default;
+    slave_bring_up() noexcept = default;
     /// Of the slave at `position`, from 0, which gets the station address `station` if it is `expected`. Other slaves
     /// lose that address if it `may_be_taken`.
-    bring_up(std::uint16_t position, std::uint16_t station, const identity_check& expected, bool may_be_taken) noexcept
+    slave_bring_up(std::uint16_t position, std::uint16_t station, const identity_check& expected,
+                   bool may_be_taken) noexcept
         : may_be_taken_{may_be_taken}, expected_{expected}, change_{state_change::to_init(station)} {
         slave_.position = position;
         slave_.station = station;
@@ -33,7 +34,7 @@ class bring_up {
 
     /// The record of the slave; complete when the bring-up is done without error.
     [[nodiscard]] const slave_record& slave() const noexcept { return slave_; }
-    [[nodiscard]] const outcome& result() const noexcept { return result_; }
+    [[nodiscard]] const master_result<>& result() const noexcept { return result_; }
 
     void request(frame_builder& frame) noexcept {
         const auto station = slave_.station;
@@ -66,19 +67,22 @@ class bring_up {
     }
 
     progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
-        const unsigned counter = datagrams.front().working_counter;
+        const auto counter = datagrams.front().working_counter;
         switch (step_) {
-        case step::count: return counter > slave_.position ? go(step::assign) : fail(master_errc::no_slave, counter);
-        case step::assign: return counter == 1 ? go(step::verify) : fail(master_errc::no_slave, counter);
+        case step::count:
+            return counter > slave_.position ? go(step::assign)
+                                             : fail({.code = master_errc::no_slave, .slaves = counter});
+        case step::assign:
+            return counter == 1 ? go(step::verify) : fail({.code = master_errc::no_slave, .slaves = counter});
         case step::to_init:
         case step::to_pre_op: return finish(change_, change_.reply(datagrams, now, config));
         case step::verify:
-            if (counter == 0) return fail(master_errc::wrong_station, slave_.station);
+            if (counter == 0) return fail({.code = master_errc::wrong_station, .station = slave_.station});
             // An earlier master has left the address at another slave. Where it stays there, it is reported.
             if (counter > 1 && std::exchange(may_be_taken_, false)) return go(step::clear);
             break;
         case step::clear:
-            if (datagrams.back().working_counter != 1) return fail(master_errc::no_slave);
+            if (datagrams.back().working_counter != 1) return fail({.code = master_errc::no_slave});
             return go(step::verify);
         default: break;
         }
@@ -124,8 +128,8 @@ class bring_up {
         sii_ = sii_read{word, into};
         return go(next);
     }
-    progress fail(master_errc error, std::uint32_t detail = 0) noexcept {
-        result_ = {.error = error, .detail = detail};
+    progress fail(const master_error& error) noexcept {
+        result_ = error;
         return progress::done;
     }
 
@@ -145,12 +149,14 @@ class bring_up {
     progress verified(std::span<const std::byte> data) noexcept {
         esc_word address{};
         static_cast<void>(wire::decode(address, data));
-        return address.value == slave_.station ? go(step::to_init) : fail(master_errc::wrong_station, slave_.station);
+        return address.value == slave_.station ? go(step::to_init)
+                                               : fail({.code = master_errc::wrong_station, .station = slave_.station});
     }
 
     progress identified() noexcept {
         static_cast<void>(wire::decode(slave_.identity, identity_));
-        if (!expected_.accepts(slave_.identity)) return fail(master_errc::wrong_identity, slave_.identity.product);
+        if (!expected_.accepts(slave_.identity))
+            return fail({.code = master_errc::wrong_identity, .product = slave_.identity.product});
         return read(step::read_mailbox, sii_words::mailbox, mailbox_);
     }
 
@@ -159,7 +165,7 @@ class bring_up {
         static_cast<void>(wire::decode(mailbox, mailbox_));
         if (mailbox.receive_size == 0 && mailbox.send_size == 0) return go(step::give_sii); // a slave without one
         const auto usable = [](std::uint16_t size) { return size >= min_mailbox_size && size <= max_mailbox_size; };
-        if (!usable(mailbox.receive_size) || !usable(mailbox.send_size)) return fail(master_errc::no_mailbox);
+        if (!usable(mailbox.receive_size) || !usable(mailbox.send_size)) return fail({.code = master_errc::no_mailbox});
         return go(step::configure);
     }
 
@@ -186,7 +192,7 @@ class bring_up {
     std::array<std::byte, wire::max_size<sii_identity>> identity_{};
     std::array<std::byte, wire::max_size<sii_mailbox>> mailbox_{};
     slave_record slave_{};
-    outcome result_{};
+    master_result<> result_{};
 };
 
 } // namespace jauscat::ethercat

@@ -1,0 +1,335 @@
+// A state machine for each of the master's jobs. The master runs one of them.
+#pragma once
+
+#include <jauscat/ethercat/frame_builder.hpp>
+#include <jauscat/ethercat/master/activity.hpp>
+#include <jauscat/ethercat/master/datagram_exchange.hpp>
+#include <jauscat/ethercat/master/jobs.hpp>
+#include <jauscat/ethercat/master/mailbox_exchange.hpp>
+#include <jauscat/ethercat/master/mailbox_session.hpp>
+#include <jauscat/ethercat/master/process_setup.hpp>
+#include <jauscat/ethercat/master/ring_scan.hpp>
+#include <jauscat/ethercat/master/sdo_information.hpp>
+#include <jauscat/ethercat/master/sdo_transfer.hpp>
+#include <jauscat/ethercat/master/slave_bring_up.hpp>
+#include <jauscat/ethercat/master/slave_check.hpp>
+#include <jauscat/ethercat/master/slave_list.hpp>
+#include <jauscat/ethercat/master/state_change.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <variant>
+
+namespace jauscat::ethercat {
+
+/// What the master knows of the ring. The jobs change it.
+struct ring_knowledge {
+    slave_list slaves{};
+    slave_list away{}; ///< could not be brought up again: what they do with their place in the image is not known
+};
+
+/// The state machine of a job. `begin` takes the job, or says why it has ended at once; `request` adds the datagrams of
+/// the present step and `reply` takes their return; `complete`, after `progress::done`, updates what is known and says
+/// how the job has ended; `value` is what it gives. `ring` stays in place from `begin` to `complete`.
+template <class Job> class job_machine;
+
+/// A job that a state machine can do.
+template <class T>
+concept master_job = requires {
+    typename T::result_type;
+    typename job_machine<T>::steps;
+};
+
+namespace detail {
+
+/// The slave with this address, or why it cannot be talked to.
+[[nodiscard]] inline master_error choose(slave_list& slaves, std::uint16_t station, slave_record*& chosen) noexcept {
+    chosen = slaves.find(station);
+    if (chosen == nullptr) return {.code = master_errc::wrong_station, .station = station};
+    return {};
+}
+/// The same for a job that uses the slave's mailbox.
+[[nodiscard]] inline master_error choose_mailbox(slave_list& slaves, std::uint16_t station,
+                                                 slave_record*& chosen) noexcept {
+    if (const auto wrong = choose(slaves, station, chosen); wrong != master_error{}) return wrong;
+    if (chosen->mailbox.receive_size == 0) return {.code = master_errc::no_mailbox};
+    if (!chosen->mailbox.coe) return {.code = master_errc::no_coe};
+    return {};
+}
+
+/// A job whose frames may all be repeated, and that needs to do nothing when one is lost.
+template <class Steps> class plain_machine {
+  public:
+    using steps = Steps;
+    void request(frame_builder& frame) noexcept { steps_.request(frame); }
+    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
+        return steps_.reply(datagrams, now, config);
+    }
+    [[nodiscard]] static constexpr bool was_refused() noexcept { return false; }
+    [[nodiscard]] static constexpr bool is_repeatable() noexcept { return true; }
+    static constexpr void lost() noexcept {}
+    [[nodiscard]] static master_error cancel(const master_error& why) noexcept { return why; }
+    [[nodiscard]] master_error complete(ring_knowledge&) noexcept { return steps_.result().error(); }
+
+  protected:
+    Steps steps_{};
+};
+
+/// A job that is one transfer or question through a slave's mailbox.
+template <class Protocol> class mailbox_machine : public mailbox_session<Protocol> {
+  public:
+    using steps = mailbox_session<Protocol>;
+    [[nodiscard]] master_error complete(ring_knowledge&) noexcept { return this->result().error(); }
+
+  protected:
+    [[nodiscard]] master_error begin_protocol(ring_knowledge& ring, std::uint16_t station,
+                                              const Protocol& protocol) noexcept {
+        slave_record* slave{};
+        const auto wrong = choose_mailbox(ring.slaves, station, slave);
+        if (wrong == master_error{}) steps::begin(*slave, protocol);
+        return wrong;
+    }
+    // What has come to the front of a buffer.
+    template <class Byte> [[nodiscard]] std::span<Byte> received(std::span<Byte> into) const noexcept {
+        return into.first(std::min(into.size(), *this->result()));
+    }
+};
+
+} // namespace detail
+
+template <> class job_machine<scan> : public detail::plain_machine<ring_scan> {
+  public:
+    [[nodiscard]] static master_error begin(const scan&, ring_knowledge& ring, const master_config&) noexcept {
+        ring.slaves.clear();
+        ring.away.clear();
+        return {};
+    }
+    [[nodiscard]] std::size_t value() const noexcept { return steps_.slaves(); }
+};
+
+template <> class job_machine<bring_up> : public detail::plain_machine<slave_bring_up> {
+  public:
+    [[nodiscard]] master_error begin(const bring_up& job, ring_knowledge& ring, const master_config&) noexcept {
+        const auto* before = ring.slaves.find(job.station);
+        const bool is_ours = before != nullptr && before->position != job.position; // another slave is to have it
+        if (before == nullptr) before = ring.away.find(job.station);
+        before_ = before != nullptr ? *before : slave_record{};
+        ring.slaves.remove(job.position, job.station);
+        ring.away.remove(job.position, job.station);
+        if (before_.station == job.station && !ring.away.full()) ring.away.add(before_);
+        steps_ = slave_bring_up{job.position, job.station, job.identity, !is_ours};
+        if (ring.slaves.full()) return {.code = master_errc::too_many_slaves};
+        return {};
+    }
+    [[nodiscard]] master_error complete(ring_knowledge& ring) noexcept {
+        if (!steps_.result()) return steps_.result().error();
+        slave_ = steps_.slave();
+        slave_.process_data = before_.process_data; // it keeps its place in the image
+        slave_.unfinished = before_.unfinished;     // a change of state does not end it in every slave
+        slave_.last_counter = before_.last_counter; // some slaves keep it, and drop a message with the same one
+        ring.away.remove(slave_.position, slave_.station);
+        ring.slaves.add(slave_);
+        return {};
+    }
+    [[nodiscard]] const slave_record& value() const noexcept { return slave_; }
+
+  private:
+    slave_record before_{}; // of the slave that had the address
+    slave_record slave_{};
+};
+
+template <> class job_machine<configure> {
+  public:
+    using steps = process_setup;
+    [[nodiscard]] master_error begin(const configure& job, ring_knowledge& ring, const master_config& config) noexcept {
+        if (const auto wrong = detail::choose(ring.slaves, job.station, slave_); wrong != master_error{}) return wrong;
+        slave_->watchdog = {};
+        auto image = ring.slaves.image_without(*slave_);
+        image.size = std::max(image.size, ring.away.image_without(*slave_).size);
+        setup_ = process_setup{*slave_, image, job.watchdog, config.logical_base};
+        if (watchdog_units(job.watchdog) == 0) return {.code = master_errc::watchdog_range};
+        return {};
+    }
+    void request(frame_builder& frame) noexcept {
+        if (uploads_)
+            upload_.request(frame);
+        else
+            setup_.request(frame);
+    }
+    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
+        auto next = uploads_ ? upload_.reply(datagrams, now, config) : setup_.reply(datagrams, now, config);
+        if (uploads_ && next == progress::done) {
+            uploads_ = false;
+            next = setup_.uploaded(upload_.result());
+        }
+        if (next != progress::done && !uploads_ && setup_.wants_upload()) {
+            uploads_ = true;
+            upload_ = {};
+            upload_.begin(*slave_, setup_.upload());
+        }
+        return next;
+    }
+    [[nodiscard]] bool was_refused() const noexcept { return uploads_ && upload_.was_refused(); }
+    [[nodiscard]] bool is_repeatable() const noexcept { return !uploads_ || upload_.is_repeatable(); }
+    void lost() noexcept {
+        if (uploads_) upload_.lost();
+    }
+    [[nodiscard]] master_error cancel(const master_error& why) noexcept { return uploads_ ? upload_.cancel(why) : why; }
+    [[nodiscard]] master_error complete(ring_knowledge&) noexcept {
+        if (setup_.result()) {
+            slave_->process_data = setup_.place();
+            slave_->watchdog = setup_.watchdog();
+        }
+        return setup_.result().error();
+    }
+    [[nodiscard]] const process_place& value() const noexcept { return setup_.place(); }
+
+  private:
+    slave_record* slave_{};
+    process_setup setup_{};
+    mailbox_session<sdo_transfer> upload_{};
+    bool uploads_{};
+};
+
+template <> class job_machine<change_state> : public detail::plain_machine<state_change> {
+  public:
+    [[nodiscard]] master_error begin(const change_state& job, ring_knowledge& ring, const master_config&) noexcept {
+        slave_record* slave{};
+        if (const auto wrong = detail::choose(ring.slaves, job.station, slave); wrong != master_error{}) return wrong;
+        slave->drained = false;
+        steps_ = state_change{job.station, job.goal};
+        if (!is_known(job.goal)) return {.code = master_errc::al_error, .al_status = al_status_code::unknown_state};
+        if (job.goal == al_state::op && slave->watchdog == slave->watchdog.zero())
+            return {.code = master_errc::not_configured};
+        return {};
+    }
+};
+
+template <> class job_machine<check> : public detail::plain_machine<slave_check> {
+  public:
+    [[nodiscard]] master_error begin(const check& job, ring_knowledge& ring, const master_config&) noexcept {
+        if (const auto wrong = detail::choose(ring.slaves, job.station, slave_); wrong != master_error{}) return wrong;
+        slave_->al = {};
+        slave_->mail_waits = false;
+        steps_ = slave_check{*slave_};
+        return {};
+    }
+    [[nodiscard]] master_error complete(ring_knowledge&) noexcept {
+        slave_->al = steps_.al();
+        slave_->mail_waits = steps_.mail_waits();
+        return steps_.result().error();
+    }
+    [[nodiscard]] const al_status& value() const noexcept { return steps_.al(); }
+
+  private:
+    slave_record* slave_{};
+};
+
+template <> class job_machine<download> : public detail::mailbox_machine<sdo_transfer> {
+  public:
+    [[nodiscard]] master_error begin(const download& job, ring_knowledge& ring, const master_config&) noexcept {
+        return begin_protocol(ring, job.station,
+                              sdo_transfer::download(job.index, job.subindex, job.data, job.options));
+    }
+};
+
+template <> class job_machine<upload> : public detail::mailbox_machine<sdo_transfer> {
+  public:
+    [[nodiscard]] master_error begin(const upload& job, ring_knowledge& ring, const master_config&) noexcept {
+        into_ = job.into;
+        return begin_protocol(ring, job.station, sdo_transfer::upload(job.index, job.subindex, job.into, job.options));
+    }
+    [[nodiscard]] std::span<std::byte> value() const noexcept { return received(into_); }
+
+  private:
+    std::span<std::byte> into_{};
+};
+
+template <> class job_machine<list_objects> : public detail::mailbox_machine<sdo_information> {
+  public:
+    [[nodiscard]] master_error begin(const list_objects& job, ring_knowledge& ring, const master_config&) noexcept {
+        into_ = job.into;
+        return begin_protocol(ring, job.station, sdo_information::list(job.list, job.into));
+    }
+    [[nodiscard]] object_indices value() const noexcept { return object_indices{received(into_)}; }
+
+  private:
+    std::span<const std::byte> into_{};
+};
+
+template <> class job_machine<describe_object> : public detail::mailbox_machine<sdo_information> {
+  public:
+    [[nodiscard]] master_error begin(const describe_object& job, ring_knowledge& ring, const master_config&) noexcept {
+        into_ = job.into;
+        return begin_protocol(ring, job.station, sdo_information::object(job.index, job.into));
+    }
+    [[nodiscard]] master_result<object_description> value() const noexcept {
+        return decode_object_description(received(into_));
+    }
+
+  private:
+    std::span<const std::byte> into_{};
+};
+
+template <> class job_machine<describe_entry> : public detail::mailbox_machine<sdo_information> {
+  public:
+    [[nodiscard]] master_error begin(const describe_entry& job, ring_knowledge& ring, const master_config&) noexcept {
+        into_ = job.into;
+        return begin_protocol(ring, job.station,
+                              sdo_information::entry({job.index, job.subindex, job.value_info}, job.into));
+    }
+    [[nodiscard]] master_result<entry_description> value() const noexcept {
+        return decode_entry_description(received(into_));
+    }
+
+  private:
+    std::span<const std::byte> into_{};
+};
+
+template <> class job_machine<collect_emergencies> {
+  public:
+    using steps = mailbox_exchange;
+    [[nodiscard]] master_error begin(const collect_emergencies& job, ring_knowledge& ring,
+                                     const master_config&) noexcept {
+        exchange_ = mailbox_exchange::collect();
+        return detail::choose_mailbox(ring.slaves, job.station, slave_);
+    }
+    void request(frame_builder& frame) noexcept { exchange_.request(frame, *slave_, nothing_); }
+    progress reply(replies datagrams, time_point now, const master_config& config) noexcept {
+        return exchange_.reply(datagrams.front(), now, config, *slave_, nothing_);
+    }
+    [[nodiscard]] bool was_refused() const noexcept { return exchange_.was_refused(); }
+    [[nodiscard]] bool is_repeatable() const noexcept { return exchange_.is_repeatable(); }
+    void lost() noexcept { exchange_.lost(*slave_); }
+    [[nodiscard]] master_error cancel(const master_error& why) noexcept {
+        exchange_.abandon(*slave_);
+        return why;
+    }
+    [[nodiscard]] master_error complete(ring_knowledge&) noexcept { return exchange_.result().error(); }
+
+  private:
+    slave_record* slave_{};
+    mailbox_exchange exchange_{};
+    sdo_transfer nothing_{}; // no request is sent
+};
+
+template <> class job_machine<exchange_datagram> : public detail::plain_machine<datagram_exchange> {
+  public:
+    [[nodiscard]] master_error begin(const exchange_datagram& job, ring_knowledge&, const master_config&) noexcept {
+        steps_ = datagram_exchange{job.cmd, job.adp, job.ado, job.data};
+        return {};
+    }
+    [[nodiscard]] static constexpr bool is_repeatable() noexcept { return false; }
+    [[nodiscard]] std::uint16_t value() const noexcept { return steps_.working_counter(); }
+};
+
+/// The machine of the job that runs, or of the last one; none before the first one.
+using any_job_machine =
+    std::variant<std::monostate, job_machine<scan>, job_machine<bring_up>, job_machine<configure>,
+                 job_machine<change_state>, job_machine<check>, job_machine<download>, job_machine<upload>,
+                 job_machine<list_objects>, job_machine<describe_object>, job_machine<describe_entry>,
+                 job_machine<collect_emergencies>, job_machine<exchange_datagram>>;
+
+} // namespace jauscat::ethercat

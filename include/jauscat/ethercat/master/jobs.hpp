@@ -1,0 +1,130 @@
+// The master's jobs as types: what a job needs, and what it gives.
+#pragma once
+
+#include <jauscat/ethercat/master/master_errc.hpp>
+#include <jauscat/ethercat/master/object_descriptions.hpp>
+#include <jauscat/ethercat/master/sdo_options.hpp>
+#include <jauscat/ethercat/master/slave_record.hpp>
+#include <jauscat/schema/ethercat/al_state.hpp>
+#include <jauscat/schema/ethercat/frame.hpp>
+#include <jauscat/schema/ethercat/sdo_information.hpp>
+#include <jauscat/schema/ethercat/watchdog.hpp>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace jauscat::ethercat {
+
+// Spans and what they refer to stay in place until the job is done. Beside the errors named here, each job can end with
+// those of the link: not_sent, no_reply, timeout, no_space.
+
+/// Counts the slaves of the ring, takes them to INIT, and takes station addresses, SyncManagers and FMMUs away that an
+/// earlier master has left. Forgets all slaves. Gives the number of slaves. Errors: working_counter, state_timeout.
+struct scan {
+    using result_type = master_result<std::size_t>;
+};
+
+/// Brings the slave at `position` to PRE-OP under the address `station`. Gives its record. Errors: no_slave,
+/// wrong_station, duplicate_station, working_counter, sii_busy, sii_error, wrong_identity, no_mailbox, al_error,
+/// state_timeout, too_many_slaves.
+struct bring_up {
+    std::uint16_t position{};  ///< 0 is the first in the ring
+    std::uint16_t station{};   ///< for the tables of this library, its JAUS node
+    identity_check identity{}; ///< the required identity
+    using result_type = master_result<slave_record>;
+};
+
+/// Finds out what process data a slave in PRE-OP has and sets its SyncManagers and FMMUs up. Gives its place in the
+/// process image, which is then in its record. Errors: those of `upload` and of SII reads, sii_malformed, no_fmmu,
+/// too_many_managers, image_full, watchdog_range, watchdog_not_kept.
+struct configure {
+    std::uint16_t station{};
+    /// If it has outputs, the slave will leave OP when it gets none for this time.
+    std::chrono::nanoseconds watchdog = default_watchdog;
+    using result_type = master_result<process_place>;
+};
+
+/// Takes a slave to another state, step by step. OP needs the cyclic exchange to be running. Errors: wrong_station,
+/// duplicate_station, working_counter, al_error, state_timeout; not_configured if OP is the goal and `configure` has
+/// not been done since the slave was brought up.
+struct change_state {
+    std::uint16_t station{};
+    al_state goal{};
+    using result_type = master_result<>;
+};
+
+/// Reads a slave's AL status and whether its mailbox is full, in one frame, into its record. Gives the AL status.
+/// Errors: wrong_station, duplicate_station, working_counter (no slave has the address).
+struct check {
+    std::uint16_t station{};
+    using result_type = master_result<al_status>;
+};
+
+/// Writes `data`, of any size, to an object: in segments if they do not fit the mailbox. Errors: wrong_station, no_coe,
+/// mailbox_full, mailbox_timeout, mailbox_error, clear_refused, sdo_abort, toggle_bit, unexpected_reply,
+/// working_counter. After an error other than sdo_abort and clear_refused the object may have been written.
+struct download {
+    std::uint16_t station{};
+    std::uint16_t index{};
+    std::uint8_t subindex{};
+    std::span<const std::byte> data{};
+    download_options options{};
+    using result_type = master_result<>;
+};
+
+/// Reads an object. Gives the front of `into` that has been filled; after an error what `into` holds is not to be used.
+/// Errors: those of `download`, size_mismatch, data_too_long.
+struct upload {
+    std::uint16_t station{};
+    std::uint16_t index{};
+    std::uint8_t subindex{};
+    std::span<std::byte> into{};
+    upload_options options{};
+    using result_type = master_result<std::span<std::byte>>;
+};
+
+/// Reads the indices of a slave's objects to `into`, 2 bytes each. Errors: those of `upload`, fragment_missing.
+struct list_objects {
+    std::uint16_t station{};
+    object_list_type list = object_list_type::all;
+    std::span<std::byte> into{};
+    using result_type = master_result<object_indices>;
+};
+
+/// Reads the description of an object to `into`. Errors: as above.
+struct describe_object {
+    std::uint16_t station{};
+    std::uint16_t index{};
+    std::span<std::byte> into{};
+    using result_type = master_result<object_description>;
+};
+
+/// Reads the description of an entry to `into`. Errors: as above.
+struct describe_entry {
+    std::uint16_t station{};
+    std::uint16_t index{};
+    std::uint8_t subindex{};
+    std::uint8_t value_info{}; ///< the values that are asked for: see entry_query
+    std::span<std::byte> into{};
+    using result_type = master_result<entry_description>;
+};
+
+/// Takes what waits in the slave's mailbox: its emergencies are in its record then. Errors: wrong_station, no_mailbox,
+/// no_coe, mailbox_full (there is always more).
+struct collect_emergencies {
+    std::uint16_t station{};
+    using result_type = master_result<>;
+};
+
+/// Sends one datagram; what comes back is in `data` then. Gives its working counter.
+struct exchange_datagram {
+    command cmd{};
+    std::uint16_t adp{};
+    std::uint16_t ado{};
+    std::span<std::byte> data{};
+    using result_type = master_result<std::uint16_t>;
+};
+
+} // namespace jauscat::ethercat
