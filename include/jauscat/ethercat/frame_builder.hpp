@@ -83,6 +83,25 @@ class frame_builder {
         if (!room.empty() && !wire::encode(message, room)) error_ = frame_errc::field_out_of_range;
     }
 
+    /// Adds a read of a register in the slave with this station address. `Register`: esc_register_of.
+    template <class Register> constexpr void read(std::uint16_t station, const Register& at) noexcept {
+        add(command::fprd, station, at.address, wire::max_size<typename Register::value_type>);
+    }
+    /// Adds a write of a register in the slave with this station address.
+    template <class Register>
+    constexpr void write(std::uint16_t station, const Register& at,
+                         const typename Register::value_type& value) noexcept {
+        add(command::fpwr, station, at.address, value);
+    }
+    /// The same in all slaves at once: what comes back is or-ed.
+    template <class Register> constexpr void read_all(const Register& at) noexcept {
+        add(command::brd, 0, at.address, wire::max_size<typename Register::value_type>);
+    }
+    template <class Register>
+    constexpr void write_all(const Register& at, const typename Register::value_type& value) noexcept {
+        add(command::bwr, 0, at.address, value);
+    }
+
     /// Writes the length and pads with zeros to 60 bytes. Returns the size of the frame without check sequence.
     /// Errors: empty, no_space, field_out_of_range.
     constexpr frame_result finish() noexcept {

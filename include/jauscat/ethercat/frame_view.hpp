@@ -20,6 +20,14 @@ template <class Byte> struct basic_datagram {
     std::uint16_t working_counter{};
     std::span<Byte> data{};
     std::span<Byte> bytes{}; ///< header, data and trailer
+
+    /// The register that was read; zeros where the data have another size. `Register`: esc_register_of.
+    template <class Register>
+    [[nodiscard]] constexpr typename Register::value_type value(const Register&) const noexcept {
+        typename Register::value_type value{};
+        static_cast<void>(wire::decode(value, data));
+        return value;
+    }
 };
 
 /// The datagrams of a checked frame: `frame_view view; if (view.parse(bytes)) for (auto datagram : view) ...`.

@@ -66,13 +66,12 @@ class mailbox_exchange {
     void request(frame_builder& frame, const slave_record& slave, const mailbox_protocol auto& protocol) noexcept {
         asked_ = step_;
         was_refused_ = false;
-        const auto read = [&](std::uint16_t address, std::size_t size) {
-            frame.add(command::fprd, slave.station, address, size);
-        };
         switch (step_) {
         case step::drain:
         case step::collect:
-        case step::read: read(slave.mailbox.send_offset, slave.mailbox.send_size); break;
+        case step::read:
+            frame.add(command::fprd, slave.station, slave.mailbox.send_offset, std::size_t{slave.mailbox.send_size});
+            break;
         case step::write: {
             const auto out =
                 frame.add(command::fpwr, slave.station, slave.mailbox.receive_offset, slave.mailbox.receive_size);
@@ -84,15 +83,11 @@ class mailbox_exchange {
             break;
         }
         case step::look_taken:
-        case step::look_room: read(sync_manager_handshake_of(0).address, wire::max_size<sync_manager_handshake>); break;
+        case step::look_room: frame.read(slave.station, sync_manager_handshake_of(0)); break;
         case step::look:
-        case step::wait_repeat:
-            read(sync_manager_handshake_of(1).address, wire::max_size<sync_manager_handshake>);
-            break;
+        case step::wait_repeat: frame.read(slave.station, sync_manager_handshake_of(1)); break;
         case step::ask_repeat:
-            frame.add(command::fpwr, slave.station,
-                      static_cast<std::uint16_t>(sync_manager_handshake_of(1).address + 1),
-                      sync_manager_activate{.enable = true, .repeat_request = repeat_});
+            frame.write(slave.station, sync_manager_activate_of(1), {.enable = true, .repeat_request = repeat_});
             break;
         }
     }
@@ -141,7 +136,6 @@ class mailbox_exchange {
     progress advance(const datagram_view& datagram, slave_record& slave, mailbox_protocol auto& protocol) noexcept {
         const bool executed = datagram.working_counter != 0;
         was_refused_ = !executed && (step_ == step::read || step_ == step::write || step_ == step::drain);
-        sync_manager_handshake mailbox{};
         switch (step_) {
         case step::drain:
         case step::collect:
@@ -173,7 +167,7 @@ class mailbox_exchange {
         case step::wait_repeat: break;
         }
         if (!executed) return fail({.code = master_errc::working_counter}, slave);
-        static_cast<void>(wire::decode(mailbox, datagram.data));
+        const auto mailbox = datagram.value(sync_manager_handshake_of(0)); // of 0 or 1
         // A slave may hold a request back because its reply mailbox is full.
         if (step_ == step::look_taken) {
             may_write_ = !mailbox.full;

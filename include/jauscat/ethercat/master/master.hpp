@@ -42,6 +42,11 @@ class master {
         return {};
     }
 
+    template <class T> master_result<> start(const T&) noexcept {
+        static_assert(master_job<T>, "master: only the jobs of ethercat/master/jobs.hpp can be started");
+        return {};
+    }
+
     /// What the last job, a `Job`, has given, or why it gave nothing. Error `busy` while it runs, and where the last
     /// job was another one.
     template <master_job Job> [[nodiscard]] typename Job::result_type result() const noexcept {

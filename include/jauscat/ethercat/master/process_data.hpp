@@ -223,10 +223,8 @@ class process_data {
         frame.add(command::lrd, low, high, each.size);
     }
     void request(frame_builder& frame, const member& each) const noexcept {
-        frame.add(command::fprd, each.station, esc_registers::al_status.address, wire::max_size<al_status>);
-        if (each.has_mailbox)
-            frame.add(command::fprd, each.station, sync_manager_handshake_of(1).address,
-                      wire::max_size<sync_manager_handshake>);
+        frame.read(each.station, esc_registers::al_status);
+        if (each.has_mailbox) frame.read(each.station, sync_manager_handshake_of(1));
     }
 
     exchanged take(const part& each, replies::iterator& next) noexcept {
@@ -248,13 +246,12 @@ class process_data {
         auto& status = each.status;
         status.last_frame = outstanding_.sent_at();
         const auto& state = *next++;
-        if (state.working_counter == 1) static_cast<void>(wire::decode(status.al, state.data));
+        if (state.working_counter == 1) status.al = state.value(esc_registers::al_status);
         status.mail_waits = false;
         if (each.has_mailbox) {
             const auto& reply = *next++;
-            sync_manager_handshake mailbox{};
-            status.mail_waits =
-                reply.working_counter == 1 && wire::decode(mailbox, reply.data) && mailbox.enable && mailbox.full;
+            const auto mailbox = reply.value(sync_manager_handshake_of(1));
+            status.mail_waits = reply.working_counter == 1 && mailbox.enable && mailbox.full;
         }
         status.condition = condition_of(state.working_counter, status.al.state, is_exchanged);
         if (status.condition == slave_condition::running) status.last_running = status.last_frame;

@@ -61,22 +61,17 @@ class process_setup {
     }
 
     void request(frame_builder& frame) noexcept {
-        const auto write = [&](esc_register r, const auto& value) {
-            frame.add(command::fpwr, station_, r.address, value);
-        };
         switch (step_) {
-        case step::describe:
-            frame.add(command::fprd, station_, esc_registers::type.address, wire::max_size<esc_description>);
-            break;
+        case step::describe: frame.read(station_, esc_registers::description); break;
         case step::take_sii: // by force, then without
-            write(esc_registers::sii_owner, sii_owner{.force = true});
-            write(esc_registers::sii_owner, sii_owner{});
+            frame.write(station_, esc_registers::sii_owner, {.force = true});
+            frame.write(station_, esc_registers::sii_owner, {});
             break;
-        case step::give_sii: write(esc_registers::sii_owner, sii_owner{.pdi = true}); break;
+        case step::give_sii: frame.write(station_, esc_registers::sii_owner, {.pdi = true}); break;
         case step::set_up: set_up(frame); break;
         case step::set_watchdog:
-            write(esc_registers::watchdog_divider, esc_word{default_watchdog_divider});
-            write(esc_registers::process_data_watchdog, esc_word{watchdog_units_});
+            frame.write(station_, esc_registers::watchdog_divider, {default_watchdog_divider});
+            frame.write(station_, esc_registers::process_data_watchdog, {watchdog_units_});
             break;
         case step::check_watchdog: read_watchdog(frame); break;
         default: survey_.request(frame, station_);
@@ -87,8 +82,7 @@ class process_setup {
         if (result_ = executed_by_one(datagrams); !result_) return progress::done;
         switch (step_) {
         case step::describe: {
-            esc_description controller{};
-            static_cast<void>(wire::decode(controller, datagrams.front().data));
+            const auto controller = datagrams.front().value(esc_registers::description);
             fmmus_ = controller.fmmus;
             place_.no_lrw = controller.no_lrw;
             return go(step::take_sii);
@@ -201,10 +195,6 @@ class process_setup {
         return fmmus_ == 0 && survey_.managers().empty() ? progress::done : go(step::set_up);
     }
 
-    static constexpr std::uint16_t register_of(esc_register first, std::size_t n) noexcept {
-        return static_cast<std::uint16_t>(first.address + n * first.size);
-    }
-
     // All in one frame. A SyncManager can be changed only while it is off.
     void set_up(frame_builder& frame) const noexcept {
         auto output = place_.output_address, input = place_.input_address;
@@ -222,40 +212,37 @@ class process_setup {
             settings.start = each.description.start;
             settings.length = static_cast<std::uint16_t>(each.bytes()); // fits: see lay_out
             settings.watchdog = settings.watchdog || each.is_output();  // whatever the SII says
-            const auto at = register_of(esc_registers::sync_manager, each.number);
-            frame.add(command::fpwr, station_, at, settings);
+            const auto at = nth(esc_registers::sync_manager, each.number);
+            frame.write(station_, at, settings);
             settings.enable = each.bits != 0;
             if (!settings.enable) continue;
-            frame.add(command::fpwr, station_, at, settings);
+            frame.write(station_, at, settings);
             auto& address = each.is_output() ? output : input;
-            frame.add(command::fpwr, station_, register_of(esc_registers::fmmu, fmmus++),
-                      fmmu{.logical_start = logical_base_ + address,
-                           .length = settings.length,
-                           .last_bit = 7,
-                           .physical_start = each.description.start,
-                           .read = !each.is_output(),
-                           .write = each.is_output(),
-                           .enable = true});
+            frame.write(station_, nth(esc_registers::fmmu, fmmus++),
+                        {.logical_start = logical_base_ + address,
+                         .length = settings.length,
+                         .last_bit = 7,
+                         .physical_start = each.description.start,
+                         .read = !each.is_output(),
+                         .write = each.is_output(),
+                         .enable = true});
             address += settings.length;
         }
     }
 
     // An earlier tool may have left any value in these registers, and registers may be missing.
     void read_watchdog(frame_builder& frame) const noexcept {
-        frame.add(command::fprd, station_, esc_registers::watchdog_divider.address, wire::max_size<esc_word>);
-        frame.add(command::fprd, station_, esc_registers::process_data_watchdog.address, wire::max_size<esc_word>);
+        frame.read(station_, esc_registers::watchdog_divider);
+        frame.read(station_, esc_registers::process_data_watchdog);
         for (const auto& each : survey_.managers())
-            if (each.is_output() && each.bits != 0)
-                frame.add(command::fprd, station_, register_of(esc_registers::sync_manager, each.number),
-                          wire::max_size<sync_manager>);
+            if (each.is_output() && each.bits != 0) frame.read(station_, nth(esc_registers::sync_manager, each.number));
     }
     progress check_watchdog(replies datagrams) noexcept {
-        esc_word divider{}, units{};
-        static_cast<void>(wire::decode(divider, datagrams[0].data));
-        static_cast<void>(wire::decode(units, datagrams[1].data));
+        const auto divider = datagrams[0].value(esc_registers::watchdog_divider);
+        const auto units = datagrams[1].value(esc_registers::process_data_watchdog);
         const bool triggered = std::ranges::all_of(datagrams.subspan(2), [](const datagram_view& datagram) {
-            sync_manager settings{};
-            return wire::decode(settings, datagram.data) && settings.watchdog && settings.enable;
+            const auto settings = datagram.value(esc_registers::sync_manager);
+            return settings.watchdog && settings.enable;
         });
         if (triggered && divider.value == default_watchdog_divider && units.value == watchdog_units_)
             return progress::done;

@@ -22,18 +22,17 @@ class ring_scan {
         switch (step_) {
         case step::count: frame.add(command::brd, 0, esc_registers::type.address, std::size_t{1}); break;
         case step::clear: // what a slave does not have, it leaves alone
-            frame.add(command::bwr, 0, esc_registers::al_control.address,
-                      al_control{.state = al_state::init, .acknowledge = true});
+            frame.write_all(esc_registers::al_control, {.state = al_state::init, .acknowledge = true});
             frame.add(command::bwr, 0, esc_registers::dl_control.address + 1,
                       std::size_t{1}); // ports open by themselves
-            frame.add(command::bwr, 0, esc_registers::station_address.address, esc_word{});
+            frame.write_all(esc_registers::station_address, {});
             frame.add(command::bwr, 0, esc_registers::fmmu.address, fmmus_cleared * esc_registers::fmmu.size);
             frame.add(command::bwr, 0, esc_registers::sync_manager.address,
                       managers_cleared * esc_registers::sync_manager.size);
             frame.add(command::bwr, 0, esc_registers::dc_activation.address,
                       std::size_t{esc_registers::dc_activation.size});
             break;
-        case step::wait_init: frame.add(command::brd, 0, esc_registers::al_status.address, wire::max_size<al_status>);
+        case step::wait_init: frame.read_all(esc_registers::al_status);
         }
     }
 
@@ -53,8 +52,7 @@ class ring_scan {
             step_ = step::wait_init;
             return progress::send;
         }
-        al_status all{}; // the states of all slaves, or-ed
-        static_cast<void>(wire::decode(all, first.data));
+        const auto all = first.value(esc_registers::al_status); // the states of all slaves, or-ed
         if (all.state == al_state::init && !all.error) return progress::done;
         if (!timeout_.expired(now, config.state_timeout)) {
             if (all.error) step_ = step::clear; // one that came up since

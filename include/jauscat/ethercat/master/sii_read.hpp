@@ -24,10 +24,9 @@ class sii_read {
 
     void request(frame_builder& frame, std::uint16_t station) const noexcept {
         if (started_)
-            frame.add(command::fprd, station, esc_registers::sii_control.address, wire::max_size<sii_access>);
+            frame.read(station, esc_registers::sii_access);
         else
-            frame.add(command::fpwr, station, esc_registers::sii_control.address,
-                      sii_request{.cmd = sii_command::read, .address = word_});
+            frame.write(station, esc_registers::sii_request, {.cmd = sii_command::read, .address = word_});
     }
 
     /// `datagram` was executed.
@@ -37,8 +36,7 @@ class sii_read {
             timeout_.renew();
             return progress::send;
         }
-        sii_access access{};
-        static_cast<void>(wire::decode(access, datagram.data));
+        const auto access = datagram.value(esc_registers::sii_access);
         if (access.request.busy)
             return timeout_.expired(now, config.sii_timeout) ? fail({.code = master_errc::sii_busy}) : progress::wait;
         if (access.request.command_error) return fail({.code = master_errc::sii_error, .sii_word = word_});

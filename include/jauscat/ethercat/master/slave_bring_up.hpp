@@ -38,29 +38,26 @@ class slave_bring_up {
 
     void request(frame_builder& frame) noexcept {
         const auto station = slave_.station;
-        const auto write = [&](esc_register r, const auto& value) {
-            frame.add(command::fpwr, station, r.address, value);
-        };
         switch (step_) {
         case step::count: frame.add(command::brd, 0, esc_registers::type.address, std::size_t{1}); break;
         case step::assign: assign(frame); break;
         case step::clear: // an alias that equals the address, too; then this slave alone gets it
             frame.add(command::fpwr, station, esc_registers::dl_control.address + alias_byte, std::size_t{1});
-            write(esc_registers::station_address, esc_word{});
+            frame.write(station, esc_registers::station_address, {});
             assign(frame);
             break;
-        case step::verify: frame.add(command::fprd, station, esc_registers::station_address.address, 2u); break;
+        case step::verify: frame.read(station, esc_registers::station_address); break;
         case step::take_sii: // by force, then without
-            write(esc_registers::sii_owner, sii_owner{.force = true});
-            write(esc_registers::sii_owner, sii_owner{});
+            frame.write(station, esc_registers::sii_owner, {.force = true});
+            frame.write(station, esc_registers::sii_owner, {});
             break;
         case step::read_identity:
         case step::read_mailbox: sii_.request(frame, station); break;
         case step::configure: // a SyncManager can be changed only while it is off
-            write(esc_registers::sync_manager, mailbox_managers{});
-            write(esc_registers::sync_manager, managers());
+            frame.write(station, esc_registers::mailbox_managers, {});
+            frame.write(station, esc_registers::mailbox_managers, managers());
             break;
-        case step::give_sii: write(esc_registers::sii_owner, sii_owner{.pdi = true}); break;
+        case step::give_sii: frame.write(station, esc_registers::sii_owner, {.pdi = true}); break;
         case step::to_init:
         case step::to_pre_op: change_.request(frame); break;
         }
@@ -88,7 +85,7 @@ class slave_bring_up {
         }
         if (result_ = executed_by_one(datagrams); !result_) return progress::done;
         switch (step_) {
-        case step::verify: return verified(datagrams.front().data);
+        case step::verify: return verified(datagrams.front());
         case step::take_sii: return read(step::read_identity, sii_words::identity, identity_);
         case step::read_identity:
         case step::read_mailbox: return finish(sii_, sii_.reply(datagrams.front(), now, config));
@@ -146,9 +143,8 @@ class slave_bring_up {
     }
 
     // Another slave's alias may equal our address: it then answers in our slave's place.
-    progress verified(std::span<const std::byte> data) noexcept {
-        esc_word address{};
-        static_cast<void>(wire::decode(address, data));
+    progress verified(const datagram_view& datagram) noexcept {
+        const auto address = datagram.value(esc_registers::station_address);
         return address.value == slave_.station ? go(step::to_init)
                                                : fail({.code = master_errc::wrong_station, .station = slave_.station});
     }

@@ -23,16 +23,14 @@ class slave_check {
     [[nodiscard]] bool mail_waits() const noexcept { return mailbox_.enable && mailbox_.full; }
 
     void request(frame_builder& frame) const noexcept {
-        frame.add(command::fprd, station_, esc_registers::al_status.address, wire::max_size<al_status>);
-        if (has_mailbox_)
-            frame.add(command::fprd, station_, sync_manager_handshake_of(1).address,
-                      wire::max_size<sync_manager_handshake>);
+        frame.read(station_, esc_registers::al_status);
+        if (has_mailbox_) frame.read(station_, sync_manager_handshake_of(1));
     }
     progress reply(replies datagrams, time_point, const master_config&) noexcept {
         result_ = executed_by_one(datagrams);
         if (!result_) return progress::done;
-        static_cast<void>(wire::decode(al_, datagrams.front().data));
-        if (has_mailbox_) static_cast<void>(wire::decode(mailbox_, datagrams.back().data));
+        al_ = datagrams.front().value(esc_registers::al_status);
+        if (has_mailbox_) mailbox_ = datagrams.back().value(sync_manager_handshake_of(1));
         return progress::done;
     }
 

@@ -39,12 +39,12 @@ class state_change {
     void request(frame_builder& frame) const noexcept {
         switch (step_) {
         case step::acknowledge:
-            return write(frame, {.state = is_known(from_) ? from_ : al_state::init, .acknowledge = true});
-        case step::request: return write(frame, {.state = next_});
+            return frame.write(station_, esc_registers::al_control,
+                               {.state = is_known(from_) ? from_ : al_state::init, .acknowledge = true});
+        case step::request: return frame.write(station_, esc_registers::al_control, {.state = next_});
         case step::look:
         case step::wait_acknowledged:
-        case step::wait:
-            frame.add(command::fprd, station_, esc_registers::al_status.address, wire::max_size<al_status>);
+        case step::wait: frame.read(station_, esc_registers::al_status);
         }
     }
 
@@ -53,8 +53,7 @@ class state_change {
         if (step_ == step::acknowledge) return go(step::wait_acknowledged);
         if (step_ == step::request) return go(step::wait);
 
-        al_status status{};
-        static_cast<void>(wire::decode(status, datagrams.front().data));
+        const auto status = datagrams.front().value(esc_registers::al_status);
         const bool late = timeout_.expired(now, config.state_timeout);
         switch (step_) {
         case step::look: from_ = status.state; return status.error ? go(step::acknowledge) : on_the_way();
@@ -73,10 +72,6 @@ class state_change {
 
   private:
     enum class step : std::uint8_t { look, acknowledge, wait_acknowledged, request, wait };
-
-    void write(frame_builder& frame, const al_control& control) const noexcept {
-        frame.add(command::fpwr, station_, esc_registers::al_control.address, control);
-    }
 
     progress on_the_way() noexcept {
         if (from_ == goal_) return progress::done;

@@ -124,10 +124,10 @@ class esc : public esc_memory {
     }
 
     [[nodiscard]] constexpr bool is_station(std::uint16_t address) const noexcept {
-        if (address == load<esc_word>(esc_registers::station_address).value) return true;
-        constexpr esc_register high_half{esc_registers::dl_control.address + 2, 2};
+        if (address == load(esc_registers::station_address).value) return true;
+        constexpr esc_register_of<esc_word> high_half{{esc_registers::dl_control.address + 2, 2}};
         const bool alias_enabled = (load<esc_word>(high_half).value & 0x0100) != 0;
-        return alias_enabled && address == load<esc_word>(esc_registers::station_alias).value;
+        return alias_enabled && address == load(esc_registers::station_alias).value;
     }
 };
 

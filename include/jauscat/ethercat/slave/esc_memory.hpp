@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 namespace jauscat::ethercat {
@@ -39,10 +40,10 @@ class esc_memory {
             std::byte{8},          std::byte{0x0F},               // RAM in KiB, ports 0 and 1 MII
         };
         std::ranges::copy(description, memory_.begin());
-        store(esc_registers::al_status, al_status{.state = al_state::init});
-        store(esc_registers::watchdog_divider, esc_word{default_watchdog_divider});
-        store(esc_registers::pdi_watchdog, esc_word{default_watchdog_time});
-        store(esc_registers::process_data_watchdog, esc_word{default_watchdog_time});
+        store(esc_registers::al_status, {.state = al_state::init});
+        store(esc_registers::watchdog_divider, {default_watchdog_divider});
+        store(esc_registers::pdi_watchdog, {default_watchdog_time});
+        store(esc_registers::process_data_watchdog, {default_watchdog_time});
         show_link();
     }
 
@@ -53,24 +54,20 @@ class esc_memory {
     }
 
     /// The application's view of a register.
-    template <wire::message T> [[nodiscard]] constexpr T load(esc_register at) const noexcept {
+    template <wire::message T> [[nodiscard]] constexpr T load(const esc_register_of<T>& at) const noexcept {
         T value{};
         static_cast<void>(wire::decode_prefix(value, std::span{memory_}.subspan(at.address)));
         return value;
     }
     /// Writes a register as the slave itself does, without the rules for masters.
-    template <wire::message T> constexpr void store(esc_register at, const T& value) noexcept {
+    template <wire::message T>
+    constexpr void store(const esc_register_of<T>& at, const std::type_identity_t<T>& value) noexcept {
         static_cast<void>(wire::encode(value, std::span{memory_}.subspan(at.address)));
     }
 
-    /// Where SyncManager `n` has its registers.
-    static constexpr esc_register sync_manager_register(std::size_t n) noexcept {
-        return {static_cast<std::uint16_t>(esc_registers::sync_manager.address + n * esc_registers::sync_manager.size),
-                esc_registers::sync_manager.size};
-    }
     /// The SyncManager `n`, from 0.
     [[nodiscard]] constexpr sync_manager manager(std::size_t n) const noexcept {
-        return load<sync_manager>(sync_manager_register(n));
+        return load(nth(esc_registers::sync_manager, n));
     }
     /// The memory of a SyncManager; empty when it lies outside.
     [[nodiscard]] constexpr std::span<std::byte> area(const sync_manager& sm) noexcept {
@@ -82,13 +79,13 @@ class esc_memory {
         auto sm = manager(n);
         sm.full = sm.write_event = full;
         sm.read_event = !full;
-        store(sync_manager_register(n), sm);
+        store(nth(esc_registers::sync_manager, n), sm);
     }
     /// The application has done what the master's repeat request of SyncManager `n` asked.
     constexpr void acknowledge_repeat(std::size_t n) noexcept {
         auto sm = manager(n);
         sm.repeat_acknowledge = sm.repeat_request;
-        store(sync_manager_register(n), sm);
+        store(nth(esc_registers::sync_manager, n), sm);
     }
 
     /// True once after each write of all of buffered SyncManager `n`.
@@ -97,13 +94,10 @@ class esc_memory {
     constexpr void disable(std::size_t n, bool disabled) noexcept {
         auto sm = manager(n);
         sm.pdi_disable = disabled;
-        store(sync_manager_register(n), sm);
+        store(nth(esc_registers::sync_manager, n), sm);
     }
     /// The FMMU `n`, from 0.
-    [[nodiscard]] constexpr fmmu mapping(std::size_t n) const noexcept {
-        return load<fmmu>({static_cast<std::uint16_t>(esc_registers::fmmu.address + n * esc_registers::fmmu.size),
-                           esc_registers::fmmu.size});
-    }
+    [[nodiscard]] constexpr fmmu mapping(std::size_t n) const noexcept { return load(nth(esc_registers::fmmu, n)); }
     /// Memory, whatever the SyncManagers say; within `memory_size`.
     [[nodiscard]] constexpr std::span<std::byte> bytes(std::size_t start, std::size_t size) noexcept {
         return std::span{memory_}.subspan(start, size);
@@ -135,7 +129,7 @@ class esc_memory {
         if (touches(esc_registers::al_control)) al_control_written_ = true;
         if (touches(esc_registers::sii_control)) start_sii(address, in);
         for (std::size_t n = 0; n != sync_manager_count; ++n)
-            if (touches(sync_manager_register(n))) switch_off_if_disabled(n);
+            if (touches(nth(esc_registers::sync_manager, n))) switch_off_if_disabled(n);
         return true;
     }
 
@@ -182,13 +176,13 @@ class esc_memory {
         sm.write_event = written;
         sm.read_event = !written;
         if (written) sm.last_buffer = static_cast<std::uint8_t>((sm.last_buffer + 1) % 3);
-        store(sync_manager_register(n), sm);
+        store(nth(esc_registers::sync_manager, n), sm);
         if (written) written_[n] = true;
     }
 
     // DL status: link and communication on port 0, and on port 1 if a slave follows; the others are closed.
     constexpr void show_link() noexcept {
-        store(esc_registers::dl_status, esc_word{static_cast<std::uint16_t>(downstream_ ? 0x5A30 : 0x5610)});
+        store(esc_registers::dl_status, {static_cast<std::uint16_t>(downstream_ ? 0x5A30 : 0x5610)});
     }
 
     // Registers that a master may write. A write to another one is counted in the working counter, and ignored.
@@ -211,9 +205,7 @@ class esc_memory {
                (within(esc_registers::sii_address) && sii_is_masters());
     }
 
-    [[nodiscard]] constexpr bool sii_is_masters() const noexcept {
-        return !load<sii_owner>(esc_registers::sii_owner).pdi;
-    }
+    [[nodiscard]] constexpr bool sii_is_masters() const noexcept { return !load(esc_registers::sii_owner).pdi; }
 
     // Read-only bits stay; the command and the write enable are taken over, and any command makes the SII busy.
     constexpr void start_sii(std::size_t address, std::span<const std::byte> in) noexcept {
@@ -223,12 +215,12 @@ class esc_memory {
         std::ranges::copy(written.first(std::min<std::size_t>(written.size(), 2)), bytes.begin());
         sii_request asked{};
         static_cast<void>(wire::decode_prefix(asked, bytes));
-        auto now = load<sii_request>(esc_registers::sii_control);
+        auto now = load(esc_registers::sii_request);
         now.write_enable = asked.write_enable;
         now.cmd = asked.cmd;
         now.command_error = now.write_enable_error = false;
         now.busy = sii_command_written_ = asked.cmd != sii_command::clear;
-        store(esc_registers::sii_control, now);
+        store(esc_registers::sii_request, now);
     }
 
     constexpr void switch_off_if_disabled(std::size_t n) noexcept {
@@ -237,7 +229,7 @@ class esc_memory {
         open_[n] = false;
         sm.full = sm.write_event = sm.read_event = sm.repeat_acknowledge = false;
         sm.last_buffer = 0;
-        store(sync_manager_register(n), sm);
+        store(nth(esc_registers::sync_manager, n), sm);
     }
 
     std::array<std::byte, memory_size> memory_{};

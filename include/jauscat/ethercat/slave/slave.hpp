@@ -36,10 +36,10 @@ class slave {
     /// Restarts as after power-on: the station address is gone, the state is INIT.
     void power_on() noexcept {
         esc_.reset();
-        esc_.store(esc_registers::pdi_control, esc_word{sii_pdi_control});
-        esc_.store(esc_registers::station_alias, esc_word{description_.station_alias});
-        esc_.store(esc_registers::sii_control, sii_request{.eight_byte_reads = description_.eight_byte_sii_reads,
-                                                           .two_address_bytes = sii_.size() > 2048});
+        esc_.store(esc_registers::pdi_control, {sii_pdi_control});
+        esc_.store(esc_registers::station_alias, {description_.station_alias});
+        esc_.store(esc_registers::sii_request,
+                   {.eight_byte_reads = description_.eight_byte_sii_reads, .two_address_bytes = sii_.size() > 2048});
         mailbox_.power_on(esc_);
         process_data_.power_on(esc_);
     }
@@ -83,16 +83,16 @@ class slave {
         return esc_.bytes(process_memory::inputs, description_.input_size());
     }
 
-    [[nodiscard]] al_status status() const noexcept { return esc_.load<al_status>(esc_registers::al_status); }
+    [[nodiscard]] al_status status() const noexcept { return esc_.load(esc_registers::al_status); }
     [[nodiscard]] al_state state() const noexcept { return status().state; }
     /// 0 until a master has given one.
     [[nodiscard]] std::uint16_t station_address() const noexcept {
-        return esc_.load<esc_word>(esc_registers::station_address).value;
+        return esc_.load(esc_registers::station_address).value;
     }
 
   private:
     void change_state() noexcept {
-        const auto control = esc_.load<al_control>(esc_registers::al_control);
+        const auto control = esc_.load(esc_registers::al_control);
         auto changed = status();
         const auto before = changed.state;
         if (changed.error && !control.acknowledge && control.state > changed.state) return;
@@ -133,7 +133,7 @@ class slave {
     }
 
     void access_sii() noexcept {
-        auto access = esc_.load<sii_access>(esc_registers::sii_control);
+        auto access = esc_.load(esc_registers::sii_access);
         access.request.busy = false;
         if (access.request.cmd == sii_command::read) {
             const std::size_t count = description_.eight_byte_sii_reads ? 8 : 4;
@@ -145,7 +145,7 @@ class slave {
             access.request.command_error = true; // this memory is read only
         }
         access.request.cmd = sii_command::clear;
-        esc_.store(esc_registers::sii_control, access);
+        esc_.store(esc_registers::sii_access, access);
     }
 
     slave_description description_;

@@ -69,8 +69,8 @@ class slave_process_data {
     /// Whether the outputs have not been written for the watchdog's time. Only in OP.
     [[nodiscard]] bool expired(esc_memory& memory, std::chrono::nanoseconds now) noexcept {
         const auto manager = memory.manager(manager_numbers::outputs);
-        const auto time = watchdog_time(memory.load<esc_word>(esc_registers::watchdog_divider).value,
-                                        memory.load<esc_word>(esc_registers::process_data_watchdog).value);
+        const auto time = watchdog_time(memory.load(esc_registers::watchdog_divider).value,
+                                        memory.load(esc_registers::process_data_watchdog).value);
         if (std::exchange(fed_, false)) {
             last_ = now;
             return false;
@@ -95,7 +95,7 @@ class slave_process_data {
     };
 
     static void show_watchdog(esc_memory& memory, bool running) noexcept {
-        memory.store(esc_registers::watchdog_status, esc_word{static_cast<std::uint16_t>(running ? 1 : 0)});
+        memory.store(esc_registers::watchdog_status, {static_cast<std::uint16_t>(running ? 1 : 0)});
     }
 
     area outputs_, inputs_;

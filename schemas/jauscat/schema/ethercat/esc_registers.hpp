@@ -17,40 +17,73 @@ struct esc_register {
     std::uint16_t size{};    ///< bytes
 };
 
+/// A register whose bytes have the layout of `Value`: frame_builder::read and write, and basic_datagram::value, take
+/// it.
+template <class Value> struct esc_register_of : esc_register {
+    using value_type = Value;
+};
+/// The `n`-th of several registers that follow each other, from 0.
+template <class Value>
+[[nodiscard]] constexpr esc_register_of<Value> nth(const esc_register_of<Value>& first, std::size_t n) noexcept {
+    return {{static_cast<std::uint16_t>(first.address + n * first.size), first.size}};
+}
+
+struct esc_word;
+struct esc_description;
+struct sync_manager;
+struct mailbox_managers;
+struct sync_manager_handshake;
+struct sync_manager_activate;
+struct fmmu;
+struct sii_owner;
+struct sii_request;
+struct sii_access;
+
+/// By address. Where a register stands twice, it is read or written with those that follow it.
 namespace esc_registers {
-inline constexpr esc_register type{0x0000, 1};               ///< kind of the slave controller
-inline constexpr esc_register revision{0x0001, 1};           ///< of the slave controller
-inline constexpr esc_register build{0x0002, 2};              ///< of the slave controller
-inline constexpr esc_register fmmu_count{0x0004, 1};         ///< how many FMMUs it has
-inline constexpr esc_register sync_manager_count{0x0005, 1}; ///< how many SyncManagers it has
-inline constexpr esc_register ram_size{0x0006, 1};           ///< KiB
-inline constexpr esc_register ports{0x0007, 1};           ///< 2 bits per port: 0 none, 1 not configured, 2 EBUS, 3 MII
-inline constexpr esc_register features{0x0008, 2};        ///< what it can do: see esc_description
-inline constexpr esc_register station_address{0x0010, 2}; ///< by which a master addresses it
-inline constexpr esc_register station_alias{0x0012, 2};   ///< a second one, out of the SII
-inline constexpr esc_register dl_control{0x0100, 4};      ///< which ports are open, and whether the alias counts
-inline constexpr esc_register dl_status{0x0110, 2};       ///< which ports have a link
-inline constexpr esc_register al_control{0x0120, 2};      ///< the state that a master asks for
-inline constexpr esc_register al_status{0x0130, 2};       ///< the state it is in
-inline constexpr esc_register al_status_code{0x0134, 2};  ///< why it is not in the state that was asked for
-inline constexpr esc_register pdi_control{0x0140, 2};     ///< kind of the interface to the slave's application
-inline constexpr esc_register ecat_event_mask{0x0200, 2}; ///< which events go into the datagrams' `irq`
+inline constexpr esc_register_of<esc_description> description{{0x0000, 10}}; ///< `type` to `features`
+inline constexpr esc_register type{0x0000, 1};                               ///< kind of the slave controller
+inline constexpr esc_register revision{0x0001, 1};                           ///< of the slave controller
+inline constexpr esc_register build{0x0002, 2};                              ///< of the slave controller
+inline constexpr esc_register fmmu_count{0x0004, 1};                         ///< how many FMMUs it has
+inline constexpr esc_register sync_manager_count{0x0005, 1};                 ///< how many SyncManagers it has
+inline constexpr esc_register ram_size{0x0006, 1};                           ///< KiB
+inline constexpr esc_register ports{0x0007, 1};    ///< 2 bits per port: 0 none, 1 not configured, 2 EBUS, 3 MII
+inline constexpr esc_register features{0x0008, 2}; ///< what it can do: see esc_description
+inline constexpr esc_register_of<esc_word> station_address{{0x0010, 2}}; ///< by which a master addresses it
+inline constexpr esc_register_of<esc_word> station_alias{{0x0012, 2}};   ///< a second one, out of the SII
+inline constexpr esc_register dl_control{0x0100, 4}; ///< which ports are open, and whether the alias counts
+inline constexpr esc_register_of<esc_word> dl_status{{0x0110, 2}};              ///< which ports have a link
+inline constexpr esc_register_of<ethercat::al_control> al_control{{0x0120, 2}}; ///< the state that a master asks for
+inline constexpr esc_register_of<ethercat::al_status> al_status{
+    {0x0130, 6}};                                        ///< the state it is in, up to `al_status_code`
+inline constexpr esc_register al_status_code{0x0134, 2}; ///< why it is not in the state that was asked for
+inline constexpr esc_register_of<esc_word> pdi_control{
+    {0x0140, 2}};                                            ///< kind of the interface to the slave's application
+inline constexpr esc_register ecat_event_mask{0x0200, 2};    ///< which events go into the datagrams' `irq`
 inline constexpr esc_register ecat_event_request{0x0210, 2}; ///< the events there are
 inline constexpr esc_register error_counters{0x0300, 20};    ///< a write to any of them clears its group
-inline constexpr esc_register sii_owner{0x0500, 1};          ///< who may access the SII memory
-inline constexpr esc_register sii_control{0x0502, 2};        ///< command and status of an access
-inline constexpr esc_register sii_address{0x0504, 4};        ///< in words
-inline constexpr esc_register sii_data{0x0508, 8};           ///< 4 or 8 bytes of it
-inline constexpr esc_register fmmu{0x0600, 16};              ///< FMMU 0; the next ones follow
-inline constexpr esc_register sync_manager{0x0800, 8};       ///< SyncManager 0; the next ones follow
-inline constexpr esc_register dc_activation{0x0981, 1};      ///< which synchronization signals are on
-inline constexpr esc_register process_ram{0x1000, 0};        ///< mailboxes and process data; size by `ram_size`
+inline constexpr esc_register_of<ethercat::sii_owner> sii_owner{{0x0500, 1}};     ///< who may access the SII memory
+inline constexpr esc_register_of<ethercat::sii_request> sii_request{{0x0502, 6}}; ///< command, status and address
+inline constexpr esc_register_of<ethercat::sii_access> sii_access{{0x0502, 14}};  ///< the same and the data
+inline constexpr esc_register sii_control{0x0502, 2};                             ///< command and status of an access
+inline constexpr esc_register sii_address{0x0504, 4};                             ///< in words
+inline constexpr esc_register sii_data{0x0508, 8};                                ///< 4 or 8 bytes of it
+inline constexpr esc_register_of<ethercat::fmmu> fmmu{{0x0600, 16}};              ///< FMMU 0; the next ones follow
+inline constexpr esc_register_of<ethercat::sync_manager> sync_manager{
+    {0x0800, 8}}; ///< SyncManager 0; the next ones follow
+inline constexpr esc_register_of<ethercat::mailbox_managers> mailbox_managers{{0x0800, 16}}; ///< SyncManagers 0 and 1
+inline constexpr esc_register dc_activation{0x0981, 1}; ///< which synchronization signals are on
+inline constexpr esc_register process_ram{0x1000, 0};   ///< mailboxes and process data; size by `ram_size`
 } // namespace esc_registers
 
-/// Status, activate and PDI control of SyncManager `n`: see sync_manager_handshake.
-[[nodiscard]] constexpr esc_register sync_manager_handshake_of(std::size_t n) noexcept {
-    const auto& first = esc_registers::sync_manager;
-    return {static_cast<std::uint16_t>(first.address + n * first.size + 5), 3};
+/// Status, activate and PDI control of SyncManager `n`.
+[[nodiscard]] constexpr esc_register_of<sync_manager_handshake> sync_manager_handshake_of(std::size_t n) noexcept {
+    return {{static_cast<std::uint16_t>(nth(esc_registers::sync_manager, n).address + 5), 3}};
+}
+/// Activate byte of SyncManager `n`.
+[[nodiscard]] constexpr esc_register_of<sync_manager_activate> sync_manager_activate_of(std::size_t n) noexcept {
+    return {{static_cast<std::uint16_t>(nth(esc_registers::sync_manager, n).address + 6), 1}};
 }
 
 /// A register of 2 bytes that is a plain number, such as the station address.

@@ -9,10 +9,13 @@
 namespace jauscat::ethercat {
 
 namespace esc_registers {
-inline constexpr esc_register watchdog_divider{0x0400, 2};      ///< length of its unit: 40 ns times the value plus 2
-inline constexpr esc_register pdi_watchdog{0x0410, 2};          ///< time in which the slave's application must come by
-inline constexpr esc_register process_data_watchdog{0x0420, 2}; ///< time, in units by `watchdog_divider`; 0: off
-inline constexpr esc_register watchdog_status{0x0440, 2};       ///< bit 0: not expired
+inline constexpr esc_register_of<esc_word> watchdog_divider{
+    {0x0400, 2}}; ///< length of its unit: 40 ns times the value plus 2
+inline constexpr esc_register_of<esc_word> pdi_watchdog{
+    {0x0410, 2}}; ///< time in which the slave's application must come by
+inline constexpr esc_register_of<esc_word> process_data_watchdog{
+    {0x0420, 2}}; ///< time, in units by `watchdog_divider`; 0: off
+inline constexpr esc_register_of<esc_word> watchdog_status{{0x0440, 2}}; ///< bit 0: not expired
 } // namespace esc_registers
 
 inline constexpr std::uint16_t default_watchdog_divider = 2498; ///< units of 100 us
