@@ -1,6 +1,7 @@
 // What the robot arm does: every object written to the slave becomes its JAUS message again and reaches a handler; a
 // query prepares the report that the master uploads next. The slave's dictionary is made of the messages it accepts.
 #pragma once
+#include "support/message_event.hpp"
 #include "support/robot_messages.hpp"
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/bridge/object_list.hpp>
@@ -30,9 +31,10 @@ enum class obedience : std::uint8_t {
 /// brings it to rest it always obeys.
 class arm {
   public:
-    /// `say` gets a line for each thing that happens; `moved` is called when the efforts in force have changed.
-    arm(std::function<void(const std::string&)> say, std::function<void()> moved)
-        : say_{std::move(say)}, moved_{std::move(moved)} {}
+    using said = std::function<void(event_kind, const event_members&, const std::string& line)>;
+
+    /// `say` gets an event for each thing that happens; `moved` is called when the efforts in force have changed.
+    arm(said say, std::function<void()> moved) : say_{std::move(say)}, moved_{std::move(moved)} {}
 
     /// The efforts in force; every field is there, 0 until commanded.
     [[nodiscard]] const jauscat::jaus::report_wrench_effort& efforts() const noexcept { return efforts_; }
@@ -46,17 +48,21 @@ class arm {
     /// The last efforts came by process data.
     [[nodiscard]] bool driven_by_process_data() const noexcept { return by_process_data_; }
 
-    void say(const std::string& line) const { say_(line); }
+    void say(event_kind kind, const event_members& members, const std::string& line) const {
+        say_(kind, members, line);
+    }
 
     obedience receive(std::span<const std::byte> bytes) {
         const auto message = jauscat::jaus::split(bytes);
         if (!message) {
-            say_("refused a message: " + std::string{describe(message.error)});
+            say_(events::message_malformed, {{"reason", describe(message.error)}},
+                 "refused a message: " + std::string{describe(message.error)});
             return obedience::malformed;
         }
         ++messages_;
         if (message.header.command_code != jauscat::jaus::command_code_of<jauscat::jaus::report_heartbeat_pulse>)
-            say_("received " + jauscat::text::summary(message.header));
+            say_(events::message_received, message_members(message.header, message.body),
+                 "received " + jauscat::text::summary(message.header));
         refused_ = false;
         switch (dispatch(message.header, message.body)) {
         case jauscat::jaus::dispatched::unknown: return obedience::unknown;
@@ -69,7 +75,10 @@ class arm {
     obedience drive_by(std::span<const std::byte> body) {
         jauscat::jaus::set_wrench_effort command{};
         if (const auto size = jauscat::wire::decode(command, body); !size) {
-            say_("refused efforts: " + std::string{describe(size.error())});
+            say_(events::message_malformed,
+                 {{"code", jauscat::jaus::command_code_of<jauscat::jaus::set_wrench_effort>},
+                  {"reason", describe(size.error())}},
+                 "refused efforts: " + std::string{describe(size.error())});
             return obedience::malformed;
         }
         refused_ = false;
@@ -77,8 +86,9 @@ class arm {
         return refused_ ? obedience::refused : obedience::obeyed;
     }
     /// Takes all efforts away, if there are any, and says so, also where process data have brought them to zero.
-    void rest(const std::string& why) {
-        if (moves() || by_process_data_) halt(why);
+    /// `cause` is the event's member.
+    void rest(const char* cause, const std::string& why) {
+        if (moves() || by_process_data_) halt(cause, why);
         by_process_data_ = false;
     }
 
@@ -92,22 +102,26 @@ class arm {
             jaus::on<jaus::set_travel_speed>([&](const header&, const auto& command) {
                 if (refuses(command.desired_speed != 0)) return;
                 travel_speed_.desired_speed = command.desired_speed;
-                say_("travel speed " + jauscat::text::to_text(command.desired_speed) + " m/s");
+                say_(events::travel_speed_set, {{"speed", command.desired_speed}},
+                     "travel speed " + jauscat::text::to_text(command.desired_speed) + " m/s");
             }),
             jaus::on<jaus::set_emergency>([&](const header&, const auto& command) {
                 if (!command.emergency_code.test(jaus::set_emergency_code::transition_to_emergency))
-                    say_("Set Emergency without a code: obeyed all the same");
+                    say_(events::emergency_code_missing, {{"code", jaus::command_code_of<jaus::set_emergency>}},
+                         "Set Emergency without a code: obeyed all the same");
                 enter_emergency();
             }),
             jaus::on<jaus::clear_emergency>([&](const header&, const auto& command) {
                 if (!command.emergency_code.test(jaus::clear_emergency_code::clear_emergency))
-                    return say_("Clear Emergency without its code: ignored");
+                    return say_(events::emergency_code_missing,
+                                {{"code", jaus::command_code_of<jaus::clear_emergency>}},
+                                "Clear Emergency without its code: ignored");
                 status_.primary_status_code = jaus::primary_status_code::ready;
-                say_("emergency cleared");
+                say_(events::emergency_cleared, {}, "emergency cleared");
             }),
             jaus::on<jaus::set_component_authority>([&](const header&, const auto& command) {
                 authority_ = command.authority_code;
-                say_("authority " + std::to_string(authority_));
+                say_(events::authority_set, {{"authority", authority_}}, "authority " + std::to_string(authority_));
             }),
             jaus::on<jaus::query_component_status>([&](const header& query, const auto&) { prepare(query, status_); }),
             jaus::on<jaus::query_travel_speed>(
@@ -123,23 +137,27 @@ class arm {
                 prepare(query, report);
             }),
             // Reports reach an arm from other components of the robot; it keeps where it stands, and shows the others.
-            jaus::on<jaus::report_global_pose>([&](const header&, const auto& report) {
+            jaus::on<jaus::report_global_pose>([&](const header& from, const auto& report) {
                 pose_ = report;
-                say_("pose of the robot updated");
+                say_taken(from, "pose of the robot updated");
             }),
-            jaus::on<jaus::report_wrench_effort>([&](const header&, const auto&) { say_("efforts of another arm"); }),
+            jaus::on<jaus::report_wrench_effort>(
+                [&](const header& from, const auto&) { say_taken(from, "efforts of another arm"); }),
             jaus::on<jaus::report_travel_speed>(
-                [&](const header&, const auto&) { say_("speed of another component"); }),
+                [&](const header& from, const auto&) { say_taken(from, "speed of another component"); }),
             jaus::on<jaus::report_component_status>([&](const header& from, const auto& report) {
-                say_(jauscat::text::to_text(from.source) + " is " + jauscat::text::to_text(report.primary_status_code));
+                say_taken(from, jauscat::text::to_text(from.source) + " is " +
+                                    jauscat::text::to_text(report.primary_status_code));
             }),
             jaus::on<jaus::report_heartbeat_pulse>([](const header&, const auto&) {}), // see messages()
             jaus::on_unknown([&](const header& unknown, auto) {
-                say_("no handler for " + jauscat::text::message_name(unknown.command_code));
+                say_(events::message_unknown, {{"code", unknown.command_code}},
+                     "no handler for " + jauscat::text::message_name(unknown.command_code));
             }),
             jaus::on_malformed([&](const header& bad, auto bytes, jauscat::wire::errc) {
-                say_("refused the body of " + jauscat::text::message_name(bad.command_code) + ": " +
-                     jauscat::text::why_malformed(bad.command_code, bytes, robot_messages{}));
+                const auto why = jauscat::text::why_malformed(bad.command_code, bytes, robot_messages{});
+                say_(events::message_malformed, {{"code", bad.command_code}, {"reason", why}},
+                     "refused the body of " + jauscat::text::message_name(bad.command_code) + ": " + why);
             })};
         return handlers(head, body);
     }
@@ -147,7 +165,7 @@ class arm {
     // What moves is refused in an emergency.
     bool refuses(bool moves) {
         if (!moves || status_.primary_status_code != jauscat::jaus::primary_status_code::emergency) return false;
-        say_("in an emergency: refused");
+        say_(events::refused_in_emergency, {}, "in an emergency: refused");
         return refused_ = true;
     }
     void drive(const jauscat::jaus::set_wrench_effort& command, bool by_process_data) {
@@ -156,15 +174,15 @@ class arm {
         jauscat::jaus::copy_present(command, efforts_); // fields that a command leaves out keep their effort
         moved_();
     }
-    void halt(const std::string& why) {
+    void halt(const char* cause, const std::string& why) {
         efforts_ = no_effort();
         travel_speed_ = {};
-        say_(why + ": all efforts to zero");
+        say_(events::efforts_zeroed, {{"cause", cause}}, why + ": all efforts to zero");
         moved_();
     }
     void enter_emergency() {
         status_.primary_status_code = jauscat::jaus::primary_status_code::emergency;
-        halt("EMERGENCY");
+        halt("emergency", "EMERGENCY");
     }
 
     static bool any(const auto& efforts) noexcept {
@@ -187,14 +205,19 @@ class arm {
         std::array<std::byte, 256> message{};
         const auto size = jauscat::jaus::make_message(head, report, message);
         if (!size) {
-            say_("cannot report: " + std::string{describe(size.error())});
+            say_(events::report_failed, {{"reason", describe(size.error())}},
+                 "cannot report: " + std::string{describe(size.error())});
             return;
         }
         report_.assign(message.begin(), message.begin() + static_cast<std::ptrdiff_t>(size.size()));
-        say_("prepared " + jauscat::text::message_name(jauscat::jaus::command_code_of<Report>));
+        constexpr auto code = jauscat::jaus::command_code_of<Report>;
+        say_(events::report_prepared, {{"code", code}}, "prepared " + jauscat::text::message_name(code));
+    }
+    void say_taken(const header& report, const std::string& line) {
+        say_(events::report_taken, message_members(report), line);
     }
 
-    std::function<void(const std::string&)> say_;
+    said say_;
     std::function<void()> moved_;
     std::vector<std::byte> report_{};
     jauscat::jaus::report_wrench_effort efforts_{no_effort()};
@@ -232,14 +255,17 @@ template <class Table> class arm_application {
         using jauscat::ethercat::abort_code;
         namespace translate = jauscat::translate;
         if (self_.station == 0 || self_.station > highest_node) {
-            arm_.say("refused an object: the station address " + std::to_string(self_.station) + " (" +
-                     jauscat::text::hex_number(self_.station, 4) +
-                     ") is not a JAUS node, 1 to 254: give the node with --node");
+            arm_.say(events::object_refused, {{"index", index}, {"subindex", subindex}, {"station", self_.station}},
+                     "refused an object: the station address " + std::to_string(self_.station) + " (" +
+                         jauscat::text::hex_number(self_.station, 4) +
+                         ") is not a JAUS node, 1 to 254: give the node with --node");
             return abort_code::parameter_incompatible;
         }
         const auto size = delivery::message_of({self_.station, index, subindex, data}, self_, message_);
         if (!size) {
-            arm_.say("refused an object: " + std::string{describe(size.error())});
+            arm_.say(events::object_refused,
+                     {{"index", index}, {"subindex", subindex}, {"reason", describe(size.error())}},
+                     "refused an object: " + std::string{describe(size.error())});
             switch (size.error()) {
             case translate::errc::unknown_index: return abort_code::no_object;
             case translate::errc::unknown_subindex: return abort_code::no_subindex;
@@ -266,7 +292,8 @@ template <class Table> class arm_application {
         std::array<std::byte, delivery::translator::max_packet_size> packet{};
         const auto size = delivery::translator::to_packet(arm_.report(), packet);
         if (!size) {
-            arm_.say("cannot report: " + std::string{describe(size.error())});
+            arm_.say(events::report_failed, {{"reason", describe(size.error())}},
+                     "cannot report: " + std::string{describe(size.error())});
             return {abort_code::cannot_store, 0};
         }
         const auto object = delivery::object_of(std::span{packet}.first(size.size()));

@@ -42,8 +42,11 @@ class arm_process_data {
         seen_ = values.command_count;
         std::array<std::byte, jauscat::wire::max_size<jauscat::jaus::set_wrench_effort>> body{};
         const auto size = command::from_image(written, body);
-        if (!size) return arm_.say("refused process data: " + std::string{describe(size.error())});
-        arm_.say("efforts by process data, command " + std::to_string(seen_));
+        if (!size)
+            return arm_.say(events::message_malformed, {{"reason", describe(size.error())}},
+                            "refused process data: " + std::string{describe(size.error())});
+        arm_.say(events::efforts_commanded, {{"command", seen_}},
+                 "efforts by process data, command " + std::to_string(seen_));
         if (arm_.drive_by(std::span{body}.first(size.size())) == obedience::obeyed) taken_ = seen_;
     }
 

@@ -22,11 +22,11 @@ class arm_watch {
     void look(const jauscat::ethercat::slave& slave, std::chrono::nanoseconds now) {
         look_at_state(slave.state());
         if (std::exchange(station_, slave.station_address()) != slave.station_address())
-            arm_.rest("another station address");
+            arm_.rest("station_address", "another station address");
         if (std::exchange(messages_, arm_.messages()) != arm_.messages()) last_message_ = now;
         const bool by_mailbox = arm_.moves() && !arm_.driven_by_process_data();
         if (by_mailbox && timeout_ != timeout_.zero() && now - last_message_ >= timeout_)
-            arm_.rest("no message for " + std::to_string(timeout_.count()) + " ms");
+            arm_.rest("command_timeout", "no message for " + std::to_string(timeout_.count()) + " ms");
     }
 
   private:
@@ -36,9 +36,9 @@ class arm_watch {
         const bool has_mailbox = state == al_state::pre_op || state == al_state::safe_op || state == al_state::op;
         const bool was_in_op = std::exchange(state_, state) == al_state::op;
         if (state != al_state::op && (was_in_op || arm_.driven_by_process_data()))
-            arm_.rest("no process data any more");
+            arm_.rest("no_process_data", "no process data any more");
         else if (!has_mailbox)
-            arm_.rest("state " + jauscat::text::to_text(state));
+            arm_.rest("state", "state " + jauscat::text::to_text(state));
     }
 
     arm& arm_;

@@ -48,14 +48,16 @@ std::string bar(double value, double min, double max) {
 
 void show(const jauscat::jaus::report_wrench_effort& efforts) {
     std::ostringstream rows;
+    example::event_members raw;
     rows << example::bold("arm: efforts in force") << "\n";
     jauscat::wire::visit(efforts, [&]<class Item>(Item item, const auto& effort) {
         using range = typename Item::codec_type::range_type;
+        raw.emplace_back(item.name(), static_cast<int>(Item::codec_type::to_raw(*effort)));
         rows << "  " << std::left << std::setw(32) << item.name() << std::right << std::setw(8) << std::fixed
              << std::setprecision(2) << *effort << ' ' << range::unit << "  [" << bar(*effort, range::min, range::max)
              << "]  raw " << static_cast<int>(Item::codec_type::to_raw(*effort)) << "\n";
     });
-    example::write_limited("efforts", rows.str());
+    example::write_limited("efforts", example::events::efforts_in_force, raw, rows.str());
 }
 
 std::optional<std::uint8_t> node_of(const boost::program_options::variables_map& values) {
@@ -71,7 +73,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
 
     example::arm* arm_of_display = nullptr;
     const example::speaker say{"arm"};
-    example::arm arm{[&say](const std::string& line) { say(line); }, [&] { show(arm_of_display->efforts()); }};
+    example::arm arm{say, [&] { show(arm_of_display->efforts()); }};
     arm_of_display = &arm;
     example::arm_application<Table> application{subsystem, arm, node_of(values)};
     bridge::listed_objects objects{application.objects, application,
@@ -92,16 +94,21 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
     const std::chrono::milliseconds command_timeout{values["command-timeout"].template as<unsigned>()};
     example::arm_watch watch{arm, command_timeout};
     if (command_timeout == command_timeout.zero())
-        std::cout << example::bad("arm: without --command-timeout, efforts stay when the master falls silent") << "\n";
+        example::write_event(example::events::no_command_timeout, {},
+                             example::bad("arm: without --command-timeout, efforts stay when the master falls silent") +
+                                 "\n");
 
-    std::cout << "arm: slave of subsystem " << int{subsystem} << ", " << where
-              << ", waiting for a master (Ctrl-C ends)\n";
+    example::write_event(example::events::ready, {{"subsystem", subsystem}, {"link", where}},
+                         "arm: slave of subsystem " + std::to_string(subsystem) + ", " + where +
+                             ", waiting for a master (Ctrl-C ends)\n");
     std::array<std::byte, 1600> frame{};
     auto state = slave.state();
     const auto show_state = [&] {
         if (slave.state() == state) return;
         state = slave.state();
-        say("state " + jauscat::text::to_text(state) + ", station address " + std::to_string(slave.station_address()));
+        say(example::events::slave_state,
+            {{"state", jauscat::text::to_text(state)}, {"station", slave.station_address()}},
+            "state " + jauscat::text::to_text(state) + ", station address " + std::to_string(slave.station_address()));
     };
     const auto work = [&](std::chrono::nanoseconds now) {
         watch.look(slave, now); // first: the inputs say what is in force then
@@ -117,7 +124,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
             work(now);
             if (link.problem() != problem) {
                 problem = link.problem();
-                if (!problem.empty()) say.bad(problem);
+                if (!problem.empty()) say.bad(example::events::link_problem, {{"problem", problem}}, problem);
             }
             continue;
         }
@@ -125,10 +132,12 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
         application.set_station(slave.station_address());
         slave.process(received);
         slave.on_time(now); // after the frame: it may have waited here
-        if (!link.send(received)) say.bad("a frame did not go back: " + link.problem());
+        if (!link.send(received))
+            say.bad(example::events::frame_not_returned, {{"problem", link.problem()}},
+                    "a frame did not go back: " + link.problem());
         work(now);
     }
-    std::cout << "arm: stopped\n";
+    example::write_event(example::events::stopped, {}, "arm: stopped\n");
     return example::success;
 }
 
@@ -148,6 +157,7 @@ int main(int argc, char** argv) {
             ("strict", po::bool_switch(), "accept and return objects at their exact size only, as some slaves do: needs --fixed-length")
             ("subindex-0-rule", po::bool_switch(), "abort writes to PDO mapping objects while their subindex 0 is not 0, as some slaves do: needs the controller's --clear-subindex-0 or another --index-base");
         // clang-format on
+        example::add_log_option(options);
         example::add_mailbox_option(options);
         example::add_link_options(options);
         const auto values = example::parse(argc, argv, options, help);

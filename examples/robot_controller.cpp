@@ -120,7 +120,7 @@ int run_all(std::deque<example::front>& fronts, std::chrono::milliseconds patien
                 try {
                     if (!front.run(patience, !alone)) all_at_rest = false;
                 } catch (const std::exception& problem) {
-                    if (!alone) front.say(example::bad(problem.what()));
+                    if (!alone) front.say_failed(problem.what());
                     error = std::current_exception();
                 }
             });
@@ -148,6 +148,7 @@ int main(int argc, char** argv) {
             ("open", "accept messages from all senders, for tests")
             ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
         // clang-format on
+        example::add_log_option(described);
         example::add_link_options(described);
         const auto values = example::parse(argc, argv, described, help);
         static_cast<void>(limit_of(values, std::chrono::microseconds{values["cycle"].as<unsigned>()}));
@@ -156,9 +157,10 @@ int main(int argc, char** argv) {
         std::deque<example::front> fronts;
         for (const auto& at : places) {
             const auto name = places.size() == 1 ? std::string{} : at.config.this_system;
-            const example::speaker say{name.empty() ? "controller" : "controller " + name};
+            const example::speaker say{name.empty() ? "controller" : "controller " + name,
+                                       {{"system", at.config.this_system}}};
             const auto options = options_for(at, name, values);
-            say(at.link.where);
+            say(example::events::link_opened, {{"link", at.link.where}}, at.link.where);
             fronts.emplace_back(at.config, *at.link.link, exchange_with(options.slave.identity, values), options, say);
         }
         for (auto& front : fronts)

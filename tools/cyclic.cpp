@@ -2,6 +2,7 @@
 // what was lost, whether each slave stayed in OP, and that mailbox traffic does not disturb them.
 #include "support/explain.hpp"
 #include "support/link_options.hpp"
+#include "support/say.hpp"
 #include <jauscat/ethercat/master/process_data.hpp>
 #include <jauscat/net/link/cycle_runner.hpp>
 #include <jauscat/net/link/latency_histogram.hpp>
@@ -47,29 +48,30 @@ void become_real_time(int priority) {
     const sched_param parameters{.sched_priority = priority};
     if (::sched_setscheduler(0, SCHED_FIFO, &parameters) != 0)
         throw std::runtime_error{"--priority needs CAP_SYS_NICE: sudo setcap cap_sys_nice,cap_net_raw+ep cyclic"};
-    if (::mlockall(MCL_CURRENT | MCL_FUTURE) != 0) std::cout << "cyclic: memory is not locked (CAP_IPC_LOCK)\n";
+    if (::mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
+        example::write_event(example::events::memory_not_locked, {}, "cyclic: memory is not locked (CAP_IPC_LOCK)\n");
 }
 
 constexpr auto longest_silence = milliseconds{100}; // then a slave counts as stopped
 
 constexpr const char *wake_up = "wake-up after the instant it was due", *round_trip = "round trip of the process data";
 
-void print_distribution(const char* name, const jauscat::net::latency_histogram& times) {
-    std::cout << "\n" << example::bold(name) << " (from, cycles, their logarithm as a bar)\n";
-    times.print(std::cout);
+void print_distribution(std::ostream& out, const char* name, const jauscat::net::latency_histogram& times) {
+    out << "\n" << example::bold(name) << " (from, cycles, their logarithm as a bar)\n";
+    times.print(out);
 }
 
-void print_quantiles(const measurement& measured) {
+void print_quantiles(std::ostream& out, const measurement& measured) {
     constexpr int name_width = 38, width = 10;
     std::ostringstream heading;
     heading << std::left << std::setw(name_width) << "microseconds" << std::right;
     for (const auto* column : {"median", "99 %", "99.9 %", "max"}) heading << std::setw(width) << column;
-    std::cout << "\n" << example::bold(heading.str()) << "\n" << std::fixed << std::setprecision(1);
+    out << "\n" << example::bold(heading.str()) << "\n" << std::fixed << std::setprecision(1);
     for (const auto& [name, times] : {std::pair{wake_up, &measured.late}, {round_trip, &measured.round_trip}}) {
-        std::cout << std::left << std::setw(name_width) << name << std::right;
+        out << std::left << std::setw(name_width) << name << std::right;
         for (const auto time : {times->quantile(0.5), times->quantile(0.99), times->quantile(0.999), times->max()})
-            std::cout << std::setw(width) << std::chrono::duration<double, std::micro>{time}.count();
-        std::cout << "\n";
+            out << std::setw(width) << std::chrono::duration<double, std::micro>{time}.count();
+        out << "\n";
     }
 }
 
@@ -110,8 +112,10 @@ std::vector<std::uint16_t> set_up(example::any_link& medium, ethercat::master& m
         const auto place = run(ethercat::configure{.station = station, .watchdog = watchdog}, name + ", process data");
         static_cast<void>(
             run(ethercat::change_state{.station = station, .goal = ethercat::al_state::safe_op}, name + " to SAFE-OP"));
-        std::cout << "cyclic: " << name << ": " << place->output_size << " bytes of outputs, " << place->input_size
-                  << " of inputs\n";
+        example::write_event(example::events::slave_configured,
+                             {{"station", station}, {"outputs", place->output_size}, {"inputs", place->input_size}},
+                             "cyclic: " + name + ": " + std::to_string(place->output_size) + " bytes of outputs, " +
+                                 std::to_string(place->input_size) + " of inputs\n");
         stations.push_back(station);
     }
     return stations;
@@ -126,7 +130,9 @@ class uploads {
         if (runs_ && master.idle()) {
             const auto result = master.result<ethercat::upload>();
             ++(result ? counts.uploads : counts.failed_uploads);
-            if (!result) std::cout << example::bad("cyclic: upload: " + example::explain(result.error())) << "\n";
+            if (!result)
+                example::write_event(example::events::upload_failed, {{"reason", example::explain(result.error())}},
+                                     example::bad("cyclic: upload: " + example::explain(result.error())) + "\n");
             runs_ = false;
         }
         const auto now = std::chrono::steady_clock::now();
@@ -165,10 +171,14 @@ class slave_watch {
             const auto name = "cyclic: slave " + std::to_string(slave.station);
             if (runs) {
                 stopped_.erase(slave.station);
-                std::cout << name << " is in OP again\n";
+                example::write_event(example::events::slave_runs_again, {{"station", slave.station}},
+                                     name + " is in OP again\n");
             } else {
                 stopped_.insert(slave.station);
-                std::cout << example::bad(name + " does not run: " + reason(status, now)) << "\n";
+                example::write_event(
+                    example::events::slave_stopped,
+                    {{"station", slave.station}, {"condition", describe(status.condition_within(patience_, now))}},
+                    example::bad(name + " does not run: " + reason(status, now)) + "\n");
             }
         }
     }
@@ -226,8 +236,10 @@ int measure(example::any_link& link, const auto& values) {
                                nothing, give_up_on_stop),
                 "slave " + std::to_string(station) + " to OP");
     }
-    std::cout << "cyclic: " << stations.size() << " in OP, a cycle every " << period.count() << " us (Ctrl-C ends)"
-              << std::endl;
+    example::write_event(example::events::ready, {{"slaves", stations.size()}, {"period_us", period.count()}},
+                         "cyclic: " + std::to_string(stations.size()) + " in OP, a cycle every " +
+                             std::to_string(period.count()) + " us (Ctrl-C ends)\n");
+    std::cout << std::flush;
 
     const auto before = data.statistics();
     const auto overruns_before = cycles.overruns();
@@ -242,13 +254,26 @@ int measure(example::any_link& link, const auto& values) {
     }
 
     const auto& after = data.statistics();
-    print_distribution(wake_up, result->late);
-    print_distribution(round_trip, result->round_trip);
-    print_quantiles(*result);
-    std::cout << "\ncycles " << after.sent - before.sent << ", complete " << after.complete - before.complete
-              << ", with another working counter " << after.incomplete - before.incomplete << ", lost "
-              << after.lost - before.lost << ", left out " << cycles.overruns() - overruns_before
-              << "\nuploads meanwhile " << result->uploads << ", failed " << result->failed_uploads << "\n";
+    std::ostringstream text;
+    print_distribution(text, wake_up, result->late);
+    print_distribution(text, round_trip, result->round_trip);
+    print_quantiles(text, *result);
+    text << "\ncycles " << after.sent - before.sent << ", complete " << after.complete - before.complete
+         << ", with another working counter " << after.incomplete - before.incomplete << ", lost "
+         << after.lost - before.lost << ", left out " << cycles.overruns() - overruns_before << "\nuploads meanwhile "
+         << result->uploads << ", failed " << result->failed_uploads << "\n";
+    const auto in_us = [](auto time) { return std::chrono::duration<double, std::micro>{time}.count(); };
+    example::write_event(example::events::measured,
+                         {{"cycles", after.sent - before.sent},
+                          {"complete", after.complete - before.complete},
+                          {"incomplete", after.incomplete - before.incomplete},
+                          {"lost", after.lost - before.lost},
+                          {"skipped", cycles.overruns() - overruns_before},
+                          {"uploads", result->uploads},
+                          {"failed_uploads", result->failed_uploads},
+                          {"late_max_us", in_us(result->late.max())},
+                          {"round_trip_max_us", in_us(result->round_trip.max())}},
+                         text.str());
     leave_op(link, master, stations);
     return after.complete != before.complete && slaves.all_run() ? example::success : example::failure;
 }
@@ -270,6 +295,7 @@ int main(int argc, char** argv) {
             ("station", po::value<std::uint16_t>()->default_value(1), "station address of the first slave; the others follow")
             ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
         // clang-format on
+        example::add_log_option(options);
         example::add_medium_options(options);
         const auto values = example::parse(argc, argv, options, help);
         if (const auto period = values["period"].as<unsigned>(); period < 1 || period > 1'000'000)
@@ -284,7 +310,7 @@ int main(int argc, char** argv) {
         return example::with_link(
             values, example::link_end::master,
             [&](auto& link, const std::string& where) {
-                std::cout << "cyclic: " << where << "\n";
+                example::write_event(example::events::link_opened, {{"link", where}}, "cyclic: " + where + "\n");
                 return measure(link, values);
             },
             after);

@@ -93,7 +93,7 @@ class node {
   public:
     node(std::size_t number, const ethercat::slave_description& description, ethercat::coe_options options,
          const std::vector<std::pair<object_place, unsigned long>>& more)
-        : say_{"slave " + std::to_string(number)},
+        : say_{"slave " + std::to_string(number), {{"slave", number}}},
           dictionary_{description, prepare(more)},
           memory_(objects_.largest()),
           slave_{description, dictionary_, with_memory(options)} {
@@ -101,9 +101,11 @@ class node {
         objects_.add_mapped(description.inputs, slave_.inputs(), false);
         objects_.on_write = [this](std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) {
             constexpr std::size_t shown = 32;
-            say_(hex_number(index, 4) + ":" + std::to_string(subindex) + " = " +
-                 jauscat::text::hex(data.first(std::min(data.size(), shown))) + (data.size() > shown ? " ..." : "") +
-                 " (" + std::to_string(data.size()) + " bytes)");
+            say_(example::events::object_written,
+                 {{"index", index}, {"subindex", subindex}, {"data", jauscat::text::hex(data)}, {"size", data.size()}},
+                 hex_number(index, 4) + ":" + std::to_string(subindex) + " = " +
+                     jauscat::text::hex(data.first(std::min(data.size(), shown))) +
+                     (data.size() > shown ? " ..." : "") + " (" + std::to_string(data.size()) + " bytes)");
         };
     }
     node(const node&) = delete;
@@ -122,17 +124,21 @@ class node {
     void show_changes() {
         if (slave_.station_address() != station_) {
             station_ = slave_.station_address();
-            say_("station address " + std::to_string(station_) + " (" + hex_number(station_, 4) + ")");
+            say_(example::events::station_address, {{"station", station_}},
+                 "station address " + std::to_string(station_) + " (" + hex_number(station_, 4) + ")");
         }
         const auto status = slave_.status();
         if (status.state == status_.state && status.error == status_.error && status.code == status_.code) return;
         status_ = status;
         const auto line = "state " + jauscat::text::to_text(status.state);
+        const example::event_members members{
+            {"state", jauscat::text::to_text(status.state)}, {"error", status.error}, {"code", status.code}};
         if (!status.error)
-            say_(line);
+            say_(example::events::slave_state, members, line);
         else
-            say_.bad(line + ", error " + hex_number(static_cast<std::uint16_t>(status.code), 4) + ": " +
-                     std::string{describe(status.code)});
+            say_.bad(example::events::slave_state, members,
+                     line + ", error " + hex_number(static_cast<std::uint16_t>(status.code), 4) + ": " +
+                         std::string{describe(status.code)});
     }
 
   private:
@@ -161,8 +167,9 @@ class node {
 
 int serve(example::any_link& link, const std::string& where, std::deque<node>& nodes) {
     for (auto& each : nodes) each.slave().set_downstream(&each != &nodes.back());
-    std::cout << nodes.size() << (nodes.size() == 1 ? " slave, " : " slaves, ") << where
-              << ", waiting for a master (Ctrl-C ends)\n";
+    example::write_event(example::events::ready, {{"slaves", nodes.size()}, {"link", where}},
+                         std::to_string(nodes.size()) + (nodes.size() == 1 ? " slave, " : " slaves, ") + where +
+                             ", waiting for a master (Ctrl-C ends)\n");
     std::array<std::byte, 1600> frame{};
     const example::speaker say{"emulated_bus"};
     std::string problem;
@@ -174,21 +181,24 @@ int serve(example::any_link& link, const std::string& where, std::deque<node>& n
             const auto received = std::span{frame}.first(size);
             // First the frame, as the hardware does, and only then what the slaves make of it.
             for (auto& each : nodes) each.slave().pass(received);
-            if (!link.send(received)) say.bad("a frame did not go back: " + link.problem());
+            if (!link.send(received))
+                say.bad(example::events::frame_not_returned, {{"problem", link.problem()}},
+                        "a frame did not go back: " + link.problem());
             for (auto& each : nodes) {
                 each.slave().work();
                 each.work();
             }
         } else if (link.problem() != problem) {
             problem = link.problem();
-            if (!problem.empty()) say.bad(problem);
+            if (!problem.empty()) say.bad(example::events::link_problem, {{"problem", problem}}, problem);
         }
         for (auto& each : nodes) {
             each.slave().on_time(std::chrono::steady_clock::now().time_since_epoch());
             each.show_changes();
         }
     }
-    std::cout << "stopped after " << frames << " frames\n";
+    example::write_event(example::events::stopped, {{"frames", frames}},
+                         "stopped after " + std::to_string(frames) + " frames\n");
     return example::success;
 }
 
@@ -214,6 +224,7 @@ int main(int argc, char** argv) {
             ("empty-start", po::bool_switch(), "segmented uploads start without data")
             ("slow", po::value<std::uint32_t>()->default_value(0), "number of frames before a mailbox request is answered");
         // clang-format on
+        example::add_log_option(options);
         example::add_medium_options(options);
         const auto values = example::parse(argc, argv, options, help);
         const auto within = [&](const char* name, std::size_t value, std::size_t least, std::size_t most) {

@@ -83,7 +83,8 @@ bool is_in_force(operator_unit& unit, const order& command, bool is_acknowledged
     const std::string silently = is_acknowledged ? ""
                                  : equal         ? "obeyed, not acknowledged: "
                                                  : "not acknowledged, not obeyed: ";
-    ocu::say((equal ? "OK: " + silently + "the report equals the command"
+    ocu::say(example::events::report_compared, {{"equal", equal}, {"acknowledged", is_acknowledged}},
+             (equal ? "OK: " + silently + "the report equals the command"
                     : "FAILED: " + silently + "the report differs from the command"));
     return equal;
 }
@@ -112,7 +113,8 @@ bool perform(operator_unit& unit, const task& what) {
     if (!is_acknowledged && answer != reply::sent && !(answer == reply::silence && what.compare)) return false;
     if (!is_acknowledged) unit.expect_no_acknowledgements();
     if (!what.compare)
-        ocu::say(is_acknowledged ? "OK" : "OK: sent, and no acknowledgement was asked for");
+        ocu::say(example::events::done, {{"acknowledged", is_acknowledged}},
+                 is_acknowledged ? "OK" : "OK: sent, and no acknowledgement was asked for");
     else if (!is_in_force(unit, what.first, is_acknowledged))
         return false;
     if (unit.has_lost_control()) return false;
@@ -142,6 +144,7 @@ int main(int argc, char** argv) {
             ("timeout", po::value<unsigned>()->default_value(400), "milliseconds after which an unanswered message is repeated, three times")
             ("field", po::value<words>(), "FIELD=VALUE; --field itself may be omitted");
         // clang-format on
+        example::add_log_option(options);
         po::positional_options_description positional;
         positional.add("field", -1);
         const auto values = example::parse(argc, argv, options, help, positional);

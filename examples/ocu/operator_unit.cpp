@@ -2,6 +2,7 @@
 
 #include "message_kinds/message_kinds.hpp"
 #include "support/component_of.hpp"
+#include "support/message_event.hpp"
 #include "support/program.hpp"
 #include "support/say.hpp"
 #include <jauscat/text/from_text.hpp>
@@ -13,11 +14,12 @@ namespace ocu {
 
 namespace {
 
+namespace events = example::events;
 namespace text = jauscat::text;
 namespace wire = jauscat::wire;
 
 // The header in one line of hex, for its values are in the summary, and a line for each field of the body.
-void show(const char* verb, std::span<const std::byte> message) {
+void show(example::event_kind kind_of_event, const char* verb, std::span<const std::byte> message) {
     const auto parts = jaus::split(message);
     auto lines = example::bold(std::string{"ocu "} + verb + " " + text::summary(parts.header)) + "\n";
     if (!jaus::is_acknowledgement(parts.header)) {
@@ -26,19 +28,23 @@ void show(const char* verb, std::span<const std::byte> message) {
         lines += kind != nullptr ? kind->to_text(parts.body, jaus::header_size)
                                  : text::hex_dump(parts.body, "  ", jaus::header_size);
     }
-    example::write_limited(verb, lines);
+    example::write_limited(verb, kind_of_event, example::message_members(parts.header, parts.body), lines);
 }
 
 // A line caused by a peer, limited: a peer may send without end.
-void tell(const std::string& cause, const std::string& line) { example::write_limited(cause, "ocu: " + line + "\n"); }
+void tell(const std::string& cause, example::event_kind kind, const example::event_members& members,
+          const std::string& line) {
+    example::write_limited(cause, kind, members, "ocu: " + line + "\n");
+}
 
 std::chrono::nanoseconds now() { return net::jaus_node::now(); }
 
 } // namespace
 
-void say(const std::string& line) {
+void say(example::event_kind kind, const example::event_members& members, const std::string& line) {
     const bool is_bad = line.starts_with("FAILED") || line.starts_with("LOST"), is_good = line.starts_with("OK");
-    std::cout << "ocu: " << (is_bad ? example::bad(line) : is_good ? example::good(line) : line) << "\n";
+    const auto shown = is_bad ? example::bad(line) : is_good ? example::good(line) : line;
+    example::write_event(kind, members, "ocu: " + shown + "\n");
 }
 
 operator_unit::operator_unit(const net::jaus_config& config, const jaus::address& robot, milliseconds timeout,
@@ -68,8 +74,9 @@ operator_unit::operator_unit(const net::jaus_config& config, const jaus::address
 bool operator_unit::hear_robot(milliseconds patience) {
     if (wait([this] { return heartbeats_ != 0; }, patience)) return true;
     if (!example::stop_requested)
-        say("FAILED: no heartbeat of a component of " + part_of_robot() + " within " +
-            text::to_text(std::chrono::duration<double>{patience}.count()) + " s; is robot_controller running?");
+        say(events::no_heartbeat, {{"subsystem", robot_.subsystem}},
+            "FAILED: no heartbeat of a component of " + part_of_robot() + " within " +
+                text::to_text(std::chrono::duration<double>{patience}.count()) + " s; is robot_controller running?");
     return false;
 }
 
@@ -87,12 +94,15 @@ bool operator_unit::has_lost_control() const noexcept {
 reply operator_unit::give(const order& what, bool may_be_obeyed_silently) {
     const auto answer = exchange(what);
     const auto name = text::message_name(what.command_code);
+    const example::event_members code{{"code", what.command_code}, {"address", text::to_text(robot_)}};
     if (answer == reply::silence && may_be_obeyed_silently)
-        say(name + " is not acknowledged; the report shows whether it is obeyed");
+        say(events::not_acknowledged, code, name + " is not acknowledged; the report shows whether it is obeyed");
     else if (answer == reply::silence)
-        say("FAILED: no answer to " + name + "; " + hint());
+        say(events::no_answer, code + example::event_members{{"heard", heartbeats_ != 0}},
+            "FAILED: no answer to " + name + "; " + hint());
     else if (answer == reply::refused) {
-        say("FAILED: " + name + " was refused (NAK); robot_controller's output says why");
+        say(events::message_refused, code,
+            "FAILED: " + name + " was refused (NAK); robot_controller's output says why");
         tell_why();
     }
     return answer;
@@ -101,8 +111,9 @@ reply operator_unit::give(const order& what, bool may_be_obeyed_silently) {
 void operator_unit::hold(milliseconds how_long) {
     if (how_long.count() == 0) return;
     const bool held = holds();
-    say((held ? "keeps control for " : "listens for ") +
-        text::to_text(std::chrono::duration<double>{how_long}.count()) + " s; Ctrl-C ends");
+    say(events::holding, {{"seconds", std::chrono::duration<double>{how_long}.count()}, {"control", held}},
+        (held ? "keeps control for " : "listens for ") +
+            text::to_text(std::chrono::duration<double>{how_long}.count()) + " s; Ctrl-C ends");
     wait([&] { return held && !holds(); }, how_long);
 }
 
@@ -115,22 +126,29 @@ bool operator_unit::finish() {
         const auto name = text::to_text(robot_);
         released = released && outcome_ != jaus::delivered::timed_out;
         if (!released)
-            say("FAILED: nobody acknowledged that control of " + name + " is released");
+            say(events::release_unanswered, {{"address", name}},
+                "FAILED: nobody acknowledged that control of " + name + " is released");
         else if (!acknowledged_)
-            say("control of " + name + " is released, as far as is known");
+            say(events::control_released, {{"address", name}, {"acknowledged", false}},
+                "control of " + name + " is released, as far as is known");
         else
-            say(outcome_ == jaus::delivered::acknowledged ? "control of " + name + " is released"
+            say(events::control_released,
+                {{"address", name}, {"acknowledged", outcome_ == jaus::delivered::acknowledged}},
+                outcome_ == jaus::delivered::acknowledged ? "control of " + name + " is released"
                                                           : "control of " + name + " is another's already");
     }
     if (heartbeats_ != 0)
-        say("heard " + std::to_string(heartbeats_) + (heartbeats_ == 1 ? " heartbeat" : " heartbeats") + " of " +
-            text::to_text(heard_));
+        say(events::heartbeats_counted, {{"count", heartbeats_}, {"address", text::to_text(heard_)}},
+            "heard " + std::to_string(heartbeats_) + (heartbeats_ == 1 ? " heartbeat" : " heartbeats") + " of " +
+                text::to_text(heard_));
     node_.stop();
     return released;
 }
 
 void operator_unit::on_delivered(const jaus::awaited_message& m, jaus::delivered what) {
-    if (m.sent > 1) say(text::message_name(m.header.command_code) + " was sent " + std::to_string(m.sent) + " times");
+    if (m.sent > 1)
+        say(events::copies_sent, {{"code", m.header.command_code}, {"copies", m.sent}},
+            text::message_name(m.header.command_code) + " was sent " + std::to_string(m.sent) + " times");
     if (m.header.sequence_number == number_) outcome_ = what;
 }
 
@@ -140,14 +158,15 @@ jaus::message_outcome operator_unit::application_type::operator()(const jaus::he
 }
 
 void operator_unit::shown_output::operator()(bytes message) const {
-    if (!mine.quiet_) show("sends", message);
+    if (!mine.quiet_) show(events::message_sent, "sends", message);
     mine.node_.out()(message);
 }
 
 net::jaus_node_options operator_unit::node_options() {
     net::jaus_node_options options{.node = self_.node};
     options.log = [this](std::string_view line) {
-        if (const auto shown = log_lines_.shown(line)) say(*shown); // the node limits them
+        if (const auto times = log_lines_.shown(line)) // the node limits them
+            say(events::node_log, {{"line", line}, {"times", *times}}, log_lines_.text(line, *times));
     };
     options.explain_malformed = &why_malformed;
     options.on_message = [this](const jaus::address& component, const jaus::header& head, bytes body, auto) {
@@ -160,7 +179,7 @@ net::jaus_node_options operator_unit::node_options() {
 
 void operator_unit::robot_is_there(const jaus::address& who, bool is_there) {
     if (!is_of_robot(who)) return;
-    tell("presence",
+    tell("presence", is_there ? events::robot_heard : events::robot_silent, {{"address", text::to_text(who)}},
          (is_there ? "hears the robot: heartbeat of " : "the robot is silent: no heartbeat of ") + text::to_text(who));
 }
 
@@ -179,7 +198,7 @@ void operator_unit::seen(const jaus::address& component, const jaus::header& hea
         head.ack_nak == jaus::ack_nak::ack && jaus::report_code_of(head.command_code) != 0; // the report is the first
     std::vector<std::byte> message(jaus::header_size + body.size());
     if (!quiet_ && !is_second_answer && !(renews && holds()) && jaus::join(head, body, message))
-        show("receives", message);
+        show(events::message_received, "receives", message);
     if (head.command_code == awaited_report_ && head.source == robot_ && !jaus::is_acknowledgement(head))
         report_.emplace(body.begin(), body.end());
 }
@@ -208,7 +227,7 @@ reply operator_unit::exchange(const order& what) {
     std::vector<std::byte> message(jaus::header_size + what.body.size());
     const jaus::header head{.command_code = what.command_code, .destination = robot_, .source = self_};
     if (const auto size = jaus::join(head, what.body, message); !size) {
-        say("FAILED: " + std::string{describe(size.error())});
+        say(events::not_sent, {{"code", what.command_code}}, "FAILED: " + std::string{describe(size.error())});
         return reply::not_sent;
     }
     const bool asks = awaited_report_ != 0;
@@ -259,7 +278,7 @@ bool operator_unit::send(bytes message) {
         if (wire::decode_prefix(head, numbered)) number_ = head.sequence_number;
         out_(numbered);
     });
-    if (!sent) say("FAILED: " + std::string{describe(sent.error)});
+    if (!sent) say(events::not_sent, {}, "FAILED: " + std::string{describe(sent.error)});
     return static_cast<bool>(sent);
 }
 
@@ -274,12 +293,19 @@ std::string operator_unit::hint() const {
 void operator_unit::tell_control() {
     if (std::exchange(told_state_, held_.state()) == held_.state()) return;
     const auto name = text::to_text(robot_);
+    const example::event_members robot{{"address", name}};
     switch (told_state_) {
-    case control_state::held: say("controls " + name); break;
-    case control_state::refused: say("FAILED: control of " + name + " is refused: another has it"); break;
-    case control_state::unanswered: say("FAILED: " + name + " does not answer requests for control; " + hint()); break;
+    case control_state::held: say(events::control_gained, robot, "controls " + name); break;
+    case control_state::refused:
+        say(events::control_refused, robot, "FAILED: control of " + name + " is refused: another has it");
+        break;
+    case control_state::unanswered:
+        say(events::control_unanswered, robot + example::event_members{{"heard", heartbeats_ != 0}},
+            "FAILED: " + name + " does not answer requests for control; " + hint());
+        break;
     case control_state::lost:
-        say("LOST control of " + name + (is_robot_gone() ? ": the robot is gone" : ": it was taken away"));
+        say(events::control_lost, robot + example::event_members{{"robot_gone", is_robot_gone()}},
+            "LOST control of " + name + (is_robot_gone() ? ": the robot is gone" : ": it was taken away"));
         break;
     case control_state::none:
     case control_state::asking: break;
@@ -294,14 +320,19 @@ void operator_unit::tell_why() {
     if (exchange({jaus::command_code_of<jaus::query_component_control>}) == reply::taken &&
         wire::decode(control, report())) {
         const jaus::address who{control.instance_id, control.component_id, control.node_id, control.subsystem_id};
-        say(who == jaus::address{} ? "nobody controls " + name
-                                   : name + " is controlled by " + text::to_text(who) + ", authority " +
-                                         std::to_string(control.authority_code));
+        if (who == jaus::address{})
+            say(events::robot_controlled_by, {{"address", name}}, "nobody controls " + name);
+        else
+            say(events::robot_controlled_by,
+                {{"address", name}, {"controller", text::to_text(who)}, {"authority", control.authority_code}},
+                name + " is controlled by " + text::to_text(who) + ", authority " +
+                    std::to_string(control.authority_code));
     }
     jaus::report_component_status status{};
     if (exchange({jaus::command_code_of<jaus::query_component_status>}) == reply::taken &&
         wire::decode(status, report()))
-        say(name + " is in the state " + text::to_text(status.primary_status_code));
+        say(events::robot_state, {{"address", name}, {"state", text::to_text(status.primary_status_code)}},
+            name + " is in the state " + text::to_text(status.primary_status_code));
     quiet_ = false;
 }
 

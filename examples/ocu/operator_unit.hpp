@@ -1,5 +1,6 @@
 // The operator's side of a session with one component of a robot: control, commands, questions, heartbeats.
 #pragma once
+#include "support/event.hpp"
 #include "support/repeated_lines.hpp"
 #include <jauscat/jaus/component/component.hpp>
 #include <jauscat/jaus/component/described_component.hpp>
@@ -31,7 +32,7 @@ enum class reply : std::uint8_t {
 };
 
 /// A line that begins with FAILED or LOST is bad news, one that begins with OK good.
-void say(const std::string& line);
+void say(example::event_kind kind, const example::event_members& members, const std::string& line);
 
 /// A JAUS component on a node of its own. Each call lets the node work until there is an answer, or none is to be
 /// expected any more, or the user stops the program; what happens meanwhile comes out as lines.

@@ -52,7 +52,7 @@ class front {
           const front_options& options, const speaker& say)
         : say_{say},
           timing_{options.timing},
-          link_{link, options.trace_name},
+          link_{link, options.trace_name, say.about()},
           exchange_{std::move(exchange)},
           narrator_{say},
           slave_{options.slave, *exchange_, timing_, memory_, narrator_.observer()},
@@ -72,8 +72,8 @@ class front {
         node_.start();
     }
 
-    /// For what is said of this front.
-    void say(const std::string& line) const { say_(line); }
+    /// What has ended this front.
+    void say_failed(const std::string& problem) const { say_.bad(events::failed, {}, problem); }
     /// Called for each component that this front's node manager no longer hears. Set before `run`.
     std::function<void(const jauscat::jaus::address& who)> disappeared{};
 
@@ -85,14 +85,19 @@ class front {
         if (!slave_.up() && !may_come_later && !stop_requested)
             throw std::runtime_error{"no slave to work with: " + explain(ring_.bring_up_error(slave_))};
         if (!stop_requested)
-            say_.good("ready: JAUS on " + jauscat::net::detail::text(node_.config().me().endpoint()) + ", " +
-                      (slave_.up() ? place() : "waiting for its slave: " + explain(ring_.bring_up_error(slave_))) +
-                      " (Ctrl-C ends)");
+            say_.good(events::ready,
+                      {{"endpoint", jauscat::net::detail::text(node_.config().me().endpoint())},
+                       {"station", slave_.station()},
+                       {"cyclic", slave_.options().cyclic},
+                       {"slave_up", slave_.up()}},
+                      "ready: JAUS on " + jauscat::net::detail::text(node_.config().me().endpoint()) + ", " +
+                          (slave_.up() ? place() : "waiting for its slave: " + explain(ring_.bring_up_error(slave_))) +
+                          " (Ctrl-C ends)");
         while (!stop_requested) run_until(clock::now() + std::chrono::seconds{1}, [] { return stop_requested.load(); });
         const bool is_at_rest = bring_to_rest();
         runner_.stop();
         node_.stop();
-        say_("stopped");
+        say_(events::stopped, {}, "stopped");
         return is_at_rest;
     }
 
@@ -133,16 +138,19 @@ class front {
                 .node = node,
                 .log =
                     [this](std::string_view line) {
-                        if (const auto shown = log_lines_.shown(line)) say_(*shown);
+                        if (const auto times = log_lines_.shown(line))
+                            say_(events::node_log, {{"line", line}, {"times", *times}}, log_lines_.text(line, *times));
                     },
                 .explain_malformed = &why_malformed,
                 .appeared =
                     [this](const jauscat::jaus::address& who_came) {
-                        say_(jauscat::text::to_text(who_came) + " is heard");
+                        const auto name = jauscat::text::to_text(who_came);
+                        say_(events::peer_heard, {{"address", name}}, name + " is heard");
                     },
                 .disappeared =
                     [this](const jauscat::jaus::address& who_went) {
-                        say_(jauscat::text::to_text(who_went) + " is no longer heard");
+                        const auto name = jauscat::text::to_text(who_went);
+                        say_(events::peer_lost, {{"address", name}}, name + " is no longer heard");
                         if (disappeared) disappeared(who_went);
                     }};
     }
@@ -166,19 +174,22 @@ class front {
         while (!ring_.at_rest() && clock::now() < until) context_.run_one_until(until);
         const bool is_at_rest = was_up && slave_.up() && ring_.at_rest();
         if (!is_at_rest)
-            say_.bad(place() + " has not confirmed that it is at rest: it stops by its own watchdog or not at all");
+            say_.bad(events::not_at_rest, {{"station", slave_.station()}},
+                     place() + " has not confirmed that it is at rest: it stops by its own watchdog or not at all");
         return is_at_rest || !was_up;
     }
 
     // What an operator should know of the wire, said once when it comes up.
     void look_at_link() {
         if (slave_.up()) problem_.clear();
-        if (const auto& now = link_.problem(); !now.empty() && std::exchange(problem_, now) != now) say_.bad(now);
+        if (const auto& now = link_.problem(); !now.empty() && std::exchange(problem_, now) != now)
+            say_.bad(events::link_problem, {{"problem", now}}, now);
         const auto& seen = ring_.master().statistics();
         if (seen.foreign != 0 && !std::exchange(second_master_, true))
-            say_.bad("frames of another master are on this wire; only one may use it");
+            say_.bad(events::second_master, {}, "frames of another master are on this wire; only one may use it");
         if (seen.circulated != 0 && !std::exchange(broken_ring_, true))
-            say_.bad("frames come back marked as circulating: a cable between two slaves is out");
+            say_.bad(events::broken_ring, {},
+                     "frames come back marked as circulating: a cable between two slaves is out");
     }
 
     speaker say_;

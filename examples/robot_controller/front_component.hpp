@@ -1,5 +1,6 @@
 // A component of a bridge that says what it gets and sends.
 #pragma once
+#include "support/message_event.hpp"
 #include "support/robot_messages.hpp"
 #include "support/say.hpp"
 #include <jauscat/bridge/component.hpp>
@@ -26,7 +27,7 @@ struct said_messages {
     void operator()(std::span<const std::byte> message) const {
         const auto head = jauscat::jaus::split(message).header;
         out(message);
-        if (!is_pulse(head)) say("sent " + jauscat::text::summary(head));
+        if (!is_pulse(head)) say(events::message_sent, message_members(head), "sent " + jauscat::text::summary(head));
     }
 };
 
@@ -47,7 +48,8 @@ class front_component {
         if (!is_pulse(head)) show_received(head, body);
         const said_messages said{say_, out};
         const auto what = unit_.on_message(head, body, now, said, application);
-        if (what == jauscat::jaus::component_outcome::repeated) say_(std::string{describe(what)});
+        if (what == jauscat::jaus::component_outcome::repeated)
+            say_(events::message_repeated, message_members(head), std::string{describe(what)});
         return what;
     }
     void on_time(time now, jauscat::jaus::message_sink out) { unit_.on_time(now, out); }
@@ -59,11 +61,13 @@ class front_component {
         std::array<std::byte, jauscat::jaus::header_size + jauscat::jaus::max_body_size> message{};
         const auto size = jauscat::jaus::join(head, body, message);
         if (size)
-            say_("received " + jauscat::text::summary(jauscat::jaus::split(bytes{message}.first(size.size())).header),
+            say_(events::message_received, message_members(head, body),
+                 "received " + jauscat::text::summary(jauscat::jaus::split(bytes{message}.first(size.size())).header),
                  jauscat::text::annotate_message(bytes{message}.first(size.size()), robot_messages{}));
         else
-            say_("received " + jauscat::text::message_name(head.command_code) + ", a large data set of " +
-                 std::to_string(body.size()) + " bytes, from " + jauscat::text::to_text(head.source));
+            say_(events::message_received, message_members(head) + event_members{{"large_body", body.size()}},
+                 "received " + jauscat::text::message_name(head.command_code) + ", a large data set of " +
+                     std::to_string(body.size()) + " bytes, from " + jauscat::text::to_text(head.source));
     }
 
     speaker say_;

@@ -44,75 +44,170 @@ class narrator {
         failure_.clear();
         const auto& identity = record.identity;
         if (!ready || !slave.options().cyclic)
-            say_(name(slave) + " is in PRE-OP: vendor " + jauscat::text::hex_number(identity.vendor, 8) + ", product " +
-                 jauscat::text::hex_number(identity.product, 8));
-        if (ready && slave.options().cyclic) say_(name(slave) + " is in OP");
+            say_(events::slave_up,
+                 station(slave) +
+                     event_members{{"state", "pre_op"}, {"vendor", identity.vendor}, {"product", identity.product}},
+                 name(slave) + " is in PRE-OP: vendor " + jauscat::text::hex_number(identity.vendor, 8) + ", product " +
+                     jauscat::text::hex_number(identity.product, 8));
+        if (ready && slave.options().cyclic)
+            say_(events::slave_up, station(slave) + event_members{{"state", "op"}}, name(slave) + " is in OP");
     }
     void bring_up_failed(const bridge::slave_front& slave, const jauscat::ethercat::master_error& why) {
         const auto text = explain(why);
-        if (std::exchange(failure_, text) != text) say_.bad(name(slave) + " cannot be brought up: " + text);
+        if (std::exchange(failure_, text) != text)
+            say_.bad(events::bring_up_failed, station(slave) + reason(why),
+                     name(slave) + " cannot be brought up: " + text);
     }
     void slave_lost(const bridge::slave_front& slave, bridge::loss what, const jauscat::ethercat::master_error& why) {
         if (!slave.up() && what == bridge::loss::no_process_data) {
             const auto text = explain(why);
-            if (std::exchange(failure_, text) != text) say_.bad(name(slave) + ": no process data: " + text);
+            if (std::exchange(failure_, text) != text)
+                say_.bad(events::no_process_data, station(slave) + reason(why),
+                         name(slave) + ": no process data: " + text);
             return;
         }
-        say_.bad(name(slave) + ' ' + loss_text(what, slave.options().cyclic) + ": " + explain(why));
+        say_.bad(events::slave_lost, station(slave) + event_members{{"loss", loss_name(what)}} + reason(why),
+                 name(slave) + ' ' + loss_text(what, slave.options().cyclic) + ": " + explain(why));
     }
     void slave_emergency(const bridge::slave_front& slave, const jauscat::ethercat::coe_emergency& emergency) {
-        say_.bad("emergency of " + name(slave) + ": error code " + jauscat::text::hex_number(emergency.error_code, 4) +
-                 ", error register " + jauscat::text::hex_number(emergency.error_register, 2) + ", data " +
-                 jauscat::text::hex(emergency.data));
+        say_.bad(events::slave_emergency,
+                 station(slave) + event_members{{"error_code", emergency.error_code},
+                                                {"error_register", emergency.error_register},
+                                                {"data", jauscat::text::hex(emergency.data)}},
+                 "emergency of " + name(slave) + ": error code " + jauscat::text::hex_number(emergency.error_code, 4) +
+                     ", error register " + jauscat::text::hex_number(emergency.error_register, 2) + ", data " +
+                     jauscat::text::hex(emergency.data));
     }
     void no_keep_alive(const bridge::slave_front& slave, const bridge::refusal_reason& why) {
-        say_.bad(name(slave) + " takes no Report Heartbeat Pulse (" + refusal_text(slave, why) +
-                 "): it does not stop by itself if this program ends without a word");
+        say_.bad(events::no_keep_alive, station(slave) + reason(why),
+                 name(slave) + " takes no Report Heartbeat Pulse (" + refusal_text(slave, why) +
+                     "): it does not stop by itself if this program ends without a word");
     }
 
     void changed_state(const bridge::component& unit, jauscat::jaus::primary_status_code from,
                        jauscat::jaus::primary_status_code to) {
-        say_(name(unit) + ": " + jauscat::text::to_text(from) + " -> " + jauscat::text::to_text(to));
+        say_(events::state_changed,
+             {{"address", name(unit)}, {"from", jauscat::text::to_text(from)}, {"to", jauscat::text::to_text(to)}},
+             name(unit) + ": " + jauscat::text::to_text(from) + " -> " + jauscat::text::to_text(to));
     }
     void changed_controller(const bridge::component& unit, jauscat::jaus::control_change) {
         const auto& now = unit.control().controller();
-        say_(name(unit) + " is controlled by " +
-             (now ? jauscat::text::to_text(now->address) + ", authority " + std::to_string(now->authority_code)
-                  : "nobody"));
+        if (now)
+            say_(events::controller_taken,
+                 {{"address", name(unit)},
+                  {"controller", jauscat::text::to_text(now->address)},
+                  {"authority", now->authority_code}},
+                 name(unit) + " is controlled by " + jauscat::text::to_text(now->address) + ", authority " +
+                     std::to_string(now->authority_code));
+        else
+            say_(events::controller_gone, {{"address", name(unit)}}, name(unit) + " is controlled by nobody");
     }
-    void owed(const bridge::component& unit, bridge::stop_order, bridge::stop_cause why) {
+    void owed(const bridge::component& unit, bridge::stop_order what, bridge::stop_cause why) {
         const auto when = unit.front().up() ? ": efforts go to zero" : ": efforts go to zero when the slave is back";
-        say_(name(unit) + ": " + cause_text(unit, why) + when);
+        say_(events::stop_owed,
+             {{"address", name(unit)},
+              {"order", order_name(what)},
+              {"cause", cause_name(why)},
+              {"state", jauscat::text::to_text(unit.state())},
+              {"slave_up", unit.front().up()}},
+             name(unit) + ": " + cause_text(unit, why) + when);
     }
     void stop_refused(const bridge::component& unit, bridge::stop_order what, const bridge::refusal_reason& why,
                       unsigned attempts) {
         if (attempts != 1 && attempts != 10 && attempts % 100 != 0) return;
-        say_.bad(name(unit) + ": the slave has not confirmed " + order_text(what) + ", attempt " +
-                 std::to_string(attempts) + ": " + refusal_text(unit.front(), why) + "; it is repeated");
+        say_.bad(events::stop_refused,
+                 event_members{{"address", name(unit)}, {"order", order_name(what)}, {"attempt", attempts}} +
+                     station(unit.front()) + reason(why),
+                 name(unit) + ": the slave has not confirmed " + order_text(what) + ", attempt " +
+                     std::to_string(attempts) + ": " + refusal_text(unit.front(), why) + "; it is repeated");
     }
-    void settled(const bridge::component& unit) { say_(name(unit) + ": the slave has confirmed"); }
+    void settled(const bridge::component& unit) {
+        say_(events::stop_confirmed, {{"address", name(unit)}}, name(unit) + ": the slave has confirmed");
+    }
 
     void translated(const bridge::slave_front&, std::span<const std::byte> packet) {
-        say_("translated to an SDO download packet", packet_text(packet));
+        say_(events::packet_translated, packet_members(packet), "translated to an SDO download packet",
+             packet_text(packet));
     }
     void asks_report(const bridge::slave_front&, std::span<const std::byte> packet) {
-        say_("asks for the report by an SDO upload packet, " + upload_text(packet));
+        say_(events::report_requested, upload_members(packet),
+             "asks for the report by an SDO upload packet, " + upload_text(packet));
     }
     void into_image(const bridge::slave_front&, std::uint32_t count, std::span<const std::byte> outputs) {
-        say_("into the process image, command " + std::to_string(count) + ": " + jauscat::text::hex(outputs));
+        say_(events::image_written, {{"command", count}, {"outputs", jauscat::text::hex(outputs)}},
+             "into the process image, command " + std::to_string(count) + ": " + jauscat::text::hex(outputs));
     }
     void from_image(const bridge::slave_front&, std::span<const std::byte> inputs) {
-        say_("answers from the process image: " + jauscat::text::hex(inputs));
+        say_(events::image_read, {{"inputs", jauscat::text::hex(inputs)}},
+             "answers from the process image: " + jauscat::text::hex(inputs));
     }
-    void refused(const bridge::component& unit, const jauscat::jaus::header&, const bridge::refusal_reason& why) {
-        say_.bad("not delivered to " + name(unit) + ": " +
-                 (why.why == bridge::refusal::slave_down ? name(unit.front()) + " does not answer"
-                                                         : refusal_text(unit.front(), why)));
+    void refused(const bridge::component& unit, const jauscat::jaus::header& message,
+                 const bridge::refusal_reason& why) {
+        say_.bad(events::not_delivered,
+                 event_members{{"address", name(unit)}, {"code", message.command_code}} + station(unit.front()) +
+                     reason(why),
+                 "not delivered to " + name(unit) + ": " +
+                     (why.why == bridge::refusal::slave_down ? name(unit.front()) + " does not answer"
+                                                             : refusal_text(unit.front(), why)));
     }
 
   private:
     static std::string name(const bridge::component& unit) { return jauscat::text::to_text(unit.self()); }
     static std::string name(const bridge::slave_front& slave) { return "slave " + std::to_string(slave.station()); }
+
+    // Members of the events.
+    static event_members station(const bridge::slave_front& slave) { return {{"station", slave.station()}}; }
+    static event_members reason(const jauscat::ethercat::master_error& why) { return {{"reason", explain(why)}}; }
+    /// `status` is ulSta, `error` a number of translate::errc; 0 where they say nothing.
+    static event_members reason(const bridge::refusal_reason& why) {
+        return {{"refusal", refusal_name(why.why)},
+                {"status", why.status},
+                {"abort_code", jauscat::hilscher::abort_of(why.status)},
+                {"error", why.error}};
+    }
+    static const char* loss_name(bridge::loss what) {
+        switch (what) {
+        case bridge::loss::no_answer: return "no_answer";
+        case bridge::loss::no_station: return "no_station";
+        case bridge::loss::left_state: return "left_state";
+        case bridge::loss::no_process_data: return "no_process_data";
+        }
+        return "unknown";
+    }
+    static const char* cause_name(bridge::stop_cause why) {
+        switch (why) {
+        case bridge::stop_cause::state: return "state";
+        case bridge::stop_cause::controller_lost: return "controller_lost";
+        case bridge::stop_cause::slave_away: return "slave_away";
+        case bridge::stop_cause::slave_back: return "slave_back";
+        case bridge::stop_cause::not_taken: return "not_taken";
+        case bridge::stop_cause::program_ends: return "program_ends";
+        }
+        return "unknown";
+    }
+    static const char* order_name(bridge::stop_order what) {
+        switch (what) {
+        case bridge::stop_order::rest: return "rest";
+        case bridge::stop_order::emergency: return "emergency";
+        case bridge::stop_order::clear_emergency: return "clear_emergency";
+        }
+        return "unknown";
+    }
+    static const char* refusal_name(bridge::refusal why) {
+        switch (why) {
+        case bridge::refusal::slave_down: return "slave_down";
+        case bridge::refusal::queue_full: return "queue_full";
+        case bridge::refusal::too_large: return "too_large";
+        case bridge::refusal::expired: return "expired";
+        case bridge::refusal::superseded: return "superseded";
+        case bridge::refusal::stopped: return "stopped";
+        case bridge::refusal::not_translated: return "not_translated";
+        case bridge::refusal::by_slave: return "by_slave";
+        case bridge::refusal::not_taken: return "not_taken";
+        case bridge::refusal::stale: return "stale";
+        }
+        return "unknown";
+    }
 
     static std::string loss_text(bridge::loss what, bool cyclic) {
         switch (what) {

@@ -1,5 +1,7 @@
 // Colours for people: on a terminal that has them, and not where NO_COLOR is set (no-color.org).
 #pragma once
+#include "support/log_format.hpp"
+
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -20,7 +22,8 @@ inline const palette& colours(int stream = STDOUT_FILENO) {
         const char* const value = std::getenv(name);
         return std::string_view{value != nullptr ? value : ""};
     };
-    const bool wanted = ::isatty(stream) == 1 && says("NO_COLOR").empty() && says("TERM") != "dumb";
+    const bool wanted = chosen_log_format() == log_format::text && ::isatty(stream) == 1 && says("NO_COLOR").empty() &&
+                        says("TERM") != "dumb";
     return wanted ? coloured : plain;
 }
 

@@ -1,6 +1,7 @@
 // What the example programs share: options, a `main` that turns exceptions into a message and an exit code, Ctrl-C.
 #pragma once
 #include "support/colour.hpp"
+#include "support/log.hpp"
 #include <jauscat/net.hpp>
 #include <jauscat/version.hpp>
 
@@ -56,6 +57,22 @@ inline std::string complaint(const boost::program_options::validation_error& err
     return name + " must be 0 to 65535, in decimal";
 }
 
+/// For programs that can log as JSON; `parse` looks at it.
+inline void add_log_option(boost::program_options::options_description& options) {
+    namespace po = boost::program_options;
+    options.add_options()("log-format", po::value<std::string>()->default_value("text"),
+                          "text or json: one object a line, see docs/log-events.md");
+}
+/// What --log-format says also where the rest of the command line is wrong.
+inline void choose_log_format(int argc, char** argv, const boost::program_options::options_description& options) {
+    if (options.find_nothrow("log-format", false) == nullptr) return;
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word{argv[i]}, next{i + 1 < argc ? argv[i + 1] : ""};
+        if (word == "--log-format=json" || (word == "--log-format" && next == "json"))
+            chosen_log_format() = log_format::json;
+    }
+}
+
 /// Parses the command line, which also has --help and --version: prints what they ask for and ends the program. `help`
 /// begins with the program's name: "ocu: commands the efforts ...".
 inline boost::program_options::variables_map
@@ -63,6 +80,7 @@ parse(int argc, char** argv, const boost::program_options::options_description& 
       const boost::program_options::positional_options_description& positional = {}) {
     namespace po = boost::program_options;
     constexpr unsigned width = 119; // that of the help texts
+    choose_log_format(argc, argv, options);
     po::options_description all{bold("Options"), width};
     all.add_options()("help,h", "show this text")("version", "show the version of JausCat");
     for (const auto& each : options.options()) all.add(each);
@@ -76,6 +94,12 @@ parse(int argc, char** argv, const boost::program_options::options_description& 
         throw usage_error{complaint(error, all)};
     } catch (const po::error& error) {
         throw usage_error{error.what()};
+    }
+    if (values.count("log-format") != 0) {
+        const auto& format = values["log-format"].as<std::string>();
+        if (format != "text" && format != "json")
+            throw usage_error{"--log-format must be text or json, not '" + format + "'"};
+        chosen_log_format() = format == "json" ? log_format::json : log_format::text;
     }
     const auto title = help.find(':');
     const auto name = help.substr(0, title);
@@ -91,24 +115,26 @@ parse(int argc, char** argv, const boost::program_options::options_description& 
     return values;
 }
 
-inline void say_error(const char* name, const std::exception& error) {
+/// `more`: lines below, each with its end.
+inline void say_error(const char* name, event_kind kind, const std::exception& error, const std::string& more = {}) {
     const auto& colour = colours(STDERR_FILENO);
-    std::cerr << colour.bad << name << ": " << error.what() << colour.end << "\n";
+    std::cerr << log_lines(kind, {},
+                           colour.bad + (name + (": " + std::string{error.what()})) + colour.end + "\n" + more);
 }
 
 /// Runs `program`, and says on standard error why it ended early.
 int run(const char* name, auto&& program) {
+    program_name() = name;
     std::setvbuf(stdout, nullptr, _IOLBF,
                  4096); // a line is seen, whole, when it is written: in a terminal and in a log
     try {
         stop_on_signals();
         return program();
     } catch (const usage_error& error) {
-        say_error(name, error);
-        std::cerr << "Try '" << name << " --help'.\n";
+        say_error(name, events::usage_error, error, "Try '" + std::string{name} + " --help'.\n");
         return usage;
     } catch (const std::exception& error) {
-        say_error(name, error);
+        say_error(name, events::failed, error);
         return failure;
     }
 }

@@ -1,6 +1,7 @@
 // What the threads of a program say: whole lines, those of one thread at a time.
 #pragma once
 #include "support/colour.hpp"
+#include "support/log.hpp"
 #include <jauscat/net/rate_limit.hpp>
 
 #include <chrono>
@@ -8,6 +9,7 @@
 #include <iostream>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -20,19 +22,21 @@ inline void write_lines(const std::string& lines) {
     std::cout << lines;
 }
 
-/// Limits the lines that peers cause a program to write: 20 entries a second of each cause, 100 at once.
-class line_limit {
+/// Writes an event; `text`: its lines for an operator, each with its end.
+inline void write_event(event_kind kind, const event_members& members, const std::string& text) {
+    write_lines(log_lines(kind, members, text));
+}
+
+/// Limits the events that peers cause a program to write: 20 a second of each cause, 100 at once.
+class event_limit {
   public:
-    /// The lines to write, with the number of those that were left out in front; empty where the cause is at its limit.
-    std::string operator()(std::string cause, const std::string& lines) {
+    /// The number of events of this cause that were left out before this one; nothing where the cause is at its limit.
+    std::optional<std::uint64_t> admit(std::string cause) {
         if (causes_.size() == most && !causes_.contains(cause)) cause.clear();
         auto& [bucket, left_out] = causes_[cause];
-        if (!bucket.take(limit, std::chrono::steady_clock::now().time_since_epoch())) {
-            ++left_out;
-            return {};
-        }
-        const auto count = std::exchange(left_out, 0);
-        return count == 0 ? lines : "(" + std::to_string(count) + " such were left out)\n" + lines;
+        if (bucket.take(limit, std::chrono::steady_clock::now().time_since_epoch())) return std::exchange(left_out, 0);
+        ++left_out;
+        return std::nullopt;
     }
 
   private:
@@ -45,26 +49,35 @@ class line_limit {
     std::map<std::string, state> causes_{};
 };
 
-/// Writes lines as write_lines does, if the cause is not at its limit.
-inline void write_limited(const std::string& cause, const std::string& lines) {
+/// Writes an event as write_event does, if the cause is not at its limit.
+inline void write_limited(const std::string& cause, event_kind kind, const event_members& members,
+                          const std::string& text) {
     static std::mutex one_at_a_time;
-    static line_limit limit;
+    static event_limit limit;
     const std::scoped_lock lock{one_at_a_time};
-    if (const auto shown = limit(cause, lines); !shown.empty()) write_lines(shown);
+    if (const auto left_out = limit.admit(cause)) write_lines(log_lines(kind, members, text, *left_out));
 }
 
 /// Says lines that begin with a name.
 class speaker {
   public:
-    explicit speaker(std::string name) : name_{std::move(name)} {}
+    /// `about`: members of each event.
+    explicit speaker(std::string name, event_members about = {}) : name_{std::move(name)}, about_{std::move(about)} {}
 
     /// `more`: lines that belong below, each with its end.
-    void operator()(const std::string& line, const std::string& more = {}) const {
-        write_limited(cause_of(line), name_ + ": " + line + "\n" + more);
+    void operator()(event_kind kind, const event_members& members, const std::string& line,
+                    const std::string& more = {}) const {
+        write_limited(cause_of(line), kind, about_ + members, name_ + ": " + line + "\n" + more);
     }
     /// What one waits for, and what one has to look at.
-    void good(const std::string& line) const { (*this)(example::good(line)); }
-    void bad(const std::string& line) const { (*this)(example::bad(line)); }
+    void good(event_kind kind, const event_members& members, const std::string& line) const {
+        (*this)(kind, members, example::good(line));
+    }
+    void bad(event_kind kind, const event_members& members, const std::string& line) const {
+        (*this)(kind, members, example::bad(line));
+    }
+    /// Members of each event.
+    [[nodiscard]] const event_members& about() const noexcept { return about_; }
 
   private:
     /// Lines with the same first word, numbers aside, have the same cause.
@@ -75,6 +88,7 @@ class speaker {
     }
 
     std::string name_;
+    event_members about_;
 };
 
 } // namespace example

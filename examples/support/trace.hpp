@@ -42,8 +42,28 @@ inline std::string upload_text(std::span<const std::byte> bytes) {
            ", ulSubIndex = " + std::to_string(fields.ul_sub_index);
 }
 
-/// One line for the SDO that a mailbox holds, or empty if there is none.
-inline std::string sdo_text(std::span<const std::byte> mailbox) {
+/// Members of an event about an SDO download packet, or an upload packet.
+inline event_members packet_members(std::span<const std::byte> bytes) {
+    using packet = jauscat::hilscher::sdo_download_request;
+    packet fields{};
+    const auto used = jauscat::wire::decode_prefix(fields, bytes);
+    if (!used) return {};
+    return {{"dest", fields.head.ul_dest},
+            {"node_id", fields.ul_node_id},
+            {"index", fields.ul_index},
+            {"subindex", fields.ul_sub_index},
+            {"data_count", fields.ul_data_cnt},
+            {"length", fields.head.ul_len},
+            {"data", jauscat::text::hex(bytes.subspan(used.size()))}};
+}
+inline event_members upload_members(std::span<const std::byte> bytes) {
+    jauscat::hilscher::sdo_upload_request fields{};
+    if (!jauscat::wire::decode_prefix(fields, bytes)) return {};
+    return {{"node_id", fields.ul_node_id}, {"index", fields.ul_index}, {"subindex", fields.ul_sub_index}};
+}
+
+/// One line for the SDO that a mailbox holds, or empty if there is none; `members` get what it says.
+inline std::string sdo_text(std::span<const std::byte> mailbox, event_members& members) {
     namespace ethercat = jauscat::ethercat;
     ethercat::mailbox_header mail{};
     ethercat::coe_header coe{};
@@ -60,17 +80,26 @@ inline std::string sdo_text(std::span<const std::byte> mailbox) {
     if (!sdo_used) return {};
     const auto& head = sdo.header;
     const bool request = coe.service == ethercat::coe_service::sdo_request;
+    members.insert(members.end(), {{"mailbox_length", mail.length}, {"counter", mail.counter}});
     const auto object = std::to_string(head.index) + ":" + std::to_string(head.subindex);
-    if (head.specifier == ethercat::sdo_specifier::abort)
+    if (head.specifier == ethercat::sdo_specifier::abort) {
+        members.insert(
+            members.end(),
+            {{"kind", "abort"}, {"index", head.index}, {"subindex", head.subindex}, {"abort_code", sdo.size}});
         return "SDO abort of " + object + ": " + std::string{describe(static_cast<ethercat::abort_code>(sdo.size))};
+    }
     using enum ethercat::sdo_specifier;
     const bool segment = request
                              ? head.specifier == download_segment_request || head.specifier == upload_segment_request
                              : head.specifier == upload_segment_response || head.specifier == download_segment_response;
-    if (segment) // names no object
+    if (segment) { // names no object
+        members.emplace_back("kind", request ? "segment_request" : "segment_response");
         return std::string{"SDO segment "} + (request ? "request" : "response") + ", mailbox length " +
                std::to_string(mail.length) + ", counter " + std::to_string(mail.counter) + "\n    " +
                jauscat::text::hex(body);
+    }
+    members.insert(members.end(),
+                   {{"kind", request ? "request" : "response"}, {"index", head.index}, {"subindex", head.subindex}});
     const bool has_data = head.size_indicated && !head.expedited;
     return std::string{"SDO "} + (request ? "request" : "response") + " for object " + object + ", mailbox length " +
            std::to_string(mail.length) + ", counter " + std::to_string(mail.counter) +
@@ -80,19 +109,20 @@ inline std::string sdo_text(std::span<const std::byte> mailbox) {
 /// A link that says each SDO that passes. Models the link concept over any other link.
 template <class Link> class traced_link {
   public:
-    /// `who` stands in front of each line.
-    explicit traced_link(Link& link, std::string who = {}) : link_{link}, who_{std::move(who)} {}
+    /// `who` stands in front of each line; `about` are members of each event.
+    explicit traced_link(Link& link, std::string who = {}, event_members about = {})
+        : link_{link}, who_{std::move(who)}, about_{std::move(about)} {}
 
     /// While this says so, nothing is shown.
     std::function<bool()> is_quiet{};
 
     bool send(std::span<const std::byte> frame) {
-        show("  -> ", frame, jauscat::ethercat::command::fpwr);
+        show(events::sdo_sent, "  -> ", frame, jauscat::ethercat::command::fpwr);
         return link_.send(frame);
     }
     std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
         const std::size_t size = link_.receive(buffer, timeout);
-        if (size != 0) show("  <- ", buffer.first(size), jauscat::ethercat::command::fprd);
+        if (size != 0) show(events::sdo_received, "  <- ", buffer.first(size), jauscat::ethercat::command::fprd);
         return size;
     }
 
@@ -100,16 +130,18 @@ template <class Link> class traced_link {
     [[nodiscard]] const std::string& problem() const { return link_.problem(); }
 
   private:
-    void show(const char* arrow, std::span<const std::byte> frame, jauscat::ethercat::command mailbox_command) const {
+    void show(event_kind kind, const char* arrow, std::span<const std::byte> frame,
+              jauscat::ethercat::command mailbox_command) const {
         jauscat::ethercat::frame_view datagrams;
         if ((is_quiet && is_quiet()) || !datagrams.parse(frame)) return;
         for (const auto& datagram : datagrams) {
             if (datagram.header.cmd != mailbox_command || datagram.header.ado < first_ram_address) continue;
             if (mailbox_command == jauscat::ethercat::command::fprd && datagram.working_counter == 0)
                 continue; // a poll
-            const auto text = sdo_text(datagram.data);
+            event_members members = about_ + event_members{{"station", datagram.header.adp}};
+            const auto text = sdo_text(datagram.data, members);
             if (!text.empty())
-                write_limited(who_ + arrow,
+                write_limited(who_ + arrow, kind, members,
                               who_ + arrow + "station " + std::to_string(datagram.header.adp) + ": " + text + "\n");
         }
     }
@@ -117,6 +149,7 @@ template <class Link> class traced_link {
 
     Link& link_;
     std::string who_;
+    event_members about_;
 };
 
 } // namespace example

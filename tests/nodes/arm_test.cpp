@@ -27,7 +27,7 @@ constexpr std::uint16_t station = 2;
 // The arm and its master.
 struct robot {
     std::vector<std::string> said{};
-    example::arm arm{[this](const std::string& line) { said.push_back(line); }, [] {}};
+    example::arm arm{[this](auto, const auto&, const std::string& line) { said.push_back(line); }, [] {}};
     std::uint16_t at; // its station address
     example::arm_application<table> application;
     bridge::listed_objects objects{application.objects, application};

@@ -3,7 +3,7 @@
 namespace simulation {
 
 void arm_unit::power_on() {
-    arm_.emplace([](const std::string&) {}, [this] { tell_efforts(); });
+    arm_.emplace([](auto&&...) {}, [this] { tell_efforts(); });
     application_.emplace(subsystem, *arm_);
     process_data_.emplace(*arm_);
     watch_.emplace(*arm_, command_timeout);

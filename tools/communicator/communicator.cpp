@@ -2,6 +2,7 @@
 #include "line_source.hpp"
 #include "message_kinds/message_kinds.hpp"
 #include "support/component_of.hpp"
+#include "support/message_event.hpp"
 #include "support/program.hpp"
 #include "support/repeated_lines.hpp"
 #include "support/say.hpp"
@@ -13,6 +14,7 @@
 
 namespace {
 
+namespace events = example::events;
 namespace jaus = jauscat::jaus;
 namespace net = jauscat::net;
 namespace text = jauscat::text;
@@ -55,8 +57,12 @@ class communicator {
         core_.change(jaus::state_event::initialized);
         node_.add(core_, application_);
         node_.start();
-        show("communicator: " + text::to_text(self_) + " of " + config.this_system + " at " + net_address(config.me()) +
-             "; help tells what can be typed\n");
+        show(events::ready,
+             {{"address", text::to_text(self_)},
+              {"system", config.this_system},
+              {"endpoint", net::detail::text(config.me().endpoint())}},
+             "communicator: " + text::to_text(self_) + " of " + config.this_system + " at " + net_address(config.me()) +
+                 "; help tells what can be typed\n");
     }
 
     /// Until the user quits, the input ends or a signal comes. True if nothing went wrong.
@@ -71,12 +77,13 @@ class communicator {
             net::run_until(context_, 10ms, [] { return example::stop_requested.load(); });
             std::erase_if(awaited_, [this](const awaited_report& report) {
                 if (now() < report.until) return false;
-                wrong("no " + text::message_name(report.command_code) + " from " + text::to_text(report.from));
+                wrong(events::no_answer, {{"code", report.command_code}, {"address", text::to_text(report.from)}},
+                      "no " + text::message_name(report.command_code) + " from " + text::to_text(report.from));
                 return true;
             });
         }
         node_.stop();
-        show("communicator: stopped; " + summary(node_.counts()) + "\n");
+        show(events::stopped, counts(), "communicator: stopped; " + summary(node_.counts()) + "\n");
         return !any_wrong_;
     }
 
@@ -87,19 +94,30 @@ class communicator {
         jaus::address from{};
         time until{};
     };
-    void on_state(jaus::primary_status_code, jaus::primary_status_code to) {
-        tell("state", "state: " + state_name(to) + "\n");
+    void on_state(jaus::primary_status_code from, jaus::primary_status_code to) {
+        tell("state", events::state_changed,
+             {{"address", text::to_text(self_)}, {"from", state_name(from)}, {"to", state_name(to)}},
+             "state: " + state_name(to) + "\n");
     }
     void on_controller(const std::optional<jaus::controller>& who, jaus::control_change) {
-        tell("controller", who ? "controlled by " + text::to_text(who->address) + "\n" : "controlled by nobody\n");
+        const auto self = text::to_text(self_);
+        if (who)
+            tell("controller", events::controller_taken,
+                 {{"address", self}, {"controller", text::to_text(who->address)}, {"authority", who->authority_code}},
+                 "controlled by " + text::to_text(who->address) + "\n");
+        else
+            tell("controller", events::controller_gone, {{"address", self}}, "controlled by nobody\n");
     }
     void on_delivered(const jaus::awaited_message& m, jaus::delivered what) {
         const auto line = text::message_name(m.header.command_code) + " to " + text::to_text(m.header.destination) +
                           ": " + std::string{describe(what)};
+        const example::event_members members{{"code", m.header.command_code},
+                                             {"destination", text::to_text(m.header.destination)},
+                                             {"result", result_name(what)}};
         if (what == jaus::delivered::acknowledged)
-            show(line + "\n");
+            show(events::delivery, members, line + "\n");
         else
-            wrong(line);
+            wrong(events::delivery, members, line);
     }
     jaus::component_hooks hooks() {
         return {.on_state = jaus::bound<&communicator::on_state>(*this),
@@ -117,6 +135,30 @@ class communicator {
         }
     };
 
+    static const char* result_name(jaus::delivered what) {
+        switch (what) {
+        case jaus::delivered::acknowledged: return "acknowledged";
+        case jaus::delivered::refused: return "refused";
+        case jaus::delivered::timed_out: return "timed_out";
+        }
+        return "unknown";
+    }
+    /// Those of the socket that are not 0.
+    [[nodiscard]] example::event_members counts() const {
+        example::event_members made;
+        const auto all = node_.counts();
+        for (const auto& [name, value] : net::udp_counter_list)
+            if (all.*value != 0) made.emplace_back(counter_name(name), all.*value);
+        return made;
+    }
+    /// `unknown peer`: unknown_peer.
+    static std::string_view counter_name(std::string_view name) {
+        if (name == "unknown peer") return "unknown_peer";
+        if (name == "wrong sender") return "wrong_sender";
+        if (name == "rate-limited") return "rate_limited";
+        if (name == "would block") return "would_block";
+        return name;
+    }
     static std::string state_name(jaus::primary_status_code state) { return std::string{text::enumerator_name(state)}; }
     static std::string padded(std::string text, std::size_t width) {
         text.resize(std::max(text.size() + 1, width), ' ');
@@ -134,26 +176,38 @@ class communicator {
 
     net::jaus_node_options with_hooks(net::jaus_node_options options) {
         options.log = [this](std::string_view line) {
-            const auto shown = log_lines_.shown(line);
-            if (shown || log_) show("log: " + shown.value_or(std::string{line}) + "\n"); // the node limits them
+            const auto times = log_lines_.shown(line);
+            if (times || log_) // the node limits them
+                show(events::node_log, {{"line", line}, {"times", times.value_or(1)}},
+                     "log: " + log_lines_.text(line, times.value_or(1)) + "\n");
         };
         options.on_message = [this](const jaus::address& component, const jaus::header& head,
                                     std::span<const std::byte> body,
                                     jaus::component_outcome what) { seen(component, head, body, what); };
-        options.appeared = [this](const jaus::address& who) { tell("presence", text::to_text(who) + " is there\n"); };
-        options.disappeared = [this](const jaus::address& who) { tell("presence", text::to_text(who) + " is gone\n"); };
+        options.appeared = [this](const jaus::address& who) {
+            tell("presence", events::peer_heard, {{"address", text::to_text(who)}}, text::to_text(who) + " is there\n");
+        };
+        options.disappeared = [this](const jaus::address& who) {
+            tell("presence", events::peer_lost, {{"address", text::to_text(who)}}, text::to_text(who) + " is gone\n");
+        };
         options.explain_malformed = &why_malformed;
         return options;
     }
-    void show(const std::string& text) { input_->show(text); }
-    /// A line caused by a peer, limited: a peer may send without end.
-    void tell(const std::string& cause, const std::string& lines) {
-        if (const auto shown = limit_(cause, lines); !shown.empty()) show(shown);
+    void show(example::event_kind kind, const example::event_members& members, const std::string& lines,
+              std::uint64_t left_out = 0) {
+        input_->show(example::log_lines(kind, members, lines, left_out));
     }
-    void wrong(const std::string& line) {
+    /// An event caused by a peer, limited: a peer may send without end.
+    void tell(const std::string& cause, example::event_kind kind, const example::event_members& members,
+              const std::string& lines) {
+        if (const auto left_out = limit_.admit(cause)) show(kind, members, lines, *left_out);
+    }
+    void wrong(example::event_kind kind, const example::event_members& members, const std::string& line) {
         any_wrong_ = true;
-        show(example::bad(line) + "\n");
+        show(kind, members, example::bad(line) + "\n");
     }
+    /// A line of the user that cannot be obeyed.
+    void wrong(const std::string& line) { wrong(events::line_refused, {}, line); }
 
     void seen(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
               jaus::component_outcome what) {
@@ -166,7 +220,9 @@ class communicator {
         auto lines = example::bold(first) + "\n";
         const auto* const kind = find_kind(head.command_code);
         if (!body.empty()) lines += kind != nullptr ? kind->to_text(body, 0) : text::hex_dump(body);
-        tell("received", lines);
+        tell("received", events::message_received,
+             example::message_members(head, body) + example::event_members{{"result", std::string{describe(what)}}},
+             lines);
     }
 
     void obey(const std::string& line) {
@@ -177,11 +233,11 @@ class communicator {
         if (verb == "send" && all.size() >= 3) return send(all);
         if (verb == "send") return wrong("send WHOM MESSAGE [FIELD=VALUE ...], such as: send b query_component_status");
         if (verb == "exit" || verb == "quit" || verb == "q") return quit();
-        if (verb == "help") return show(commands);
+        if (verb == "help") return show(events::command_help, {}, commands);
         if (verb == "peers") return peers();
         if (verb == "log" && all.size() == 2 && (all[1] == "on" || all[1] == "off")) {
             log_ = all[1] == "on";
-            return show("log " + all[1] + "\n");
+            return show(events::log_switched, {{"on", log_}}, "log " + all[1] + "\n");
         }
         if (verb == "wait" && all.size() == 2) {
             char* end{};
@@ -217,40 +273,45 @@ class communicator {
         if (report == 0 && to_one && body.size() <= jaus::max_body_size)
             send_acknowledged(head, body);
         else if (const auto sent = node_.send(head, std::span<const std::byte>{body}); !sent)
-            wrong(sent.problem());
+            wrong(events::not_sent, {{"code", head.command_code}}, sent.problem());
         else {
-            show("sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
+            show(events::message_sent, example::message_members(head, body),
+                 "sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
             if (report != 0 && to_one) awaited_.push_back({report, head.destination, now() + 2s});
         }
     }
     void send_acknowledged(const jaus::header& head, std::span<const std::byte> body) {
         std::array<std::byte, jaus::header_size + jaus::max_body_size> message{};
         const auto size = jaus::join(head, body, message);
-        if (!size) return wrong(std::string{describe(size.error())});
-        show("sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
+        if (!size) return wrong(events::not_sent, {{"code", head.command_code}}, std::string{describe(size.error())});
+        show(events::message_sent, example::message_members(head, body),
+             "sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
         const auto what = core_.send(std::span{message}.first(size.size()), now(), node_.out());
-        if (!what) wrong(std::string{describe(what.error)});
+        if (!what) wrong(events::not_sent, {{"code", head.command_code}}, std::string{describe(what.error)});
     }
     void peers() {
-        std::string lines;
-        for (const auto& system : node_.config().systems)
+        std::string lines, names, heard;
+        for (const auto& system : node_.config().systems) {
+            names += (names.empty() ? "" : " ") + system.name;
             lines += "  " + padded(system.name, 12) + padded(net::to_jausip(system.jausip), 17) +
                      padded(net_address(system), 28) + "framing " + std::string{jaus::name(system.framing)} +
                      (system.name == node_.config().this_system ? ", this system" : "") + "\n";
+        }
         if (const auto* const present = node_.present(); present != nullptr && present->size() != 0) {
             lines += "  heard:";
-            present->for_each([&](const jaus::address& who) { lines += ' ' + text::to_text(who); });
-            lines += "\n";
+            present->for_each(
+                [&](const jaus::address& who) { heard += (heard.empty() ? "" : " ") + text::to_text(who); });
+            lines += ' ' + heard + "\n";
         } else
             lines += "  nobody is heard\n";
-        show(lines);
+        show(events::peers, {{"systems", names}, {"heard", heard}}, lines);
     }
 
     std::unique_ptr<line_source> input_;
     jaus::address self_;
     boost::asio::io_context context_{};
     example::repeated_lines log_lines_{};
-    example::line_limit limit_{};
+    example::event_limit limit_{};
     bool log_{}, quitting_{}, any_wrong_{};
     time next_line_at_{};
     std::vector<awaited_report> awaited_{};
@@ -276,6 +337,7 @@ int main(int argc, char** argv) {
             ("open", "accept messages from all senders, for tests")
             ("reuse", "share address and port with other programs (SO_REUSEADDR)");
         // clang-format on
+        example::add_log_option(options);
         const auto values = example::parse(argc, argv, options, help);
         const auto id = [&](const char* name) {
             const auto number = values[name].as<unsigned>();

@@ -266,7 +266,7 @@ int main(int argc, char** argv) {
         try {
             return read_input(example::parse(argc, argv, options, help, positional));
         } catch (const jausdump::input_error& error) {
-            example::say_error("jausdump", error);
+            example::say_error("jausdump", example::events::failed, error);
             return static_cast<int>(example::usage);
         }
     });
