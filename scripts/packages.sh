@@ -26,8 +26,11 @@ need() {
 # Any Boost from 1.74 on is sufficient; Debian's default is installed only if there is none.
 boost_packages() {
     dpkg-query -W -f '${Status} ${Package}\n' 'libboost1.*-dev' 2>/dev/null | grep -q '^install ok installed' || echo libboost-dev
-    dpkg-query -W -f '${Status} ${Package}\n' 'libboost-program-options1.*-dev' 2>/dev/null |
-        grep -q '^install ok installed' || echo libboost-program-options-dev
+    local library
+    for library in program-options filesystem; do
+        dpkg-query -W -f '${Status} ${Package}\n' "libboost-${library}1.*-dev" 2>/dev/null |
+            grep -q '^install ok installed' || echo "libboost-$library-dev"
+    done
 }
 
 # Needed by CMake to configure everything, including the tests.

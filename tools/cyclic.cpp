@@ -175,10 +175,10 @@ class slave_watch {
                                      name + " is in OP again\n");
             } else {
                 stopped_.insert(slave.station);
-                example::write_event(
-                    example::events::slave_stopped,
-                    {{"station", slave.station}, {"condition", describe(status.condition_within(patience_, now))}},
-                    example::bad(name + " does not run: " + reason(status, now)) + "\n");
+                example::write_event(example::events::slave_stopped,
+                                     {{"station", slave.station},
+                                      {"condition", condition_name(status.condition_within(patience_, now))}},
+                                     example::bad(name + " does not run: " + reason(status, now)) + "\n");
             }
         }
     }
@@ -193,6 +193,18 @@ class slave_watch {
                     jauscat::text::hex_number(static_cast<std::uint16_t>(status.al.code), 4) + ", " +
                     std::string{describe(status.al.code)};
         return text;
+    }
+
+    static const char* condition_name(ethercat::slave_condition condition) {
+        switch (condition) {
+        case ethercat::slave_condition::silent: return "silent";
+        case ethercat::slave_condition::running: return "running";
+        case ethercat::slave_condition::incomplete: return "incomplete";
+        case ethercat::slave_condition::not_in_op: return "not_in_op";
+        case ethercat::slave_condition::absent: return "absent";
+        case ethercat::slave_condition::duplicate: return "duplicate";
+        }
+        return "unknown";
     }
 
     const ethercat::master& master_;

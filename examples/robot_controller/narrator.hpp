@@ -162,8 +162,13 @@ class narrator {
     static event_members reason(const bridge::refusal_reason& why) {
         return {{"refusal", refusal_name(why.why)},
                 {"status", why.status},
-                {"abort_code", jauscat::hilscher::abort_of(why.status)},
+                {"abort_code", abort_code_of(why)},
                 {"error", why.error}};
+    }
+    /// Some abort codes have no status of their own.
+    static std::uint32_t abort_code_of(const bridge::refusal_reason& why) {
+        const auto code = jauscat::hilscher::abort_of(why.status);
+        return static_cast<std::uint32_t>(code == jauscat::ethercat::abort_code::none ? why.of_master.abort : code);
     }
     static const char* loss_name(bridge::loss what) {
         switch (what) {
