@@ -121,6 +121,9 @@ template <class Carrier, class... Fields> struct describer<wire::bit_fields<Carr
             }(typename Field::keys{});
             if constexpr (std::is_enum_v<typename Field::value_type>)
                 one.names = names_of<typename Field::value_type>((1U << Field::width) - 1, false);
+            else if constexpr (Field::is_signed)
+                one.range = with_minus(std::to_string(Field::from_bits(std::uint64_t{1} << (Field::width - 1)))) +
+                            " to " + std::to_string((std::uint64_t{1} << (Field::width - 1)) - 1);
             else
                 one.range =
                     (Field::width == 1 ? "0 or " : "0 to ") + std::to_string((std::uint64_t{1} << Field::width) - 1);
@@ -192,6 +195,24 @@ template <auto Member, class Count, class Element> struct describer<wire::repeat
             part element = member_part<Member>(part::kind::value, codec::size, codec::size);
             tell_codec<codec>(element);
             one.name = Element::name();
+            one.owner.clear(); // the member is the value in the element
+            one.parts.push_back(std::move(element));
+        }
+        out.push_back(std::move(one));
+    }
+};
+
+template <auto Member, class Element> struct describer<wire::array<Member, Element>> {
+    static void append(std::vector<part>& out) {
+        using item = wire::array<Member, Element>;
+        part one = member_part<Member>(part::kind::list, item::min_size, item::max_size);
+        one.times = std::to_string(item::length);
+        if constexpr (item::of_records) {
+            one.type = plain_name(typeid(typename item::value_type));
+            one.parts = parts_of<typename item::value_type>();
+        } else {
+            part element = member_part<Member>(part::kind::value, Element::size, Element::size);
+            tell_codec<Element>(element);
             one.owner.clear(); // the member is the value in the element
             one.parts.push_back(std::move(element));
         }

@@ -127,6 +127,14 @@ class randomiser {
             for (auto& one : member) element(one);
         }
     }
+    template <auto Member, class Element>
+    void value(wire::array<Member, Element>, auto& member, auto&, const auto& here) {
+        for (auto& one : member)
+            if constexpr (std::is_same_v<Element, wire::record>)
+                message(one, here);
+            else
+                number<Element>(one);
+    }
     template <auto Member, auto Children, std::size_t MaxDepth>
     void value(wire::tree<Member, Children, MaxDepth>, auto& member, auto&, const auto& here) {
         const auto nodes = make<typename std::remove_reference_t<decltype(member)>::value_type>(20);

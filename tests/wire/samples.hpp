@@ -6,9 +6,11 @@ namespace samples {
 
 struct percent {
     static constexpr double min = 0, max = 100;
+    static constexpr std::string_view unit = "%";
 };
 struct signed_percent {
     static constexpr double min = -100, max = 100;
+    static constexpr std::string_view unit = "%";
 };
 
 enum class colour : std::uint8_t { red = 1, green = 2 };

@@ -115,7 +115,8 @@ class filler {
     }
     bool absent(const member& one, const frame& here) {
         if (one.optional) return true;
-        if (std::holds_alternative<list_form>(one.how->is)) return empty_list(one, here);
+        if (const auto* const list = std::get_if<list_form>(&one.how->is); list != nullptr && list->least == 0)
+            return empty_list(one, here);
         const auto* const integer = std::get_if<integer_form>(&one.how->is);
         if (integer != nullptr && integer->what == integer_form::meaning::number) return true; // see complete
         if (std::holds_alternative<choice_form>(one.how->is)) {
@@ -239,6 +240,8 @@ class filler {
         if (in.parts.size() > is.most)
             return fail("has " + std::to_string(in.parts.size()) + " elements, must have at most " +
                         std::to_string(is.most));
+        if (in.parts.size() < is.least)
+            return fail("has " + std::to_string(in.parts.size()) + " elements, must have " + std::to_string(is.least));
         if (in.parts.empty()) return true;
         auto* const first = static_cast<std::byte*>(is.resize(at, in.parts.size(), memory_));
         if (first == nullptr) return fail(std::string{no_room});

@@ -81,15 +81,17 @@ struct encoded_form {
     bool (*decode)(void* value, std::span<const std::byte>){}; ///< may keep pointing at the bytes
 };
 
-/// Any number of the same.
+/// Any number of the same, or always as many (`least` is `most`).
 struct list_form {
     const form* element{};    ///< how an element is told
     std::string_view field{}; ///< name of the value in an element; empty where elements are structures themselves
     std::size_t stride{};     ///< bytes from one element to the next
+    std::size_t least{};      ///< how many there must be
     std::size_t most{};       ///< how many there may be
     std::size_t (*size)(const void* list){};
     const void* (*first)(const void* list){};
-    void* (*resize)(void* list, std::size_t, wire::arena&){}; ///< the first of so many new elements; nullptr: no room
+    /// The first of `size` new elements, which is within the limits; nullptr: no room.
+    void* (*resize)(void* list, std::size_t size, wire::arena&){};
 };
 
 /// A member of the structure `owner`, by its id: the current one or an enclosing one.

@@ -75,24 +75,29 @@ template <class T> constexpr form form_by_structure() {
 template <class T> inline constexpr form structure_form_of = form_by_structure<T>();
 
 template <class List> struct list_access {
-    using value_type = typename wire::detail::list_traits<List>::value_type;
+    using traits = wire::list_traits<List>;
+    using value_type = typename traits::value_type;
     static std::size_t size(const void* list) { return static_cast<const List*>(list)->size(); }
     static const void* first(const void* list) { return std::to_address(static_cast<const List*>(list)->begin()); }
     static void* resize(void* list, std::size_t size, wire::arena& memory) {
         auto& held = *static_cast<List*>(list);
-        if constexpr (wire::detail::list_traits<List>::elsewhere) {
+        if constexpr (traits::elsewhere) {
             value_type* const first = memory.allocate<value_type>(size);
             if (first != nullptr) held = std::span<const value_type>{first, size};
             return first;
-        } else {
+        } else if constexpr (traits::counted) {
             return held.resize(size) ? held.begin() : nullptr;
+        } else {
+            return held.data();
         }
     }
 };
-template <class List> constexpr list_form list_of(const form& element, std::string_view field, std::size_t most) {
+template <class List>
+constexpr list_form list_of(const form& element, std::string_view field, std::size_t most, std::size_t least = 0) {
     return {.element = &element,
             .field = field,
             .stride = sizeof(typename list_access<List>::value_type),
+            .least = least,
             .most = most,
             .size = &list_access<List>::size,
             .first = &list_access<List>::first,
@@ -104,12 +109,14 @@ template <class Item> constexpr form form_by_list() {
     std::size_t most = wire::unbounded;
     if constexpr (requires { Item::count_type::limit; }) most = Item::count_type::limit;
     if constexpr (!Item::traits::elsewhere) most = std::min(most, Item::traits::capacity);
+    const std::size_t least = Item::traits::counted ? 0 : most;
+    std::string_view field;
     if constexpr (!Item::of_records) {
-        return {list_of<list>(codec_form<value_type, typename Item::element_type::codec_type>, Item::name(), most)};
+        if (Item::traits::counted) field = Item::name();
+        return {list_of<list>(codec_form<value_type, typename Item::element_type::codec_type>, field, most, least)};
     } else {
-        std::string_view field;
         if constexpr (requires { wire::schema<value_type>::field_name; }) field = wire::schema<value_type>::field_name;
-        return {list_of<list>(structure_form_of<value_type>, field, most)};
+        return {list_of<list>(structure_form_of<value_type>, field, most, least)};
     }
 }
 template <class Item> inline constexpr form list_form_of = form_by_list<Item>();

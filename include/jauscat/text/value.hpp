@@ -118,6 +118,17 @@ std::string to_text(const T& value) {
                     return to_text(held);
             },
             value);
+    } else if constexpr (requires { std::tuple_size<T>::value; } &&
+                         !std::is_same_v<typename T::value_type, std::byte>) {
+        std::string text = "[";
+        for (const auto& one : value) {
+            if (text.size() != 1) text += ", ";
+            if constexpr (wire::message<typename T::value_type>)
+                text += detail::in_braces(one);
+            else
+                text += to_text(one);
+        }
+        return text + "]";
     } else {
         return hex(value);
     }

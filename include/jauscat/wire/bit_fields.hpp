@@ -7,8 +7,8 @@
 
 namespace jauscat::wire {
 
-/// A bit-field of `Width` bits: the member is bool, an unsigned integer or an enumeration of one.
-/// A value wider than its bits does not encode (`out_of_range`).
+/// A bit-field of `Width` bits: the member is bool, an integer (a signed one in two's complement) or an enumeration,
+/// whose values are not negative. A value wider than its bits does not encode (`out_of_range`).
 template <auto Member, std::size_t Width> struct bit_field {
     static constexpr auto key = Member;
     using keys = key_list<Member>;
@@ -16,28 +16,47 @@ template <auto Member, std::size_t Width> struct bit_field {
     using value_type = member_t<Member>;
     using raw_type = value_type;
     static constexpr bool optional = false;
-    static_assert(std::is_enum_v<value_type> || std::unsigned_integral<value_type>,
-                  "bit_field: the member must be bool, an unsigned integer or an enumeration");
+    static constexpr bool is_signed = std::signed_integral<value_type>;
+    static_assert(std::is_enum_v<value_type> || std::integral<value_type>,
+                  "bit_field: the member must be bool, an integer or an enumeration");
     static_assert(Width >= 1 && Width <= (std::is_same_v<value_type, bool> ? 1 : sizeof(value_type) * 8),
                   "bit_field: the member is narrower than its bits");
 
     static consteval std::string_view name() { return name_of<Member>(); }
 
+    /// The member's bits: an unsigned value that does not fit has more than `Width`.
     JAUSCAT_INLINE static constexpr std::uint64_t value(const auto& object) noexcept {
-        return static_cast<std::uint64_t>(object.*place_in<decltype(object), Member>);
+        const auto bits = static_cast<std::uint64_t>(object.*place_in<decltype(object), Member>);
+        if constexpr (is_signed)
+            return bits & low_bits;
+        else
+            return bits;
+    }
+    /// The value of `Width` bits.
+    JAUSCAT_INLINE static constexpr value_type from_bits(std::uint64_t bits) noexcept {
+        if constexpr (is_signed)
+            return static_cast<value_type>((bits ^ sign_bit) - sign_bit);
+        else
+            return static_cast<value_type>(bits);
     }
     JAUSCAT_INLINE static constexpr bool fits(const auto& object) noexcept {
         if constexpr (std::is_same_v<value_type, bool> || Width >= sizeof(value_type) * 8)
             return true;
+        else if constexpr (is_signed)
+            return from_bits(value(object)) == object.*place_in<decltype(object), Member>;
         else
             return value(object) >> Width == 0;
     }
-    JAUSCAT_INLINE static constexpr void assign(auto& object, std::uint64_t raw) noexcept {
-        object.*place_in<decltype(object), Member> = static_cast<value_type>(raw);
+    JAUSCAT_INLINE static constexpr void assign(auto& object, std::uint64_t bits) noexcept {
+        object.*place_in<decltype(object), Member> = from_bits(bits);
     }
     JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(bit_field{}, object.*place_in<decltype(object), Member>);
     }
+
+  private:
+    static constexpr std::uint64_t low_bits = ~std::uint64_t{} >> (64 - Width);
+    static constexpr std::uint64_t sign_bit = std::uint64_t{1} << (Width - 1);
 };
 
 /// `Width` bits that the standard reserves: sent as zero, ignored on receipt.
@@ -77,12 +96,8 @@ template <codec Carrier, class... Fields> struct bit_fields {
 
     template <auto Member, reading>
     JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto&) noexcept {
-        const word_type word = loaded(in);
-        std::size_t at = 0;
-        word_type raw = 0;
-        ((raw = Fields::keys::template holds<Member> ? (word >> at) & mask<Fields::width> : raw, at += Fields::width),
-         ...);
-        return static_cast<member_t<Member>>(raw);
+        using found = std::tuple_element_t<index_of<Member>, fields>;
+        return found::from_bits((loaded(in) >> first_bit<Member>)&mask<found::width>);
     }
 
     JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) { (Fields::visit(object, visitor), ...); }
@@ -97,6 +112,12 @@ template <codec Carrier, class... Fields> struct bit_fields {
     }();
 
   private:
+    template <auto Member>
+    static constexpr std::size_t index_of = [] {
+        std::size_t index = 0;
+        static_cast<void>((... || (Fields::keys::template holds<Member> || (++index, false))));
+        return index;
+    }();
     JAUSCAT_INLINE static constexpr word_type loaded(const std::byte* in) noexcept {
         carrier_type carrier{};
         Carrier::load(in, carrier);

@@ -5,8 +5,12 @@
 
 namespace jauscat::wire {
 
+namespace detail {
+template <class Item> concept holds_elements = requires { requires !Item::traits::elsewhere; };
+} // namespace detail
+
 /// Moves every scaled value of `object` into its field's range. NaN stays NaN, and so still does not encode. The
-/// records of a `list` lie elsewhere and are not its to change: clamp them before.
+/// elements of a `list` lie elsewhere and are not its to change: clamp them before.
 template <message T>
 requires(!raw_object<T>)
 constexpr void clamp(T& object) noexcept {
@@ -21,12 +25,12 @@ constexpr void clamp(T& object) noexcept {
         const auto each = [&](auto& value) {
             if constexpr (requires { typename Item::codec_type; })
                 into(static_cast<typename Item::codec_type*>(nullptr), value);
-            else if constexpr (requires {
-                                   typename Item::element_type::codec_type;
-                                   value.resize(0);
-                               })
-                for (auto& element : value)
-                    into(static_cast<typename Item::element_type::codec_type*>(nullptr), element);
+            else if constexpr (requires { typename Item::element_type::codec_type; }) {
+                if constexpr (!std::is_const_v<std::remove_reference_t<decltype(value[0])>>)
+                    for (auto& element : value)
+                        into(static_cast<typename Item::element_type::codec_type*>(nullptr), element);
+            } else if constexpr (detail::holds_elements<Item>)
+                for (auto& element : value) clamp(element);
             else if constexpr (message<std::remove_cvref_t<decltype(value)>>)
                 clamp(value);
         };

@@ -72,7 +72,7 @@ class decode_trace : public path_trace {
 
     template <class Item> constexpr bool reach(const auto&, const std::byte* at) noexcept {
         // Items with parts are checked part by part.
-        constexpr bool whole = fixed_item<Item> && !requires { typename Item::inner; };
+        constexpr bool whole = fixed_item<Item> && !item_of_parts<Item>;
         return reach_bytes(item_label<Item>(), at, whole ? Item::min_size : 0);
     }
     template <class Codec> constexpr bool reach_number(std::string_view name, const std::byte* at) noexcept {
@@ -117,7 +117,7 @@ class encode_trace : public path_trace {
             found_.field = too_wide(static_cast<typename Item::fields*>(nullptr), object);
         else
             found_.field = item_label<Item>();
-        found_.needed = fixed_item<Item> ? Item::max_size : 0;
+        found_.needed = fixed_item<Item> && !item_of_parts<Item> ? Item::max_size : 0;
         return true;
     }
     template <class Codec> constexpr bool reach_number(std::string_view name, const std::byte*) noexcept {

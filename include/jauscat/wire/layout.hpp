@@ -83,9 +83,9 @@ JAUSCAT_INLINE constexpr bool spend(in_cursor& c, std::size_t size, [[maybe_unus
     }
     return true;
 }
-/// A trace looks into structures; else one of fixed size is read and written in one go.
+/// A trace looks into structures and arrays; else one of fixed size is read and written in one go.
 template <class Item, class Here>
-inline constexpr bool in_one_go = fixed_item<Item> && !(traced<Here> && requires { typename Item::inner; });
+inline constexpr bool in_one_go = fixed_item<Item> && !(traced<Here> && item_of_parts<Item>);
 
 template <class Item> JAUSCAT_INLINE constexpr std::size_t size_of_item(const auto& object, const auto& here) noexcept {
     if constexpr (fixed_item<Item>)

@@ -74,4 +74,27 @@ template <class T, std::size_t Capacity> class inline_list {
     size_type size_{};
 };
 
+/// Properties of a member type that holds elements: `list`, `inline_list`, std::array.
+template <class List> struct list_traits;
+template <class T> struct list_traits<list<T>> {
+    using value_type = T;
+    template <class Other> using of = list<Other>; ///< the same with other elements
+    static constexpr bool elsewhere = true;        ///< the elements are not in the message
+    static constexpr bool counted = true;          ///< how many there are varies
+};
+template <class T, std::size_t Capacity> struct list_traits<inline_list<T, Capacity>> {
+    using value_type = T;
+    template <class Other> using of = inline_list<Other, Capacity>;
+    static constexpr bool elsewhere = false;
+    static constexpr bool counted = true;
+    static constexpr std::size_t capacity = Capacity;
+};
+template <class T, std::size_t Size> struct list_traits<std::array<T, Size>> {
+    using value_type = T;
+    template <class Other> using of = std::array<Other, Size>;
+    static constexpr bool elsewhere = false;
+    static constexpr bool counted = false;
+    static constexpr std::size_t capacity = Size;
+};
+
 } // namespace jauscat::wire

@@ -17,19 +17,6 @@ struct record {};
 
 namespace detail {
 
-template <class List> struct list_traits;
-template <class T> struct list_traits<list<T>> {
-    using value_type = T;
-    template <class Other> using of = list<Other>;
-    static constexpr bool elsewhere = true;
-};
-template <class T, std::size_t Capacity> struct list_traits<inline_list<T, Capacity>> {
-    using value_type = T;
-    template <class Other> using of = inline_list<Other, Capacity>;
-    static constexpr bool elsewhere = false;
-    static constexpr std::size_t capacity = Capacity;
-};
-
 /// Elements that are single values.
 template <class Codec, bool Raw> struct value_form {
     using used = wire::codec_in_mode<Codec, Raw>;
@@ -83,6 +70,21 @@ template <class T> struct record_form {
     }
 };
 
+/// Form of an element in the bytes: that of a record, or of a single value.
+template <class Element, bool Raw, class Value> struct element_form {
+    using type = value_form<typename Element::codec_type, Raw>;
+};
+template <bool Raw, class Value> struct element_form<record, Raw, Value> {
+    using type = record_form<Value>;
+};
+/// The type of an element in a `raw`.
+template <class Element, class Value> struct raw_element {
+    using type = typename wire::codec_in_mode<typename Element::codec_type, true>::value_type;
+};
+template <class Value> struct raw_element<record, Value> {
+    using type = raw<Value>;
+};
+
 } // namespace detail
 
 template <class Item, class Outer> class list_view;
@@ -94,24 +96,15 @@ template <auto Member, class Count, class Element = record> struct repeated {
     static constexpr auto key = Member;
     using keys = key_list<Member>;
     using member_type = member_value_t<Member>;
-    using traits = detail::list_traits<member_type>;
+    using traits = list_traits<member_type>;
+    static_assert(traits::counted, "repeated: a std::array has no count (use array)");
     using value_type = typename traits::value_type;
     using count_type = Count;
     using element_type = Element;
     static constexpr bool optional = is_optional_member<Member>;
     static constexpr bool of_records = std::is_same_v<Element, record>;
 
-    /// Form of an element in the bytes.
-    template <bool Raw, class Value> struct form_of {
-        using type = detail::record_form<Value>;
-    };
-    /// The same for lists of values.
-    template <bool Raw, class Value>
-    requires(!of_records)
-    struct form_of<Raw, Value> {
-        using type = detail::value_form<typename Element::codec_type, Raw>;
-    };
-    using plain_form = typename form_of<false, value_type>::type;
+    using plain_form = typename detail::element_form<Element, false, value_type>::type;
     // Elements that may take no bytes are bounded by their count alone.
     static_assert(plain_form::min_size != 0 || Count::prefix_size == 1,
                   "repeated: an element may take no bytes at all, so it needs a count of one byte");
@@ -142,17 +135,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
 
     static consteval std::string_view name() { return name_of<Member>(); }
 
-    /// What stands for an element in a `raw`.
-    template <class Value> struct raw_element {
-        using type = raw<Value>;
-    };
-    /// The same for lists of values.
-    template <class Value>
-    requires(!of_records)
-    struct raw_element<Value> {
-        using type = typename codec_in_mode<typename Element::codec_type, true>::value_type;
-    };
-    using raw_list = typename traits::template of<typename raw_element<value_type>::type>;
+    using raw_list = typename traits::template of<typename detail::raw_element<Element, value_type>::type>;
     using raw_type = std::conditional_t<optional, std::optional<raw_list>, raw_list>;
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
@@ -179,7 +162,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         using form = form_in<decltype(object)>;
         auto& elements = emplace_in(object.*place_in<decltype(object), Member>);
-        using stored = typename detail::list_traits<std::remove_reference_t<decltype(elements)>>::value_type;
+        using stored = typename list_traits<std::remove_reference_t<decltype(elements)>>::value_type;
         std::size_t size{};
         if (!Count::get(size, c, here)) return c;
         if constexpr (traced<decltype(here)>) {
@@ -251,9 +234,9 @@ template <auto Member, class Count, class Element = record> struct repeated {
 
   private:
     template <class Object>
-    using form_in =
-        typename form_of<raw_object<Object>, std::remove_cvref_t<decltype(value_of(
-                                                 std::declval<Object&>().*place_in<Object, Member>)[0])>>::type;
+    using form_in = typename detail::element_form<
+        Element, raw_object<Object>,
+        std::remove_cvref_t<decltype(value_of(std::declval<Object&>().*place_in<Object, Member>)[0])>>::type;
 
     // Takes the fewest bytes of `size` elements from the slack.
     template <class Form> JAUSCAT_INLINE static constexpr bool spend_elements(in_cursor& c, std::size_t size) noexcept {

@@ -1,5 +1,6 @@
 // All headers needed to declare a schema.
 #pragma once
+#include <jauscat/wire/array.hpp>
 #include <jauscat/wire/bit_fields.hpp>
 #include <jauscat/wire/bit_set.hpp>
 #include <jauscat/wire/field.hpp>

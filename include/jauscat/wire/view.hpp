@@ -28,8 +28,8 @@ template <message T, class Outer = plain_root> class view {
     [[nodiscard]] constexpr std::span<const std::byte> bytes() const noexcept { return bytes_; }
 
     /// The member's value. A std::optional where the field may be absent or is scaled: empty when it is absent, or when
-    /// its raw value is not legal. A nested message gives a view of it, a list a list_view, text and bytes point into
-    /// the message.
+    /// its raw value is not legal. A nested message gives a view of it, a list or an array of records a list_view, an
+    /// array of values a std::array; text and bytes point into the message.
     template <auto Member> [[nodiscard]] constexpr auto get() const noexcept { return read<Member, reading::real>(); }
     /// The integer on the wire. A std::optional where the field may be absent.
     template <auto Member> [[nodiscard]] constexpr auto get_raw() const noexcept {
@@ -95,8 +95,8 @@ template <class Item, class Outer>
 
 } // namespace detail
 
-/// The elements of a list in received bytes: single values (real ones; a std::optional where scaled), or views of
-/// records. A forward range.
+/// The elements of a list or an array in received bytes: single values (real ones; a std::optional where scaled), or
+/// views of records. A forward range; where all elements take the same number of bytes also by index.
 template <class Item, class Outer> class list_view {
   public:
     /// Made by a view.
@@ -136,6 +136,12 @@ template <class Item, class Outer> class list_view {
 
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
     [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
+    /// Element `index`, which is below size().
+    [[nodiscard]] constexpr auto operator[](std::size_t index) const noexcept
+    requires requires { requires Item::plain_form::fixed; } // a tree has no such form
+    {
+        return detail::element_at<Item>(first_ + index * Item::plain_form::max_size, outer_);
+    }
     [[nodiscard]] constexpr iterator begin() const noexcept { return {first_, size_, outer_}; }
     [[nodiscard]] constexpr iterator end() const noexcept { return {nullptr, 0, outer_}; }
 

@@ -47,6 +47,8 @@ template <auto Member, std::size_t Width> struct entries_of<wire::bit_field<Memb
     static constexpr std::size_t count = 1;
     static constexpr void put(pdo_entry*& out, entry_numbers& next) noexcept {
         static_assert(Width <= 8, "image_entries: a field of bits has 8 at most, BIT1 to BIT8; declare it as a number");
+        static_assert(!wire::bit_field<Member, Width>::is_signed,
+                      "image_entries: EtherCAT has no data type for a signed field of bits; declare it as a number");
         constexpr auto type =
             std::is_same_v<wire::member_t<Member>, bool> ? data_types::boolean : data_types::bit1 + Width - 1;
         *out++ = {.index = next.index,

@@ -110,7 +110,9 @@ class field_search {
         std::size_t at = 0;
         const auto add = [&]<class Field>(std::type_identity<Field>) {
             if constexpr (requires { Field::key; })
-                word |= static_cast<std::uint64_t>(view->template get_raw<Field::key>()) << at;
+                word |= (static_cast<std::uint64_t>(view->template get_raw<Field::key>()) &
+                         ~std::uint64_t{} >> (64 - Field::width))
+                        << at;
             at += Field::width;
         };
         (add(std::type_identity<Fields>{}), ...);
