@@ -41,8 +41,14 @@ template <auto Member, class Element = record> struct array {
     static constexpr bool optional = is_optional_member<Member>;
     static constexpr bool of_records = std::is_same_v<Element, record>;
     static_assert(length != 0, "array: the member has no elements");
-    static_assert(of_records || codec<Element>,
-                  "array: the second argument is not a codec (it needs value_type, size, store and load)");
+    static_assert(
+        [] {
+            if constexpr (of_records)
+                return true;
+            else
+                return detail::checked_codec<Element>;
+        }(),
+        "array: the second argument is not a codec (it needs value_type, size, store and load)");
     static_assert(
         [] {
             if constexpr (of_records)

@@ -1,6 +1,6 @@
 // Several members packed into one integer, from its least significant bit up.
 #pragma once
-#include <jauscat/wire/item.hpp>
+#include <jauscat/wire/layout_item.hpp>
 #include <jauscat/wire/scalar.hpp>
 
 #include <tuple>
@@ -69,8 +69,51 @@ template <std::size_t Width> struct reserved {
     JAUSCAT_INLINE static constexpr void visit(auto&, auto&&) {}
 };
 
+/// What `bit_fields` consists of. A part with a member also has `from_bits(std::uint64_t)`, which returns its value.
+template <class Part>
+concept bit_field_part = detail::has_keys<Part> && detail::has_visit<Part> &&
+                         requires(const detail::structure_around<Part>& object, detail::structure_around<Part>& decoded,
+                                  std::uint64_t bits) {
+                             { Part::width } -> std::convertible_to<std::size_t>;
+                             { Part::value(object) } -> std::same_as<std::uint64_t>;
+                             { Part::fits(object) } -> std::same_as<bool>;
+                             Part::assign(decoded, bits);
+                         };
+
+namespace detail {
+/// Says which operation a part of an integer lacks.
+template <class Part, class T = structure_around<Part>> struct missing_in_part {
+    static_assert(
+        requires {
+            { Part::width } -> std::convertible_to<std::size_t>;
+        }, "bit_fields: a part has no width, how many bits it takes");
+    static_assert(has_visit<Part>, "bit_fields: a part has no visit(object, visitor)");
+    static_assert(
+        requires(const T& object) {
+            { Part::value(object) } -> std::same_as<std::uint64_t>;
+        }, "bit_fields: a part has no value(object) that returns std::uint64_t");
+    static_assert(
+        requires(const T& object) {
+            { Part::fits(object) } -> std::same_as<bool>;
+        }, "bit_fields: a part has no fits(object) that returns bool");
+    static_assert(
+        requires(T& object, std::uint64_t bits) { Part::assign(object, bits); },
+        "bit_fields: a part has no assign(object, std::uint64_t)");
+    static constexpr bool complete = false;
+};
+template <class Part> inline constexpr bool checked_part = true;
+template <class Part>
+requires(!bit_field_part<Part>)
+inline constexpr bool checked_part<Part> = missing_in_part<Part>::complete;
+} // namespace detail
+
 /// Bit-fields of one integer, least significant first; their widths fill it exactly.
-template <codec Carrier, class... Fields> struct bit_fields {
+template <class Carrier, class... Fields> struct bit_fields {
+    static_assert(detail::checked_codec<Carrier>,
+                  "bit_fields: the carrier is not a codec (it needs value_type, size, store and load)");
+    static_assert((detail::checked_part<Fields> && ... && true),
+                  "bit_fields: a part is neither a bit_field nor reserved (it needs keys, width, value, fits, assign "
+                  "and visit)");
     using carrier_type = typename Carrier::value_type;
     using word_type = word_for<Carrier>;
     using fields = std::tuple<Fields...>;

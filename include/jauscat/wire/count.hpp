@@ -17,7 +17,9 @@ template <std::size_t N> struct label {
 };
 
 /// A count right before what it counts. It is no member: encoding writes the list's size.
-template <label Name, codec Codec> struct count {
+template <label Name, class Codec> struct count {
+    static_assert(detail::checked_codec<Codec>,
+                  "count: the second argument is not a codec (it needs value_type, size, store and load)");
     using codec_type = Codec;
     using value_type = typename Codec::value_type;
     static constexpr std::size_t prefix_size = Codec::size;
@@ -54,6 +56,43 @@ template <label Name, codec Codec> struct count {
 };
 
 namespace detail {
+
+/// A count of elements in the structure `T`.
+template <class Count, class T>
+concept element_count = requires(std::size_t elements, out_cursor out, in_cursor in, const encoding_scope<T>& here,
+                                 const decoding_scope<T>& there, const viewing_scope<T>& seen) {
+    { Count::prefix_size } -> std::convertible_to<std::size_t>;
+    { Count::contextual } -> std::convertible_to<bool>;
+    { Count::put(elements, out, here) } -> std::same_as<out_cursor>;
+    { Count::get(elements, in, there) } -> std::same_as<bool>;
+    { Count::peek(in.at, seen) } -> std::same_as<std::size_t>;
+};
+/// Says which operation a count lacks.
+template <class Count, class T> struct missing_in_count {
+    static constexpr bool started = requires { Count::prefix_size; }; // else it is no count at all
+    static_assert(
+        !started || requires {
+            { Count::contextual } -> std::convertible_to<bool>;
+        }, "count: it has no contextual, which says whether it looks at what stands around it");
+    static_assert(
+        !started || requires(out_cursor out, const encoding_scope<T>& here) {
+            { Count::put(std::size_t{}, out, here) } -> std::same_as<out_cursor>;
+        }, "count: it has no put(std::size_t, out_cursor, scope) that returns out_cursor");
+    static_assert(
+        !started || requires(std::size_t& elements, in_cursor& in, const decoding_scope<T>& here) {
+            { Count::get(elements, in, here) } -> std::same_as<bool>;
+        }, "count: it has no get(std::size_t&, in_cursor&, scope) that returns bool");
+    static_assert(
+        !started || requires(const std::byte* in, const viewing_scope<T>& here) {
+            { Count::peek(in, here) } -> std::same_as<std::size_t>;
+        }, "count: it has no peek(const std::byte*, scope) that returns std::size_t");
+    static constexpr bool complete = false;
+};
+template <class Count, class T> inline constexpr bool checked_count = true;
+template <class Count, class T>
+requires(!element_count<Count, T>)
+inline constexpr bool checked_count<Count, T> = missing_in_count<Count, T>::complete;
+
 /// Base of counts that are members elsewhere. `Less` is what the count is smaller by.
 template <std::size_t Less, auto... Path> struct count_elsewhere {
     static constexpr std::size_t prefix_size = 0;

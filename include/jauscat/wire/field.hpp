@@ -9,7 +9,7 @@ namespace jauscat::wire {
 
 /// The member `Member`, carried by the codec `Codec`. A std::optional member belongs into a `presence`.
 template <auto Member, class Codec> struct field {
-    static_assert(codec<Codec>,
+    static_assert(detail::checked_codec<Codec>,
                   "field: the second argument is not a codec (it needs value_type, size, store and load)");
 
     static constexpr auto key = Member;

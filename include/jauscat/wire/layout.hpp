@@ -1,6 +1,7 @@
 // A layout lists the parts of a message in wire order; a schema gives a struct its layout, and the pair is checked
 // here.
 #pragma once
+#include <jauscat/wire/layout_item.hpp>
 #include <jauscat/wire/scalar.hpp>
 #include <jauscat/wire/scope.hpp>
 
@@ -157,6 +158,7 @@ template <std::size_t Size> JAUSCAT_INLINE constexpr bool get_next(errc error, i
 
 /// Items in wire order.
 template <class... Items> struct layout {
+    static_assert((detail::checked_item<Items> && ... && true), "layout: an item lacks an operation");
     using keys = joined_keys<typename Items::keys...>;
     static_assert((!Items::optional && ... && true), "layout: a std::optional member needs a presence vector");
     static constexpr std::size_t min_size = total_size(Items::min_size...);
@@ -213,7 +215,11 @@ template <class... Items> struct layout {
         [&]<std::size_t... Before>(std::index_sequence<Before...>) {
             ((in += detail::extent_of_item<std::tuple_element_t<Before, std::tuple<Items...>>>(in, here)), ...);
         }(std::make_index_sequence<index>{});
-        return std::tuple_element_t<index, std::tuple<Items...>>::template read<Member, Mode>(in, here);
+        using item = std::tuple_element_t<index, std::tuple<Items...>>;
+        static_assert(
+            requires { item::template read<Member, Mode>(in, here); },
+            "view: the item of this member has no read<Member, reading>(const std::byte*, scope)");
+        return item::template read<Member, Mode>(in, here);
     }
     JAUSCAT_INLINE static constexpr void visit([[maybe_unused]] auto& object, [[maybe_unused]] auto&& visitor) {
         (Items::visit(object, visitor), ...);
@@ -254,6 +260,9 @@ template <class T, auto... Members> consteval bool owned_by(key_list<Members...>
 
 /// The layout of `T`, after the checks that need both the struct and its schema.
 template <class T> struct checked_schema {
+    static_assert(
+        requires { typename schema<T>::type; },
+        "the type has no schema: specialise jauscat::wire::schema for it, with its layout as type");
     using type = typename schema<T>::type;
     using keys = typename type::keys;
     static_assert(std::is_aggregate_v<T>, "layout: a message must be a plain aggregate");

@@ -11,7 +11,7 @@
 namespace jauscat::wire {
 
 template <class T> class raw;
-template <message T, class Outer> class view;
+template <class T, class Outer> class view;
 
 namespace detail {
 template <class Item> concept copied_item = requires { requires Item::codec_type::as_in_memory; };

@@ -76,6 +76,7 @@ inline constexpr bool takes_bit<Item> = true;
 /// least significant up, and is there when its bit is set; so does a `presence_flag`. Any other item is always there.
 // Where all items have a fixed size the vector alone tells the size of the whole, and the bytes are checked once.
 template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_group {
+    static_assert((detail::checked_item<Items> && ... && true), "presence: an item lacks an operation");
     using carrier_codec = Carrier;
     using mask_type = word_for<Carrier>;
     using keys = joined_keys<typename Items::keys...>;

@@ -8,7 +8,9 @@ namespace jauscat::wire {
 
 /// The elements of a list are single values, carried by `Codec`. `Name` is the standard's name of an element; the
 /// member's is that of the field in it.
-template <label Name, codec Codec> struct element {
+template <label Name, class Codec> struct element {
+    static_assert(detail::checked_codec<Codec>,
+                  "element: the second argument is not a codec (it needs value_type, size, store and load)");
     using codec_type = Codec;
     static consteval std::string_view name() { return Name.view(); }
 };
@@ -104,6 +106,13 @@ template <auto Member, class Count, class Element = record> struct repeated {
     static constexpr bool optional = is_optional_member<Member>;
     static constexpr bool of_records = std::is_same_v<Element, record>;
 
+    static_assert(
+        of_records || requires {
+            typename Element::codec_type;
+            Element::name();
+        }, "repeated: the third argument is neither record nor an element (it needs codec_type and name)");
+    static_assert(detail::checked_count<Count, owner_t<Member>>,
+                  "repeated: the second argument is not a count (it needs prefix_size, contextual, put, get and peek)");
     using plain_form = typename detail::element_form<Element, false, value_type>::type;
     // Elements that may take no bytes are bounded by their count alone.
     static_assert(plain_form::min_size != 0 || Count::prefix_size == 1,

@@ -24,6 +24,36 @@ concept codec = requires(std::byte* out, const std::byte* in, typename C::value_
     { C::load(in, value) } -> std::same_as<errc>;
 };
 
+namespace detail {
+
+template <class C> concept has_value_type = requires { typename C::value_type; };
+template <class C>
+concept has_codec_size = requires {
+    { C::size } -> std::convertible_to<std::size_t>;
+};
+template <class C>
+concept stores = requires(std::byte* out, typename C::value_type value) {
+    { C::store(out, value) } -> std::same_as<errc>;
+};
+template <class C>
+concept loads = requires(const std::byte* in, typename C::value_type value) {
+    { C::load(in, value) } -> std::same_as<errc>;
+};
+/// Says which operation a codec lacks; nothing of a type that is no codec at all.
+template <class C> struct missing_in_codec {
+    static constexpr bool started = has_value_type<C>;
+    static_assert(!started || has_codec_size<C>, "codec: it has no size, the bytes that it takes");
+    static_assert(!started || stores<C>, "codec: it has no store(std::byte*, value_type) that returns errc");
+    static_assert(!started || loads<C>, "codec: it has no load(const std::byte*, value_type&) that returns errc");
+    static constexpr bool complete = false;
+};
+template <class C> inline constexpr bool checked_codec = true;
+template <class C>
+requires(!codec<C>)
+inline constexpr bool checked_codec<C> = missing_in_codec<C>::complete;
+
+} // namespace detail
+
 /// An integer of 8 to 64 bits in the byte order `Order`.
 template <std::integral T, boost::endian::order Order> struct integer {
     using value_type = T;

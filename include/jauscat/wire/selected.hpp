@@ -22,6 +22,7 @@ namespace detail {
 
 // How one case is sized, written and read; `value` is of the case's own type.
 template <class Form> struct case_form {
+    static_assert(checked_codec<Form>, "selected: the form of a case is neither a codec nor a struct with a schema");
     using value_type = typename Form::value_type;
     static constexpr std::size_t min_size = Form::size, max_size = Form::size;
     static constexpr std::size_t size(const auto&, const auto&) noexcept { return Form::size; }

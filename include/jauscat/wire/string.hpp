@@ -58,6 +58,9 @@ template <auto Member, class Extent> struct octet_run {
 template <auto Member, class Count> struct counted_run : octet_run<Member, Count> {
     using base = octet_run<Member, Count>;
     using count_type = Count;
+    static_assert(detail::checked_count<Count, owner_t<Member>>,
+                  "string: the extent is neither fixed, fixed_or_rest, rest and zero_terminated nor a count (it needs "
+                  "prefix_size, contextual, put, get and peek)");
     static constexpr bool contextual = Count::contextual;
     static constexpr std::size_t min_size = Count::prefix_size, max_size = unbounded;
 

@@ -16,7 +16,10 @@ namespace jauscat::wire {
 ///     if (auto effort = message.get<&set_wrench_effort::propulsive_linear_effort_x>()) use(*effort);
 ///
 /// `Outer` is the scope around a structure that looks beyond its own bytes: a detail of views out of lists.
-template <message T, class Outer = plain_root> class view {
+template <class T, class Outer = plain_root> class view {
+    static_assert(message<T>,
+                  "the type has no schema: specialise jauscat::wire::schema for it, with its layout as type");
+
   public:
     /// Checks the bytes, once; they must outlive the view.
     constexpr explicit view(std::span<const std::byte> bytes) noexcept : bytes_{bytes}, error_{check(bytes)} {}

@@ -106,6 +106,13 @@ constexpr result make_message(header head, const T& body, std::span<std::byte> o
     return join(head, out.subspan(header_size, size.size()), out);
 }
 
+template <class T>
+requires(!coded_message<T>)
+constexpr auto make_message(const header&, const T&, auto&&...) noexcept {
+    static_assert(coded_message<T>, "make_message: the message has no command code; add it to its wire::schema");
+    return result{errc::invalid_body};
+}
+
 /// An acknowledgement carries no body, whatever its command code. RA 3.3 part 2, ACK/NAK.
 [[nodiscard]] constexpr bool is_acknowledgement(const header& head) noexcept {
     return head.ack_nak == ack_nak::ack || head.ack_nak == ack_nak::nak;
