@@ -161,7 +161,7 @@ struct describer<wire::presence_group<Unknown, Carrier, Items...>> {
     template <class Item> static unsigned append_one(std::vector<part>& out, unsigned bit) {
         const std::size_t before = out.size();
         detail::append<Item>(out);
-        if (!wire::detail::takes_bit<Item>) return 0;
+        if (!wire::takes_bit<Item>) return 0;
         for (std::size_t i = before; i != out.size(); ++i) out[i].presence = bit;
         return 1;
     }
@@ -244,32 +244,29 @@ template <class Item> struct octets_describer {
     }
 };
 template <auto Member, class Count>
-struct describer<wire::detail::counted_run<Member, Count>>
-    : octets_describer<wire::detail::counted_run<Member, Count>> {
+struct describer<wire::counted_run<Member, Count>> : octets_describer<wire::counted_run<Member, Count>> {
     static void append(std::vector<part>& out) {
         const std::string times = length<Count>::tell(out);
         describer::append_with(out, {}, 0, wire::unbounded);
         out.back().times = times;
     }
 };
-template <auto Member>
-struct describer<wire::detail::run_to_end<Member>> : octets_describer<wire::detail::run_to_end<Member>> {
+template <auto Member> struct describer<wire::run_to_end<Member>> : octets_describer<wire::run_to_end<Member>> {
     static void append(std::vector<part>& out) {
         describer::append_with(out, "to the end of the body", 0, wire::unbounded);
     }
 };
 template <auto Member, std::size_t Size>
-struct describer<wire::detail::fixed_run<Member, Size>> : octets_describer<wire::detail::fixed_run<Member, Size>> {
+struct describer<wire::fixed_run<Member, Size>> : octets_describer<wire::fixed_run<Member, Size>> {
     static void append(std::vector<part>& out) { describer::append_with(out, "filled with zeros", Size, Size); }
 };
 template <auto Member, std::size_t Size>
-struct describer<wire::detail::lenient_run<Member, Size>> : octets_describer<wire::detail::lenient_run<Member, Size>> {
+struct describer<wire::lenient_run<Member, Size>> : octets_describer<wire::lenient_run<Member, Size>> {
     static void append(std::vector<part>& out) {
         describer::append_with(out, "filled with zeros; any length is received", Size, Size);
     }
 };
-template <auto Member>
-struct describer<wire::detail::terminated_run<Member>> : octets_describer<wire::detail::terminated_run<Member>> {
+template <auto Member> struct describer<wire::terminated_run<Member>> : octets_describer<wire::terminated_run<Member>> {
     static void append(std::vector<part>& out) {
         describer::append_with(out, "to a zero, which counts in the size", 1, wire::unbounded);
     }
@@ -288,8 +285,8 @@ template <auto Member, class Selector, class... Cases> struct describer<wire::se
     template <class Case> static void add_case(std::vector<part>& cases) {
         using form = typename Case::form;
         part one{.what = part::kind::value,
-                 .least = wire::detail::case_form<form>::min_size,
-                 .most = wire::detail::case_form<form>::max_size};
+                 .least = wire::case_form<form>::min_size,
+                 .most = wire::case_form<form>::max_size};
         if constexpr (wire::message<form>) {
             one.what = part::kind::record;
             one.parts = parts_of<form>();

@@ -11,7 +11,7 @@ namespace fuzz {
 namespace detail {
 
 /// Watches decoding and copies what it passes, byte by byte, changing only what `encode` may send otherwise.
-class canonical_trace : public jauscat::wire::detail::decode_trace {
+class canonical_trace : public jauscat::wire::decode_trace {
   public:
     explicit canonical_trace(std::span<const std::byte> in) : decode_trace{in}, in_{in} {}
 
@@ -50,7 +50,7 @@ class canonical_trace : public jauscat::wire::detail::decode_trace {
     template <class Item> static constexpr bool is_presence = requires { Item::known_bits; };
     template <class> static constexpr std::size_t sent_size = 0;
     template <auto Member, std::size_t Size>
-    static constexpr std::size_t sent_size<jauscat::wire::detail::lenient_run<Member, Size>> = Size;
+    static constexpr std::size_t sent_size<jauscat::wire::lenient_run<Member, Size>> = Size;
 
     void keep_to(const std::byte* end) {
         const auto passed = in_.subspan(at_, offset_of(end) - at_);
@@ -90,7 +90,7 @@ template <jauscat::wire::message T> std::optional<bytes> canonical(std::span<con
     namespace wire = jauscat::wire;
     wire::raw<T> scratch{};
     detail::canonical_trace trace{body};
-    const wire::in_cursor end = wire::detail::decode_traced(scratch, body, trace);
+    const wire::in_cursor end = wire::decode_traced(scratch, body, trace);
     check(end.at != nullptr || end.error() == wire::errc::ok, "a watched decode finds what decode finds");
     return std::move(trace).written();
 }

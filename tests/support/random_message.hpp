@@ -37,7 +37,7 @@ namespace detail {
 /// Whether the member `First` belongs to the structure that the scope `Here` stands in.
 template <auto First, class Here>
 inline constexpr bool stands_here =
-    std::is_same_v<typename wire::detail::structure_at<std::remove_cvref_t<Here>>::type, wire::owner_t<First>>;
+    std::is_same_v<wire::structure_of_scope<std::remove_cvref_t<Here>>, wire::owner_t<First>>;
 
 template <auto First, auto... Rest> auto& follow(auto& object) {
     auto& member = wire::member_of<First>(object);
@@ -202,7 +202,7 @@ class randomiser {
             return counted_elsewhere(Count{}, most, object, here);
     }
     template <std::size_t Less, auto First, auto... Rest>
-    std::size_t counted_elsewhere(const wire::detail::count_elsewhere<Less, First, Rest...>& count, std::size_t most,
+    std::size_t counted_elsewhere(const wire::count_elsewhere<Less, First, Rest...>& count, std::size_t most,
                                   auto& object, const auto& here) {
         if constexpr (stands_here<First, decltype(here)>) {
             auto& told = follow<First, Rest...>(object);

@@ -23,7 +23,7 @@ inline std::string path_text(const wire::diagnosis& at) {
 }
 
 /// Watches decoding and writes a line for whatever it has passed.
-class annotating_trace : public wire::detail::decode_trace {
+class annotating_trace : public wire::decode_trace {
   public:
     annotating_trace(std::span<const std::byte> bytes, std::size_t first_offset, std::string indent)
         : decode_trace{bytes}, bytes_{bytes}, first_offset_{first_offset}, indent_{std::move(indent)} {}
@@ -63,7 +63,7 @@ class annotating_trace : public wire::detail::decode_trace {
 
     // A selected value whose fields have been told one by one.
     template <class Value> static bool is_structure([[maybe_unused]] const Value& value) {
-        if constexpr (wire::detail::is_variant<Value>)
+        if constexpr (wire::is_variant<Value>)
             return std::visit([]<class T>(const T&) { return wire::message<T>; }, value);
         else
             return false;
@@ -119,7 +119,7 @@ template <wire::message T>
                                    const std::string& indent = "  ") {
     T message{};
     detail::annotating_trace rows{bytes, first_offset, indent};
-    const wire::in_cursor end = wire::detail::decode_traced(message, bytes, rows);
+    const wire::in_cursor end = wire::decode_traced(message, bytes, rows);
     if (end.at == nullptr && end.error() != wire::errc::ok)
         return hex_dump(bytes, indent, first_offset) + indent + to_text(wire::diagnose<T>(bytes), first_offset) + "\n";
     return std::move(rows).text();

@@ -132,17 +132,17 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree_of<wire:
 
 template <class Value, class Case> constexpr choice_case case_of() {
     using form_type = typename Case::form;
-    using held = typename wire::detail::case_form<form_type>::value_type;
+    using held = typename wire::case_form<form_type>::value_type;
     choice_case made{.tag = static_cast<std::uint64_t>(Case::tag)};
     if constexpr (std::is_same_v<form_type, std::monostate>)
         made.how = nullptr;
     else if constexpr (wire::message<form_type>)
         made.how = &structure_form_of<form_type>;
-    else if constexpr (wire::detail::is_variant<Value>)
+    else if constexpr (wire::is_variant<Value>)
         made.how = &codec_form<held, form_type>;
     else
         made.how = &codec_form<Value, form_type>;
-    if constexpr (wire::detail::is_variant<Value>) {
+    if constexpr (wire::is_variant<Value>) {
         made.get = [](const void* value) -> const void* { return std::get_if<held>(static_cast<const Value*>(value)); };
         made.make = [](void* value) -> void* { return &static_cast<Value*>(value)->template emplace<held>(); };
     } else {

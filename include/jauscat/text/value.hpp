@@ -109,7 +109,7 @@ std::string to_text(const T& value) {
         return names.empty() ? "none" : names;
     } else if constexpr (std::is_same_v<T, std::monostate>) {
         return "none";
-    } else if constexpr (wire::detail::is_variant<T>) {
+    } else if constexpr (wire::is_variant<T>) {
         return std::visit(
             []<class Held>(const Held& held) {
                 if constexpr (wire::message<Held>)

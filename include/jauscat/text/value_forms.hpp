@@ -136,10 +136,10 @@ template <class Value> void point_at(void* value, std::span<const std::byte> byt
         *static_cast<Value*>(value) = Value{bytes};
 }
 template <class Item> inline constexpr bool zero_filled = false;
-template <auto M, std::size_t N> inline constexpr bool zero_filled<wire::detail::fixed_run<M, N>> = true;
-template <auto M, std::size_t N> inline constexpr bool zero_filled<wire::detail::lenient_run<M, N>> = true;
+template <auto M, std::size_t N> inline constexpr bool zero_filled<wire::fixed_run<M, N>> = true;
+template <auto M, std::size_t N> inline constexpr bool zero_filled<wire::lenient_run<M, N>> = true;
 template <class Item> inline constexpr bool zero_terminated = false;
-template <auto M> inline constexpr bool zero_terminated<wire::detail::terminated_run<M>> = true;
+template <auto M> inline constexpr bool zero_terminated<wire::terminated_run<M>> = true;
 
 template <class Item> constexpr std::size_t most_of() {
     if constexpr (requires { Item::count_type::limit; })

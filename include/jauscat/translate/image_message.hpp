@@ -45,11 +45,10 @@ template <class T> struct lasting_if_optional<std::optional<T>> {
 
 template <class Slots> struct lasting_slots;
 template <auto... Members, class... Values>
-struct lasting_slots<wire::detail::slot_list<wire::detail::slot<Members, Values>...>> {
-    using type = wire::detail::slot_list<wire::detail::slot<Members, typename lasting_if_optional<Values>::type>...>;
+struct lasting_slots<wire::raw_slot_list<wire::raw_slot<Members, Values>...>> {
+    using type = wire::raw_slot_list<wire::raw_slot<Members, typename lasting_if_optional<Values>::type>...>;
 };
-template <class T>
-using image_slots = typename lasting_slots<typename wire::detail::slots_of<wire::layout_of<T>>::type>::type;
+template <class T> using image_slots = typename lasting_slots<wire::raw_slots_of<T>>::type;
 
 // The presence bits of a message that was decoded from `body`: where it is all one presence vector and what that
 // announces, its own.
@@ -78,8 +77,8 @@ struct presence_in<wire::layout<wire::presence<Carrier, Items...>>> {
 /// The message `T` like wire::raw<T>, with `lasting` elements for optional ones.
 template <class T> class image_message : detail::image_slots<T> {
     template <auto Member, class Value>
-    static consteval Value image_message::* find(const wire::detail::slot<Member, Value>*) {
-        return &wire::detail::slot<Member, Value>::value;
+    static consteval Value image_message::* find(const wire::raw_slot<Member, Value>*) {
+        return &wire::raw_slot<Member, Value>::value;
     }
 
   public:

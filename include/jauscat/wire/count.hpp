@@ -113,6 +113,9 @@ template <std::size_t Less, auto... Path> struct count_elsewhere {
 };
 } // namespace detail
 
+/// The common base of `counted_by` (`Less` is 0) and `one_less_than` (1).
+template <std::size_t Less, auto... Path> using count_elsewhere = detail::count_elsewhere<Less, Path...>;
+
 /// The count is a member of this structure or of one around it; further pointers lead into it. Encoding a list of
 /// another size says count_mismatch.
 template <auto... Path> struct counted_by : detail::count_elsewhere<0, Path...> {};

@@ -35,8 +35,6 @@ struct diagnosis {
     }
 };
 
-namespace detail {
-
 /// Keeps the path. Structures nested deeper than it is long (no standard message has them) are left out.
 class path_trace {
   public:
@@ -51,10 +49,10 @@ class path_trace {
     constexpr void leave() noexcept { --found_.depth; }
 
     [[nodiscard]] constexpr diagnosis found(errc error) const noexcept {
-        diagnosis result = found_;
-        result.error = error;
-        result.depth = std::min(result.depth, result.path.size());
-        return result;
+        diagnosis why = found_;
+        why.error = error;
+        why.depth = std::min(why.depth, why.path.size());
+        return why;
     }
 
   protected:
@@ -143,13 +141,13 @@ template <message T> constexpr in_cursor decode_traced(T& value, std::span<const
     return layout_of<T>::get(value, {in.data(), 0}, object_scope{value, root});
 }
 
+namespace detail {
 /// The error of `decode` with enough memory.
 template <message T> constexpr errc decode_error(std::span<const std::byte> in) noexcept {
     using root = std::conditional_t<needs_memory<T>, discarding_root, plain_root>;
     T scratch{};
     return decode(scratch, in, root{}, true).error();
 }
-
 } // namespace detail
 
 /// Explains the error of `decode` for `in`: the first field in wire order with that error. `error` is ok when the bytes
@@ -159,8 +157,8 @@ template <message T> [[nodiscard]] constexpr diagnosis diagnose(std::span<const 
     if (error == errc::ok) return {};
     if (error == errc::too_long) return {.error = error, .needed = in.size(), .available = result::max_size};
     T scratch{};
-    detail::decode_trace trace{in, error};
-    const in_cursor end = detail::decode_traced(scratch, in, trace);
+    decode_trace trace{in, error};
+    const in_cursor end = decode_traced(scratch, in, trace);
     if (error != errc::trailing_bytes) return trace.found(error);
     const std::size_t left = trace.remaining(end.at);
     return {.error = error, .offset = in.size() - left, .available = left};
@@ -173,7 +171,7 @@ template <message T>
     if (!never_too_long<T> && needed > result::max_size)
         return {.error = errc::too_long, .needed = needed, .available = result::max_size};
     if (space < needed) return {.error = errc::no_space, .needed = needed, .available = space};
-    detail::encode_trace trace;
+    encode_trace trace;
     const traced_root root{trace};
     const out_cursor end = layout_of<T>::put(value, {nullptr, errc::ok}, object_scope{value, root});
     return end.error == errc::ok ? diagnosis{} : trace.found(end.error);

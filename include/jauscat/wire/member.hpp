@@ -38,6 +38,8 @@ template <class T, std::size_t... I> consteval bool takes(std::index_sequence<I.
 
 } // namespace detail
 
+template <class T> inline constexpr bool is_optional = detail::optional_value<T>::is_optional;
+
 template <auto Member> using member_t = typename detail::member_pointer<decltype(Member)>::type;
 template <auto Member> using owner_t = typename detail::member_pointer<decltype(Member)>::owner;
 /// The member's type, or what it holds if it is a std::optional.

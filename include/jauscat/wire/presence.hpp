@@ -65,12 +65,11 @@ template <auto Member> struct presence_flag {
     }
 };
 
-namespace detail {
+/// Whether the item has a bit in the presence vector that it stands in.
 template <class Item> inline constexpr bool takes_bit = Item::optional;
 template <class Item>
 requires requires { Item::takes_bit; }
 inline constexpr bool takes_bit<Item> = true;
-} // namespace detail
 
 /// A presence vector in `Carrier`, then its items. Each item with a std::optional member takes the next bit, from the
 /// least significant up, and is there when its bit is set; so does a `presence_flag`. Any other item is always there.
@@ -81,7 +80,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     using mask_type = word_for<Carrier>;
     using keys = joined_keys<typename Items::keys...>;
     static constexpr bool optional = false;
-    static constexpr std::size_t optional_count = (static_cast<std::size_t>(detail::takes_bit<Items>) + ... + 0);
+    static constexpr std::size_t optional_count = (static_cast<std::size_t>(takes_bit<Items>) + ... + 0);
     static constexpr bool all_fixed = (fixed_item<Items> && ... && true);
     static constexpr bool contextual = (is_contextual<Items> || ... || false);
     static constexpr bool needs_memory = (item_needs_memory<Items> || ... || false);
@@ -141,7 +140,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             std::size_t at = 0;
             (set_flag<Items>(object, m, at), ...); // first, because an item before a flag may be gated by it
             return each(c, m, here, [&]<class Item>(bool present, in_cursor& cursor) {
-                if constexpr (detail::takes_bit<Item>) {
+                if constexpr (takes_bit<Item>) {
                     if (!present) {
                         absent<Item>(object);
                         return true;
@@ -203,7 +202,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     template <class Item> JAUSCAT_INLINE static constexpr bool is_present(const auto& object) noexcept {
         if constexpr (Item::optional)
             return (object.*place_in<decltype(object), Item::key>).has_value();
-        else if constexpr (detail::takes_bit<Item>)
+        else if constexpr (takes_bit<Item>)
             return object.*place_in<decltype(object), Item::key>;
         else
             return true;
@@ -212,7 +211,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
   private:
     template <class Item>
     JAUSCAT_INLINE static constexpr mask_type present(const auto& object, std::size_t& at) noexcept {
-        if constexpr (!detail::takes_bit<Item>)
+        if constexpr (!takes_bit<Item>)
             return 0;
         else
             return static_cast<mask_type>(static_cast<bool>(object.*place_in<decltype(object), Item::key>)) << at++;
@@ -220,8 +219,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
 
     // Bytes that the set bits stand for.
     JAUSCAT_INLINE static constexpr std::size_t announced(mask_type m) noexcept {
-        constexpr auto& sizes =
-            detail::sizes_by_nibble<(detail::takes_bit<Items> ? Items::max_size : detail::always_there)...>;
+        constexpr auto& sizes = detail::sizes_by_nibble<(takes_bit<Items> ? Items::max_size : detail::always_there)...>;
         return [&]<std::size_t... Nibble>(std::index_sequence<Nibble...>) {
             return (std::size_t{} + ... + sizes[Nibble][static_cast<std::size_t>(m >> (Nibble * 4) & 15u)]);
         }(std::make_index_sequence<sizes.size()>{});
@@ -246,7 +244,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     template <class Item>
     JAUSCAT_INLINE static constexpr bool put_if_present(const auto& object, mask_type& m, std::size_t& at,
                                                         out_cursor& c, const auto& here) noexcept {
-        if constexpr (detail::takes_bit<Item>) {
+        if constexpr (takes_bit<Item>) {
             const auto bit = mask_type{1} << at++;
             if (!(object.*place_in<decltype(object), Item::key>)) return true;
             m |= bit;
@@ -269,7 +267,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     template <class Item>
     JAUSCAT_INLINE static constexpr bool get_fixed(auto& object, mask_type m, std::size_t& at, const std::byte*& in,
                                                    errc& error) noexcept {
-        if constexpr (detail::takes_bit<Item>) {
+        if constexpr (takes_bit<Item>) {
             if ((m >> at++ & 1u) == 0) {
                 absent<Item>(object);
                 return true;
@@ -286,7 +284,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
                                                   [[maybe_unused]] std::size_t& at) noexcept {
         if constexpr (requires { Item::takes_bit; })
             object.*place_in<decltype(object), Item::key> = (m >> at & 1u) != 0;
-        if constexpr (detail::takes_bit<Item>) ++at;
+        if constexpr (takes_bit<Item>) ++at;
     }
 
     // Steps over the items one by one: `step<Item>(present, cursor)`.
@@ -307,7 +305,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     JAUSCAT_INLINE static constexpr bool step_over(in_cursor& c, mask_type m, std::size_t& at,
                                                    [[maybe_unused]] const auto& here, auto&& step) noexcept {
         bool present = true;
-        if constexpr (detail::takes_bit<Item>) {
+        if constexpr (takes_bit<Item>) {
             present = (m >> at++ & 1u) != 0;
             if (present && !detail::spend(c, Item::min_size, here)) return false;
         }
@@ -320,7 +318,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         std::size_t total = Carrier::size, at = 0, index = 0;
         const auto add = [&]<class Item>() {
             bool present = true;
-            if constexpr (detail::takes_bit<Item>) present = (m >> at++ & 1u) != 0;
+            if constexpr (takes_bit<Item>) present = (m >> at++ & 1u) != 0;
             if (index++ < Count && present) total += detail::extent_of_item<Item>(in + total, here);
         };
         (add.template operator()<Items>(), ...);
@@ -336,7 +334,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     template <auto Member>
     static constexpr std::size_t optionals_before = [] {
         std::size_t count = 0, index = 0;
-        ((count += detail::takes_bit<Items> && index < index_of<Member>, ++index), ...);
+        ((count += takes_bit<Items> && index < index_of<Member>, ++index), ...);
         return count;
     }();
     template <auto Member>

@@ -41,10 +41,16 @@ template <class... Items> struct slots_of<layout<Items...>> : joined_slots<typen
 
 } // namespace detail
 
+/// The place of one member in a `raw`: its only member is `value`. Also for types like `raw` (see place_in).
+template <auto Member, class Value> using raw_slot = detail::slot<Member, Value>;
+template <class... Slots> using raw_slot_list = detail::slot_list<Slots...>;
+/// The list of the places of all members of `T`.
+template <class T> using raw_slots_of = typename detail::slots_of<layout_of<T>>::type;
+
 /// The raw form of the message `T`, generated from its layout, under the same member pointers:
 /// `r.get<&T::speed>()`, `r.set<&T::speed>(raw)`. Optional members are std::optional, nested messages are raw
 /// themselves. Encodes and decodes like `T`, but any raw value is legal.
-template <class T> class raw : detail::slots_of<layout_of<T>>::type {
+template <class T> class raw : raw_slots_of<T> {
     template <auto Member, class Value> static consteval Value raw::* find(const detail::slot<Member, Value>*) {
         return &detail::slot<Member, Value>::value;
     }

@@ -84,6 +84,9 @@ template <class T, class Outer> struct structure_at<byte_scope<T, Outer>> {
 
 } // namespace detail
 
+/// The structure that a scope stands for.
+template <class Scope> using structure_of_scope = typename detail::structure_at<Scope>::type;
+
 /// The value of a member of this structure or of one around it; further pointers lead into it.
 template <auto First, auto... Rest> JAUSCAT_INLINE constexpr auto look_up(const auto& scope) noexcept {
     using here = std::remove_cvref_t<decltype(scope)>;

@@ -12,6 +12,9 @@ template <auto... Path> struct by {
     JAUSCAT_INLINE static constexpr auto value(const auto& here) noexcept { return look_up<Path...>(here); }
 };
 
+template <class T> inline constexpr bool is_variant = false;
+template <class... T> inline constexpr bool is_variant<std::variant<T...>> = true;
+
 /// One case: for `Tag` the value has the form `Form`, a codec or a struct with a schema; without one it has no bytes.
 template <auto Tag, class Form = std::monostate> struct when {
     static constexpr auto tag = Tag;
@@ -75,9 +78,6 @@ template <> struct case_form<std::monostate> {
     template <bool> static constexpr out_cursor put(const auto&, out_cursor c, const auto&) noexcept { return c; }
     template <bool> static constexpr in_cursor get(auto&, in_cursor c, const auto&) noexcept { return c; }
 };
-
-template <class T> inline constexpr bool is_variant = false;
-template <class... T> inline constexpr bool is_variant<std::variant<T...>> = true;
 
 /// Operations on a value of the type `Value`, by its tag. For all members with the same cases, and out of line: a
 /// payload's interface has three values of 22 cases each. A structure in a case looks at nothing around it.
@@ -151,6 +151,9 @@ template <class Value, bool Raw, class... Cases> struct case_table {
 
 } // namespace detail
 
+/// The type and the sizes of a case: `value_type`, `min_size`, `max_size`.
+template <class Form> using case_form = detail::case_form<Form>;
+
 /// A member in the form that `Selector` selects among `Cases`. The member is a std::variant of the cases' types, or of
 /// their one type. A tag without a case, and a value that is not of its tag's type, say unknown_tag.
 /// In a `raw` a plain member with scaled cases is the integer on the wire, as std::uint64_t.
@@ -164,7 +167,7 @@ template <auto Member, class Selector, class... Cases> struct selected {
     template <class Value, bool Raw> using table = detail::case_table<Value, Raw, Cases...>;
     static constexpr std::size_t min_size = table<value_type, false>::min_size;
     static constexpr std::size_t max_size = table<value_type, false>::max_size;
-    static constexpr bool of_variant = detail::is_variant<value_type>;
+    static constexpr bool of_variant = is_variant<value_type>;
     static constexpr bool has_scaled = (requires { typename Cases::form::raw_codec; } || ...);
     static_assert(!(of_variant && has_scaled), "selected: scaled cases need a plain member");
     static_assert(

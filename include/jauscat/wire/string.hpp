@@ -54,9 +54,13 @@ template <auto Member, class Extent> struct octet_run {
     }
 };
 
+} // namespace detail
+
+// The items that `string` and `bytes` stand for, by what tells their length.
+
 /// The length is a count, before it or elsewhere.
-template <auto Member, class Count> struct counted_run : octet_run<Member, Count> {
-    using base = octet_run<Member, Count>;
+template <auto Member, class Count> struct counted_run : detail::octet_run<Member, Count> {
+    using base = detail::octet_run<Member, Count>;
     using count_type = Count;
     static_assert(detail::checked_count<Count, owner_t<Member>>,
                   "string: the extent is neither fixed, fixed_or_rest, rest and zero_terminated nor a count (it needs "
@@ -78,14 +82,14 @@ template <auto Member, class Count> struct counted_run : octet_run<Member, Count
             if (!root_of(here).tracer.template reach_octets<counted_run>(c.at, size))
                 return in_cursor::failed(errc::truncated);
         }
-        if (!spend(c, size, here)) return c;
+        if (!detail::spend(c, size, here)) return c;
         emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, size);
         c.at += size;
         return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         const std::size_t size = Count::peek(c.at, here);
-        if (!spend(c, size, here)) return c;
+        if (!detail::spend(c, size, here)) return c;
         c.at += Count::prefix_size + size;
         return c;
     }
@@ -100,13 +104,9 @@ template <auto Member, class Count> struct counted_run : octet_run<Member, Count
     }
 };
 
-template <auto Member, class Extent> struct run_of {
-    using type = counted_run<Member, Extent>;
-};
-
 /// To the end of the body.
-template <auto Member> struct run_to_end : octet_run<Member, rest> {
-    using base = octet_run<Member, rest>;
+template <auto Member> struct run_to_end : detail::octet_run<Member, rest> {
+    using base = detail::octet_run<Member, rest>;
     static constexpr bool to_the_end = true;
     static constexpr std::size_t min_size = 0, max_size = unbounded;
 
@@ -117,7 +117,7 @@ template <auto Member> struct run_to_end : octet_run<Member, rest> {
         return base::append(value_of(object.*place_in<decltype(object), Member>), c, here);
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        const std::size_t size = rest_of(c, here);
+        const std::size_t size = detail::rest_of(c, here);
         emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, size);
         return {c.at + size, 0};
     }
@@ -133,24 +133,21 @@ template <auto Member> struct run_to_end : octet_run<Member, rest> {
         visitor(run_to_end{}, object.*place_in<decltype(object), Member>);
     }
 };
-template <auto Member> struct run_of<Member, rest> {
-    using type = run_to_end<Member>;
-};
 
 /// Sent with zeros up to `Size`, received to the end of the body.
-template <auto Member, std::size_t Size> struct lenient_run : octet_run<Member, fixed_or_rest<Size>> {
-    using base = octet_run<Member, fixed_or_rest<Size>>;
+template <auto Member, std::size_t Size> struct lenient_run : detail::octet_run<Member, fixed_or_rest<Size>> {
+    using base = detail::octet_run<Member, fixed_or_rest<Size>>;
     static constexpr bool to_the_end = true;
     static constexpr std::size_t min_size = 0, max_size = Size;
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto&, const auto&) noexcept { return Size; }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
         const auto& value = value_of(object.*place_in<decltype(object), Member>);
-        write<Size>(c, here, [&](std::byte* out) { return base::put_filled(value, out, Size); });
+        detail::write<Size>(c, here, [&](std::byte* out) { return base::put_filled(value, out, Size); });
         return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        const std::size_t size = rest_of(c, here);
+        const std::size_t size = detail::rest_of(c, here);
         emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, base::filled(c.at, size));
         return {c.at + size, 0};
     }
@@ -165,13 +162,10 @@ template <auto Member, std::size_t Size> struct lenient_run : octet_run<Member, 
         visitor(lenient_run{}, object.*place_in<decltype(object), Member>);
     }
 };
-template <auto Member, std::size_t Size> struct run_of<Member, fixed_or_rest<Size>> {
-    using type = lenient_run<Member, Size>;
-};
 
 /// With zeros up to `Size`.
-template <auto Member, std::size_t Size> struct fixed_run : octet_run<Member, fixed<Size>> {
-    using base = octet_run<Member, fixed<Size>>;
+template <auto Member, std::size_t Size> struct fixed_run : detail::octet_run<Member, fixed<Size>> {
+    using base = detail::octet_run<Member, fixed<Size>>;
     static constexpr std::size_t min_size = Size, max_size = Size;
 
     JAUSCAT_INLINE static constexpr errc put(const auto& object, std::byte* out) noexcept {
@@ -188,13 +182,10 @@ template <auto Member, std::size_t Size> struct fixed_run : octet_run<Member, fi
         visitor(fixed_run{}, object.*place_in<decltype(object), Member>);
     }
 };
-template <auto Member, std::size_t Size> struct run_of<Member, fixed<Size>> {
-    using type = fixed_run<Member, Size>;
-};
 
 /// Up to a zero.
-template <auto Member> struct terminated_run : octet_run<Member, zero_terminated> {
-    using base = octet_run<Member, zero_terminated>;
+template <auto Member> struct terminated_run : detail::octet_run<Member, zero_terminated> {
+    using base = detail::octet_run<Member, zero_terminated>;
     static constexpr std::size_t min_size = 1, max_size = unbounded;
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto&) noexcept {
@@ -205,18 +196,18 @@ template <auto Member> struct terminated_run : octet_run<Member, zero_terminated
         for (const auto octet : value)
             if (static_cast<std::byte>(octet) == std::byte{}) return {c.at, errc::out_of_range};
         c = base::append(value, c, here);
-        write<1>(c, here, [](std::byte* out) { return *out = std::byte{}, errc::ok; });
+        detail::write<1>(c, here, [](std::byte* out) { return *out = std::byte{}, errc::ok; });
         return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        const std::size_t most = traced<decltype(here)> ? rest_of(c, here) : c.slack + 1;
+        const std::size_t most = traced<decltype(here)> ? detail::rest_of(c, here) : c.slack + 1;
         const std::size_t size = length(c.at, most);
         if (size == most) {
             if constexpr (traced<decltype(here)>)
                 root_of(here).tracer.template reach_octets<terminated_run>(c.at, size + 1);
             return in_cursor::failed(errc::truncated);
         }
-        if (!spend(c, size, here)) return c;
+        if (!detail::spend(c, size, here)) return c;
         emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, size);
         c.at += size + 1;
         return c;
@@ -244,10 +235,23 @@ template <auto Member> struct terminated_run : octet_run<Member, zero_terminated
         return size;
     }
 };
+
+namespace detail {
+template <auto Member, class Extent> struct run_of {
+    using type = counted_run<Member, Extent>;
+};
+template <auto Member> struct run_of<Member, rest> {
+    using type = run_to_end<Member>;
+};
+template <auto Member, std::size_t Size> struct run_of<Member, fixed_or_rest<Size>> {
+    using type = lenient_run<Member, Size>;
+};
+template <auto Member, std::size_t Size> struct run_of<Member, fixed<Size>> {
+    using type = fixed_run<Member, Size>;
+};
 template <auto Member> struct run_of<Member, zero_terminated> {
     using type = terminated_run<Member>;
 };
-
 } // namespace detail
 
 /// Characters (member: std::string_view): `fixed<N>`, `fixed_or_rest<N>`, `zero_terminated`, `rest`, or a count.

@@ -122,7 +122,7 @@ class field_search {
     constexpr void in(const View* view, std::type_identity<wire::nested<Member>>) noexcept {
         using got = decltype(view->template get<Member>());
         const std::type_identity<typename wire::nested<Member>::inner> inside{};
-        if constexpr (wire::detail::optional_value<got>::is_optional) {
+        if constexpr (wire::is_optional<got>) {
             const got inner = view != nullptr ? view->template get<Member>() : got{};
             in(inner ? &*inner : nullptr, inside);
         } else if (view != nullptr) {
