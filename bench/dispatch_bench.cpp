@@ -80,9 +80,10 @@ std::vector<bytes> smallest_messages(jaus::message_list<Messages...>, std::size_
     std::vector<bytes> all;
     const auto add = [&]<class Message>() {
         bytes made(jaus::header_size + 4096);
-        const auto size = jaus::make_message({.destination = {1, 2, 3, 4}, .source = {5, 6, 7, 8}}, Message{}, made);
-        if (!size || size.size() > largest) return;
-        made.resize(size.size());
+        const auto message_bytes =
+            jaus::make_message({.destination = {1, 2, 3, 4}, .source = {5, 6, 7, 8}}, Message{}, made);
+        if (!message_bytes || message_bytes->size() > largest) return;
+        made.resize(message_bytes->size());
         if (by_switch(made)) all.push_back(std::move(made)); // some are not complete without a list
     };
     (add.template operator()<Messages>(), ...);

@@ -9,11 +9,11 @@ namespace wire = jauscat::wire;
 
 template <class Message> bool one(std::span<std::byte> bytes, wire::arena& memory) {
     Message message{};
-    const wire::result size = wire::encode(message, bytes);
+    const auto encoded = wire::encode(message, bytes);
     if constexpr (wire::needs_memory<Message>)
-        return size && wire::decode(message, bytes.first(size.size()), memory);
+        return encoded && wire::decode(message, *encoded, memory);
     else
-        return size && wire::decode(message, bytes.first(size.size()));
+        return encoded && wire::decode(message, *encoded);
 }
 
 template <class... Messages> bool all(std::span<std::byte> bytes, wire::arena& memory) {

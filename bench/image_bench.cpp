@@ -83,10 +83,10 @@ constexpr std::size_t item_count = 1024, elements = 12, wide_elements = 6;
     return size;
 }
 [[gnu::noinline, gnu::flatten]] bool forth(std::span<const std::byte> body, std::span<std::byte> out) {
-    return command::to_image(body, out) == jauscat::translate::errc::ok;
+    return command::to_image(body, out).has_value();
 }
 [[gnu::noinline, gnu::flatten]] std::size_t back(std::span<const std::byte> in, std::span<std::byte> body) {
-    return report::from_image(in, body).size();
+    return report::from_image(in, body)->size();
 }
 
 struct sample_set {

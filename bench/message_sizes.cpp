@@ -8,13 +8,13 @@ namespace jaus = jauscat::jaus;
 namespace wire = jauscat::wire;
 
 template <class Message> std::size_t encode_one(const Message& message, std::span<std::byte> out) {
-    return wire::encode(message, out).size();
+    return wire::encode(message, out)->size();
 }
 template <class Message> std::size_t decode_one(Message& message, std::span<const std::byte> in, wire::arena& memory) {
     if constexpr (wire::needs_memory<Message>)
-        return wire::decode(message, in, memory).size();
+        return *wire::decode(message, in, memory);
     else
-        return wire::decode(message, in).size();
+        return *wire::decode(message, in);
 }
 template <class Message> std::byte in_memory[sizeof(Message)];
 

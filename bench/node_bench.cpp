@@ -91,7 +91,7 @@ class component {
             size = jaus::make_message(
                        jaus::answer_to(head),
                        jaus::report_component_status{.primary_status_code = jaus::primary_status_code::ready}, out)
-                       .size();
+                       ->size();
         })};
         if (handlers(m.header, m.body) == jaus::dispatched::handled)
             udp_.post(std::span{out}.first(size), from, framing);

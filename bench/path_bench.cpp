@@ -57,14 +57,14 @@ template <class Table> [[gnu::noinline]] std::size_t path(in_bytes datagram, out
     const auto split = jaus::split(message);
     if (!split || delivery::deliverable(split.header) != jauscat::translate::errc::ok) return 0;
     std::array<std::byte, delivery::translator::max_packet_size> packet; // not zeroed: to_packet returns its size
-    const auto size = delivery::translator::to_packet(message, packet);
-    if (!size) return 0;
-    const auto object = delivery::object_of(std::span{packet}.first(size.size()));
+    const auto packet_bytes = delivery::translator::to_packet(message, packet);
+    if (!packet_bytes) return 0;
+    const auto object = delivery::object_of(*packet_bytes);
     const auto transfer = ethercat::sdo_transfer::download(object.index, object.subindex, object.data);
     ethercat::mailbox_exchange exchange{slave};
     ethercat::frame_builder frame{frame_bytes, ++index};
     exchange.request(frame, slave, transfer);
-    return frame.finish().size();
+    return frame.finish()->size();
 }
 
 [[gnu::noinline]] std::size_t copy_of_frame(out_bytes frame, std::size_t size) {

@@ -23,10 +23,10 @@ constexpr std::size_t item_count = 1024;
 template <class Table> struct ours {
     using translator = jauscat::translate::translator<Table>;
     [[gnu::noinline, gnu::flatten]] static std::size_t forth(in_bytes message, out_bytes packet) {
-        return translator::to_packet(message, packet).size();
+        return translator::to_packet(message, packet)->size();
     }
     [[gnu::noinline, gnu::flatten]] static std::size_t back(in_bytes packet, out_bytes message) {
-        return translator::from_packet(packet, message).size();
+        return translator::from_packet(packet, message)->size();
     }
 };
 struct seed : ours<translation::seed_table> {

@@ -203,13 +203,13 @@ class arm {
         head.destination = query.destination;
         head.source = query.destination;
         std::array<std::byte, 256> message{};
-        const auto size = jauscat::jaus::make_message(head, report, message);
-        if (!size) {
-            say_(events::report_failed, {{"reason", describe(size.error())}},
-                 "cannot report: " + std::string{describe(size.error())});
+        const auto made = jauscat::jaus::make_message(head, report, message);
+        if (!made) {
+            say_(events::report_failed, {{"reason", describe(made.error())}},
+                 "cannot report: " + std::string{describe(made.error())});
             return;
         }
-        report_.assign(message.begin(), message.begin() + static_cast<std::ptrdiff_t>(size.size()));
+        report_.assign(made->begin(), made->end());
         constexpr auto code = jauscat::jaus::command_code_of<Report>;
         say_(events::report_prepared, {{"code", code}}, "prepared " + jauscat::text::message_name(code));
     }
@@ -261,12 +261,12 @@ template <class Table> class arm_application {
                          ") is not a JAUS node, 1 to 254: give the node with --node");
             return abort_code::parameter_incompatible;
         }
-        const auto size = delivery::message_of({self_.station, index, subindex, data}, self_, message_);
-        if (!size) {
+        const auto restored = delivery::message_of({self_.station, index, subindex, data}, self_, message_);
+        if (!restored) {
             arm_.say(events::object_refused,
-                     {{"index", index}, {"subindex", subindex}, {"reason", describe(size.error())}},
-                     "refused an object: " + std::string{describe(size.error())});
-            switch (size.error()) {
+                     {{"index", index}, {"subindex", subindex}, {"reason", describe(restored.error())}},
+                     "refused an object: " + std::string{describe(restored.error())});
+            switch (restored.error()) {
             case translate::errc::unknown_index: return abort_code::no_object;
             case translate::errc::unknown_subindex: return abort_code::no_subindex;
             case translate::errc::wrong_size: return abort_code::length_mismatch;
@@ -276,7 +276,7 @@ template <class Table> class arm_application {
             default: return abort_code::parameter_incompatible;
             }
         }
-        switch (arm_.receive(std::span{message_}.first(size.size()))) {
+        switch (arm_.receive(*restored)) {
         case obedience::obeyed: return abort_code::none;
         case obedience::refused: return abort_code::device_state;
         case obedience::unknown: return abort_code::no_subindex;
@@ -290,13 +290,13 @@ template <class Table> class arm_application {
         using jauscat::ethercat::abort_code;
         if (arm_.report().empty()) return {abort_code::no_data, 0};
         std::array<std::byte, delivery::translator::max_packet_size> packet{};
-        const auto size = delivery::translator::to_packet(arm_.report(), packet);
-        if (!size) {
-            arm_.say(events::report_failed, {{"reason", describe(size.error())}},
-                     "cannot report: " + std::string{describe(size.error())});
+        const auto translated = delivery::translator::to_packet(arm_.report(), packet);
+        if (!translated) {
+            arm_.say(events::report_failed, {{"reason", describe(translated.error())}},
+                     "cannot report: " + std::string{describe(translated.error())});
             return {abort_code::cannot_store, 0};
         }
-        const auto object = delivery::object_of(std::span{packet}.first(size.size()));
+        const auto object = delivery::object_of(*translated);
         if (object.index != index || object.subindex != subindex) return {abort_code::no_data, 0};
         if (object.data.size() > out.size()) return {abort_code::exceeds_mailbox, 0};
         std::ranges::copy(object.data, out.begin());

@@ -41,22 +41,21 @@ class arm_process_data {
             return;
         seen_ = values.command_count;
         std::array<std::byte, jauscat::wire::max_size<jauscat::jaus::set_wrench_effort>> body{};
-        const auto size = command::from_image(written, body);
-        if (!size)
-            return arm_.say(events::message_malformed, {{"reason", describe(size.error())}},
-                            "refused process data: " + std::string{describe(size.error())});
+        const auto restored = command::from_image(written, body);
+        if (!restored)
+            return arm_.say(events::message_malformed, {{"reason", describe(restored.error())}},
+                            "refused process data: " + std::string{describe(restored.error())});
         arm_.say(events::efforts_commanded, {{"command", seen_}},
                  "efforts by process data, command " + std::to_string(seen_));
-        if (arm_.drive_by(std::span{body}.first(size.size())) == obedience::obeyed) taken_ = seen_;
+        if (arm_.drive_by(*restored) == obedience::obeyed) taken_ = seen_;
     }
 
     void give(std::span<std::byte> read_next) const {
         std::array<std::byte, jauscat::wire::max_size<jauscat::jaus::report_wrench_effort>> body{};
-        const auto size = jauscat::wire::encode(arm_.efforts(), body);
+        const auto encoded = jauscat::wire::encode(arm_.efforts(), body);
         std::array<std::byte, report::image_size> bytes{};
         static_cast<void>(jauscat::wire::encode(image{.command_count = taken_}, bytes)); // fits: it is all zeros
-        if (read_next.size() == bytes.size() && size &&
-            report::to_image(std::span{body}.first(size.size()), bytes) == jauscat::translate::errc::ok)
+        if (read_next.size() == bytes.size() && encoded && report::to_image(*encoded, bytes))
             std::ranges::copy(bytes, read_next.begin());
     }
 

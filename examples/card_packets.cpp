@@ -58,7 +58,7 @@ template <class Channel> class host {
         request.head.ul_id = ++id_;
         request.head.ul_len = static_cast<std::uint32_t>(wire::max_size<Request> - header_size + with.size());
         std::array<std::byte, ethercat::packet_job::confirmation_size> packet{};
-        const auto size = wire::encode(request, packet).size();
+        const auto size = wire::encode(request, packet)->size();
         std::ranges::copy(with, packet.begin() + size);
         channel_.put_packet(std::span{packet}.first(size + with.size()));
 
@@ -70,7 +70,7 @@ template <class Channel> class host {
         if (head.ul_sta != hilscher::packet_status::ok) throw failed{std::string{service} + " failed"};
         const auto used = wire::decode_prefix(confirmation, answer);
         if (!used) throw failed{"a confirmation that is too short"};
-        data = answer.subspan(used.size());
+        data = answer.subspan(*used);
         return confirmation;
     }
 

@@ -52,9 +52,9 @@ class gripper_slave {
     ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
         std::cout << "slave: object " << text::hex_number(index, 4) << ":" << int{subindex} << ", " << data.size()
                   << " bytes\n";
-        const auto size = delivery::message_of({station, index, subindex, data}, {.station = station}, message_);
-        if (!size) return ethercat::abort_code::parameter_incompatible;
-        const auto received = jaus::split(std::span{message_}.first(size.size()));
+        const auto restored = delivery::message_of({station, index, subindex, data}, {.station = station}, message_);
+        if (!restored) return ethercat::abort_code::parameter_incompatible;
+        const auto received = jaus::split(*restored);
         if (!received) return ethercat::abort_code::parameter_incompatible;
         jaus::dispatcher handlers{jaus::on<gripper::set_gripper>(
             [&](const jaus::header&, const gripper::set_gripper& command) { obeyed = command; })};
@@ -100,13 +100,13 @@ int main() {
                                           .sequence_number = 7},
                                          command, message);
     if (!made) return failed(describe(made.error()));
-    std::cout << "Set Gripper\n" << text::annotate_message(std::span{message}.first(made.size()), messages{});
+    std::cout << "Set Gripper\n" << text::annotate_message(*made, messages{});
 
     // Forth: an SDO download of the subobject of its rank. Back: the same message.
     using exchange_type = bridge::packet_exchange<table>;
     exchange_type exchange{{.subsystem = 1, .station = gripper_slave::station}};
     std::array<std::byte, exchange_type::buffer_size> buffer{};
-    auto step = exchange.begin(std::span{message}.first(made.size()), buffer);
+    auto step = exchange.begin(*made, buffer);
     if (step.what != bridge::exchange_progress::request) return failed(describe(exchange.error()));
     const auto packet = std::span{buffer}.first(step.size);
     std::cout << "SDO download request\n"
@@ -114,8 +114,8 @@ int main() {
               << "  abSdoData: " << text::hex(packet.subspan(wire::max_size<hilscher::sdo_download_request>)) << "\n";
     std::array<std::byte, message.size()> again{};
     const auto back = translate::translator<table>::from_packet(packet, again);
-    if (!back || back.size() != made.size() || again != message) return failed("the packet is not the message");
-    std::cout << "translated back: the same " << back.size() << " bytes\n";
+    if (!back || back->size() != made->size() || again != message) return failed("the packet is not the message");
+    std::cout << "translated back: the same " << back->size() << " bytes\n";
 
     gripper_slave application;
     ethercat::slave device{{.vendor = 1, .product = 1, .name = "gripper"}, application};
@@ -129,7 +129,7 @@ int main() {
               << " mm, force " << text::to_text(obeyed.force.value_or(0)) << " %\n";
     std::array<std::byte, wire::max_size<gripper::set_gripper>> body{};
     const auto encoded = wire::encode(obeyed, body);
-    if (!std::ranges::equal(std::span{body}.first(encoded.size()), std::span{message}.subspan(jaus::header_size)))
+    if (!std::ranges::equal(*encoded, std::span{message}.subspan(jaus::header_size)))
         return failed("the slave has made another message of the object");
     const auto acknowledgement = std::span{buffer}.first(exchange.acknowledgement(buffer));
     std::cout << "answer: " << text::summary(jaus::split(acknowledgement).header) << "\n";

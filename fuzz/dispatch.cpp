@@ -24,9 +24,9 @@ template <class T> struct take_message {
         ++seen->handled;
         seen->code = jaus::command_code_of<T>;
         bytes out(jaus::header_size + wire::encoded_size(message));
-        const auto size = jaus::make_message(head, message, out);
-        if (!size) return;
-        check(size.size() == out.size(), "a message that was received can be made");
+        const auto message_bytes = jaus::make_message(head, message, out);
+        if (!message_bytes) return;
+        check(message_bytes->size() == out.size(), "a message that was received can be made");
         seen->again = std::move(out);
     }
 };
@@ -61,7 +61,7 @@ void check_dispatch(const jaus::split_message& m) {
     with_message(m.header.command_code, one_of_each_kind{}, [&]<class T>() {
         known = true;
         T message{};
-        const wire::result decoded = wire::decode(message, m.body, fresh_arena());
+        const auto decoded = wire::decode(message, m.body, fresh_arena());
         check(static_cast<bool>(decoded) == (seen.handled == 1), "a handler gets exactly what decodes");
         check(decoded || decoded.error() == seen.error, "the malformed handler gets the error of decode");
         if (!decoded) return;

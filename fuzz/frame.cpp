@@ -10,7 +10,7 @@ namespace {
 
 void check_rebuilt(std::span<const std::byte> frame, const frame_view& view, std::size_t used) {
     ethernet_header ethernet{};
-    const auto header_size = wire::decode_prefix(ethernet, frame).size();
+    const auto header_size = *wire::decode_prefix(ethernet, frame);
     bytes again(max_frame_size);
     frame_builder builder{again, 0, ethernet};
     for (const auto datagram : view) {
@@ -18,16 +18,16 @@ void check_rebuilt(std::span<const std::byte> frame, const frame_view& view, std
         if (room.size() != datagram.data.size()) return; // longer than a frame that this project builds
         std::ranges::copy(datagram.data, room.begin());
     }
-    const auto size = builder.finish();
-    if (!size) return; // the same
+    const auto finished = builder.finish();
+    if (!finished) return; // the same
     frame_view rebuilt;
-    const auto parsed = rebuilt.parse(std::span{again}.first(size.size()));
+    const auto parsed = rebuilt.parse(*finished);
     if (ethernet.ether_type == ether_type_vlan) { // the builder puts no tag
         check(parsed.error() == frame_errc::too_short || parsed.error() == frame_errc::not_ethercat,
               "a frame without its tag is another one");
         return;
     }
-    check(parsed && parsed.size() == used, "a frame built again has the same size");
+    check(parsed && *parsed == used, "a frame built again has the same size");
     check(std::ranges::equal(std::span{again}.first(header_size), frame.first(header_size)),
           "a frame built again has the same Ethernet header");
     auto theirs = view.begin();
@@ -58,7 +58,7 @@ void fuzz::run(std::span<const std::byte> input) {
         check(view.begin() == view.end(), "a frame that does not parse has no datagrams");
         return;
     }
-    check(used.size() <= frame.size(), "a frame ends within its bytes");
+    check(*used <= frame.size(), "a frame ends within its bytes");
     std::size_t bytes_of_datagrams = 0;
     bool more = true;
     for (const auto datagram : view) {
@@ -69,6 +69,6 @@ void fuzz::run(std::span<const std::byte> input) {
         bytes_of_datagrams += datagram.bytes.size();
     }
     check(!more, "the last datagram announces no other");
-    check(bytes_of_datagrams <= used.size() - frame_header_size, "the datagrams lie within the frame");
-    check_rebuilt(frame, view, used.size());
+    check(bytes_of_datagrams <= *used - frame_header_size, "the datagrams lie within the frame");
+    check_rebuilt(frame, view, *used);
 }

@@ -53,8 +53,8 @@ void command_into(std::span<const std::byte> body, const bytes& before) {
     check(decodes, "what goes into an image decodes as real values");
     check_elements(body, before, after);
     bytes back(wire::max_size<jaus::set_wrench_effort>);
-    const auto size = command::from_image(after, back);
-    check(size && std::ranges::equal(std::span{back}.first(size.size()), body), "the body comes back byte for byte");
+    const auto restored = command::from_image(after, back);
+    check(restored && std::ranges::equal(*restored, body), "the body comes back byte for byte");
 
     bytes merged = before;
     const auto old_bits = values_of(before).presence_vector;
@@ -72,9 +72,10 @@ void fuzz::run(std::span<const std::byte> input) {
     command_into(copy_of(in.rest()), before);
 
     bytes body(wire::max_size<jaus::set_wrench_effort>);
-    const auto size = command::from_image(before, body);
+    const auto restored = command::from_image(before, body);
     const bool defined = values_of(before).presence_vector < 0x1000;
-    check(static_cast<bool>(size) == defined, "an image is a message unless it has a bit for an element that is none");
+    check(static_cast<bool>(restored) == defined,
+          "an image is a message unless it has a bit for an element that is none");
 
     // Messages and images that anyone may send, through the exchange.
     exchange jaus{{.subsystem = 1, .station = 2}, 33};

@@ -18,14 +18,14 @@ wanted_write wanted(std::span<const std::byte> message) {
     coe_header coe{};
     const auto used = wire::decode_prefix(coe, message);
     sdo_normal normal{};
-    if (!used || !wire::decode_prefix(normal, message.subspan(used.size()))) return {};
+    if (!used || !wire::decode_prefix(normal, message.subspan(*used))) return {};
     const auto& head = normal.header;
     if (coe.service != coe_service::sdo_request || head.specifier != sdo_specifier::download_request ||
         head.complete_access)
         return {};
-    const auto data = message.subspan(used.size() + wire::max_size<sdo_normal>);
+    const auto data = message.subspan(*used + wire::max_size<sdo_normal>);
     if (head.expedited) {
-        const auto four = message.subspan(used.size() + wire::max_size<sdo_header>, 4);
+        const auto four = message.subspan(*used + wire::max_size<sdo_header>, 4);
         return {true, copy_of(four.first(head.size_indicated ? 4u - head.unused : 4u))};
     }
     return {!head.size_indicated || normal.size == data.size(), copy_of(data)};

@@ -23,11 +23,11 @@ template <class T> void check_memory(std::span<const std::byte> body, std::size_
 template <class T> [[gnu::noinline]] void check_body(std::span<const std::byte> body) {
     wire::arena& memory = fresh_arena();
     T message{};
-    const wire::result decoded = wire::decode(message, body, memory);
+    const auto decoded = wire::decode(message, body, memory);
     const std::size_t used = memory.used();
     if (decoded.error() == wire::errc::arena_full) return;
     wire::raw<T> raw{};
-    const wire::result raw_decoded = wire::decode(raw, body, memory);
+    const auto raw_decoded = wire::decode(raw, body, memory);
     if (raw_decoded.error() == wire::errc::arena_full) return;
     check(!decoded || raw_decoded, "what decodes has a raw");
     check(decoded.error() == wire::errc::ok || decoded.error() == wire::errc::out_of_range ||
@@ -38,7 +38,7 @@ template <class T> [[gnu::noinline]] void check_body(std::span<const std::byte> 
     check(encoded(raw) == expected, "a raw encodes to the bytes it was decoded from");
     if (!decoded) return;
 
-    check(decoded.size() == body.size(), "decode uses the whole body");
+    check(*decoded == body.size(), "decode uses the whole body");
     check(encoded(message) == expected, "a message encodes to the bytes it was decoded from");
     if constexpr (wire::needs_memory<T>) check_memory<T>(body, used);
     if (expected && !expected->empty()) {

@@ -41,7 +41,7 @@ void append(bytes& to, std::span<const std::byte> more) { to.insert(to.end(), mo
 template <class Table> void add_packet(seed_folder& folder, std::span<const std::byte> message) {
     using translator = translate::translator<Table>;
     bytes packet(translator::max_packet_size);
-    if (const auto size = translator::to_packet(message, packet)) folder.add(std::span{packet}.first(size.size()));
+    if (const auto translated = translator::to_packet(message, packet)) folder.add(*translated);
 }
 
 void write_messages(const std::filesystem::path& root) {
@@ -126,7 +126,7 @@ void write_traffic(const std::filesystem::path& root) {
                 if (!used || header.type != ethercat::mailbox_type::coe || header.length > datagram.data.size() - 6)
                     continue;
                 bytes mail(1);
-                append(mail, datagram.data.subspan(used.size(), header.length));
+                append(mail, datagram.data.subspan(*used, header.length));
                 mailbox.add(mail);
             }
             if (i % 2 != 0) continue; // the way back

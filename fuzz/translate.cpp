@@ -25,15 +25,15 @@ template <class Table> struct checked {
                   "a message is refused for a reason that to_packet documents");
             return;
         }
-        packet.resize(there.size());
-        check(there.size() - translator::packet_size + translator::header_size == input.size() + translator::rest_size,
+        packet.resize(there->size());
+        check(there->size() - translator::packet_size + translator::header_size == input.size() + translator::rest_size,
               "a packet carries the rest of the header and the body");
-        bytes short_by_one(there.size() - 1);
+        bytes short_by_one(there->size() - 1);
         check(translator::to_packet(input, short_by_one).error() == errc::no_space, "one byte too few is no space");
 
         bytes message(input.size());
         const auto back = translator::from_packet(packet, message);
-        check(back && back.size() == input.size(), "a packet that was made translates back");
+        check(back && back->size() == input.size(), "a packet that was made translates back");
         check(message == copy_of(input), "a message comes back byte for byte");
         deliver(input, packet);
     }
@@ -45,11 +45,11 @@ template <class Table> struct checked {
         const auto object = delivery::object_of(packet);
         check(object.station == head.destination.node && object.subindex != 0, "an object belongs to its slave");
         bytes received(message.size());
-        const auto size = delivery::message_of(
+        const auto restored = delivery::message_of(
             object,
             {.subsystem = head.destination.subsystem, .station = object.station, .instance = head.destination.instance},
             received);
-        check(size && size.size() == message.size(), "a delivered object is a message again");
+        check(restored && restored->size() == message.size(), "a delivered object is a message again");
         check(received == copy_of(message), "a message arrives at its slave byte for byte");
     }
 
@@ -60,14 +60,14 @@ template <class Table> struct checked {
             check(back.error() != errc::no_space, "the largest message has room");
             return;
         }
-        message.resize(back.size());
+        message.resize(back->size());
         sdo_download_request fields{};
         static_cast<void>(wire::decode_prefix(fields, input));
         check(fields.head.ul_len >= 16 + fields.ul_data_cnt, "a packet is as long as its data count says");
         bytes packet(translator::max_packet_size);
         const auto there = translator::to_packet(message, packet, fields);
         check(static_cast<bool>(there), "a message that was made translates");
-        packet.resize(there.size());
+        packet.resize(there->size());
         // Allowed: a packet may be longer than its data count says, and state that length; it comes back without.
         fields.head.ul_len = 16 + fields.ul_data_cnt;
         bytes expected = encoded(fields).value();
@@ -84,20 +84,20 @@ template <class Table> struct checked {
         const bridge::slave_identity self{.subsystem = in.take(), .station = in.take(), .instance = in.take()};
         const bytes data = copy_of(in.rest());
         bytes message(translator::max_message_size);
-        const auto size = delivery::message_of({self.station, index, subindex, data}, self, message);
-        if (!size) {
-            check(size.error() != errc::no_space, "the largest message has room");
+        const auto message_bytes = delivery::message_of({self.station, index, subindex, data}, self, message);
+        if (!message_bytes) {
+            check(message_bytes.error() != errc::no_space, "the largest message has room");
             return;
         }
-        message.resize(size.size());
+        message.resize(message_bytes->size());
         jaus::header head{};
         static_cast<void>(wire::decode_prefix(head, std::span<const std::byte>{message}));
-        check(head.data_size == size.size() - jaus::header_size, "a delivered message states its size");
+        check(head.data_size == message_bytes->size() - jaus::header_size, "a delivered message states its size");
         check(head.destination.node == self.station, "a delivered message names its slave");
         bytes packet(translator::max_packet_size);
         const auto there = translator::to_packet(message, packet);
         check(static_cast<bool>(there), "a delivered message translates");
-        const auto again = delivery::object_of(std::span{packet}.first(there.size()));
+        const auto again = delivery::object_of(*there);
         check(again.index == index && again.subindex == subindex && copy_of(again.data) == data,
               "an object comes back as it was written");
     }

@@ -46,13 +46,13 @@ class operator_unit {
                 .destination = {.instance = 1, .component = component, .node = station, .subsystem = 1},
                 .source = {.instance = 1, .component = 32, .node = 1, .subsystem = 2},
                 .sequence_number = static_cast<std::uint16_t>(i)};
-            const auto size = jaus::make_message(
+            const auto made = jaus::make_message(
                 head, jaus::set_wrench_effort{.propulsive_linear_effort_x = i % 100, .resistive_linear_effort_x = 1},
                 message);
             std::this_thread::sleep_for(microseconds{500 + random() % 2000});
             const auto before = slave.commands();
             const auto sent = clock::now();
-            socket.send(boost::asio::buffer(message.data(), size.size()));
+            socket.send(boost::asio::buffer(message.data(), made->size()));
             const auto patience = sent + std::chrono::seconds{1};
             while (slave.commands() == before && clock::now() < patience)
                 std::this_thread::sleep_for(microseconds{200});
@@ -90,8 +90,8 @@ inline unsigned command_by_mailbox(row& into, unsigned count, jauscat::net::raw_
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation{};
     jaus_socket socket{[&](std::span<const std::byte> message) {
         std::array<std::byte, delivery::translator::max_packet_size> packet; // not zeroed: to_packet returns its size
-        const auto size = delivery::translator::to_packet(message, packet);
-        static_cast<void>(ethercat::execute_packet(master, std::span{packet}.first(size ? size.size() : 0),
+        const auto translated = delivery::translator::to_packet(message, packet);
+        static_cast<void>(ethercat::execute_packet(master, translated ? *translated : std::span<std::byte>{},
                                                    confirmation, [&] { return jauscat::net::run(link, master); }));
     }};
     const operator_unit unit{socket.port(), slave, count, into.times};

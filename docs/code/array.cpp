@@ -41,11 +41,11 @@ int main() {
     // [use]
     std::array<std::byte, jauscat::wire::max_size<report_gripper>> buffer{};
     const report_gripper report{.force = {100, 250, 0}, .wrist = std::array{joint{-90, 31}, joint{45, 33}}};
-    const auto size = jauscat::wire::encode(report, buffer);
-    const auto bytes = std::span{buffer}.first(size.size());
-    std::cout << jauscat::text::annotate<report_gripper>(bytes);
+    const auto written = jauscat::wire::encode(report, buffer);
+    if (!written) return std::cerr << describe(written.error()) << '\n', 1;
+    std::cout << jauscat::text::annotate<report_gripper>(*written);
 
-    const jauscat::wire::view<report_gripper> view{bytes};
+    const jauscat::wire::view<report_gripper> view{*written};
     if (!view) return std::cerr << describe(view.error()) << '\n', 1;
     const auto force = view.get<&report_gripper::force>(); // empty if a raw value is not legal
     const auto wrist = view.get<&report_gripper::wrist>(); // empty if it is absent

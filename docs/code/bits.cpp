@@ -31,7 +31,7 @@ int main() {
     // [use]
     std::array<std::byte, 1> buffer{};
     const report_gripper report{.mode = grip_mode::holding, .object_seen = true, .temperature_class = 5};
-    const auto size = jauscat::wire::encode(report, buffer);
-    std::cout << jauscat::text::annotate<report_gripper>(std::span{buffer}.first(size.size()));
+    const auto encoded = jauscat::wire::encode(report, buffer);
+    std::cout << jauscat::text::annotate<report_gripper>(*encoded);
     // [use end]
 }

@@ -60,7 +60,7 @@ template <class T> std::span<const std::byte> message_of(const T& body, std::spa
     const jaus::header head{.ack_nak = jaus::ack_nak::request,
                             .destination = {.instance = 1, .component = 33, .node = 2, .subsystem = 2},
                             .source = {.instance = 1, .component = 32, .node = 1, .subsystem = 1}};
-    return buffer.first(jaus::make_message(head, body, buffer).size());
+    return *jaus::make_message(head, body, buffer);
 }
 
 int main() {

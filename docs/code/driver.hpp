@@ -26,9 +26,9 @@ class driver {
   public:
     ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
         std::array<std::byte, delivery::translator::max_message_size> bytes{};
-        const auto size = delivery::message_of({self.station, index, subindex, data}, self, bytes);
-        if (!size) return ethercat::abort_code::parameter_incompatible;
-        const auto message = jaus::split(std::span{bytes}.first(size.size()));
+        const auto restored = delivery::message_of({self.station, index, subindex, data}, self, bytes);
+        if (!restored) return ethercat::abort_code::parameter_incompatible;
+        const auto message = jaus::split(*restored);
         if (!message) return ethercat::abort_code::parameter_incompatible;
         jaus::dispatcher handlers{
             jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const jaus::set_wrench_effort& command) {
@@ -63,8 +63,8 @@ class driver {
         std::array<std::byte, 64> message{};
         const auto made =
             jaus::make_message({.destination = query.destination, .source = query.destination}, answer, message);
-        const auto size = delivery::translator::to_packet(std::span{message}.first(made.size()), report);
-        return made && size ? size.size() : 0;
+        const auto translated = delivery::translator::to_packet(*made, report);
+        return made && translated ? translated->size() : 0;
     }
 
     std::array<std::byte, 128> report{};

@@ -15,13 +15,12 @@ int main() {
     const jaus::address operator_unit{.instance = 1, .component = 32, .node = 1, .subsystem = 1};
 
     std::array<std::byte, 64> buffer{};
-    const auto size = jaus::make_message({.destination = arm, .source = operator_unit}, command, buffer);
-    if (!size) return std::cerr << describe(size.error()) << '\n', 1;
-    const auto message = std::span{buffer}.first(size.size());
-    std::cout << jauscat::text::annotate_message(message, jaus::message_list<jaus::set_wrench_effort>{});
+    const auto message = jaus::make_message({.destination = arm, .source = operator_unit}, command, buffer);
+    if (!message) return std::cerr << describe(message.error()) << '\n', 1;
+    std::cout << jauscat::text::annotate_message(*message, jaus::message_list<jaus::set_wrench_effort>{});
 
     // Decoding, as in the arm.
-    const auto received = jaus::split(message);
+    const auto received = jaus::split(*message);
     jaus::set_wrench_effort effort{};
     if (!received || !jauscat::wire::decode(effort, received.body)) return std::cerr << "not understood\n", 1;
     std::cout << "forward: " << effort.propulsive_linear_effort_x.value_or(0) << " %\n";

@@ -21,9 +21,8 @@ template <> struct jauscat::wire::schema<gripper> {
 
 int main() {
     std::array<std::byte, 8> buffer{};
-    const auto size = jauscat::wire::encode(gripper{.force = 120, .finger = 2}, buffer); // or an error
-    const auto bytes = std::span{buffer}.first(size.size());
+    const auto bytes = jauscat::wire::encode(gripper{.force = 120, .finger = 2}, buffer); // or an error
     gripper received{};
-    if (!jauscat::wire::decode(received, bytes)) return 1;
-    std::cout << jauscat::text::hex(bytes) << ": " << received.force << " N\n"; // 70 3d 01 02: 119.997 N
+    if (!jauscat::wire::decode(received, *bytes)) return 1;
+    std::cout << jauscat::text::hex(*bytes) << ": " << received.force << " N\n"; // 70 3d 01 02: 119.997 N
 }

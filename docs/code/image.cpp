@@ -68,9 +68,9 @@ int main() {
     std::array<std::byte, gripper::image_size> outputs{};
     for (const set_gripper& command : {set_gripper{.opening = 80, .finger = 2}, set_gripper{.opening = 20}}) {
         std::array<std::byte, 8> body{};
-        const auto size = jauscat::wire::encode(command, body);
-        const auto error = gripper::to_image(std::span{body}.first(size.size()), outputs);
-        if (error != translate::errc::ok) return std::cerr << describe(error) << '\n', 1;
+        const auto encoded = jauscat::wire::encode(command, body);
+        if (const auto done = gripper::to_image(*encoded, outputs); !done)
+            return std::cerr << describe(done.error()) << '\n', 1;
         std::cout << jauscat::text::annotate<gripper_outputs>(outputs) << '\n';
     }
     // The master takes the description of the process data from the same struct.

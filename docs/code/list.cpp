@@ -42,15 +42,14 @@ int main() {
     // [use]
     const std::array<grasp, 2> grasps{grasp{.object = 7, .milliseconds = 850}, {.object = 9, .milliseconds = 1200}};
     std::array<std::byte, 32> buffer{};
-    const auto size = jauscat::wire::encode(report_gripper{.force = {100, 250}, .history = grasps}, buffer);
-    const auto bytes = std::span{buffer}.first(size.size());
-    std::cout << jauscat::text::annotate<report_gripper>(bytes);
+    const auto bytes = jauscat::wire::encode(report_gripper{.force = {100, 250}, .history = grasps}, buffer);
+    std::cout << jauscat::text::annotate<report_gripper>(*bytes);
 
     // The list's elements are decoded into memory of the caller, which must outlive the message.
     std::array<std::byte, 256> memory{};
     jauscat::wire::arena arena{memory};
     report_gripper received{};
-    if (const auto used = jauscat::wire::decode(received, bytes, arena); !used)
+    if (const auto used = jauscat::wire::decode(received, *bytes, arena); !used)
         return std::cerr << describe(used.error()) << '\n', 1;
     for (const grasp& each : received.history)
         std::cout << "object " << int{each.object} << ": " << each.milliseconds << " ms\n";

@@ -40,8 +40,8 @@ int main() {
     const jaus::header head{.experimental = true,
                             .destination = {.instance = 1, .component = 33, .node = 2, .subsystem = 2},
                             .source = {.instance = 1, .component = 32, .node = 1, .subsystem = 1}};
-    const auto size = jaus::make_message(head, gripper::set_gripper{.finger = 1, .force = 120}, buffer);
-    if (!size) return std::cerr << describe(size.error()) << '\n', 1;
+    const auto made = jaus::make_message(head, gripper::set_gripper{.finger = 1, .force = 120}, buffer);
+    if (!made) return std::cerr << describe(made.error()) << '\n', 1;
 
     // The receiver: from bytes to the handler of the message's type.
     jaus::dispatcher handlers{
@@ -52,7 +52,7 @@ int main() {
         jaus::on_unknown([](const jaus::header& from, auto) {
             std::cout << "no handler for " << jauscat::text::message_name(from.command_code) << '\n';
         })};
-    const auto message = jaus::split(std::span{buffer}.first(size.size()));
+    const auto message = jaus::split(*made);
     if (!message) return std::cerr << describe(message.error) << '\n', 1;
     return handlers(message.header, message.body) == jaus::dispatched::handled ? 0 : 1;
     // [use end]

@@ -85,15 +85,14 @@ int main() {
                                                1,    1,    4,    0,    0x22, 0x00, 0x01, 0x00, 0x00, 0x40};
 
     std::array<std::byte, radio::max_packet_size> packet{};
-    const auto size = radio::to_packet(std::as_bytes(std::span{octets}), packet, {.counter = 7});
-    if (!size) return std::cerr << describe(size.error()) << '\n', 1;
-    const auto sent = std::span{packet}.first(size.size());
-    std::cout << jauscat::text::annotate<radio_packet>(sent)
-              << "  data: " << jauscat::text::hex(sent.subspan(radio::packet_size)) << '\n';
+    const auto sent = radio::to_packet(std::as_bytes(std::span{octets}), packet, {.counter = 7});
+    if (!sent) return std::cerr << describe(sent.error()) << '\n', 1;
+    std::cout << jauscat::text::annotate<radio_packet>(*sent)
+              << "  data: " << jauscat::text::hex(sent->subspan(radio::packet_size)) << '\n';
 
     std::array<std::byte, radio::max_message_size> again{};
-    const auto back = radio::from_packet(sent, again);
+    const auto back = radio::from_packet(*sent, again);
     if (!back) return std::cerr << describe(back.error()) << '\n', 1;
-    std::cout << "back: " << jauscat::text::hex(std::span{again}.first(back.size())) << '\n';
+    std::cout << "back: " << jauscat::text::hex(*back) << '\n';
     // [use end]
 }

@@ -36,12 +36,11 @@ template <> struct jauscat::wire::schema<set_gripper> {
 int main() {
     // [use]
     std::array<std::byte, jauscat::wire::max_size<set_gripper>> buffer{};
-    const auto size = jauscat::wire::encode(set_gripper{.finger = 1, .force = 120}, buffer);
-    const auto bytes = std::span{buffer}.first(size.size());
-    std::cout << jauscat::text::annotate<set_gripper>(bytes);
+    const auto bytes = jauscat::wire::encode(set_gripper{.finger = 1, .force = 120}, buffer);
+    std::cout << jauscat::text::annotate<set_gripper>(*bytes);
 
     // A view reads one field out of the bytes, without decoding the others.
-    const jauscat::wire::view<set_gripper> view{bytes};
+    const jauscat::wire::view<set_gripper> view{*bytes};
     if (!view) return std::cerr << describe(view.error()) << '\n', 1;
     std::cout << "opening " << (view.get<&set_gripper::opening>() ? "commanded" : "left as it is") << ", force "
               << view.get<&set_gripper::force>().value_or(0) << " N\n";

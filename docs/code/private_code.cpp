@@ -33,18 +33,18 @@ using gripper_table = translation::self_contained_table_of<translation::manufact
 int main() {
     // [use]
     using delivery = jauscat::bridge::delivery<gripper_table>;
-    std::array<std::byte, 64> message{};
+    std::array<std::byte, 64> buffer{};
     const jaus::header head{.experimental = true,
                             .destination = {.instance = 1, .component = 33, .node = 2, .subsystem = 2},
                             .source = {.instance = 1, .component = 32, .node = 1, .subsystem = 1}};
-    const auto size = jaus::make_message(head, set_gripper{.finger = 1, .percent = 50}, message);
-    if (!size) return std::cerr << describe(size.error()) << '\n', 1;
+    const auto message = jaus::make_message(head, set_gripper{.finger = 1, .percent = 50}, buffer);
+    if (!message) return std::cerr << describe(message.error()) << '\n', 1;
 
-    std::array<std::byte, delivery::translator::max_packet_size> packet{};
-    const auto made = delivery::translator::to_packet(std::span{message}.first(size.size()), packet);
-    if (!made) return std::cerr << describe(made.error()) << '\n', 1;
+    std::array<std::byte, delivery::translator::max_packet_size> room{};
+    const auto packet = delivery::translator::to_packet(*message, room);
+    if (!packet) return std::cerr << describe(packet.error()) << '\n', 1;
 
-    const auto object = delivery::object_of(std::span{packet}.first(made.size()));
+    const auto object = delivery::object_of(*packet);
     std::cout << "station " << object.station << ", object " << jauscat::text::hex_number(object.index, 4)
               << ", subindex " << int{object.subindex} << ", data " << jauscat::text::hex(object.data) << '\n';
     // [use end]

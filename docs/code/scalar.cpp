@@ -25,15 +25,14 @@ static_assert(jauscat::wire::max_size<report_gripper> == 5);
 int main() {
     // [use]
     std::array<std::byte, jauscat::wire::max_size<report_gripper>> buffer{}; // 5 bytes: no padding on the wire
-    const auto size = jauscat::wire::encode(report_gripper{.finger = 2, .strokes = 70000}, buffer);
-    if (!size) return std::cerr << describe(size.error()) << '\n', 1;
+    const auto bytes = jauscat::wire::encode(report_gripper{.finger = 2, .strokes = 70000}, buffer);
+    if (!bytes) return std::cerr << describe(bytes.error()) << '\n', 1;
 
-    const auto bytes = std::span{buffer}.first(size.size());
     report_gripper received{};
-    if (const auto used = jauscat::wire::decode(received, bytes); !used)
+    if (const auto used = jauscat::wire::decode(received, *bytes); !used)
         return std::cerr << describe(used.error()) << '\n', 1;
 
-    std::cout << jauscat::text::annotate<report_gripper>(bytes);
+    std::cout << jauscat::text::annotate<report_gripper>(*bytes);
     // [use end]
     return received.strokes == 70000 ? 0 : 1;
 }

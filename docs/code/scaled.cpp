@@ -26,15 +26,15 @@ int main() {
     // [use]
     std::array<std::byte, 3> buffer{};
     report_gripper report{.finger = 2, .opening = 80};
-    auto size = jauscat::wire::encode(report, buffer);
-    std::cout << jauscat::text::annotate<report_gripper>(std::span{buffer}.first(size.size()));
+    auto encoded = jauscat::wire::encode(report, buffer);
+    std::cout << jauscat::text::annotate<report_gripper>(*encoded);
 
     report.opening = 250; // refused: values are not limited silently
-    size = jauscat::wire::encode(report, buffer);
-    std::cout << "250 mm: " << describe(size.error()) << '\n';
+    encoded = jauscat::wire::encode(report, buffer);
+    std::cout << "250 mm: " << describe(encoded.error()) << '\n';
 
     jauscat::wire::clamp(report); // limits all values to their ranges
-    size = jauscat::wire::encode(report, buffer);
-    std::cout << "clamped: " << report.opening << " mm, " << describe(size.error()) << '\n';
+    encoded = jauscat::wire::encode(report, buffer);
+    std::cout << "clamped: " << report.opening << " mm, " << describe(encoded.error()) << '\n';
     // [use end]
 }

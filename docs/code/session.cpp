@@ -43,8 +43,8 @@ class driver {
         std::optional<std::size_t> operator()(std::uint16_t, std::uint32_t fields, std::span<std::byte> body) const {
             auto report = mine.effort_;
             jaus::keep_requested(report, fields);
-            const auto size = jauscat::wire::encode(report, body);
-            return size ? std::optional{size.size()} : std::nullopt;
+            const auto encoded = jauscat::wire::encode(report, body);
+            return encoded ? std::optional{encoded->size()} : std::nullopt;
         }
     };
     static constexpr jaus::address self{.instance = 1, .component = 33, .node = 2, .subsystem = 2};

@@ -29,11 +29,11 @@ bool takes_all_lines() {
     for (std::string line; std::getline(lines, line);) {
         std::array<std::byte, 1024> memory{}, bytes{};
         wire::arena arena{memory};
-        auto size = wire::result{wire::errc::truncated};
-        const auto wrong =
-            text::from_text(line, arena, messages{}, [&](const auto& message) { size = wire::encode(message, bytes); });
-        if (size) continue;
-        std::cerr << line << ": " << (wrong.empty() ? describe(size.error()) : wrong) << '\n';
+        jauscat::result<std::span<std::byte>, wire::errc> encoded{wire::errc::truncated};
+        const auto wrong = text::from_text(line, arena, messages{},
+                                           [&](const auto& message) { encoded = wire::encode(message, bytes); });
+        if (encoded) continue;
+        std::cerr << line << ": " << (wrong.empty() ? describe(encoded.error()) : wrong) << '\n';
         good = false;
     }
     return good;

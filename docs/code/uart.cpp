@@ -35,7 +35,7 @@ void on_message(std::span<const std::byte> bytes) {
     if (message.header.ack_nak != jaus::ack_nak::request) return;
     std::array<std::byte, jaus::header_size> answer{};
     const auto how = done ? jaus::ack_nak::ack : jaus::ack_nak::nak;
-    if (const auto size = jaus::make_acknowledgement(message.header, how, answer)) send(answer);
+    if (const auto made = jaus::make_acknowledgement(message.header, how, answer)) send(answer);
 }
 
 /// Called by the main loop with the received bytes, and every few milliseconds without any.

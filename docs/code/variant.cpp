@@ -46,12 +46,12 @@ int main() {
     for (const set_goal& goal : {set_goal{goal_type::width, std::uint16_t{80}},
                                  set_goal{goal_type::object, object_goal{.number = 7, .grip = 2}},
                                  set_goal{goal_type::release, std::monostate{}}}) {
-        const auto size = jauscat::wire::encode(goal, buffer);
-        std::cout << jauscat::text::annotate<set_goal>(std::span{buffer}.first(size.size())) << '\n';
+        const auto encoded = jauscat::wire::encode(goal, buffer);
+        std::cout << jauscat::text::annotate<set_goal>(*encoded) << '\n';
     }
 
     // The type of the value does not match its tag.
-    const auto size = jauscat::wire::encode(set_goal{goal_type::width, object_goal{}}, buffer);
-    std::cout << describe(size.error()) << '\n';
+    const auto written = jauscat::wire::encode(set_goal{goal_type::width, object_goal{}}, buffer);
+    std::cout << describe(written.error()) << '\n';
     // [use end]
 }

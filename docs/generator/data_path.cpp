@@ -93,11 +93,11 @@ std::vector<row> rows() {
                             .source = {.instance = 1, .component = 32, .node = 1, .subsystem = 1},
                             .sequence_number = 7};
     message.resize(
-        jaus::make_message(head, jaus::set_wrench_effort{.propulsive_linear_effort_x = effort}, message).size());
-    packet.resize(delivery::translator::to_packet(message, packet).size());
+        jaus::make_message(head, jaus::set_wrench_effort{.propulsive_linear_effort_x = effort}, message)->size());
+    packet.resize(delivery::translator::to_packet(message, packet)->size());
     const auto object = delivery::object_of(packet);
     const auto frame = jauscat::reference::frame_with(object);
-    again.resize(delivery::message_of(object, arm, again).size());
+    again.resize(delivery::message_of(object, arm, again)->size());
     const auto received = jaus::split(again);
     jaus::set_wrench_effort obeyed{};
     if (message.empty() || again != message || !wire::decode(obeyed, received.body))

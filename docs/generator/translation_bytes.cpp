@@ -43,13 +43,14 @@ bytes full_wrench_effort() {
                                           .resistive_rotational_effort_y = 40,
                                           .resistive_rotational_effort_z = 60};
     bytes message(jaus::header_size + wire::max_size<jaus::set_wrench_effort>);
-    const auto size =
+    const auto message_bytes =
         jaus::make_message({.priority = 6,
                             .destination = {.instance = 5, .component = 33, .node = station, .subsystem = 1},
                             .source = {.instance = 2, .component = 32, .node = 3, .subsystem = 4},
                             .sequence_number = 34},
                            efforts, message);
-    if (!size || size.size() != message.size()) throw std::logic_error{"the message does not encode"};
+    if (!message_bytes || message_bytes->size() != message.size())
+        throw std::logic_error{"the message does not encode"};
     return message;
 }
 
@@ -91,9 +92,9 @@ std::string block(const std::string& title, std::span<const std::byte> whole, co
 template <class Table> std::string stages(const std::string& table, const bytes& message) {
     using delivery = bridge::delivery<Table>;
     bytes packet(delivery::translator::max_packet_size);
-    const auto size = delivery::translator::to_packet(message, packet);
-    if (!size) throw std::logic_error{"the message does not translate"};
-    packet.resize(size.size());
+    const auto translated = delivery::translator::to_packet(message, packet);
+    if (!translated) throw std::logic_error{"the message does not translate"};
+    packet.resize(translated->size());
     const auto object = delivery::object_of(packet);
     std::string out = block("The packet, " + table, packet,
                             dissection{packet}

@@ -71,16 +71,17 @@ template <class Command, class Report> class jauscat_node {
 
     bool hand_to_card(std::span<const std::byte> message) noexcept {
         std::array<std::byte, translator::packet_size + translator::rest_size + largest_body> packet;
-        const auto size = translator::to_packet(message, packet);
-        if (size) send(line::card, std::span{packet}.first(size.size()));
-        return static_cast<bool>(size);
+        const auto translated = translator::to_packet(message, packet);
+        if (translated) send(line::card, *translated);
+        return static_cast<bool>(translated);
     }
 
     void answer(const header& query, const auto& report) noexcept {
         std::array<std::byte, jaus::header_size + 32> message;
-        const auto size = jauscat::wire::encode(report, std::span{message}.subspan(jaus::header_size));
+        const auto encoded = jauscat::wire::encode(report, std::span{message}.subspan(jaus::header_size));
         using report_type = std::remove_cvref_t<decltype(report)>;
-        if (size) send_answer(query, jaus::ack_nak::none, jaus::command_code_of<report_type>, message, size.size());
+        if (encoded)
+            send_answer(query, jaus::ack_nak::none, jaus::command_code_of<report_type>, message, encoded->size());
     }
 
     // Puts the header of an answer in front of its body, and sends both.

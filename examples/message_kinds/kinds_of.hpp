@@ -12,9 +12,9 @@ template <class Message> std::string body_from_words(std::span<const std::string
     Message message{};
     if (auto wrong = jauscat::text::from_words(words, message, memory); !wrong.empty()) return wrong;
     body.resize(std::size_t{1} << 16U);
-    const auto size = jauscat::wire::encode(message, body);
-    if (!size) return std::string{jauscat::wire::describe(size.error())};
-    body.resize(size.size());
+    const auto encoded = jauscat::wire::encode(message, body);
+    if (!encoded) return std::string{jauscat::wire::describe(encoded.error())};
+    body.resize(encoded->size());
     return {};
 }
 

@@ -62,13 +62,13 @@ order random_command(std::uint32_t seed) {
     });
     order made{jaus::command_code_of<jaus::set_wrench_effort>,
                std::vector<std::byte>(wire::max_size<jaus::set_wrench_effort>)};
-    made.body.resize(wire::encode(command, made.body).size());
+    made.body.resize(wire::encode(command, made.body)->size());
     return made;
 }
 
 order query_efforts(std::uint16_t presence_vector) {
     std::vector<std::byte> body(wire::max_size<jaus::query_wrench_effort>);
-    body.resize(wire::encode(jaus::query_wrench_effort{presence_vector}, body).size());
+    body.resize(wire::encode(jaus::query_wrench_effort{presence_vector}, body)->size());
     return {jaus::command_code_of<jaus::query_wrench_effort>, std::move(body)};
 }
 

@@ -226,8 +226,8 @@ reply operator_unit::exchange(const order& what) {
     awaited_report_ = jaus::report_code_of(what.command_code);
     std::vector<std::byte> message(jaus::header_size + what.body.size());
     const jaus::header head{.command_code = what.command_code, .destination = robot_, .source = self_};
-    if (const auto size = jaus::join(head, what.body, message); !size) {
-        say(events::not_sent, {{"code", what.command_code}}, "FAILED: " + std::string{describe(size.error())});
+    if (const auto made = jaus::join(head, what.body, message); !made) {
+        say(events::not_sent, {{"code", what.command_code}}, "FAILED: " + std::string{describe(made.error())});
         return reply::not_sent;
     }
     const bool asks = awaited_report_ != 0;

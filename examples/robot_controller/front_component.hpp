@@ -59,11 +59,11 @@ class front_component {
   private:
     void show_received(const jauscat::jaus::header& head, bytes body) const {
         std::array<std::byte, jauscat::jaus::header_size + jauscat::jaus::max_body_size> message{};
-        const auto size = jauscat::jaus::join(head, body, message);
-        if (size)
+        const auto made = jauscat::jaus::join(head, body, message);
+        if (made)
             say_(events::message_received, message_members(head, body),
-                 "received " + jauscat::text::summary(jauscat::jaus::split(bytes{message}.first(size.size())).header),
-                 jauscat::text::annotate_message(bytes{message}.first(size.size()), robot_messages{}));
+                 "received " + jauscat::text::summary(jauscat::jaus::split(*made).header),
+                 jauscat::text::annotate_message(*made, robot_messages{}));
         else
             say_(events::message_received, message_members(head) + event_members{{"large_body", body.size()}},
                  "received " + jauscat::text::message_name(head.command_code) + ", a large data set of " +

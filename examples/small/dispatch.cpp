@@ -39,8 +39,8 @@ int main() {
     // Makes a message as another node would, and takes it as this one does.
     const auto receive = [&](const auto& body) {
         std::array<std::byte, 64> buffer{};
-        const auto size = jaus::make_message(head, body, buffer);
-        const auto message = jaus::split(std::span{buffer}.first(size.size()));
+        const auto message_bytes = jaus::make_message(head, body, buffer);
+        const auto message = jaus::split(*message_bytes);
         return message ? vehicle(message.header, message.body) : jaus::dispatched::malformed;
     };
     receive(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50});

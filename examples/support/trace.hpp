@@ -26,7 +26,7 @@ inline std::string packet_text(std::span<const std::byte> bytes) {
     const auto number = [](const char* name, std::uint32_t value) {
         return std::string{"  "} + name + " = " + std::to_string(value) + "\n";
     };
-    const auto data = bytes.subspan(used.size());
+    const auto data = bytes.subspan(*used);
     return number("ulDest", fields.head.ul_dest) + number("ulDestId", fields.head.ul_dest_id) +
            number("ulNodeId", fields.ul_node_id) + number("ulIndex", fields.ul_index) +
            number("ulSubIndex", fields.ul_sub_index) + number("ulDataCnt", fields.ul_data_cnt) +
@@ -54,7 +54,7 @@ inline event_members packet_members(std::span<const std::byte> bytes) {
             {"subindex", fields.ul_sub_index},
             {"data_count", fields.ul_data_cnt},
             {"length", fields.head.ul_len},
-            {"data", jauscat::text::hex(bytes.subspan(used.size()))}};
+            {"data", jauscat::text::hex(bytes.subspan(*used))}};
 }
 inline event_members upload_members(std::span<const std::byte> bytes) {
     jauscat::hilscher::sdo_upload_request fields{};
@@ -69,14 +69,13 @@ inline std::string sdo_text(std::span<const std::byte> mailbox, event_members& m
     ethercat::coe_header coe{};
     ethercat::sdo_normal sdo{}; // the longest of the SDO headers; the others share its start
     const auto mail_used = jauscat::wire::decode_prefix(mail, mailbox);
-    if (!mail_used || mail.type != ethercat::mailbox_type::coe || mail.length > mailbox.size() - mail_used.size())
-        return {};
-    const auto body = mailbox.subspan(mail_used.size(), mail.length);
+    if (!mail_used || mail.type != ethercat::mailbox_type::coe || mail.length > mailbox.size() - *mail_used) return {};
+    const auto body = mailbox.subspan(*mail_used, mail.length);
     const auto coe_used = jauscat::wire::decode_prefix(coe, body);
     if (!coe_used ||
         (coe.service != ethercat::coe_service::sdo_request && coe.service != ethercat::coe_service::sdo_response))
         return {};
-    const auto sdo_used = jauscat::wire::decode_prefix(sdo, body.subspan(coe_used.size()));
+    const auto sdo_used = jauscat::wire::decode_prefix(sdo, body.subspan(*coe_used));
     if (!sdo_used) return {};
     const auto& head = sdo.header;
     const bool request = coe.service == ethercat::coe_service::sdo_request;

@@ -98,10 +98,10 @@ template <jauscat::wire::message T> std::optional<bytes> canonical(std::span<con
 /// `message` encoded into memory of exactly its size; nothing where its string is longer than may be sent.
 template <jauscat::wire::message T> std::optional<bytes> encoded(const T& message) {
     bytes out(jauscat::wire::encoded_size(message));
-    const auto size = jauscat::wire::encode(message, out);
-    if (size.error() == jauscat::wire::errc::out_of_range) return {};
-    check(static_cast<bool>(size), "what decodes encodes");
-    check(size.size() == out.size(), "encode writes encoded_size bytes");
+    const auto written = jauscat::wire::encode(message, out);
+    if (written.error() == jauscat::wire::errc::out_of_range) return {};
+    check(static_cast<bool>(written), "what decodes encodes");
+    check(written->size() == out.size(), "encode writes encoded_size bytes");
     return out;
 }
 

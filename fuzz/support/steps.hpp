@@ -23,8 +23,8 @@ inline bytes next_frame(input_reader& in) {
         const auto room = builder.add(header);
         std::ranges::copy(in.take_bytes(room.size()), room.begin());
     }
-    const auto size = builder.finish();
-    frame.resize(size ? size.size() : 0);
+    const auto finished = builder.finish();
+    frame.resize(finished ? finished->size() : 0);
     return frame;
 }
 

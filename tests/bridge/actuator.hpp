@@ -54,9 +54,9 @@ class actuator {
 
     ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
         using ethercat::abort_code;
-        const auto size = delivery::message_of({self_.station, index, subindex, data}, self_, message_);
-        if (!size) return abort_code::parameter_incompatible;
-        const auto parts = jaus::split(std::span<const std::byte>{message_}.first(size.size()));
+        const auto restored = delivery::message_of({self_.station, index, subindex, data}, self_, message_);
+        if (!restored) return abort_code::parameter_incompatible;
+        const auto parts = jaus::split(*restored);
         const auto code = parts.header.command_code;
         if (code == abort_code_of && aborts != 0) {
             --aborts;
@@ -80,9 +80,9 @@ class actuator {
     }
     ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
         std::array<std::byte, delivery::translator::max_packet_size> packet{};
-        const auto size = delivery::translator::to_packet(report_, packet);
-        if (!size) return {ethercat::abort_code::no_data, 0};
-        const auto object = delivery::object_of(std::span{packet}.first(size.size()));
+        const auto translated = delivery::translator::to_packet(report_, packet);
+        if (!translated) return {ethercat::abort_code::no_data, 0};
+        const auto object = delivery::object_of(*translated);
         if (object.index != index || object.subindex != subindex) return {ethercat::abort_code::no_data, 0};
         std::ranges::copy(object.data, out.begin());
         return {ethercat::abort_code::none, object.data.size()};
@@ -111,18 +111,18 @@ class actuator {
         jaus::header head = jaus::answer_to(query);
         head.destination = head.source = query.destination;
         std::array<std::byte, 256> bytes{};
-        const auto size =
+        const auto made =
             jaus::make_message(head, jaus::report_wrench_effort{.propulsive_linear_effort_x = effort}, bytes);
-        report_.assign(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size.size()));
+        report_.assign(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(made->size()));
     }
     void take(std::span<const std::byte> written) {
         image values{};
         if (!jauscat::wire::decode(values, written) || values.command_count == taken_ || emergency) return;
         taken_ = values.command_count;
         std::array<std::byte, 64> body{};
-        const auto size = command::from_image(written, body);
+        const auto message_bytes = command::from_image(written, body);
         jaus::set_wrench_effort told{};
-        if (!size || !jauscat::wire::decode(told, std::span<const std::byte>{body}.first(size.size()))) return;
+        if (!message_bytes || !jauscat::wire::decode(told, *message_bytes)) return;
         driven_ = true;
         drive(told);
     }
@@ -130,10 +130,10 @@ class actuator {
         std::array<std::byte, report::image_size> bytes{};
         static_cast<void>(jauscat::wire::encode(image{.command_count = taken_}, bytes));
         std::array<std::byte, 64> body{};
-        const auto size = jauscat::wire::encode(jaus::report_wrench_effort{.propulsive_linear_effort_x = effort}, body);
-        if (inputs.size() == bytes.size() && size &&
-            report::to_image(std::span<const std::byte>{body}.first(size.size()), bytes) ==
-                jauscat::translate::errc::ok)
+        const auto encoded =
+            jauscat::wire::encode(jaus::report_wrench_effort{.propulsive_linear_effort_x = effort}, body);
+        if (inputs.size() == bytes.size() && encoded &&
+            report::to_image(*encoded, bytes) == jauscat::translate::errc::ok)
             std::ranges::copy(bytes, inputs.begin());
     }
 

@@ -91,9 +91,9 @@ TEST_CASE("a slave that falls out of OP is lost within two cycles") {
     ethercat::frame_builder build{frame, 77};
     build.add(ethercat::command::fpwr, 2, ethercat::esc_registers::al_control.address,
               ethercat::al_control{.state = ethercat::al_state::safe_op});
-    const auto size = build.finish();
-    REQUIRE(size);
-    r.actuators[0].pass(std::span{frame}.first(size.size()), r.now);
+    const auto finished = build.finish();
+    REQUIRE(finished);
+    r.actuators[0].pass(*finished, r.now);
     const auto took = r.run_until([&] { return r.watcher.lost == 1; });
     CHECK(took <= 21ms);
     CHECK(r.watcher.last_loss == bridge::loss::left_state);
@@ -139,9 +139,9 @@ TEST_CASE("a slave that has lost its station address is lost within two cycles")
     std::array<std::byte, 64> frame{};
     ethercat::frame_builder build{frame, 77};
     build.add(ethercat::command::fpwr, 2, ethercat::esc_registers::station_address.address, ethercat::esc_word{0x1001});
-    const auto size = build.finish();
-    REQUIRE(size);
-    r.actuators[0].pass(std::span{frame}.first(size.size()), r.now);
+    const auto finished = build.finish();
+    REQUIRE(finished);
+    r.actuators[0].pass(*finished, r.now);
     const auto took = r.run_until([&] { return r.watcher.lost == 1; });
     CHECK(took <= 21ms);
     CHECK(r.watcher.last_loss == bridge::loss::no_station);

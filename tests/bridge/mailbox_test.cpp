@@ -374,7 +374,7 @@ TEST_CASE("an emergency of a slave is told also when no message goes to it") {
     auto mail = upload.add(ethercat::command::fpwr, 2, areas.mailbox_out_offset, mailbox_size);
     constexpr std::array request{0x0A, 0, 0, 0, 0, 0x73, 0, 0x20, 0x40, 0, 0x10, 0, 0, 0, 0, 0};
     std::ranges::transform(request, mail.begin(), [](int b) { return static_cast<std::byte>(b); });
-    r.actuators[0].pass(std::span{frame}.first(upload.finish().size()), r.now);
+    r.actuators[0].pass(*upload.finish(), r.now);
     r.on_way_back = [](std::span<std::byte> back) {
         ethercat::mutable_frame_view view;
         REQUIRE(view.parse(back));
@@ -493,7 +493,7 @@ TEST_CASE("slaves that have station addresses of an earlier master are brought u
         std::array<std::byte, ethercat::max_frame_size> frame{};
         ethercat::frame_builder write{frame, 0xEE};
         write.add(ethercat::command::apwr, 0, ethercat::esc_registers::station_address.address, ethercat::esc_word{3});
-        each.pass(std::span{frame}.first(write.finish().size()), r.now);
+        each.pass(*write.finish(), r.now);
     }
     r.run_until_ready();
     CHECK(r.watcher.failed_bring_ups == 0);

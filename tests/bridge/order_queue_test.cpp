@@ -12,9 +12,9 @@ constexpr jaus::address sender{.instance = 1, .component = 32, .node = 1, .subsy
 
 template <class T> std::vector<std::byte> body_of(const T& message) {
     std::vector<std::byte> body(256);
-    const auto size = jauscat::wire::encode(message, body);
-    REQUIRE(size);
-    body.resize(size.size());
+    const auto encoded = jauscat::wire::encode(message, body);
+    REQUIRE(encoded);
+    body.resize(encoded->size());
     return body;
 }
 bridge::order order_of(std::uint16_t code, std::uint16_t number, const jaus::address& from = sender) {

@@ -118,9 +118,9 @@ class rig {
                                 .source = source,
                                 .sequence_number = number};
         std::array<std::byte, 256> buffer{};
-        const auto size = jauscat::wire::encode(body, buffer);
-        REQUIRE(size);
-        last_outcome = units[to].on_message(head, bytes{buffer}.first(size.size()), now, out_,
+        const auto encoded = jauscat::wire::encode(body, buffer);
+        REQUIRE(encoded);
+        last_outcome = units[to].on_message(head, *encoded, now, out_,
                                             [](const jaus::header&, bytes) { return jaus::message_outcome::not_mine; });
         bus.on_time(now, out_);
     }

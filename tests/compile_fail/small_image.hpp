@@ -49,7 +49,7 @@ template <class... Rows> using table_of = translate::image_table<command, image,
 
 /// Translates with a table, as a program would.
 template <class Table> constexpr translate::errc error_of_nothing() {
-    return translate::image_translator<Table>::to_image({}, {});
+    return translate::image_translator<Table>::to_image({}, {}).error();
 }
 
 } // namespace small

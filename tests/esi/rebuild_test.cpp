@@ -88,10 +88,10 @@ class machine {
             builder.add(command::bwr, 0, esc_registers::sii_owner.address, sii_owner{});
             builder.add(command::bwr, 0, esc_registers::sii_control.address,
                         sii_request{.cmd = sii_command::read, .address = word});
-            slave_[0].process(std::span{frame}.first(builder.finish().size()));
+            slave_[0].process(*builder.finish());
             frame_builder fetch{frame, 2};
             fetch.add(command::brd, 0, esc_registers::sii_control.address, wire::max_size<sii_access>);
-            slave_[0].process(std::span{frame}.first(fetch.finish().size()));
+            slave_[0].process(*fetch.finish());
             frame_view view;
             REQUIRE(view.parse(frame));
             const auto data = (*view.begin()).data;

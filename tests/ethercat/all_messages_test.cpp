@@ -30,15 +30,15 @@ template <class Table> class message_slave {
 
     ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
         received.resize(delivery::translator::max_message_size);
-        const auto size = delivery::message_of({self_.station, index, subindex, data}, self_, received);
-        received.resize(size.size());
-        return size ? ethercat::abort_code::none : ethercat::abort_code::parameter_incompatible;
+        const auto restored = delivery::message_of({self_.station, index, subindex, data}, self_, received);
+        received.resize(restored->size());
+        return restored ? ethercat::abort_code::none : ethercat::abort_code::parameter_incompatible;
     }
     ethercat::object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
         bytes packet(delivery::translator::max_packet_size);
-        const auto size = delivery::translator::to_packet(upwards, packet);
-        const auto object = delivery::object_of(std::span{packet}.first(size.size()));
-        if (!size || object.index != index || object.subindex != subindex)
+        const auto translated = delivery::translator::to_packet(upwards, packet);
+        const auto object = delivery::object_of(*translated);
+        if (!translated || object.index != index || object.subindex != subindex)
             return {.error = ethercat::abort_code::no_data};
         if (object.data.size() > out.size()) return {.error = ethercat::abort_code::exceeds_mailbox};
         std::ranges::copy(object.data, out.begin());

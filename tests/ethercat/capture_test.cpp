@@ -25,9 +25,9 @@ using bytes = std::vector<std::byte>;
 template <class T> std::span<std::byte> rebuild(T& message, std::span<std::byte> at) {
     const auto used = wire::decode_prefix(message, at);
     REQUIRE(used);
-    std::ranges::fill(at.first(used.size()), std::byte{0xEE});
-    REQUIRE(wire::encode(message, at).size() == used.size());
-    return at.subspan(used.size());
+    std::ranges::fill(at.first(*used), std::byte{0xEE});
+    REQUIRE(wire::encode(message, at)->size() == *used);
+    return at.subspan(*used);
 }
 template <class T> std::span<std::byte> rebuild(std::span<std::byte> at) {
     T message{};
@@ -84,7 +84,7 @@ void rebuilds_to_the_same_bytes(const char* capture, std::size_t expected_frames
         const auto used = view.parse(frame);
         INFO(to_hex(frame));
         REQUIRE(used);
-        REQUIRE(std::all_of(frame.begin() + static_cast<std::ptrdiff_t>(used.size()), frame.end(),
+        REQUIRE(std::all_of(frame.begin() + static_cast<std::ptrdiff_t>(*used), frame.end(),
                             [](std::byte padding) { return padding == std::byte{}; }));
 
         ethernet_header ethernet{};
@@ -99,10 +99,10 @@ void rebuilds_to_the_same_bytes(const char* capture, std::size_t expected_frames
             const datagram_trailer trailer{.working_counter = datagram.working_counter};
             REQUIRE(wire::encode(trailer, std::span{room.data() + room.size(), 2}));
         }
-        REQUIRE(builder.finish().size() == std::max(used.size(), min_frame_size));
-        again.resize(used.size());
+        REQUIRE(builder.finish()->size() == std::max(*used, min_frame_size));
+        again.resize(*used);
         bytes expected = frame;
-        expected.resize(used.size());
+        expected.resize(*used);
         clear_reserved_bits(expected);
         REQUIRE(to_hex(again) == to_hex(expected));
     }

@@ -132,7 +132,7 @@ TEST_CASE("another slave's alias that equals the address is noticed") {
         bytes frame(max_frame_size);
         frame_builder builder{frame};
         builder.add(command::apwr, 0, 0x0100, std::span<const std::byte>{from_hex("00000001")});
-        b.device.process(std::span{frame}.first(builder.finish().size()));
+        b.device.process(*builder.finish());
     };
     CHECK(b.bring_up().error() == master_error{.code = master_errc::wrong_station, .station = 0x1001});
 }
@@ -267,7 +267,7 @@ TEST_CASE("a full mailbox is polled and the request sent when there is room") {
     const auto mail = builder.add(command::fpwr, 0x1001, mailbox_out, std::size_t{256});
     std::ranges::copy(from_hex("0a00 0000 00 73 0020 40 0220 00 00000000"), mail.begin());
     b.works = false;
-    b.device.pass(std::span{frame}.first(builder.finish().size()));
+    b.device.pass(*builder.finish());
     int polls = 0;
     b.on_way_back(0x0805, [&](const auto&) {
         b.works = ++polls > 10;
@@ -686,7 +686,7 @@ TEST_CASE("a second master on the wire is noticed, and a late reply is not taken
     b.link.on_way_back = [&](bytes&) {
         frame_builder builder{other, 200};
         builder.add(command::brd, 0, 0x0130, std::size_t{2});
-        CHECK_FALSE(b.master.on_frame(std::span{other}.first(builder.finish().size()), b.link.now));
+        CHECK_FALSE(b.master.on_frame(*builder.finish(), b.link.now));
     };
     CHECK(b.download());
     CHECK(b.master.statistics().foreign == b.master.statistics().ignored);

@@ -22,8 +22,8 @@ namespace {
 
 template <class T> std::string bytes_of(const T& message) {
     std::array<std::byte, wire::max_size<T>> out{};
-    const auto size = wire::encode(message, out);
-    return size ? to_hex(std::span{out}.first(size.size())) : std::string{wire::describe(size.error())};
+    const auto encoded = wire::encode(message, out);
+    return encoded ? to_hex(*encoded) : std::string{wire::describe(encoded.error())};
 }
 
 std::vector<std::byte> two_datagrams() {
@@ -31,9 +31,9 @@ std::vector<std::byte> two_datagrams() {
     frame_builder builder{out, 0x42};
     builder.add(command::bwr, 0, 0x0120, al_control{.state = al_state::init, .acknowledge = true});
     builder.add(command::fprd, 0x1001, 0x0130, 6);
-    const auto size = builder.finish();
-    REQUIRE(size);
-    return {out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size.size())};
+    const auto finished = builder.finish();
+    REQUIRE(finished);
+    return {out.begin(), out.begin() + static_cast<std::ptrdiff_t>(finished->size())};
 }
 
 } // namespace
@@ -50,8 +50,8 @@ TEST_CASE("a frame is built in a constant expression") {
         std::array<std::byte, 64> out{};
         frame_builder builder{out};
         builder.add(command::brd, 0, 0, 1);
-        const auto size = builder.finish();
-        return std::pair{size.size(), out[14]};
+        const auto finished = builder.finish();
+        return std::pair{finished->size(), out[14]};
     }();
     STATIC_REQUIRE(length.first == min_frame_size);
     STATIC_REQUIRE(length.second == std::byte{13});
@@ -62,7 +62,7 @@ TEST_CASE("a parsed frame gives its datagrams back") {
     frame_view view;
     const auto used = view.parse(frame);
     REQUIRE(used);
-    CHECK(used.size() == 16 + 14 + 18);
+    CHECK(*used == 16 + 14 + 18);
     std::vector<datagram_view> seen;
     for (const auto datagram : view) seen.push_back(datagram);
     REQUIRE(seen.size() == 2);
@@ -92,7 +92,7 @@ TEST_CASE("the working counter and the event bits are read from where they stand
 TEST_CASE("a VLAN tag before the EtherType is stepped over") {
     const auto frame = from_hex("ffffffffffff 020000000000 8100 2005 88a4 0d10 07 05 0100 0000 0100 0000 04 0100");
     frame_view view;
-    REQUIRE(view.parse(frame).size() == frame.size());
+    REQUIRE(*view.parse(frame) == frame.size());
     CHECK((*view.begin()).working_counter == 1);
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("a frame takes 1486 bytes of data in one datagram and not one more") {
     std::array<std::byte, 2000> out{};
     frame_builder full{out};
     CHECK(full.add(command::fpwr, 1, 0x1000, max_datagram_data).size() == max_datagram_data);
-    CHECK(full.finish().size() == max_frame_size);
+    CHECK(full.finish()->size() == max_frame_size);
     frame_builder over{out};
     CHECK(over.add(command::fpwr, 1, 0x1000, max_datagram_data + 1).empty());
     CHECK(over.finish().error() == frame_errc::no_space);

@@ -157,9 +157,9 @@ template <class Table> struct strict_robot {
     ethercat::master_result<> deliver(std::span<const std::byte> message) {
         bring_up();
         std::array<std::byte, delivery::translator::max_packet_size> packet{};
-        const auto size = delivery::translator::to_packet(message, packet);
-        REQUIRE(size);
-        const auto object = delivery::object_of(std::span{packet}.first(size.size()));
+        const auto translated = delivery::translator::to_packet(message, packet);
+        REQUIRE(translated);
+        const auto object = delivery::object_of(*translated);
         return link.run(master, ethercat::download{object.station, object.index, object.subindex, object.data});
     }
     /// The message that an upload of the report's object gives.
@@ -169,9 +169,9 @@ template <class Table> struct strict_robot {
         const auto got = link.run(master, ethercat::upload{2, 6933, 121, data});
         REQUIRE(got);
         std::vector<std::byte> message(delivery::translator::max_message_size);
-        const auto size =
+        const auto restored =
             delivery::message_of({2, 6933, 121, *got}, {.subsystem = 1, .station = 2, .instance = 5}, message);
-        message.resize(size.size());
+        message.resize(restored->size());
         return message;
     }
 };

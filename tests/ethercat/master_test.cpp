@@ -90,7 +90,7 @@ TEST_CASE("a slave is brought up again from PRE-OP and from an old error") {
     bytes frame(max_frame_size);
     frame_builder builder{frame};
     builder.add(command::bwr, 0, 0x0120, al_control{.state = al_state::safe_op});
-    b.devices[0].process(std::span{frame}.first(builder.finish().size()));
+    b.devices[0].process(*builder.finish());
     CHECK(b.bring_up());
 }
 

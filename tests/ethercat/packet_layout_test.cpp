@@ -20,13 +20,13 @@ namespace {
 /// The packet's bytes after the header; the header is checked to carry the command and this length, and to be 40 bytes.
 template <class Packet> std::string body(Packet packet, std::uint32_t command, std::uint32_t length) {
     std::array<std::byte, 128> bytes{};
-    const auto size = wire::encode(packet, bytes);
-    REQUIRE(size);
+    const auto encoded = wire::encode(packet, bytes);
+    REQUIRE(encoded);
     packet_header head{};
-    REQUIRE(wire::decode_prefix(head, bytes).size() == 40);
+    REQUIRE(*wire::decode_prefix(head, bytes) == 40);
     CHECK(static_cast<std::uint32_t>(head.ul_cmd) == command);
     CHECK(head.ul_len == length);
-    const auto rest = std::span{bytes}.first(size.size()).subspan(40);
+    const auto rest = encoded->subspan(40);
     return rest.empty() ? std::string{} : to_hex(rest);
 }
 
@@ -53,7 +53,7 @@ TEST_CASE("the packet header has ten words in the manual's order") {
                              .ul_cmd = packet_command::sdo_upload_cnf,
                              .ul_ext = 0x81828384,
                              .ul_rout = 0x91929394};
-    REQUIRE(wire::encode(head, bytes).size() == 40);
+    REQUIRE(wire::encode(head, bytes)->size() == 40);
     CHECK(to_hex(bytes) == hex_of("04030201 14131211 24232221 34333231 44434241 54535251 150065c0 07006500"
                                   " 84838281 94939291"));
 }

@@ -22,7 +22,7 @@ namespace {
 // there are any, data or abort code.
 std::string said(std::span<const std::byte> data) {
     mailbox_header mailbox{};
-    const auto body = data.subspan(wire::decode_prefix(mailbox, data).size()).first(mailbox.length);
+    const auto body = data.subspan(*wire::decode_prefix(mailbox, data)).first(mailbox.length);
     sdo_normal sdo{};
     const auto message = body.subspan(2);
     REQUIRE(wire::decode_prefix(sdo, message));

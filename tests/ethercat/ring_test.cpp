@@ -85,7 +85,7 @@ void write_register(slave& device, command cmd, std::uint16_t adp, std::uint16_t
     bytes frame(max_frame_size);
     frame_builder builder{frame};
     builder.add(cmd, adp, ado, from_hex(hex));
-    frame.resize(builder.finish().size());
+    frame.resize(builder.finish()->size());
     device.process(frame);
 }
 

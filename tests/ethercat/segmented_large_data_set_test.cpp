@@ -72,7 +72,7 @@ template <class Table> void delivers(std::size_t largest) {
     CHECK(a.taken[0] == whole);
 
     bytes packet(delivery::translator::max_packet_size);
-    REQUIRE(delivery::translator::to_packet(whole, packet).size() == packet.size());
+    REQUIRE(delivery::translator::to_packet(whole, packet)->size() == packet.size());
     const auto object = delivery::object_of(packet);
     CHECK(object.data.size() == Table::max_data);
     for (const std::uint16_t mailbox : std::initializer_list<std::uint16_t>{24, 128, 1486}) {
@@ -82,7 +82,7 @@ template <class Table> void delivers(std::size_t largest) {
         auto written = object;
         written.data = b.objects.entries.at({object.index, object.subindex}).value;
         bytes back(delivery::translator::max_message_size);
-        REQUIRE(delivery::message_of(written, {.subsystem = 1, .station = 2, .instance = 1}, back).size() ==
+        REQUIRE(delivery::message_of(written, {.subsystem = 1, .station = 2, .instance = 1}, back)->size() ==
                 whole.size());
         back.resize(whole.size());
         CHECK(back == whole);

@@ -26,9 +26,9 @@ returned_datagram send_through(auto&& process, ethercat::command cmd, std::uint1
     std::vector<std::byte> frame(ethercat::max_frame_size);
     ethercat::frame_builder builder{frame, index};
     builder.add(cmd, adp, ado, data);
-    const auto size = builder.finish();
-    REQUIRE(size);
-    process(std::span{frame}.first(size.size()));
+    const auto finished = builder.finish();
+    REQUIRE(finished);
+    process(*finished);
     ethercat::frame_view view;
     REQUIRE(view.parse(frame));
     const auto datagram = *view.begin();
@@ -42,7 +42,7 @@ inline std::string mail_in(const returned_datagram& read) {
     ethercat::mailbox_header header{};
     const auto used = wire::decode_prefix(header, read.data);
     REQUIRE(used);
-    return to_hex(std::span{read.data}.first(used.size() + header.length));
+    return to_hex(std::span{read.data}.first(*used + header.length));
 }
 
 /// Mailboxes are of one size, at 0x1000 and 0x1600.

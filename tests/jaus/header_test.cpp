@@ -14,7 +14,7 @@ using jauscat::test::hex_literal;
 
 constexpr auto bytes_of(const jaus::header& header) {
     std::array<std::byte, 16> out{};
-    if (wire::encode(header, out).size() != 16) out.fill(std::byte{0xEE});
+    if (wire::encode(header, out)->size() != 16) out.fill(std::byte{0xEE});
     return out;
 }
 constexpr std::byte byte_0(const jaus::header& header) { return bytes_of(header)[0]; }

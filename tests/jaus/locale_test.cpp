@@ -40,7 +40,7 @@ TEST_CASE("text has decimal points where the locale has commas") {
                                        "propulsive_linear_effort_x = 12.5 % (raw 4096)\n"
                                        "resistive_linear_effort_x = 50 % (raw 128)\n");
     std::array<std::byte, 5> bytes{};
-    REQUIRE(wire::encode(message, bytes).size() == bytes.size());
+    REQUIRE(wire::encode(message, bytes)->size() == bytes.size());
     CHECK(text::annotate<jaus::set_wrench_effort>(bytes).find("= 12.500381 %") != std::string::npos);
     CHECK(wrong_with("desired_speed=2.5") == "");
     CHECK(wrong_with("desired_speed=\"2.5 m/s\"") == "");

@@ -60,7 +60,7 @@ template <wire::message T> encoded random(support::generator& g, const support::
     T back{};
     wire::arena arena{scratch()};
     made.decodes_to_itself =
-        written.size() == made.bytes.size() && decode_into(back, made.bytes, arena) == wire::errc::ok && back == value;
+        written->size() == made.bytes.size() && decode_into(back, made.bytes, arena) == wire::errc::ok && back == value;
     octets room(2 * (jaus::header_size + jaus::max_body_size) + made.bytes.size()), sent;
     const auto out = [&](std::span<const std::byte> packet) {
         sent.insert(sent.end(), packet.begin() + jaus::header_size, packet.end());

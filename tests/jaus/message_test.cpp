@@ -46,8 +46,8 @@ constexpr jaus::report_wrench_effort reported{.propulsive_linear_effort_x = 100,
 
 template <class T> std::string made(const jaus::header& head, const T& body) {
     std::vector<std::byte> out(jaus::header_size + jaus::max_body_size + 1);
-    const auto size = jaus::make_message(head, body, out);
-    return size ? to_hex(std::span{out}.first(size.size())) : std::string{jaus::describe(size.error())};
+    const auto message_bytes = jaus::make_message(head, body, out);
+    return message_bytes ? to_hex(*message_bytes) : std::string{jaus::describe(message_bytes.error())};
 }
 
 errc split_with(std::size_t at, int value) {
@@ -62,7 +62,7 @@ TEST_CASE("Set Emergency with code 5 is made to the byte") {
     CHECK(made(emergency_header, emergency_code_5) == to_hex(set_emergency));
     STATIC_REQUIRE([] {
         std::array<std::byte, 18> out{};
-        return jaus::make_message(emergency_header, emergency_code_5, out).size() == 18 && out == set_emergency;
+        return jaus::make_message(emergency_header, emergency_code_5, out)->size() == 18 && out == set_emergency;
     }());
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("header and body that were taken apart join to the same message") {
         std::array<std::byte, report_wrench_effort.size()> out{};
         jaus::header head = parts.header;
         head.data_size = 99; // is taken from the body
-        return std::pair{jaus::join(head, parts.body, out).size(), out};
+        return std::pair{jaus::join(head, parts.body, out)->size(), out};
     }();
     STATIC_REQUIRE(joined.first == report_wrench_effort.size());
     STATIC_REQUIRE(joined.second == report_wrench_effort);
@@ -156,7 +156,7 @@ TEST_CASE("header and body that were taken apart join to the same message") {
     std::vector<std::byte> body(jaus::max_body_size + 1), out(jaus::header_size + body.size());
     CHECK(jaus::join(report_header, body, out).error() == errc::body_too_large);
     body.pop_back();
-    CHECK(jaus::join(report_header, body, out).size() == jaus::header_size + body.size());
+    CHECK(jaus::join(report_header, body, out)->size() == jaus::header_size + body.size());
     CHECK(jaus::join(report_header, body, std::span{out}.first(jaus::header_size + body.size() - 1)).error() ==
           errc::no_space);
     jaus::header wrong = report_header;
@@ -192,7 +192,7 @@ TEST_CASE("a body of 4080 bytes fits a message, and one of 4081 is too large") {
     std::vector<std::byte> out(5000);
     const auto largest = jaus::make_message(emergency_header, bulk<4080>{}, out);
     REQUIRE(largest);
-    CHECK(largest.size() == 4096);
+    CHECK(largest->size() == 4096);
     CHECK(to_hex(std::span{out}.subspan(12, 2)) == "f0 0f");
     CHECK(jaus::make_message(emergency_header, bulk<4081>{}, out).error() == errc::body_too_large);
 }

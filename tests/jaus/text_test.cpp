@@ -12,7 +12,7 @@ namespace text = jauscat::text;
 
 std::vector<std::byte> message(const auto& body, jaus::header head) {
     std::vector<std::byte> bytes(64);
-    bytes.resize(jaus::make_message(head, body, bytes).size());
+    bytes.resize(jaus::make_message(head, body, bytes)->size());
     return bytes;
 }
 

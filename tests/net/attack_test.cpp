@@ -22,7 +22,7 @@ template <class T> byte_vector message(const jaus::address& source, const T& bod
     byte_vector out(4096);
     head.source = source;
     head.destination = robot_arm;
-    out.resize(jaus::make_message(head, body, out).size());
+    out.resize(jaus::make_message(head, body, out)->size());
     return out;
 }
 

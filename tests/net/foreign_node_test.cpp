@@ -40,8 +40,8 @@ struct robot {
 
     struct filler {
         std::optional<std::size_t> operator()(std::uint16_t, std::uint32_t, std::span<std::byte> body) const {
-            const auto size = wire::encode(jaus::report_wrench_effort{.propulsive_linear_effort_x = 50}, body);
-            return size ? std::optional{size.size()} : std::nullopt;
+            const auto encoded = wire::encode(jaus::report_wrench_effort{.propulsive_linear_effort_x = 50}, body);
+            return encoded ? std::optional{encoded->size()} : std::nullopt;
         }
     } fill{};
     struct handler {

@@ -94,10 +94,9 @@ TEST_CASE("a message that is whole already is sent acknowledged if the component
     pair p;
     std::array<std::byte, 64> message{};
     const auto send = [&](const jaus::address& source) {
-        const auto size = jaus::make_message({.destination = p.robot.self, .source = source}, jaus::standby{}, message);
-        REQUIRE(size);
-        return p.ocu.core.send(std::span<const std::byte>{message}.first(size.size()), net::jaus_node::now(),
-                               p.ocu.node.out());
+        const auto made = jaus::make_message({.destination = p.robot.self, .source = source}, jaus::standby{}, message);
+        REQUIRE(made);
+        return p.ocu.core.send(*made, net::jaus_node::now(), p.ocu.node.out());
     };
     REQUIRE(send(make(1, 1, 99)).error == jaus::send_errc::invalid);
     REQUIRE(send(p.ocu.self));
@@ -165,9 +164,9 @@ TEST_CASE("a datagram with the source of another is refused, logged and counted"
     udp::socket attacker{p.context, udp::endpoint{boost::asio::ip::address_v4::loopback(), 0}};
     std::array<std::byte, 64> message{};
     const auto send = [&](const jaus::address& source, const jaus::address& to) {
-        const auto size = jaus::make_message({.destination = to, .source = source}, jaus::shutdown{}, message);
-        REQUIRE(size);
-        attacker.send_to(boost::asio::buffer(message.data(), size.size()),
+        const auto made = jaus::make_message({.destination = to, .source = source}, jaus::shutdown{}, message);
+        REQUIRE(made);
+        attacker.send_to(boost::asio::buffer(message.data(), made->size()),
                          {boost::asio::ip::address_v4::loopback(), p.ports[1]});
     };
     send(p.ocu.self, p.robot.self);

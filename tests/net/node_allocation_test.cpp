@@ -68,9 +68,9 @@ struct asked_node {
     /// Sends a message, and waits until the component has answered or acknowledged it.
     template <class T> void ask(const T& body, jaus::ack_nak wish) {
         const jaus::header head{.ack_nak = wish, .destination = self, .source = other, .sequence_number = ++number};
-        const auto size = jaus::make_message(head, body, out);
-        REQUIRE(size);
-        send(size.size());
+        const auto made = jaus::make_message(head, body, out);
+        REQUIRE(made);
+        send(made->size());
         run_until_heard([&](const jaus::header& answer) { return answer.sequence_number == number; });
         ++answers;
     }
@@ -79,9 +79,9 @@ struct asked_node {
         REQUIRE(core.send({.destination = other}, jaus::resume{}, net::jaus_node::now(), node.out()));
         run_until_heard([&](const jaus::header& head) {
             if (head.command_code != jaus::command_code_of<jaus::resume>) return false;
-            const auto size = jaus::make_acknowledgement(head, jaus::ack_nak::ack, out);
-            REQUIRE(size);
-            send(size.size());
+            const auto message_bytes = jaus::make_acknowledgement(head, jaus::ack_nak::ack, out);
+            REQUIRE(message_bytes);
+            send(message_bytes->size());
             return true;
         });
         while (core.waiting() != 0) REQUIRE(context.run_one() == 1);

@@ -126,10 +126,10 @@ TEST_CASE("a component lists what its dispatcher handles and its parts send, eac
 TEST_CASE("a node without sockets says what its gate refuses") {
     simulated_pair p;
     std::array<std::byte, 64> message{};
-    const auto size =
+    const auto made =
         jaus::make_message({.destination = p.robot.self, .source = make(7, 1)}, jaus::shutdown{}, message);
-    REQUIRE(size);
-    const std::span<const std::byte> datagram{message.data(), size.size()};
+    REQUIRE(made);
+    const std::span<const std::byte> datagram{message.data(), made->size()};
     REQUIRE(p.robot.node.on_datagram(datagram, p.ocu.at, jaus::framing::bare, false, p.network.now) ==
             net::verdict::unknown_peer);
     REQUIRE(p.robot.node.on_datagram(datagram.first(3), p.ocu.at, jaus::framing::bare, false, p.network.now) ==
@@ -163,9 +163,8 @@ TEST_CASE("a packet of a large data set that has waited for long is none of the 
         of.data_flag = flag;
         of.sequence_number = number;
         std::array<std::byte, 64> packet{};
-        const auto size = jaus::join(of, std::array{content, content}, packet);
-        REQUIRE(p.robot.node.on_datagram(std::span{packet}.first(size.size()), p.ocu.at, {}, false, p.network.now,
-                                         waited) == net::verdict::taken);
+        const auto made = jaus::join(of, std::array{content, content}, packet);
+        REQUIRE(p.robot.node.on_datagram(*made, p.ocu.at, {}, false, p.network.now, waited) == net::verdict::taken);
     };
     using enum jaus::data_flag;
     // Of the first one the end was lost, of the second one the begin.

@@ -680,11 +680,11 @@ TEST_CASE("service connections, events, a description and control of another are
     const std::array service_reports{jaus::connectable_report{0x440A}};
     const std::array event_reports{jaus::eventful_report{0x440A}};
     const auto fill = [](std::uint16_t, std::uint32_t, std::span<std::byte> body) -> std::optional<std::size_t> {
-        return wire::encode(jaus::report_travel_speed{5.0}, body).size();
+        return wire::encode(jaus::report_travel_speed{5.0}, body)->size();
     };
     const auto fill_event = [](std::uint16_t, std::span<const std::byte>,
                                std::span<std::byte> body) -> std::optional<std::size_t> {
-        return wire::encode(jaus::report_travel_speed{5.0}, body).size();
+        return wire::encode(jaus::report_travel_speed{5.0}, body)->size();
     };
     jaus::service_connections<4> connections{arm_address, service_reports, fill, service_memory};
     jaus::events<4> events{arm_address, event_reports, fill_event, event_memory};

@@ -14,9 +14,9 @@ using bytes = std::vector<std::byte>;
 /// A whole message; command code and data size are filled in.
 template <jaus::coded_message T> bytes message(const jaus::header& head, const T& body) {
     bytes out(jaus::header_size + jaus::max_body_size);
-    const auto size = jaus::make_message(head, body, out);
-    REQUIRE(size);
-    out.resize(size.size());
+    const auto message_bytes = jaus::make_message(head, body, out);
+    REQUIRE(message_bytes);
+    out.resize(message_bytes->size());
     return out;
 }
 

@@ -94,9 +94,9 @@ struct node {
     message_outcome hear(const jaus::address& source, const T& body, time_point now = 0s,
                          const jaus::address& to = make(1, 2)) {
         std::array<std::byte, 4096> message{};
-        const auto size = jaus::make_message({.destination = to, .source = source}, body, message);
-        REQUIRE(size);
-        const auto split = jaus::split(std::span{message}.first(size.size()));
+        const auto made = jaus::make_message({.destination = to, .source = source}, body, message);
+        REQUIRE(made);
+        const auto split = jaus::split(*made);
         return manager.on_message(split.header, split.body, now, out);
     }
     message_outcome beat(const jaus::address& source, time_point now) {

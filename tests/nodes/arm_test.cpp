@@ -64,11 +64,11 @@ struct robot {
         std::array<std::byte, 64> bytes{};
         std::array<std::byte, delivery::translator::max_packet_size> packet{};
         constexpr jaus::address self{1, 33, station, 2};
-        const auto size = jaus::make_message({.destination = self, .source = self}, message, bytes);
-        REQUIRE(size);
-        const auto used = delivery::translator::to_packet(std::span{bytes}.first(size.size()), packet);
+        const auto made = jaus::make_message({.destination = self, .source = self}, message, bytes);
+        REQUIRE(made);
+        const auto used = delivery::translator::to_packet(*made, packet);
         REQUIRE(used);
-        const auto object = delivery::object_of(std::span{packet}.first(used.size()));
+        const auto object = delivery::object_of(*used);
         return run(ethercat::download{at, object.index, object.subindex, object.data});
     }
     void drive() {
@@ -216,11 +216,11 @@ TEST_CASE("a command that process data bring in an emergency is not taken, then 
     REQUIRE(jaus_side.start(data.outputs(record), data.inputs(record)));
     const auto command = [&](double effort) {
         std::array<std::byte, 32> body{};
-        const auto size = wire::encode(jaus::set_wrench_effort{.propulsive_linear_effort_x = effort}, body);
-        REQUIRE(size);
+        const auto encoded = wire::encode(jaus::set_wrench_effort{.propulsive_linear_effort_x = effort}, body);
+        REQUIRE(encoded);
         const jaus::header head{.command_code = exchange::command_code};
-        REQUIRE(jaus_side.on_command(head, std::span{body}.first(size.size()), data.outputs(record),
-                                     data.inputs(record), {}) == translate::errc::ok);
+        REQUIRE(jaus_side.on_command(head, *encoded, data.outputs(record), data.inputs(record), {}) ==
+                translate::errc::ok);
         for (int i = 0; i != 3; ++i) r.cycle(data);
         return exchange::given(data.outputs(record)) == exchange::taken(data.inputs(record));
     };

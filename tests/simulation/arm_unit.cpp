@@ -48,17 +48,17 @@ ethercat::object_read arm_unit::read(std::uint16_t index, std::uint8_t subindex,
 void arm_unit::note_emergency(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept {
     std::array<std::byte, delivery::translator::max_message_size> message{};
     const bridge::slave_identity self{.subsystem = subsystem, .station = slave_.station_address()};
-    const auto size = delivery::message_of({self.station, index, subindex, data}, self, message);
-    if (!size) return;
-    const auto code = jaus::split(bytes{message}.first(size.size())).header.command_code;
+    const auto restored = delivery::message_of({self.station, index, subindex, data}, self, message);
+    if (!restored) return;
+    const auto code = jaus::split(*restored).header.command_code;
     if (code == jaus::command_code_of<jaus::set_emergency>) emergency_ = true;
     if (code == jaus::command_code_of<jaus::clear_emergency>) emergency_ = false;
 }
 
 void arm_unit::tell_efforts() {
     std::array<std::byte, 64> report{};
-    const auto size = wire::encode(arm_->efforts(), report);
-    moved_(size ? command_in<jaus::report_wrench_effort>(bytes{report}.first(size.size())).value_or(0) : 0);
+    const auto encoded = wire::encode(arm_->efforts(), report);
+    moved_(encoded ? command_in<jaus::report_wrench_effort>(*encoded).value_or(0) : 0);
 }
 
 } // namespace simulation

@@ -306,13 +306,13 @@ template <class Message> void foreign_operator::command(const Message& message, 
     }
     if (waiting_.size != 0) return;
     if (all_zero_) world_.faults.note(fault::number_zero);
-    const auto size = jaus::make_message({.ack_nak = jaus::ack_nak::request,
+    const auto made = jaus::make_message({.ack_nak = jaus::ack_nak::request,
                                           .destination = target_,
                                           .source = id_,
                                           .sequence_number = all_zero_ ? std::uint16_t{} : number_++},
                                          message, waiting_.bytes);
-    if (!size) return;
-    waiting_.size = spoil(waiting_.bytes, size.size());
+    if (!made) return;
+    waiting_.size = spoil(waiting_.bytes, made->size());
     waiting_.sent = 1;
     waiting_.due = local() + milliseconds{200};
     send(bytes{waiting_.bytes}.first(waiting_.size));

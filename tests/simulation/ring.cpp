@@ -273,7 +273,7 @@ void ring::write(ring_place& at, std::uint16_t address, std::uint16_t value) {
     ethercat::frame_builder made{frame, 0xEE};
     made.add(ethercat::command::apwr, 0, address, ethercat::esc_word{value});
     const auto whole = made.finish();
-    at.arm->pass(std::span{frame}.first(whole.size()), world_.now(), at.frozen);
+    at.arm->pass(*whole, world_.now(), at.frozen);
 }
 
 } // namespace simulation

@@ -48,8 +48,8 @@ void actuator::rest() {
 }
 
 std::optional<std::size_t> actuator::filler::operator()(std::uint16_t, std::uint32_t, std::span<std::byte> body) const {
-    const auto size = wire::encode(efforts_of<jaus::report_wrench_effort>(mine.command_), body);
-    return size ? std::optional<std::size_t>{size.size()} : std::nullopt;
+    const auto encoded = wire::encode(efforts_of<jaus::report_wrench_effort>(mine.command_), body);
+    return encoded ? std::optional<std::size_t>{encoded->size()} : std::nullopt;
 }
 
 robot::robot(world& w, network& n, model& m, const std::vector<place>& places, std::size_t which)

@@ -60,14 +60,14 @@ inline std::vector<std::vector<std::byte>> read_pcap(const std::string& name) {
     const auto used = wire::decode_prefix(header, rest);
     if (!used || header.magic != 0xA1B2C3D4 || header.link_type != 1) throw std::runtime_error{"not pcap: " + name};
     std::vector<std::vector<std::byte>> frames;
-    for (rest = rest.subspan(used.size()); !rest.empty();) {
+    for (rest = rest.subspan(*used); !rest.empty();) {
         pcap_record_header record{};
         const auto size = wire::decode_prefix(record, rest);
-        if (!size || rest.size() - size.size() < record.captured || record.captured != record.original)
+        if (!size || rest.size() - *size < record.captured || record.captured != record.original)
             throw std::runtime_error{"incomplete capture: " + name};
-        const auto frame = rest.subspan(size.size(), record.captured);
+        const auto frame = rest.subspan(*size, record.captured);
         frames.emplace_back(frame.begin(), frame.end());
-        rest = rest.subspan(size.size() + record.captured);
+        rest = rest.subspan(*size + record.captured);
     }
     return frames;
 }

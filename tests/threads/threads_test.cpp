@@ -36,14 +36,13 @@ std::string work(std::uint64_t seed) {
         std::array<std::byte, 64> message{}, again{};
         std::array<std::byte, 128> packet{};
         const jaus::header head{.destination = {1, 33, 2, 2}, .source = {1, 32, 1, 1}};
-        const auto size = jaus::make_message(head, command, message);
+        const auto made = jaus::make_message(head, command, message);
         using translator = translate::translator<translation::seed_table>;
-        const auto there = translator::to_packet(std::span{message}.first(size.size()), packet);
-        const auto back = translator::from_packet(std::span{packet}.first(there.size()), again);
-        const auto m = jaus::split(std::span<const std::byte>{again}.first(back.size()));
+        const auto there = translator::to_packet(*made, packet);
+        const auto back = translator::from_packet(*there, again);
+        const auto m = jaus::split(*back);
         if (m && handlers(m.header, m.body) == jaus::dispatched::handled)
-            said += text::annotate_message(std::span{again}.first(back.size()),
-                                           jaus::message_list<jaus::set_wrench_effort>{});
+            said += text::annotate_message(*back, jaus::message_list<jaus::set_wrench_effort>{});
     }
     return said;
 }

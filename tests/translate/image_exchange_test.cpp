@@ -28,7 +28,8 @@ struct robot {
     }
     translate::errc commands(std::string_view body, jaus::ack_nak ack = jaus::ack_nak::none, std::uint16_t sequence = 1,
                              ethercat::time_point now = {}) {
-        return mine.on_command(head(exchange::command_code, ack, sequence), from_hex(body), outputs, inputs, now);
+        return mine.on_command(head(exchange::command_code, ack, sequence), from_hex(body), outputs, inputs, now)
+            .error();
     }
     /// The next acknowledgement in short: "ack 5", or nothing.
     std::string acknowledgement(ethercat::time_point now = {}) {

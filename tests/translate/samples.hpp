@@ -62,8 +62,9 @@ struct outcome {
     std::vector<std::byte> bytes{};
 };
 
-inline outcome outcome_of(translate::result result, std::vector<std::byte> out) {
-    out.resize(result.size());
+inline outcome outcome_of(const jauscat::result<std::span<std::byte>, translate::errc>& result,
+                          std::vector<std::byte> out) {
+    out.resize(result->size());
     return {result.error(), std::move(out)};
 }
 /// Message to packet. `Translator` is seed, self_contained or a user's.

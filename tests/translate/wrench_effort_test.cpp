@@ -12,12 +12,12 @@ namespace {
 template <class Translator, std::size_t Size> constexpr auto packet_of(std::array<std::byte, Size> message) {
     std::array<std::byte, Translator::packet_size + Translator::rest_size + Size - Translator::header_size> out{};
     const auto result = Translator::to_packet(message, out);
-    return result && result.size() == out.size() ? out : decltype(out){};
+    return result && result->size() == out.size() ? out : decltype(out){};
 }
 template <class Translator, std::size_t Size> constexpr bool is_packet_of(std::array<std::byte, Size> bytes) {
     std::array<std::byte, wrench_effort.size()> out{};
     const auto result = Translator::from_packet(bytes, out);
-    return result && result.size() == out.size() && out == wrench_effort;
+    return result && result->size() == out.size() && out == wrench_effort;
 }
 
 } // namespace

@@ -22,15 +22,15 @@ inline constexpr std::size_t room_for = wire::max_size<T> == wire::unbounded ? 4
 template <wire::message T> constexpr bool encodes_to(const T& value, std::span<const std::byte> expected) {
     std::array<std::byte, room_for<T>> out{};
     const auto written = wire::encode(value, out);
-    return written && written.size() == expected.size() && wire::encoded_size(value) == expected.size() &&
-           equal(std::span{out}.first(written.size()), expected);
+    return written && written->size() == expected.size() && wire::encoded_size(value) == expected.size() &&
+           equal(*written, expected);
 }
 
 /// `in` decodes to exactly `expected`.
 template <wire::message T> constexpr bool decodes_to(std::span<const std::byte> in, const T& expected) {
     T value{};
     const auto used = wire::decode(value, in);
-    return used && used.size() == in.size() && value == expected;
+    return used && *used == in.size() && value == expected;
 }
 
 template <wire::message T> constexpr wire::errc encode_error(const T& value) {

@@ -16,10 +16,10 @@ template <wire::message T> void require_coding(const T& value, std::span<const s
     REQUIRE(encodes_to(value, expected));
     lent_memory memory;
     T found{};
-    REQUIRE(wire::decode(found, expected, memory.arena).size() == expected.size());
+    REQUIRE(*wire::decode(found, expected, memory.arena) == expected.size());
     REQUIRE(found == value);
     wire::raw<T> raw{};
-    REQUIRE(wire::decode(raw, expected, memory.arena).size() == expected.size());
+    REQUIRE(*wire::decode(raw, expected, memory.arena) == expected.size());
     REQUIRE(encodes_to(raw, expected));
     REQUIRE(wire::view<T>{expected});
     REQUIRE(wire::diagnose<T>(expected));

@@ -93,7 +93,7 @@ TEST_CASE("more elements than a count can say do not encode") {
     CHECK(wire::encode(large, out).error() == errc::count_above_capacity);
     CHECK(wire::diagnose(large).field == "number_of_rows");
     const grid most{.columns = 0, .row = std::span{many}.first(255)};
-    REQUIRE(wire::encode(most, out).size() == 2 + 255);
+    REQUIRE(wire::encode(most, out)->size() == 2 + 255);
     CHECK(out[1] == std::byte{255});
 }
 
@@ -209,12 +209,12 @@ TEST_CASE("raw lists are exact for every byte") {
 }
 
 TEST_CASE("a message that is longer than a result can say does not encode") {
-    const std::vector<std::byte> much(wire::result::max_size);
+    const std::vector<std::byte> much(wire::packed_size<errc>::max_size);
     const samples::labels large{.rest = {reinterpret_cast<const char*>(much.data()), much.size()}};
     std::vector<std::byte> out(much.size());
     CHECK(wire::encode(large, out).error() == errc::too_long);
     CHECK(wire::diagnose(large).error == errc::too_long);
-    const std::vector<std::byte> received(wire::result::max_size + 1);
+    const std::vector<std::byte> received(wire::packed_size<errc>::max_size + 1);
     samples::labels found{};
     CHECK(wire::decode(found, received).error() == errc::too_long);
 }

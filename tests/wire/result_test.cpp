@@ -1,33 +1,48 @@
-// The result type and the error texts.
+// The packed size and the error texts.
 #include "both_ways.hpp"
 
 #include <set>
 
 using wire::errc;
 
-TEST_CASE("a result takes four bytes") { STATIC_REQUIRE(sizeof(wire::result) == 4); }
+TEST_CASE("a packed size takes four bytes") { STATIC_REQUIRE(sizeof(wire::packed_size<errc>) == 4); }
 
-TEST_CASE("a result carries a size or an error") {
+TEST_CASE("a packed size is a size or an error") {
     both_ways([] {
-        const wire::result size{std::size_t{0xFFFFFF}};
+        const wire::packed_size<errc> size{std::size_t{0xFFFFFF}};
         return size && size.size() == 0xFFFFFF && size.error() == errc::ok;
     });
     both_ways([] {
-        const wire::result nothing{std::size_t{0}};
+        const wire::packed_size<errc> nothing{std::size_t{0}};
         return nothing && nothing.size() == 0;
     });
     both_ways([] {
-        const wire::result failed{errc::no_space};
+        const wire::packed_size<errc> failed{errc::no_space};
         return !failed && failed.error() == errc::no_space && failed.size() == 0;
     });
 }
 
-TEST_CASE("another layer's errors fit into a result of its own") {
+TEST_CASE("another layer's errors fit into a packed size") {
     enum class other : std::uint8_t { ok, lost = 255 };
-    const wire::basic_result<other> lost{other::lost};
+    const wire::packed_size<other> lost{other::lost};
     REQUIRE(!lost);
     REQUIRE(lost.error() == other::lost);
-    REQUIRE(wire::basic_result<other>{std::size_t{3}}.size() == 3);
+    REQUIRE(wire::packed_size<other>{std::size_t{3}}.size() == 3);
+}
+
+TEST_CASE("a packed size gives the bytes written or the number of bytes taken") {
+    both_ways([] {
+        std::array<std::byte, 4> out{};
+        const auto written = wire::packed_size<errc>{std::size_t{3}}.of(out);
+        const auto none = wire::packed_size<errc>{errc::no_space}.of(out);
+        return written && written->data() == out.data() && written->size() == 3 && !none &&
+               none.error() == errc::no_space && none->empty();
+    });
+    both_ways([] {
+        const auto taken = wire::packed_size<errc>{std::size_t{3}}.taken();
+        const auto none = wire::packed_size<errc>{errc::truncated}.taken();
+        return taken && *taken == 3 && !none && none.error() == errc::truncated;
+    });
 }
 
 TEST_CASE("each error has a line of text of its own") {

@@ -98,7 +98,7 @@ TEMPLATE_TEST_CASE("a view and a decode agree on random bytes", "", samples::sca
         // Half of them well formed, half noise.
         std::size_t size = support::below(random, buffer.size() + 1);
         if (support::chance(random, 0.5))
-            size = wire::encode(support::random_message<T>(random), buffer).size();
+            size = wire::encode(support::random_message<T>(random), buffer)->size();
         else
             support::fill(random, buffer);
         const auto in = std::span<const std::byte>{buffer}.first(size);

@@ -282,11 +282,11 @@ class communicator {
     }
     void send_acknowledged(const jaus::header& head, std::span<const std::byte> body) {
         std::array<std::byte, jaus::header_size + jaus::max_body_size> message{};
-        const auto size = jaus::join(head, body, message);
-        if (!size) return wrong(events::not_sent, {{"code", head.command_code}}, std::string{describe(size.error())});
+        const auto made = jaus::join(head, body, message);
+        if (!made) return wrong(events::not_sent, {{"code", head.command_code}}, std::string{describe(made.error())});
         show(events::message_sent, example::message_members(head, body),
              "sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
-        const auto what = core_.send(std::span{message}.first(size.size()), now(), node_.out());
+        const auto what = core_.send(*made, now(), node_.out());
         if (!what) wrong(events::not_sent, {{"code", head.command_code}}, std::string{describe(what.error)});
     }
     void peers() {

@@ -21,9 +21,9 @@ struct useless {
 /// Takes a header off the front.
 template <class Header> Header take(bytes& rest, const char* name) {
     Header header{};
-    const wire::result used = wire::decode_prefix(header, rest);
+    const auto used = wire::decode_prefix(header, rest);
     if (!used) throw useless{std::string{"shorter than its "} + name + " header"};
-    rest = rest.subspan(used.size());
+    rest = rest.subspan(*used);
     return header;
 }
 

@@ -13,11 +13,11 @@ namespace detail {
 /// Memory for the lists of one message. Grows to what messages need, up to a limit.
 class list_memory {
   public:
-    template <class T> wire::result decode(T& message, std::span<const std::byte> body) {
+    template <class T> jauscat::result<std::size_t, wire::errc> decode(T& message, std::span<const std::byte> body) {
         constexpr std::size_t most = std::size_t{1} << 28;
         for (;;) {
             wire::arena memory{bytes_};
-            const wire::result result = wire::decode(message, body, memory);
+            const auto result = wire::decode(message, body, memory);
             if (result.error() != wire::errc::arena_full || bytes_.size() >= most) return result;
             bytes_.resize(bytes_.size() * 2);
         }
@@ -27,15 +27,15 @@ class list_memory {
     std::vector<std::byte> bytes_ = std::vector<std::byte>(1 << 16);
 };
 
-template <class T> wire::result decode(T& message, std::span<const std::byte> body) {
+template <class T> jauscat::result<std::size_t, wire::errc> decode(T& message, std::span<const std::byte> body) {
     static list_memory memory;
     return memory.decode(message, body);
 }
 
 template <class T> std::vector<std::byte> encoded(const T& message) {
     std::vector<std::byte> bytes(wire::encoded_size(message));
-    const wire::result size = wire::encode(message, bytes);
-    bytes.resize(size ? size.size() : 0);
+    const auto written = wire::encode(message, bytes);
+    bytes.resize(written ? written->size() : 0);
     return bytes;
 }
 
@@ -91,10 +91,10 @@ inline void tell_payload(decoded_body& body, const payload_members& members, std
         return;
     }
     std::vector<std::byte> bytes(members.elements.size());
-    const wire::result size = jaus::encode_payload_elements(elements, bytes);
+    const auto written = jaus::encode_payload_elements(elements, bytes);
     body.encoded.resize(bytes_before);
     body.encoded.insert(body.encoded.end(), bytes.begin(),
-                        bytes.begin() + static_cast<std::ptrdiff_t>(size ? size.size() : 0));
+                        bytes.begin() + static_cast<std::ptrdiff_t>(written ? written->size() : 0));
     if (!body.fields.is_null()) body.fields["element"] = std::move(told);
     body.text += lines;
 }
@@ -102,7 +102,7 @@ inline void tell_payload(decoded_body& body, const payload_members& members, std
 template <class T> decoded_body decode_as(std::span<const std::byte> bytes, const decoding& how) {
     decoded_body body{};
     T message{};
-    if (const wire::result result = decode(message, bytes); !result) {
+    if (const auto result = decode(message, bytes); !result) {
         body.fault = wire::diagnose<T>(bytes);
         if (body.fault) body.fault.error = result.error(); // a matter of memory
         return body;

@@ -46,15 +46,15 @@ std::string why_no_message(std::span<const std::byte> bytes) {
 template <class Table> std::string packet_of(std::span<const std::byte> message) {
     using translator = translate::translator<Table>;
     std::array<std::byte, translator::max_packet_size> packet{};
-    const translate::result size = translator::to_packet(message, packet);
-    return size ? text::detail::plain_hex(std::span{packet}.first(size.size())) : error_name(size.error());
+    const auto translated = translator::to_packet(message, packet);
+    return translated ? text::detail::plain_hex(*translated) : error_name(translated.error());
 }
 
 /// Header and body again, from the decoded header and the body that was encoded from the decoded values.
 std::string encoded_again(jaus::header head, std::span<const std::byte> body) {
     std::vector<std::byte> bytes(jaus::header_size);
     head.data_size = static_cast<std::uint16_t>(body.size());
-    if (const wire::result result = wire::encode(head, bytes); !result) return error_name(result.error());
+    if (const auto result = wire::encode(head, bytes); !result) return error_name(result.error());
     bytes.insert(bytes.end(), body.begin(), body.end());
     return text::detail::plain_hex(bytes);
 }

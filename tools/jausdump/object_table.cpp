@@ -32,9 +32,9 @@ object_message translated(const object_transfer& object, std::span<const std::by
         .index = static_cast<std::uint16_t>(translation_tables::seed_index_base + component_of(object, how)),
         .subindex = object.subindex,
         .data = data};
-    const auto size = delivery::message_of(access, {.subsystem = how.subsystem, .station = node}, message.bytes);
-    message.error = size.error();
-    message.bytes.resize(size ? size.size() : 0);
+    const auto restored = delivery::message_of(access, {.subsystem = how.subsystem, .station = node}, message.bytes);
+    message.error = restored.error();
+    message.bytes.resize(restored ? restored->size() : 0);
     return message;
 }
 
@@ -51,8 +51,8 @@ object_message message_of(const object_transfer& object, const object_table& how
         translate::data_length length{};
         const auto used = wire::decode_prefix(length, data);
         if (!used) return {.error = translate::errc::truncated};
-        if (length.bytes > data.size() - used.size()) return {.error = translate::errc::wrong_size};
-        data = data.subspan(used.size(), length.bytes);
+        if (length.bytes > data.size() - *used) return {.error = translate::errc::wrong_size};
+        data = data.subspan(*used, length.bytes);
     }
     return how.table == translation::seed ? translated<translation_tables::seed_table>(object, data, how)
                                           : translated<translation_tables::self_contained_table>(object, data, how);

@@ -3,7 +3,7 @@
 #include "sdo_reader.hpp"
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/translation/index_bases.hpp>
-#include <jauscat/translate/result.hpp>
+#include <jauscat/translate/errc.hpp>
 
 namespace jausdump {
 

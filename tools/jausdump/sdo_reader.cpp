@@ -31,7 +31,7 @@ void sdo_reader::read(const mailbox_message& message) {
     const bool is_request = coe.service == ethercat::coe_service::sdo_request;
     if (!is_request && coe.service != ethercat::coe_service::sdo_response)
         return listener_.skipped("CoE message that is not an SDO");
-    const auto sdo = message.body.subspan(used.size());
+    const auto sdo = message.body.subspan(*used);
     message.to_slave ? read_request(message.slave, sdo) : read_response(message.slave, sdo);
 }
 
@@ -99,7 +99,7 @@ void sdo_reader::take_initial(transfer& begun, bytes sdo) {
         transfers_.erase(slave_address{begun.object.slave});
         return;
     }
-    auto data = sdo.subspan(used.size());
+    auto data = sdo.subspan(*used);
     const auto& header = normal.header;
     if (header.expedited) {
         const std::size_t unused = header.size_indicated ? header.unused : 0u;

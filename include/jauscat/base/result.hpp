@@ -61,7 +61,7 @@ template <error_type E> class [[nodiscard]] result<void, E> {
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return has_value(); }
     [[nodiscard]] constexpr const E& error() const noexcept { return error_; }
 
-    friend constexpr bool operator==(const result&, const result&) = default;
+    friend constexpr bool operator==(const result& a, const result& b) { return a.error_ == b.error_; }
 
   private:
     E error_{};

@@ -108,16 +108,16 @@ class component {
         if (what == stop_order::emergency) {
             jaus::set_emergency stop{};
             stop.emergency_code.set(jaus::set_emergency_code::transition_to_emergency);
-            return jaus::make_message(head, stop, out).size();
+            return jaus::make_message(head, stop, out)->size();
         }
         if (what == stop_order::clear_emergency) {
             jaus::clear_emergency clear{};
             clear.emergency_code.set(jaus::clear_emergency_code::clear_emergency);
-            return jaus::make_message(head, clear, out).size();
+            return jaus::make_message(head, clear, out)->size();
         }
         jaus::set_wrench_effort nothing{};
         wire::visit(nothing, [](auto, auto& effort) { effort = 0.0; });
-        return jaus::make_message(head, nothing, out).size();
+        return jaus::make_message(head, nothing, out)->size();
     }
     /// The actuator has confirmed it.
     void on_confirmed(stop_order what, time now, jaus::message_sink out) {

@@ -62,11 +62,11 @@ template <class Table> struct delivery {
                                   std::min<std::size_t>(fields.ul_data_cnt, bytes.size() - wire::max_size<packet>))};
     }
 
-    /// Writes the JAUS message of a written object; returns its size. What the object does not carry (under the seed
+    /// Writes the JAUS message of a written object, and returns it. What the object does not carry (under the seed
     /// table: subsystem, instance and data flag) is filled in as if the message were sent to `self`. Errors: as
     /// translator::from_packet.
-    static constexpr translate::result message_of(const object_access& object, const slave_identity& self,
-                                                  std::span<std::byte> out) noexcept {
+    [[nodiscard]] static constexpr result<std::span<std::byte>, translate::errc>
+    message_of(const object_access& object, const slave_identity& self, std::span<std::byte> out) noexcept {
         packet fields{};
         const jaus::header own{.destination = {.instance = self.instance,
                                                .node = static_cast<std::uint8_t>(self.station),

@@ -64,15 +64,15 @@ class image_exchange {
 
     /// A command into `outputs`. What is refused here the caller answers. Errors: those of image_translator::to_image,
     /// and too_large where `capacity` commands wait for their acknowledgement already; the outputs are then unchanged.
-    constexpr translate::errc on_command(const jaus::header& head, std::span<const std::byte> body,
-                                         std::span<std::byte> outputs, std::span<const std::byte> inputs,
-                                         ethercat::time_point now) noexcept {
+    [[nodiscard]] constexpr result<void, translate::errc>
+    on_command(const jaus::header& head, std::span<const std::byte> body, std::span<std::byte> outputs,
+               std::span<const std::byte> inputs, ethercat::time_point now) noexcept {
         const bool wanted = head.ack_nak == jaus::ack_nak::request;
         if (wanted && waiting_ == capacity) return translate::errc::too_large;
         const bool seen = given(outputs) == taken(inputs);
-        const auto error = seen ? command::to_image(body, outputs) : command::merge(body, outputs);
-        if (wanted && error == translate::errc::ok) wait_[waiting_++] = {head, now + timeout_, given(outputs)};
-        return error;
+        const auto done = seen ? command::to_image(body, outputs) : command::merge(body, outputs);
+        if (wanted && done) wait_[waiting_++] = {head, now + timeout_, given(outputs)};
+        return done;
     }
 
     /// Writes the report that the query with this header and body asks for to `out`; returns its size, or 0 where the
@@ -83,15 +83,15 @@ class image_exchange {
         static_assert(jaus::command_code_of<Query> == query_code, "on_query: not the query of this report");
         Query query{};
         translate::image_message<typename ReportTable::message_type> values{};
-        if (!wire::decode(query, body) || report::read(inputs, values) != translate::errc::ok) return 0;
+        if (!wire::decode(query, body) || !report::read(inputs, values)) return 0;
         jaus::keep_requested(values, query.presence_vector);
         if (out.size() < jaus::header_size) return 0;
-        const auto size = wire::encode(values, out.subspan(jaus::header_size));
-        if (!size) return 0;
+        const auto encoded = wire::encode(values, out.subspan(jaus::header_size));
+        if (!encoded) return 0;
         jaus::header answer = jaus::answer_to(addressed(head));
         answer.command_code = report_code;
-        answer.data_size = static_cast<std::uint16_t>(size.size());
-        return wire::encode(answer, out) ? jaus::header_size + size.size() : 0;
+        answer.data_size = static_cast<std::uint16_t>(encoded->size());
+        return wire::encode(answer, out) ? jaus::header_size + encoded->size() : 0;
     }
 
     /// After each cycle, until it returns 0: writes the next acknowledgement to `out`, which holds 16 bytes. ACK for a
@@ -104,10 +104,10 @@ class image_exchange {
         const auto first = std::ranges::find_if(waits, over);
         if (first == waits.end()) return 0;
         const auto how = has_reached(first->count, last) ? jaus::ack_nak::ack : jaus::ack_nak::nak;
-        const auto size = jaus::make_acknowledgement(addressed(first->head), how, out);
+        const auto made = jaus::make_acknowledgement(addressed(first->head), how, out);
         std::copy(first + 1, waits.end(), first);
         --waiting_;
-        return size ? size.size() : 0;
+        return made ? made->size() : 0;
     }
 
     /// The counter in the outputs: the last command given; 0 for none.

@@ -39,8 +39,8 @@ template <std::size_t MaxBody, std::size_t Places = 4> class message_assembly {
             whole.data_flag = jaus::data_flag::only;
             whole.sequence_number = head.sequence_number;
             whole.ack_nak = head.ack_nak;
-            const auto size = jaus::join(whole, body, message_); // decoded from packets: it fits
-            take(std::span<const std::byte>{message_}.first(size.size()));
+            const auto made = jaus::join(whole, body, message_); // decoded from packets: it fits
+            take(*made);
         };
         return large_.on_packet(head, message.subspan(jaus::header_size), now, deliver, [](const auto&) {});
     }

@@ -56,8 +56,9 @@ class object_creation {
     /// Number of packets: one for the object and one for each subobject.
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 1 + object_.entries.size(); }
 
-    /// Writes packet `number`, counted from 0, to the front of `out` and returns its size. Error: no_space.
-    constexpr wire::result packet(std::size_t number, std::span<std::byte> out) const noexcept {
+    /// Writes packet `number`, counted from 0, to the front of `out` and returns it. Error: no_space.
+    [[nodiscard]] constexpr result<std::span<std::byte>, wire::errc> packet(std::size_t number,
+                                                                            std::span<std::byte> out) const noexcept {
         return number == 0 ? object_packet(out) : subobject_packet(number, out);
     }
 
@@ -88,7 +89,8 @@ class object_creation {
         return r;
     }
     // The sizes that a packet states are those of its parts, known once it is complete.
-    template <class Request> static constexpr wire::result put(Request& r, std::span<std::byte> out) noexcept {
+    template <class Request>
+    static constexpr result<std::span<std::byte>, wire::errc> put(Request& r, std::span<std::byte> out) noexcept {
         constexpr std::size_t body_of_header = wire::max_size<hilscher::packet_header>;
         const std::size_t size = wire::encoded_size(r);
         r.ul_total_data_bytes = static_cast<std::uint32_t>(size - wire::min_size<Request>);
@@ -96,14 +98,15 @@ class object_creation {
         return wire::encode(r, out);
     }
 
-    constexpr wire::result object_packet(std::span<std::byte> out) const noexcept {
+    constexpr result<std::span<std::byte>, wire::errc> object_packet(std::span<std::byte> out) const noexcept {
         auto r = request<hilscher::od_create_object_request>(0, object_.name);
         r.b_max_num_of_sub_objs = object_.highest_subindex();
         r.b_object_code = hilscher::od_object_code::record;
         r.us_access_flags = {hilscher::od_object_flag::create_subindex_0};
         return put(r, out);
     }
-    constexpr wire::result subobject_packet(std::size_t number, std::span<std::byte> out) const noexcept {
+    constexpr result<std::span<std::byte>, wire::errc> subobject_packet(std::size_t number,
+                                                                        std::span<std::byte> out) const noexcept {
         using enum hilscher::od_access;
         const auto& entry = object_.entries[number - 1];
         auto r = request<hilscher::od_create_subobject_request>(number, entry.name);

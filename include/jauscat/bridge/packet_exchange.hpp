@@ -58,10 +58,10 @@ template <class Table> class packet_exchange {
         given_ = given;
         if (!wire::decode_prefix(head_, message)) return fail(translate::errc::truncated);
         if (const auto error = delivery::deliverable(head_); error != translate::errc::ok) return fail(error);
-        const auto size = translator::to_packet(message, buffer, given_);
-        if (!size) return fail(size.error());
+        const auto translated = translator::to_packet(message, buffer, given_);
+        if (!translated) return fail(translated.error());
         awaited_ = hilscher::packet_command::sdo_download_cnf;
-        return {exchange_progress::request, size.size()};
+        return {exchange_progress::request, translated->size()};
     }
 
     /// Takes a confirmation packet. What comes next is written to `buffer`, which does not overlap it and has
@@ -87,7 +87,7 @@ template <class Table> class packet_exchange {
         request.destination = slave_.answering_as(head_.destination);
         if (!jaus::names_one_component(request.destination)) return 0;
         const bool done = end_ == exchange_progress::done;
-        return jaus::make_acknowledgement(request, done ? jaus::ack_nak::ack : jaus::ack_nak::nak, out).size();
+        return jaus::make_acknowledgement(request, done ? jaus::ack_nak::ack : jaus::ack_nak::nak, out)->size();
     }
 
     /// ulSta of the last confirmation that was taken.
@@ -112,8 +112,8 @@ template <class Table> class packet_exchange {
         report.data_size = 0;
         std::array<std::byte, jaus::header_size> message{};
         static_cast<void>(wire::encode(report, message)); // was decoded: fits
-        const auto size = translator::to_packet(message, buffer, given_);
-        if (!size) return fail(size.error());
+        const auto packet_bytes = translator::to_packet(message, buffer, given_);
+        if (!packet_bytes) return fail(packet_bytes.error());
         packet download{};
         static_cast<void>(wire::decode_prefix(download, buffer));
         upload_.head = download.head;
@@ -123,22 +123,22 @@ template <class Table> class packet_exchange {
         upload_.ul_index = download.ul_index;
         upload_.ul_sub_index = download.ul_sub_index;
         awaited_ = packet_command::sdo_upload_cnf;
-        return {exchange_progress::request, wire::encode(upload_, buffer).size()};
+        return {exchange_progress::request, wire::encode(upload_, buffer)->size()};
     }
 
     constexpr exchange_step take_report(std::span<const std::byte> confirmation, std::span<std::byte> buffer) noexcept {
         hilscher::sdo_upload_confirmation answer{};
         const auto used = wire::decode_prefix(answer, confirmation);
-        if (!used || answer.ul_data_cnt > confirmation.size() - used.size()) return fail(translate::errc::truncated);
+        if (!used || answer.ul_data_cnt > confirmation.size() - *used) return fail(translate::errc::truncated);
         if (answer.ul_node_id != upload_.ul_node_id || answer.ul_index != upload_.ul_index ||
             answer.ul_sub_index != upload_.ul_sub_index)
             return fail(translate::errc::wrong_packet);
-        const auto size = delivery::message_of({.station = static_cast<std::uint16_t>(answer.ul_node_id),
-                                                .index = static_cast<std::uint16_t>(answer.ul_index),
-                                                .subindex = static_cast<std::uint8_t>(answer.ul_sub_index),
-                                                .data = confirmation.subspan(used.size(), answer.ul_data_cnt)},
-                                               slave_, buffer);
-        if (!size) return fail(size.error());
+        const auto restored = delivery::message_of({.station = static_cast<std::uint16_t>(answer.ul_node_id),
+                                                    .index = static_cast<std::uint16_t>(answer.ul_index),
+                                                    .subindex = static_cast<std::uint8_t>(answer.ul_sub_index),
+                                                    .data = confirmation.subspan(*used, answer.ul_data_cnt)},
+                                                   slave_, buffer);
+        if (!restored) return fail(restored.error());
 
         // The slave's object carries the slave's addresses: the answer goes from the one asked to the asker.
         jaus::header report{};
@@ -148,7 +148,7 @@ template <class Table> class packet_exchange {
         report.destination = head_.source;
         report.sequence_number = head_.sequence_number;
         static_cast<void>(wire::encode(report, buffer));
-        return finish(size.size());
+        return finish(restored->size());
     }
 
     constexpr exchange_step finish(std::size_t size) noexcept {

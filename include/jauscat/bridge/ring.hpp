@@ -261,9 +261,9 @@ template <class Image = wrench_effort_path> class basic_ring {
         order_ = *next;
         jaus::header head = order_.header;
         head.destination = unit_->self(); // also where all of a level are meant
-        const auto size = jaus::join(head, orders.body(*next), message_);
+        const auto made = jaus::join(head, orders.body(*next), message_);
         orders.remove(*next);
-        begin_message(at, purpose::order, size ? size.size() : 0, now, out);
+        begin_message(at, purpose::order, made ? made->size() : 0, now, out);
         return true;
     }
     bool begin_keep_alive(place& at, time now, jaus::message_sink out) {
@@ -271,9 +271,9 @@ template <class Image = wrench_effort_path> class basic_ring {
             now < at.next_keep_alive || at.front->components().empty())
             return false;
         unit_ = at.front->components().front();
-        const auto size = jaus::make_message({.destination = unit_->self(), .source = unit_->self()},
-                                             jaus::report_heartbeat_pulse{}, message_);
-        begin_message(at, purpose::keep_alive, size.size(), now, out);
+        const auto message_bytes = jaus::make_message({.destination = unit_->self(), .source = unit_->self()},
+                                                      jaus::report_heartbeat_pulse{}, message_);
+        begin_message(at, purpose::keep_alive, message_bytes->size(), now, out);
         return true;
     }
 
@@ -650,8 +650,8 @@ template <class Image = wrench_effort_path> class basic_ring {
         jaus::header plain = head;
         plain.ack_nak = jaus::ack_nak::none; // acknowledged by the component
         at.has_rest_outputs = false;
-        const auto error = at.image->on_command(plain, body, outputs(at), inputs(at), now);
-        if (error != translate::errc::ok) return refusal_reason{.why = refusal::not_translated, .error = error};
+        if (const auto done = at.image->on_command(plain, body, outputs(at), inputs(at), now); !done)
+            return refusal_reason{.why = refusal::not_translated, .error = done.error()};
         const auto count = at.image->given(outputs(at));
         at.waiting[at.waiting_count++] = {&unit, head, count, jaus::saturating_add(now, options_.longest_silence),
                                           is_stop};

@@ -54,8 +54,8 @@ constexpr std::optional<std::size_t> merge_fields(std::span<const std::byte> old
         };
         (copy(latest.template slot<Members>(), merged.template slot<Members>()), ...);
     }(typename wire::layout_of<Message>::keys{});
-    const auto size = wire::encode(merged, out);
-    return size ? std::optional<std::size_t>{size.size()} : std::nullopt;
+    const auto encoded = wire::encode(merged, out);
+    return encoded ? std::optional<std::size_t>{encoded->size()} : std::nullopt;
 }
 
 } // namespace detail

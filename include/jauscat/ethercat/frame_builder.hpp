@@ -102,9 +102,9 @@ class frame_builder {
         add(command::bwr, 0, at.address, value);
     }
 
-    /// Writes the length and pads with zeros to 60 bytes. Returns the size of the frame without check sequence.
+    /// Writes the length and pads with zeros to 60 bytes. Returns the frame, without check sequence.
     /// Errors: empty, no_space, field_out_of_range.
-    constexpr frame_result finish() noexcept {
+    [[nodiscard]] constexpr result<std::span<std::byte>, frame_errc> finish() noexcept {
         if (error_ == frame_errc::ok && last_ == 0) error_ = frame_errc::empty;
         const std::size_t size = std::max(end_, min_frame_size);
         if (error_ == frame_errc::ok && out_.size() < size) error_ = frame_errc::no_space;
@@ -113,7 +113,7 @@ class frame_builder {
                                   .type = frame_type::datagrams};
         static_cast<void>(wire::encode(header, out_.subspan(wire::max_size<ethernet_header>)));
         std::ranges::fill(out_.subspan(end_, size - end_), std::byte{});
-        return size;
+        return out_.first(size);
     }
 
   private:

@@ -1,8 +1,6 @@
 // Errors of frames.
 #pragma once
 
-#include <jauscat/wire/result.hpp>
-
 #include <cstdint>
 #include <string_view>
 
@@ -37,8 +35,5 @@ enum class frame_errc : std::uint8_t {
     }
     return "unknown error";
 }
-
-/// Bytes of a frame, or why there is none.
-using frame_result = wire::basic_result<frame_errc>;
 
 } // namespace jauscat::ethercat

@@ -33,27 +33,27 @@ template <class Byte> struct basic_datagram {
 /// The datagrams of a checked frame: `frame_view view; if (view.parse(bytes)) for (auto datagram : view) ...`.
 template <class Byte> class basic_frame_view {
   public:
-    /// Checks all of `frame`, a VLAN tag allowed, and returns the bytes used, padding excluded.
+    /// Checks all of `frame`, a VLAN tag allowed, and returns the number of bytes used, padding excluded.
     /// Errors: too_short, not_ethercat, not_datagrams, length_beyond_frame, truncated_datagram, length_mismatch.
     /// After an error the view is empty.
-    constexpr frame_result parse(std::span<Byte> frame) noexcept {
+    [[nodiscard]] constexpr result<std::size_t, frame_errc> parse(std::span<Byte> frame) noexcept {
         datagrams_ = {};
         ethernet_header ethernet{};
         auto used = wire::decode_prefix(ethernet, frame);
         if (!used) return frame_errc::too_short;
-        std::size_t at = used.size();
+        std::size_t at = *used;
         if (ethernet.ether_type == ether_type_vlan) {
             vlan_tag tag{};
             used = wire::decode_prefix(tag, frame.subspan(at));
             if (!used) return frame_errc::too_short;
-            at += used.size();
+            at += *used;
             ethernet.ether_type = tag.ether_type;
         }
         if (ethernet.ether_type != ether_type_ethercat) return frame_errc::not_ethercat;
         frame_header header{};
         used = wire::decode_prefix(header, frame.subspan(at));
         if (!used) return frame_errc::too_short;
-        at += used.size();
+        at += *used;
         if (header.type != frame_type::datagrams) return frame_errc::not_datagrams;
         if (frame.size() - at < header.length) return frame_errc::length_beyond_frame;
 
@@ -82,7 +82,7 @@ template <class Byte> class basic_frame_view {
 
         constexpr value_type operator*() const noexcept {
             value_type datagram{};
-            const std::size_t header = wire::decode_prefix(datagram.header, rest_).size();
+            const std::size_t header = *wire::decode_prefix(datagram.header, rest_);
             datagram.data = rest_.subspan(header, datagram.header.length);
             datagram.bytes = rest_.first(datagram_overhead + datagram.header.length);
             datagram_trailer trailer{};

@@ -29,7 +29,7 @@ inline std::size_t encode_segment(sdo_segment_header header, std::span<const std
     const std::size_t size = segment_size(data.size());
     const bool carries_data = header.specifier == sdo_specifier::download_segment_request;
     if (carries_data) header.unused = static_cast<std::uint8_t>(size - segment_overhead - data.size());
-    const auto room = out.subspan(wire::encode(header, out).size()).first(size - segment_overhead);
+    const auto room = out.subspan(wire::encode(header, out)->size()).first(size - segment_overhead);
     std::ranges::fill(std::ranges::copy(data, room.begin()).out, room.end(), std::byte{});
     return size;
 }

@@ -25,8 +25,8 @@ template <class T> consteval bool told_as_bytes() {
 template <class T> std::vector<std::byte> encoded(const void* value) {
     const T& object = *static_cast<const T*>(value);
     std::vector<std::byte> bytes(wire::encoded_size(object));
-    const wire::result written = wire::encode(object, bytes);
-    bytes.resize(written ? written.size() : 0);
+    const auto written = wire::encode(object, bytes);
+    bytes.resize(written ? written->size() : 0);
     return bytes;
 }
 template <class T> bool decoded(void* value, std::span<const std::byte> bytes) {

@@ -53,37 +53,52 @@ template <class Table> struct image_translator {
     /// elements that the message does not have keep it. Errors: truncated, wrong_size (more bytes than the message
     /// has), no_space, out_of_range, reserved_value (also a presence bit without an element); the image is then
     /// unchanged.
-    JAUSCAT_FLATTEN static constexpr errc to_image(std::span<const std::byte> body,
-                                                   std::span<std::byte> image) noexcept {
-        return fill<false>(body, image);
+    [[nodiscard, gnu::always_inline]] static constexpr result<void, errc>
+    to_image(std::span<const std::byte> body, std::span<std::byte> image) noexcept {
+        return fill_image(body, image);
     }
 
     /// The same, where the message before it may not have been seen: its presence bits stay set beside the new ones, so
     /// that the image says both commands.
-    JAUSCAT_FLATTEN static constexpr errc merge(std::span<const std::byte> body, std::span<std::byte> image) noexcept {
+    [[nodiscard, gnu::always_inline]] static constexpr result<void, errc> merge(std::span<const std::byte> body,
+                                                                                std::span<std::byte> image) noexcept {
         static_assert(!std::is_void_v<typename Table::presence_row>, "merge: the table has no row presence_bits");
-        return fill<true>(body, image);
+        return merge_image(body, image);
     }
 
-    /// Writes the body of the message in `image`; returns its size. Errors: truncated, no_space, out_of_range,
-    /// reserved_value, wrong_packet (a constant has another value).
-    JAUSCAT_FLATTEN static constexpr result from_image(std::span<const std::byte> image,
-                                                       std::span<std::byte> body) noexcept {
-        image_message<message_type> message{};
-        if (const errc error = read(image, message); error != errc::ok) return error;
-        const auto size = wire::encode(message, body);
-        if (!size) return detail::errc_of(size.error());
-        return size.size();
+    /// Writes the body of the message in `image` to the front of `body`, and returns it. Errors: truncated, no_space,
+    /// out_of_range, reserved_value, wrong_packet (a constant has another value).
+    [[nodiscard, gnu::always_inline]] static constexpr result<std::span<std::byte>, errc>
+    from_image(std::span<const std::byte> image, std::span<std::byte> body) noexcept {
+        return fill_body(image, body).of(body);
     }
 
     /// The same, as a message instead of its bytes.
-    static constexpr errc read(std::span<const std::byte> image, image_message<message_type>& message) noexcept {
+    [[nodiscard]] static constexpr result<void, errc> read(std::span<const std::byte> image,
+                                                           image_message<message_type>& message) noexcept {
         image_type values{};
         if (!wire::decode_prefix(values, image)) return errc::truncated;
         return Table::from_image(values, message);
     }
 
   private:
+    // Whole translations, which may stay out of line.
+    JAUSCAT_FLATTEN static constexpr errc fill_image(std::span<const std::byte> body,
+                                                     std::span<std::byte> image) noexcept {
+        return fill<false>(body, image);
+    }
+    JAUSCAT_FLATTEN static constexpr errc merge_image(std::span<const std::byte> body,
+                                                      std::span<std::byte> image) noexcept {
+        return fill<true>(body, image);
+    }
+    JAUSCAT_FLATTEN static constexpr wire::packed_size<errc> fill_body(std::span<const std::byte> image,
+                                                                       std::span<std::byte> body) noexcept {
+        image_message<message_type> message{};
+        if (const auto values = read(image, message); !values) return values.error();
+        const auto encoded = wire::encode(message, body);
+        if (!encoded) return detail::errc_of(encoded.error());
+        return encoded->size();
+    }
     template <bool Merge>
     [[gnu::always_inline]] static constexpr errc fill(std::span<const std::byte> body,
                                                       std::span<std::byte> image) noexcept {

@@ -1,7 +1,7 @@
 // What a row of a translation table needs.
 #pragma once
+#include <jauscat/translate/errc.hpp>
 #include <jauscat/translate/path.hpp>
-#include <jauscat/translate/result.hpp>
 
 #include <concepts>
 #include <cstddef>

@@ -1,6 +1,7 @@
 // The rows that a translation table is made of. Each says what happens to one field, in both directions. row.hpp lists
 // what a row needs.
 #pragma once
+#include <jauscat/translate/errc.hpp>
 #include <jauscat/translate/row.hpp>
 #include <jauscat/wire/code_index.hpp>
 

@@ -20,24 +20,48 @@ template <class Table> struct translator {
     static constexpr std::size_t max_packet_size = packet_size + Table::max_data;
     static constexpr std::size_t max_message_size = header_size + max_body;
 
-    /// Translates one JAUS message (header and body) into a packet; returns the packet's size.
+    /// Translates one JAUS message (header and body) into a packet, and returns that.
     /// Errors: truncated, wrong_size, too_large, no_space, unknown_command_code, reserved_value.
-    JAUSCAT_FLATTEN static constexpr result to_packet(std::span<const std::byte> message,
-                                                      std::span<std::byte> packet) noexcept {
-        return fill(message, packet, {});
+    [[nodiscard, gnu::always_inline]] static constexpr result<std::span<std::byte>, errc>
+    to_packet(std::span<const std::byte> message, std::span<std::byte> packet) noexcept {
+        return fill_packet(message, packet).of(packet);
     }
 
     /// The same with what is the caller's own, such as a packet number, taken from `given`.
-    JAUSCAT_FLATTEN static constexpr result to_packet(std::span<const std::byte> message, std::span<std::byte> packet,
-                                                      const packet_type& given) noexcept {
-        return fill(message, packet, given);
+    [[nodiscard, gnu::always_inline]] static constexpr result<std::span<std::byte>, errc>
+    to_packet(std::span<const std::byte> message, std::span<std::byte> packet, const packet_type& given) noexcept {
+        return fill_packet(message, packet, given).of(packet);
     }
 
-    /// Translates a packet back into the JAUS message it was made of; returns the message's size.
+    /// Translates a packet back into the JAUS message it was made of, and returns that.
     /// Errors: truncated, wrong_size, too_large, no_space, unknown_index, unknown_subindex, reserved_value,
     /// out_of_range, wrong_packet.
-    JAUSCAT_FLATTEN static constexpr result from_packet(std::span<const std::byte> packet,
-                                                        std::span<std::byte> message) noexcept {
+    [[nodiscard, gnu::always_inline]] static constexpr result<std::span<std::byte>, errc>
+    from_packet(std::span<const std::byte> packet, std::span<std::byte> message) noexcept {
+        return fill_message(packet, message).of(message);
+    }
+
+    /// The same for a packet whose fields and data are at hand apart.
+    [[nodiscard, gnu::always_inline]] static constexpr result<std::span<std::byte>, errc>
+    from_packet(const packet_type& fields, std::span<const std::byte> data, std::span<std::byte> message) noexcept {
+        return fill_message(fields, data, message).of(message);
+    }
+
+  private:
+    static constexpr bool fixed = has_fixed_length<Table>;
+    using packed_size = wire::packed_size<errc>;
+
+    // Whole translations, which may stay out of line: the size fits a register.
+    JAUSCAT_FLATTEN static constexpr packed_size fill_packet(std::span<const std::byte> message,
+                                                             std::span<std::byte> packet) noexcept {
+        return fill(message, packet, {});
+    }
+    JAUSCAT_FLATTEN static constexpr packed_size
+    fill_packet(std::span<const std::byte> message, std::span<std::byte> packet, const packet_type& given) noexcept {
+        return fill(message, packet, given);
+    }
+    JAUSCAT_FLATTEN static constexpr packed_size fill_message(std::span<const std::byte> packet,
+                                                              std::span<std::byte> message) noexcept {
         packet_type fields{};
         if (!wire::decode_prefix(fields, packet)) return errc::truncated;
         const std::size_t data_size = Table::data_count_row::counts_data::of(fields);
@@ -45,18 +69,14 @@ template <class Table> struct translator {
         return restore(fields, packet.subspan(packet_size, data_size), message);
     }
 
-    /// The same for a packet whose fields and data are at hand apart.
-    JAUSCAT_FLATTEN static constexpr result from_packet(const packet_type& fields, std::span<const std::byte> data,
-                                                        std::span<std::byte> message) noexcept {
+    JAUSCAT_FLATTEN static constexpr packed_size
+    fill_message(const packet_type& fields, std::span<const std::byte> data, std::span<std::byte> message) noexcept {
         return restore(fields, data, message);
     }
 
-  private:
-    static constexpr bool fixed = has_fixed_length<Table>;
-
     // Both directions are inlined into their callers, so that a packet's fields stay in registers.
-    [[gnu::always_inline]] static constexpr result fill(std::span<const std::byte> message, std::span<std::byte> packet,
-                                                        packet_type fields) noexcept {
+    [[gnu::always_inline]] static constexpr packed_size fill(std::span<const std::byte> message,
+                                                             std::span<std::byte> packet, packet_type fields) noexcept {
         header_type header{};
         if (!wire::decode_prefix(header, message)) return errc::truncated;
         const std::size_t body = message.size() - header_size;
@@ -83,15 +103,15 @@ template <class Table> struct translator {
         return packet_size + object;
     }
 
-    [[gnu::always_inline]] static constexpr result restore(const packet_type& fields, std::span<const std::byte> data,
-                                                           std::span<std::byte> message) noexcept {
+    [[gnu::always_inline]] static constexpr packed_size
+    restore(const packet_type& fields, std::span<const std::byte> data, std::span<std::byte> message) noexcept {
         auto real = data;
         if constexpr (fixed) {
             data_length length{};
             const auto used = wire::decode_prefix(length, data);
             if (!used) return errc::truncated;
-            if (length.bytes > data.size() - used.size()) return errc::wrong_size;
-            real = data.subspan(used.size(), length.bytes);
+            if (length.bytes > data.size() - *used) return errc::wrong_size;
+            real = data.subspan(*used, length.bytes);
         }
         if (real.size() < rest_size) return errc::truncated;
         if (data.size() > Table::max_data) return errc::too_large;

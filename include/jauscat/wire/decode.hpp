@@ -1,6 +1,7 @@
 // Decodes messages.
 #pragma once
 #include <jauscat/wire/layout.hpp>
+#include <jauscat/wire/packed_size.hpp>
 
 #include <span>
 
@@ -14,40 +15,48 @@ JAUSCAT_FLATTEN constexpr in_cursor get_message(T& __restrict value, const std::
     return layout_of<T>::get(value, {in, slack}, object_scope{value, root});
 }
 
-template <message T, class Root>
-[[gnu::always_inline]] constexpr result decode(T& value, std::span<const std::byte> in, Root root,
-                                               bool to_the_end) noexcept {
+/// `ToTheEnd`: no bytes may be left.
+template <bool ToTheEnd, message T, class Root>
+constexpr packed_size<errc> decode(T& value, std::span<const std::byte> in, Root root) noexcept {
     if (in.size() < min_size<T>) return errc::truncated;
     if constexpr (!never_too_long<T>) {
-        if (in.size() > result::max_size) return errc::too_long;
+        if (in.size() > packed_size<errc>::max_size) return errc::too_long;
     }
     const in_cursor end = get_message(value, in.data(), in.size() - min_size<T>, root);
     if (end.at == nullptr) return end.error();
-    if (to_the_end && end.slack != 0) return errc::trailing_bytes;
+    if (ToTheEnd && end.slack != 0) return errc::trailing_bytes;
     return in.size() - end.slack;
 }
 } // namespace detail
 
-/// Reads a `T` from the front of `in`, which must not overlap `value`, and returns the bytes it took; what follows is
-/// the caller's. After an error `value` is valid but unspecified. Errors: truncated, out_of_range,
+/// Reads a `T` from the front of `in`, which must not overlap `value`, and returns the number of bytes it took; what
+/// follows is the caller's. After an error `value` is valid but unspecified. Errors: truncated, out_of_range,
 /// unknown_presence_bit, unknown_tag, count_above_capacity, too_deep, too_long.
-template <message T> constexpr result decode_prefix(T& value, std::span<const std::byte> in) noexcept {
+template <message T>
+[[nodiscard, gnu::always_inline]] constexpr result<std::size_t, errc>
+decode_prefix(T& value, std::span<const std::byte> in) noexcept {
     static_assert(!needs_memory<T>, "decode: the message has lists; give an arena as the third argument");
-    return detail::decode(value, in, plain_root{}, false);
+    return detail::decode<false>(value, in, plain_root{}).taken();
 }
 /// The same for a message with lists, whose elements are taken from `memory`. Errors: also arena_full.
-template <message T> constexpr result decode_prefix(T& value, std::span<const std::byte> in, arena& memory) noexcept {
-    return detail::decode(value, in, memory_root{memory}, false);
+template <message T>
+[[nodiscard, gnu::always_inline]] constexpr result<std::size_t, errc>
+decode_prefix(T& value, std::span<const std::byte> in, arena& memory) noexcept {
+    return detail::decode<false>(value, in, memory_root{memory}).taken();
 }
 
 /// Reads a `T` that fills `in` exactly. Errors: those of decode_prefix, and trailing_bytes.
-template <message T> constexpr result decode(T& value, std::span<const std::byte> in) noexcept {
+template <message T>
+[[nodiscard, gnu::always_inline]] constexpr result<std::size_t, errc> decode(T& value,
+                                                                             std::span<const std::byte> in) noexcept {
     static_assert(!needs_memory<T>, "decode: the message has lists; give an arena as the third argument");
-    return detail::decode(value, in, plain_root{}, true);
+    return detail::decode<true>(value, in, plain_root{}).taken();
 }
 /// The same for a message with lists, whose elements go to `memory`.
-template <message T> constexpr result decode(T& value, std::span<const std::byte> in, arena& memory) noexcept {
-    return detail::decode(value, in, memory_root{memory}, true);
+template <message T>
+[[nodiscard, gnu::always_inline]] constexpr result<std::size_t, errc> decode(T& value, std::span<const std::byte> in,
+                                                                             arena& memory) noexcept {
+    return detail::decode<true>(value, in, memory_root{memory}).taken();
 }
 
 } // namespace jauscat::wire

@@ -146,7 +146,7 @@ namespace detail {
 template <message T> constexpr errc decode_error(std::span<const std::byte> in) noexcept {
     using root = std::conditional_t<needs_memory<T>, discarding_root, plain_root>;
     T scratch{};
-    return decode(scratch, in, root{}, true).error();
+    return decode<true>(scratch, in, root{}).error();
 }
 } // namespace detail
 
@@ -155,7 +155,7 @@ template <message T> constexpr errc decode_error(std::span<const std::byte> in) 
 template <message T> [[nodiscard]] constexpr diagnosis diagnose(std::span<const std::byte> in) noexcept {
     const errc error = detail::decode_error<T>(in);
     if (error == errc::ok) return {};
-    if (error == errc::too_long) return {.error = error, .needed = in.size(), .available = result::max_size};
+    if (error == errc::too_long) return {.error = error, .needed = in.size(), .available = packed_size<errc>::max_size};
     T scratch{};
     decode_trace trace{in, error};
     const in_cursor end = decode_traced(scratch, in, trace);
@@ -168,8 +168,8 @@ template <message T> [[nodiscard]] constexpr diagnosis diagnose(std::span<const 
 template <message T>
 [[nodiscard]] constexpr diagnosis diagnose(const T& value, std::size_t space = unbounded) noexcept {
     const std::size_t needed = encoded_size(value);
-    if (!never_too_long<T> && needed > result::max_size)
-        return {.error = errc::too_long, .needed = needed, .available = result::max_size};
+    if (!never_too_long<T> && needed > packed_size<errc>::max_size)
+        return {.error = errc::too_long, .needed = needed, .available = packed_size<errc>::max_size};
     if (space < needed) return {.error = errc::no_space, .needed = needed, .available = space};
     encode_trace trace;
     const traced_root root{trace};

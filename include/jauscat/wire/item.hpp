@@ -12,8 +12,8 @@
 // Variable items take the scope they stand in as their last argument (see scope.hpp).
 // All of it is forced inline: only whole messages are worth a call, and offsets fold to constants.
 #pragma once
+#include <jauscat/wire/errc.hpp>
 #include <jauscat/wire/member.hpp>
-#include <jauscat/wire/result.hpp>
 
 #include <array>
 #include <cstddef>

@@ -2,6 +2,7 @@
 // here.
 #pragma once
 #include <jauscat/wire/layout_item.hpp>
+#include <jauscat/wire/packed_size.hpp>
 #include <jauscat/wire/scalar.hpp>
 #include <jauscat/wire/scope.hpp>
 
@@ -281,8 +282,8 @@ template <class T> concept message = requires { typename schema<T>::type; };
 template <message T> inline constexpr std::size_t min_size = layout_of<T>::min_size;
 template <message T> inline constexpr std::size_t max_size = layout_of<T>::max_size;
 
-/// No `T` is longer than a result can say.
-template <message T> inline constexpr bool never_too_long = max_size<T> <= result::max_size;
+/// No `T` is longer than a packed_size can say.
+template <message T> inline constexpr bool never_too_long = max_size<T> <= packed_size<errc>::max_size;
 
 /// Always the same number of bytes.
 template <class T> concept fixed_message = message<T> && fixed_item<layout_of<T>>;

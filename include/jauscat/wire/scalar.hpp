@@ -2,8 +2,8 @@
 // A codec has `value_type`, `size` in bytes, `store(bytes, value)` and `load(bytes, value)`; both say errc::ok or why
 // not. One that says `as_in_memory` stores the value's own bytes, and takes any bytes.
 #pragma once
+#include <jauscat/wire/errc.hpp>
 #include <jauscat/wire/inlining.hpp>
-#include <jauscat/wire/result.hpp>
 
 #include <boost/endian/conversion.hpp>
 

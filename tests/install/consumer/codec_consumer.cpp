@@ -17,8 +17,8 @@ template <> struct jauscat::wire::schema<gripper> {
 
 int main() {
     std::array<std::byte, 8> buffer{};
-    const auto size = jauscat::wire::encode(gripper{.force = 500, .finger = 2}, buffer);
+    const auto encoded = jauscat::wire::encode(gripper{.force = 500, .finger = 2}, buffer);
     gripper received{};
-    const auto used = jauscat::wire::decode(received, std::span{buffer}.first(size.size()));
-    return used && size.size() == 4 && received.force == 500 && received.finger == 2 ? 0 : 1;
+    const auto used = jauscat::wire::decode(received, *encoded);
+    return used && encoded->size() == 4 && received.force == 500 && received.finger == 2 ? 0 : 1;
 }

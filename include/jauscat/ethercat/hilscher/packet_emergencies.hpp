@@ -42,7 +42,7 @@ class packet_slave_handles
     void put(std::uint16_t station, const packet_io& io) noexcept {
         const auto used = wire::encode(hilscher::slave_handle{station}, io.room(fields_size + size_));
         if (!used) status_ = hilscher::packet_status::out_of_memory;
-        size_ += used.size();
+        size_ += used->size();
     }
 
     std::size_t size_{};
@@ -77,7 +77,7 @@ class packet_emergencies
             const auto record = i < log_.kept().size() ? log_.kept()[i] : coe_emergency{};
             const auto used = wire::encode(record, io.room(fields_size + size));
             if (!used) return {.status = hilscher::packet_status::out_of_memory};
-            size += used.size();
+            size += used->size();
         }
         return {.size = size};
     }

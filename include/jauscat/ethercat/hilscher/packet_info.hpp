@@ -77,7 +77,7 @@ class packet_entry : public packet_coe_service<hilscher::get_entry_description_r
         if ((entry.value_info & unit_bit) != 0) {
             const auto used = wire::decode_prefix(unit, rest);
             if (!used) return {.status = hilscher::status_of({.code = master_errc::unexpected_reply})};
-            rest = rest.subspan(used.size());
+            rest = rest.subspan(*used);
         }
         const auto values = io.room(fields_size);
         if (rest.size() > values.size()) return {.status = hilscher::packet_status::coe_slave_response_too_big};

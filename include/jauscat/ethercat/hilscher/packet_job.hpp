@@ -131,7 +131,7 @@ class packet_job {
             out.head = head_;
             out.head.ul_sta = status_;
             out.head.ul_len = static_cast<std::uint32_t>(Service::fields_size - head_size + answer.size);
-            return wire::encode(out, io_.confirmation).size() + answer.size;
+            return wire::encode(out, io_.confirmation)->size() + answer.size;
         }
     }
 

@@ -79,7 +79,7 @@ class mailbox_exchange {
             const mailbox_header header{.length = static_cast<std::uint16_t>(protocol.size()),
                                         .type = mailbox_type::coe,
                                         .counter = slave.last_counter};
-            protocol.encode(out.subspan(wire::encode(header, out).size()));
+            protocol.encode(out.subspan(wire::encode(header, out)->size()));
             break;
         }
         case step::look_taken:
@@ -224,7 +224,7 @@ class mailbox_exchange {
         const auto used = wire::decode_prefix(coe, reply.message);
         coe_emergency emergency{};
         if (reply.header.type == mailbox_type::coe && used && coe.service == coe_service::emergency &&
-            wire::decode_prefix(emergency, reply.message.subspan(used.size())))
+            wire::decode_prefix(emergency, reply.message.subspan(*used)))
             slave.emergencies.note(emergency);
     }
 

@@ -87,13 +87,13 @@ class master {
         if (idle() || !frames_.may_send(now)) return 0;
         frame_builder frame{out, frames_.next_index()};
         with_machine([&](auto& machine) { machine.request(frame); });
-        const auto size = frame.finish();
-        if (!size) {
+        const auto finished = frame.finish();
+        if (!finished) {
             cancel(master_errc::no_space);
             return 0;
         }
-        frames_.sent(out.first(size.size()), now);
-        return size.size();
+        frames_.sent(*finished, now);
+        return finished->size();
     }
 
     /// Takes a frame that arrived. False if it was not the reply that is waited for: it then changed nothing.

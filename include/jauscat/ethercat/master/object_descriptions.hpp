@@ -99,7 +99,7 @@ decode_object_description(std::span<const std::byte> bytes) noexcept {
     object_description description{.bytes = bytes};
     const auto used = wire::decode_prefix(description.object, bytes);
     if (!used) return master_error{.code = master_errc::unexpected_reply};
-    description.name = detail::name_in(bytes.subspan(used.size()));
+    description.name = detail::name_in(bytes.subspan(*used));
     return description;
 }
 
@@ -111,7 +111,7 @@ decode_entry_description(std::span<const std::byte> bytes) noexcept {
     entry_description description{.bytes = bytes};
     const auto used = wire::decode_prefix(description.entry, bytes);
     if (!used) return master_error{.code = master_errc::unexpected_reply};
-    auto rest = bytes.subspan(used.size());
+    auto rest = bytes.subspan(*used);
     const auto take = [&](unsigned what, std::size_t size) {
         if ((description.entry.value_info & what) == 0 || size > rest.size()) return std::span<const std::byte>{};
         const auto value = rest.first(size);

@@ -103,11 +103,11 @@ class process_data {
         for (const auto& each : members())
             if (watches_) request(frame, each);
         if (high != 0 && has_filler()) frame.add(command::nop, 0, 0, filler_size);
-        const auto size = frame.finish();
-        if (!size) return 0;
-        outstanding_.sent(out.first(size.size()), now);
+        const auto finished = frame.finish();
+        if (!finished) return 0;
+        outstanding_.sent(*finished, now);
         ++statistics_.sent;
-        return size.size();
+        return finished->size();
     }
 
     /// Takes a frame that arrived. False if it is none of ours: it may be the master's.

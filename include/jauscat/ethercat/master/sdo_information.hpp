@@ -53,19 +53,19 @@ class sdo_information {
     }
     /// Writes the request, CoE header on, to the front of `out`, which holds at least `size()` bytes.
     void encode(std::span<std::byte> out) const noexcept {
-        out = out.subspan(wire::encode(coe_header{.service = coe_service::sdo_information}, out).size());
-        out = out.subspan(wire::encode(sdo_information_header{.opcode = request_}, out).size());
+        out = out.subspan(wire::encode(coe_header{.service = coe_service::sdo_information}, out)->size());
+        out = out.subspan(wire::encode(sdo_information_header{.opcode = request_}, out)->size());
         std::ranges::copy(std::span{question_}.first(size_), out.begin());
     }
 
     /// Takes a CoE message, CoE header on.
     reply_kind take(std::span<const std::byte> message) noexcept {
         coe_header coe{};
-        message = message.subspan(wire::decode_prefix(coe, message).size());
+        message = message.subspan(*wire::decode_prefix(coe, message));
         sdo_information_header header{};
         const auto used = wire::decode_prefix(header, message);
         if (coe.service != coe_service::sdo_information || !used) return reply_kind::unrelated;
-        message = message.subspan(used.size());
+        message = message.subspan(*used);
         if (header.opcode == sdo_information_opcode::error) return refused(message);
         const auto answer = static_cast<sdo_information_opcode>(static_cast<unsigned>(request_) + 1);
         if (header.opcode != answer) return reply_kind::unrelated;
@@ -96,7 +96,7 @@ class sdo_information {
         : request_{request}, into_{into} {}
 
     template <wire::message T> void put(const T& question) noexcept {
-        size_ = wire::encode(question, question_).size();
+        size_ = wire::encode(question, question_)->size();
     }
 
     reply_kind refused(std::span<const std::byte> message) noexcept {

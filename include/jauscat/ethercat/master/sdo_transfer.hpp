@@ -78,7 +78,7 @@ class sdo_transfer {
 
     /// Writes the request, CoE header on, to the front of `out`, which holds at least `size()` bytes.
     void encode(std::span<std::byte> out) const noexcept {
-        out = out.subspan(wire::encode(coe_header{.service = coe_service::sdo_request}, out).size());
+        out = out.subspan(wire::encode(coe_header{.service = coe_service::sdo_request}, out)->size());
         const auto data = initial_data();
         sdo_header header{.specifier = request_, .index = index_, .subindex = subindex()};
         header.size_indicated = is_download();
@@ -95,14 +95,14 @@ class sdo_transfer {
             static_cast<void>(wire::encode(sdo, out));
         } else {
             const auto used = wire::encode(sdo_normal{header, static_cast<std::uint32_t>(data_.size())}, out);
-            std::ranges::copy(data, out.subspan(used.size()).begin());
+            std::ranges::copy(data, out.subspan(used->size()).begin());
         }
     }
 
     /// Takes a CoE message, CoE header on.
     reply_kind take(std::span<const std::byte> message) noexcept {
         coe_header coe{};
-        const auto sdo = message.subspan(wire::decode_prefix(coe, message).size());
+        const auto sdo = message.subspan(*wire::decode_prefix(coe, message));
         sdo_segment_header segment{}; // its specifier is where the one of any SDO message is
         const bool is_sdo = coe.service == coe_service::sdo_response || coe.service == coe_service::sdo_request;
         if (!expects_answer() || !is_sdo || !wire::decode_prefix(segment, sdo)) return reply_kind::unrelated;
@@ -200,7 +200,7 @@ class sdo_transfer {
             return keep(std::span{expedited.data}.first(expedited.data.size() - unused), false);
         }
         sdo_normal normal{};
-        const auto data = sdo.subspan(wire::decode_prefix(normal, sdo).size());
+        const auto data = sdo.subspan(*wire::decode_prefix(normal, sdo));
         announced_ = normal.size;
         if (normal.size < data.size() && header.size_indicated) return mismatch();
         return keep(data, normal.size > data.size());

@@ -46,7 +46,7 @@ class coe_server {
         coe_header coe{};
         const auto used = wire::decode_prefix(coe, message);
         if (!used) return {.error = mailbox_error_code::size_too_short};
-        const auto sdo = message.subspan(used.size());
+        const auto sdo = message.subspan(*used);
         if (coe.service == coe_service::sdo_information && objects_.is_described()) return inform(sdo, out);
         if (coe.service != coe_service::sdo_request) return {.error = mailbox_error_code::service_not_supported};
         sdo_segment_header segment{};
@@ -79,7 +79,7 @@ class coe_server {
     static constexpr std::size_t data_offset = sdo_offset + wire::max_size<sdo_normal>;
 
     static std::span<std::byte> put_header(coe_service service, std::span<std::byte> out) noexcept {
-        return out.subspan(wire::encode(coe_header{.service = service}, out).size());
+        return out.subspan(wire::encode(coe_header{.service = service}, out)->size());
     }
     coe_answer inform(std::span<const std::byte> question, std::span<std::byte> out) noexcept {
         forget_transfer();

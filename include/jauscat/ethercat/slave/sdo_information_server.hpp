@@ -33,7 +33,7 @@ template <class Objects> class sdo_information_server {
         sdo_information_header request{};
         const auto used = wire::decode_prefix(request, message);
         if (!used) return 0;
-        const auto body = message.subspan(used.size());
+        const auto body = message.subspan(*used);
         const auto with = [&](auto question, auto&& f) -> std::size_t {
             return wire::decode_prefix(question, body) ? f(question) : 0;
         };
@@ -59,11 +59,11 @@ template <class Objects> class sdo_information_server {
 
   private:
     static std::span<std::byte> put_header(const sdo_information_header& header, std::span<std::byte> out) noexcept {
-        return out.subspan(wire::encode(header, out).size());
+        return out.subspan(wire::encode(header, out)->size());
     }
     static std::size_t refuse(abort_code code, std::span<std::byte> out) noexcept {
         const auto room = put_header({.opcode = sdo_information_opcode::error}, out);
-        return out.size() - room.size() + wire::encode(sdo_information_error{code}, room).size();
+        return out.size() - room.size() + wire::encode(sdo_information_error{code}, room)->size();
     }
 
     // The first of as many fragments as `size` bytes need, whose pieces are of `unit` bytes.
@@ -92,7 +92,7 @@ template <class Objects> class sdo_information_server {
                                            .highest_subindex = found->highest_subindex,
                                            .code = found->code},
                              text_)
-                    .size();
+                    ->size();
         add_name(found->name);
         return begin(objects, sdo_information_opcode::object_response, size_, 1, out);
     }
@@ -109,7 +109,7 @@ template <class Objects> class sdo_information_server {
                                           .bits = found->bits,
                                           .access = found->access},
                              text_)
-                    .size();
+                    ->size();
         add_name(found->name);
         return begin(objects, sdo_information_opcode::entry_response, size_, 1, out);
     }
@@ -128,7 +128,7 @@ template <class Objects> class sdo_information_server {
     std::size_t put_indices(const Objects& objects, std::span<std::byte> room) noexcept {
         std::size_t size = 0;
         const auto put = [&](std::size_t number) {
-            size += wire::encode(object_query{static_cast<std::uint16_t>(number)}, room.subspan(size)).size();
+            size += wire::encode(object_query{static_cast<std::uint16_t>(number)}, room.subspan(size))->size();
         };
         if (done_++ == 0) put(static_cast<std::size_t>(list_));
         if (list_ == object_list_type::lengths) {

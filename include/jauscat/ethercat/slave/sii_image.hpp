@@ -90,7 +90,7 @@ class sii_writer {
     }
 
   private:
-    constexpr void put(const auto& message) noexcept { rest_ = rest_.subspan(wire::encode(message, rest_).size()); }
+    constexpr void put(const auto& message) noexcept { rest_ = rest_.subspan(wire::encode(message, rest_)->size()); }
     constexpr void put_byte(std::size_t value) noexcept {
         rest_.front() = static_cast<std::byte>(value);
         rest_ = rest_.subspan(1);

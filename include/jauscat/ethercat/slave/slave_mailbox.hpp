@@ -105,8 +105,8 @@ class slave_mailbox {
         last_counter_ = header.counter;
         if (header.type == mailbox_type::error) return;
 
-        const auto body = request.subspan(used.size());
-        const auto room = reply.subspan(used.size());
+        const auto body = request.subspan(*used);
+        const auto room = reply.subspan(*used);
         coe_answer answer{};
         if (header.length > body.size()) {
             answer.error = mailbox_error_code::invalid_size;
@@ -117,7 +117,7 @@ class slave_mailbox {
         }
         if (answer.error != mailbox_error_code::none) {
             header.type = mailbox_type::error;
-            answer.size = wire::encode(mailbox_error_reply{1, answer.error}, room).size();
+            answer.size = wire::encode(mailbox_error_reply{1, answer.error}, room)->size();
         }
         // An answer has its request's counter, but never that of the message before it.
         if (header.counter != 0 && header.counter == sent_counter_) header.counter = after(header.counter);

@@ -167,7 +167,7 @@ class standard_objects {
 
         void put(std::size_t byte) noexcept { bytes[size++] = static_cast<std::byte>(byte); }
         void put_message(const auto& message) noexcept {
-            size += wire::encode(message, std::span{bytes}.subspan(size)).size();
+            size += wire::encode(message, std::span{bytes}.subspan(size))->size();
         }
     };
 

@@ -120,11 +120,11 @@ class acknowledged_sender {
             return {send_errc::invalid};
         if (head.data_flag != data_flag::only) return {send_errc::too_large};
         return send(head, head.command_code, now, out,
-                    [&](const header& numbered, std::span<std::byte> copy) -> result {
+                    [&](const header& numbered, std::span<std::byte> copy) -> result<std::span<std::byte>, errc> {
                         if (copy.size() < message.size()) return errc::no_space;
                         std::ranges::copy(message, copy.begin());
                         if (!wire::encode(numbered, copy)) return errc::invalid_header;
-                        return message.size();
+                        return copy.first(message.size());
                     });
     }
 
@@ -178,15 +178,16 @@ class acknowledged_sender {
         head.ack_nak = ack_nak::request;
         head.sequence_number = free_number(head);
         const auto copy = copy_of(*place);
-        const result size = write(std::as_const(head), copy);
-        if (!size) {
-            const bool large = size.error() == errc::no_space || size.error() == errc::body_too_large;
+        const auto message = write(std::as_const(head), copy);
+        if (!message) {
+            const bool large = message.error() == errc::no_space || message.error() == errc::body_too_large;
             return {large ? send_errc::too_large : send_errc::invalid};
         }
-        head.data_size = static_cast<std::uint16_t>(size.size() - header_size);
-        *place = {head, size.size(), 1, saturating_add(now, options_.timeout), saturating_add(now, options_.longest())};
+        head.data_size = static_cast<std::uint16_t>(message->size() - header_size);
+        *place = {head, message->size(), 1, saturating_add(now, options_.timeout),
+                  saturating_add(now, options_.longest())};
         next_ = following(head.sequence_number);
-        out(copy.first(size.size()));
+        out(*message);
         return {send_errc::ok, head.sequence_number};
     }
     [[nodiscard]] static constexpr std::uint16_t counted(std::uint16_t number) noexcept {

@@ -47,9 +47,9 @@ namespace detail {
 template <coded_message T>
 [[gnu::noinline]] constexpr bool put_in(std::span<std::byte> room, const header& head, const T& body,
                                         message_sink out) noexcept {
-    const result size = make_message(head, body, room);
-    if (size) out(room.first(size.size()));
-    return static_cast<bool>(size);
+    const auto message = make_message(head, body, room);
+    if (message) out(*message);
+    return message.has_value();
 }
 } // namespace detail
 
@@ -59,9 +59,9 @@ template <coded_message T>
 [[nodiscard]] constexpr bool put(const header& head, const T& body, message_sink out) noexcept {
     std::array<std::byte, header_size + std::min(wire::max_size<T>, max_body_size)> bytes{};
     if constexpr (max_body_size < wire::max_size<T>) return detail::put_in(bytes, head, body, out);
-    const result size = make_message(head, body, bytes);
-    if (!size) return false;
-    out(std::span<const std::byte>{bytes}.first(size.size()));
+    const auto message = make_message(head, body, bytes);
+    if (!message) return false;
+    out(*message);
     return true;
 }
 /// The same for a body of any size: one of more than 4080 bytes goes as a large data set, all packets of which are
@@ -69,16 +69,16 @@ template <coded_message T>
 template <coded_message T>
 [[nodiscard]] constexpr bool put(header head, const T& body, std::span<std::byte> memory, message_sink out) noexcept {
     constexpr std::size_t packet_size = header_size + max_body_size;
-    if (const result size = make_message(head, body, memory)) {
-        out(std::span<const std::byte>{memory}.first(size.size()));
+    if (const auto message = make_message(head, body, memory)) {
+        out(*message);
         return true;
     }
     if (memory.size() <= packet_size) return false;
     const auto whole = memory.subspan(packet_size);
-    const wire::result size = wire::encode(body, whole);
-    if (!size) return false;
+    const auto encoded = wire::encode(body, whole);
+    if (!encoded) return false;
     head.command_code = command_code_of<T>;
-    large_data_sender packets{head, whole.first(size.size()), memory.first(packet_size)};
+    large_data_sender packets{head, *encoded, memory.first(packet_size)};
     while (packets.next(out)) {}
     return packets.error() == errc::ok;
 }
@@ -101,9 +101,9 @@ template <coded_message T>
 constexpr bool acknowledge(header request, const address& self, ack_nak how, message_sink out) noexcept {
     request.destination = self;
     std::array<std::byte, header_size> bytes{};
-    const result size = make_acknowledgement(request, how, bytes);
-    if (size) out(bytes);
-    return static_cast<bool>(size);
+    const auto message = make_acknowledgement(request, how, bytes);
+    if (message) out(*message);
+    return message.has_value();
 }
 
 } // namespace jauscat::jaus

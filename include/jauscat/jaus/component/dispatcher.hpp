@@ -62,8 +62,8 @@ constexpr void tell(handler_list<std::index_sequence<I...>, Handlers...>& handle
 }
 
 template <class T>
-constexpr wire::result decode_body(T& message, std::span<const std::byte> body,
-                                   [[maybe_unused]] wire::arena* memory) noexcept {
+constexpr result<std::size_t, wire::errc> decode_body(T& message, std::span<const std::byte> body,
+                                                      [[maybe_unused]] wire::arena* memory) noexcept {
     if constexpr (wire::needs_memory<T>)
         return wire::decode(message, body, *memory);
     else
@@ -75,7 +75,7 @@ template <std::size_t I, class List>
 constexpr wire::errc decode_and_handle(List& handlers, const header& head, std::span<const std::byte> body,
                                        wire::arena* memory) {
     typename handler_type<I, List>::message_type message{};
-    if (const wire::result decoded = decode_body(message, body, memory); !decoded) return decoded.error();
+    if (const auto decoded = decode_body(message, body, memory); !decoded) return decoded.error();
     handler_at<I>(handlers).handle(head, std::as_const(message));
     return wire::errc::ok;
 }

@@ -189,8 +189,8 @@ template <std::size_t Capacity> class event_consumer {
         if (rounds_to_0(wanted.requested_periodic_rate) || rounds_to_0(wanted.requested_minimum_periodic_rate))
             return false;
         e.request.resize(max_create_event_size);
-        const auto size = wire::encode(wanted, std::span{e.request.begin(), e.request.size()});
-        return size && e.request.resize(size.size());
+        const auto encoded = wire::encode(wanted, std::span{e.request.begin(), e.request.size()});
+        return encoded && e.request.resize(encoded->size());
     }
     // A cancel before the ID is known repeats the request, whose answer has the ID.
     constexpr void ask(requested_event& e, std::chrono::nanoseconds now, message_sink out) noexcept {
@@ -232,7 +232,7 @@ template <std::size_t Capacity> class event_consumer {
     template <coded_message T> constexpr void send(const requested_event& e, const T& body, message_sink out) noexcept {
         std::array<std::byte, header_size + max_create_event_size + 1> bytes{}; // Update Event has one more: the ID
         const header head{.destination = e.provider, .source = self_};
-        if (const result size = make_message(head, body, bytes)) out(std::span{bytes}.first(size.size()));
+        if (const auto message = make_message(head, body, bytes)) out(*message);
     }
     constexpr void answered(const address& source, std::uint8_t id, event_outcome& outcome, auto handle) noexcept {
         const auto e = std::ranges::find_if(requested_, [&](const requested_event& r) {

@@ -114,9 +114,9 @@ template <std::size_t Capacity> class events {
         return put_in(answer_to(head, self_), body, out);
     }
     template <coded_message T> constexpr bool put_in(const header& head, const T& body, message_sink out) noexcept {
-        const result size = make_message(head, body, message_);
-        if (size) out(message_.first(size.size()));
-        return static_cast<bool>(size);
+        const auto message = make_message(head, body, message_);
+        if (message) out(*message);
+        return message.has_value();
     }
     constexpr message_outcome reject(const header& head, std::uint8_t request, event_response why,
                                      std::string_view text, message_sink out) noexcept {

@@ -79,8 +79,8 @@ class large_data_sender {
         header head = header_;
         head.data_flag = flag;
         if (packets_ != 1) head.sequence_number = static_cast<std::uint16_t>(number);
-        const auto size = join(head, part, packet_); // encoded when this was made, with other values of the same width
-        out(packet_.first(size.size()));
+        const auto message = join(head, part, packet_);
+        out(*message); // encoded when this was made, with other values of the same width
     }
 
     header header_;

@@ -51,9 +51,6 @@ enum class errc : std::uint8_t {
     return "unknown error";
 }
 
-/// Bytes of a message, or why there is none.
-using result = wire::basic_result<errc>;
-
 /// A message taken apart; `body` points into the received bytes.
 struct split_message {
     errc error{};                      ///< why it is no message; then the rest is empty
@@ -83,9 +80,10 @@ struct split_message {
     return m;
 }
 
-/// The inverse of `split`: writes `head`, with the data size taken from `body`, and `body` to the front of `out`;
-/// returns the number of bytes. `body` may lie where it goes to. Errors: no_space, body_too_large, invalid_header.
-[[nodiscard]] constexpr result join(header head, std::span<const std::byte> body, std::span<std::byte> out) noexcept {
+namespace detail {
+
+constexpr wire::packed_size<errc> put_parts(header head, std::span<const std::byte> body,
+                                            std::span<std::byte> out) noexcept {
     if (body.size() > max_body_size) return errc::body_too_large;
     if (out.size() < header_size + body.size()) return errc::no_space;
     head.data_size = static_cast<std::uint16_t>(body.size());
@@ -94,23 +92,37 @@ struct split_message {
     if (!wire::encode(head, out)) return errc::invalid_header;
     return header_size + body.size();
 }
-
-/// Writes `header`, with command code and data size taken from `body`, and `body` to the front of `out`; returns the
-/// number of bytes. Errors: no_space, body_too_large, invalid_body, invalid_header.
 template <coded_message T>
-constexpr result make_message(header head, const T& body, std::span<std::byte> out) noexcept {
+constexpr wire::packed_size<errc> put_message(header head, const T& body, std::span<std::byte> out) noexcept {
     if (out.size() < header_size) return errc::no_space;
-    const wire::result size = wire::encode(body, out.subspan(header_size));
-    if (!size) return size.error() == wire::errc::no_space ? errc::no_space : errc::invalid_body;
+    const auto encoded = wire::encode(body, out.subspan(header_size));
+    if (!encoded) return encoded.error() == wire::errc::no_space ? errc::no_space : errc::invalid_body;
     head.command_code = command_code_of<T>;
-    return join(head, out.subspan(header_size, size.size()), out);
+    return put_parts(head, *encoded, out);
+}
+
+} // namespace detail
+
+/// The inverse of `split`: writes `head`, with the data size taken from `body`, and `body` to the front of `out`;
+/// returns the message. `body` may lie where it goes to. Errors: no_space, body_too_large, invalid_header.
+[[nodiscard, gnu::always_inline]] constexpr result<std::span<std::byte>, errc>
+join(const header& head, std::span<const std::byte> body, std::span<std::byte> out) noexcept {
+    return detail::put_parts(head, body, out).of(out);
+}
+
+/// Writes `head`, with command code and data size taken from `body`, and `body` to the front of `out`; returns the
+/// message. Errors: no_space, body_too_large, invalid_body, invalid_header.
+template <coded_message T>
+[[nodiscard, gnu::always_inline]] constexpr result<std::span<std::byte>, errc>
+make_message(const header& head, const T& body, std::span<std::byte> out) noexcept {
+    return detail::put_message(head, body, out).of(out);
 }
 
 template <class T>
 requires(!coded_message<T>)
 constexpr auto make_message(const header&, const T&, auto&&...) noexcept {
     static_assert(coded_message<T>, "make_message: the message has no command code; add it to its wire::schema");
-    return result{errc::invalid_body};
+    return result<std::span<std::byte>, errc>{errc::invalid_body};
 }
 
 /// An acknowledgement carries no body, whatever its command code. RA 3.3 part 2, ACK/NAK.
@@ -133,16 +145,17 @@ constexpr auto make_message(const header&, const T&, auto&&...) noexcept {
     return head;
 }
 
-/// Writes the 16 bytes of an ACK or NAK (`how`) of the message with the header `request` to the front of `out`. Errors:
-/// no_space, invalid_header.
-[[nodiscard]] constexpr result make_acknowledgement(const header& request, ack_nak how,
-                                                    std::span<std::byte> out) noexcept {
+/// Writes the 16 bytes of an ACK or NAK (`how`) of the message with the header `request` to the front of `out`, and
+/// returns them. Errors: no_space, invalid_header.
+[[nodiscard]] constexpr result<std::span<std::byte>, errc> make_acknowledgement(const header& request, ack_nak how,
+                                                                                std::span<std::byte> out) noexcept {
     if (out.size() < header_size) return errc::no_space;
     header head = answer_to(request);
     head.command_code = request.command_code;
     head.ack_nak = how;
-    if (!wire::encode(head, out)) return errc::invalid_header;
-    return header_size;
+    const auto encoded = wire::encode(head, out);
+    if (!encoded) return errc::invalid_header;
+    return *encoded;
 }
 
 /// The command code of the report that answers a query, 2000h above the query's; 0 for what is no query. RA 3.3 part 3.

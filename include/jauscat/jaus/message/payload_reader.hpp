@@ -53,8 +53,8 @@ class payload_reader {
         if (number == 0 || number > types_.size()) return wire::errc::unknown_tag;
         element.interface_number = number;
         element.value.type_code = types_[number - 1u];
-        const wire::result used = wire::decode_prefix(element.value, bytes_.subspan(at_ + 1));
-        if (used) at_ += 1 + used.size();
+        const auto used = wire::decode_prefix(element.value, bytes_.subspan(at_ + 1));
+        if (used) at_ += 1 + *used;
         return used.error();
     }
 
@@ -65,18 +65,18 @@ class payload_reader {
     wire::errc error_{};
 };
 
-/// Writes elements as the message's bytes and returns their number of bytes. Errors: those of wire::encode.
-[[nodiscard]] constexpr wire::result encode_payload_elements(std::span<const payload_element> elements,
-                                                             std::span<std::byte> out) noexcept {
+/// Writes elements as the message's bytes and returns those. Errors: those of wire::encode.
+[[nodiscard]] constexpr result<std::span<std::byte>, wire::errc>
+encode_payload_elements(std::span<const payload_element> elements, std::span<std::byte> out) noexcept {
     std::size_t at = 0;
     for (const payload_element& element : elements) {
         if (at == out.size()) return wire::errc::no_space;
         out[at] = std::byte{element.interface_number};
-        const wire::result used = wire::encode(element.value, out.subspan(at + 1));
-        if (!used) return used;
-        at += 1 + used.size();
+        const auto value = wire::encode(element.value, out.subspan(at + 1));
+        if (!value) return value;
+        at += 1 + value->size();
     }
-    return at;
+    return out.first(at);
 }
 
 /// Whether an interface's values are scaled integers, between its minimum and its maximum.

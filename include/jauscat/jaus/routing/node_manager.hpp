@@ -88,7 +88,7 @@ class node_manager {
     std::optional<std::size_t> configuration(query_field what, std::span<std::byte> body) const noexcept {
         std::optional<std::size_t> used;
         with_components(what, [&](const report_configuration& report) {
-            if (const wire::result size = wire::encode(report, body)) used = size.size();
+            if (const auto encoded = wire::encode(report, body)) used = encoded->size();
             return used.has_value();
         });
         return used;
@@ -127,7 +127,7 @@ class node_manager {
         if (!is_asked || present_.find(from) == nullptr) return message_outcome::refused;
         wire::arena lists{memory_.lists};
         report_configuration report{};
-        const wire::result read = wire::decode(report, body, lists);
+        const auto read = wire::decode(report, body, lists);
         if (!read)
             return read.error() == wire::errc::arena_full ? message_outcome::refused : message_outcome::malformed;
         const time timeout = options_.survey > time{}

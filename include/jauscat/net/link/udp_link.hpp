@@ -71,7 +71,7 @@ class udp_link {
         ethercat::frame_header header;
         const auto payload = frame.subspan(std::min(frame.size(), header_size));
         const auto read = wire::decode_prefix(header, payload);
-        if (!read || payload.size() < read.size() + header.length) {
+        if (!read || payload.size() < *read + header.length) {
             problem_ = "a frame of " + std::to_string(frame.size()) + " bytes is shorter than its header announces";
             return false;
         }
@@ -79,7 +79,7 @@ class udp_link {
             problem_ = "no master has sent anything yet, so there is nobody to answer";
             return false;
         }
-        const auto sent = ::sendto(socket_.native_handle(), payload.data(), read.size() + header.length, MSG_DONTWAIT,
+        const auto sent = ::sendto(socket_.native_handle(), payload.data(), *read + header.length, MSG_DONTWAIT,
                                    peer_.data(), static_cast<socklen_t>(peer_.size()));
         if (sent < 0) explain(errno);
         return sent >= 0;

@@ -183,9 +183,9 @@ class node_machine {
             return {};
         }
         std::array<std::byte, jaus::header_size + jaus::max_body_size> message{};
-        const auto size = jaus::join(head, body, message);
-        if (!size) return outcome{std::string{describe(size.error())}};
-        const auto what = core_.send(bytes{message}.first(size.size()), now);
+        const auto made = jaus::join(head, body, message);
+        if (!made) return outcome{std::string{describe(made.error())}};
+        const auto what = core_.send(*made, now);
         wake_after_sending(now);
         if (what.outcome >= jaus::routed::no_such_component)
             return outcome{std::string{describe(what.outcome)} + ": " + to_jausip(head.destination)};
@@ -197,10 +197,10 @@ class node_machine {
         std::vector<std::byte> larger{};
         if (wire::encoded_size(body) > packet.size()) larger.resize(wire::encoded_size(body));
         const std::span<std::byte> encoded = larger.empty() ? std::span<std::byte>{packet} : larger;
-        const auto size = wire::encode(body, encoded);
-        if (!size) return outcome{std::string{wire::describe(size.error())}};
+        const auto written = wire::encode(body, encoded);
+        if (!written) return outcome{std::string{wire::describe(written.error())}};
         head.command_code = jaus::command_code_of<T>;
-        return send(head, bytes{encoded}.first(size.size()), now);
+        return send(head, *written, now);
     }
     /// Sends a whole message of a component, of at most 4096 bytes; an unroutable one is logged.
     void put(bytes message, time now) noexcept {

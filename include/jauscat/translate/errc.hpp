@@ -1,6 +1,7 @@
 // Errors of translation.
 #pragma once
-#include <jauscat/wire/result.hpp>
+#include <cstdint>
+#include <string_view>
 
 namespace jauscat::translate {
 
@@ -40,8 +41,5 @@ enum class errc : std::uint8_t {
     }
     return "unknown error";
 }
-
-/// A size in bytes, or why there is none.
-using result = wire::basic_result<errc>;
 
 } // namespace jauscat::translate

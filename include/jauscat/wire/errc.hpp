@@ -1,6 +1,5 @@
-// Result of codec operations: a size or an error, in four bytes.
+// Errors of the codec.
 #pragma once
-#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -42,28 +41,5 @@ enum class errc : std::uint8_t {
     }
     return "unknown error";
 }
-
-/// A size below 2^24 bytes, or an error. One word, so it is returned in a register.
-/// `Error` is an enumeration of at most 256 values whose `ok` is zero.
-template <class Error> class [[nodiscard]] basic_result {
-  public:
-    static constexpr std::size_t max_size = 0xFFFFFF;
-
-    /// A size, at most `max_size`.
-    constexpr basic_result(std::size_t size) noexcept : word_{static_cast<std::uint32_t>(size)} {}
-    /// An error, which is not `ok`.
-    constexpr basic_result(Error error) noexcept : word_{static_cast<std::uint32_t>(error) << 24} {}
-
-    /// True when there is a size and no error.
-    [[nodiscard]] constexpr explicit operator bool() const noexcept { return error() == Error{}; }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return word_ & max_size; }
-    [[nodiscard]] constexpr Error error() const noexcept { return static_cast<Error>(word_ >> 24); }
-
-  private:
-    std::uint32_t word_;
-};
-
-/// Bytes of an encoded message or bytes decoded, or why not.
-using result = basic_result<errc>;
 
 } // namespace jauscat::wire
