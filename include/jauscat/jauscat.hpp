@@ -46,6 +46,7 @@
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
+#include <jauscat/translate/diagnose.hpp>
 #include <jauscat/translate/fixed_length.hpp>
 #include <jauscat/translate/image_translator.hpp>
 #include <jauscat/translate/translator.hpp>

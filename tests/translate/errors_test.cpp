@@ -2,9 +2,11 @@
 #include "samples.hpp"
 #include "support/catch.hpp"
 #include <jauscat/bridge/delivery.hpp>
+#include <jauscat/translate/diagnose.hpp>
 
 #include <set>
 #include <string>
+#include <tuple>
 
 using namespace jauscat;
 using namespace jauscat::test;
@@ -244,4 +246,34 @@ TEST_CASE("every error has a line of its own") {
     CHECK(lines.size() == static_cast<std::size_t>(errc::broadcast_names_no_slave) + 1);
     CHECK(!lines.contains("unknown error"));
     CHECK(translate::describe(static_cast<errc>(200)) == "unknown error");
+}
+
+TEST_CASE("a diagnosis names the field of the message that a row refuses, and its value") {
+    const auto refused = [](std::size_t at, unsigned value) {
+        auto message = vector_of(wrench_effort);
+        message[at] = static_cast<std::byte>(value);
+        const auto found =
+            translate::diagnose_to_packet<translation::seed_table>(to_packet<seed>(message).error, message);
+        return std::tuple{found.error, found.row != translate::diagnosis::no_row, found.field, found.value};
+    };
+    CHECK(refused(3, 0xD0) == std::tuple{errc::unknown_command_code, true, "command_code", 0xD005});
+    CHECK(refused(13, 0x30) == std::tuple{errc::reserved_value, true, "data_flag", 3});
+    CHECK(refused(12, 19) == std::tuple{errc::wrong_size, true, "data_size", 19});
+    CHECK(refused(12, 20) == std::tuple{errc::ok, false, "", 0});
+}
+
+TEST_CASE("a diagnosis names the field of the packet that a row refuses, and its value") {
+    const auto refused = [](word at, std::uint32_t value) {
+        const auto packet = with(sample_packet<seed>(), at, value);
+        const auto found =
+            translate::diagnose_from_packet<translation::seed_table>(from_packet<seed>(packet).error, packet);
+        return std::tuple{found.error, found.row != translate::diagnosis::no_row, found.field, found.value};
+    };
+    CHECK(refused(word::ul_index, 6899) == std::tuple{errc::unknown_index, true, "ul_index", 6899});
+    CHECK(refused(word::ul_sub_index, 159) == std::tuple{errc::unknown_subindex, true, "ul_sub_index", 159});
+    CHECK(refused(word::ul_dest, 256) == std::tuple{errc::out_of_range, true, "ul_dest", 256});
+    CHECK(refused(word::ul_cmd, 0x00650006) == std::tuple{errc::wrong_packet, true, "ul_cmd", 0x00650006});
+    CHECK(refused(word::ul_len, 0) == std::tuple{errc::wrong_size, true, "ul_len", 0});
+    CHECK(refused(word::ul_data_cnt, 0xFFFF) == std::tuple{errc::truncated, false, "", 0});
+    CHECK(refused(word::ul_index, 6933) == std::tuple{errc::ok, false, "", 0});
 }

@@ -8,6 +8,9 @@ namespace jauscat::translate {
 /// message or in its raw.
 template <auto First, auto... Rest> struct at {
     using type = typename at<Rest...>::type;
+    static consteval std::string_view field() noexcept { return at<Rest...>::field(); }
+    /// The outermost member; empty where the field is a member of the message itself.
+    static consteval std::string_view parent() noexcept { return wire::name_of<First>(); }
     template <auto Outer> using within = at<Outer, First, Rest...>;
     [[gnu::always_inline]] static constexpr auto& of(auto& object) noexcept {
         return at<Rest...>::of(object.*wire::place_in<decltype(object), First>);
@@ -16,6 +19,8 @@ template <auto First, auto... Rest> struct at {
 /// The last step of a path.
 template <auto Member> struct at<Member> {
     using type = wire::member_t<Member>;
+    static consteval std::string_view field() noexcept { return wire::name_of<Member>(); }
+    static consteval std::string_view parent() noexcept { return {}; }
     template <auto Outer> using within = at<Outer, Member>;
     [[gnu::always_inline]] static constexpr auto& of(auto& object) noexcept {
         return object.*wire::place_in<decltype(object), Member>;

@@ -86,10 +86,13 @@ struct row_of_kind<Kind, Row, Rows...>
 
 } // namespace detail
 
+template <class... Rows> struct row_list {};
+
 /// A table between the message header `Header` and the packet `Packet`, whose data holds at most `MaxData` bytes.
 template <wire::fixed_message Header, wire::fixed_message Packet, std::size_t MaxData, class... Rows> struct table {
     using header_type = Header;
     using packet_type = Packet;
+    using rows = row_list<Rows...>;
     /// Most bytes of data in one packet.
     static constexpr std::size_t max_data = MaxData;
 
