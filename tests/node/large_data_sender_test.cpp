@@ -210,7 +210,7 @@ TEST_CASE("over a bad network each data set arrives as it was sent or is reporte
         if (loss == 0) REQUIRE(arrived);
         // What is missing is known here, and sent again in half of the cases.
         if (!arrived && round % 2 == 0) {
-            for (std::size_t i = 0; i != sender.packets(); ++i) sender.repeat(i, hear);
+            for (std::size_t i = 0; i != sender.packets(); ++i) REQUIRE(sender.repeat(i, hear));
             REQUIRE(arrived);
         }
         arriving.sets.on_time(now + 1s, [&](const jaus::partial_data_set&) { reported = true; });

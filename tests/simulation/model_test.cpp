@@ -56,7 +56,7 @@ struct stage {
         REQUIRE(jaus::answer(request, robot_id, body, [&](bytes whole) { m.answers(actuator, whole); }));
     }
     void acknowledge(const sent& one, jaus::ack_nak how = jaus::ack_nak::ack) {
-        jaus::acknowledge(one.head, robot_id, how, [&](bytes whole) { m.answers(actuator, whole); });
+        REQUIRE(jaus::acknowledge(one.head, robot_id, how, [&](bytes whole) { m.answers(actuator, whole); }));
     }
     void refuse(const sent& one) {
         m.arrives(actuator, one.message, one.head);

@@ -47,8 +47,8 @@ class component {
                  .on_controller = jaus::bound<&component::changed_controller>(*this),
                  .on_state_command = jaus::bound<&component::state_command>(*this)},
                 options} {
-        front.add(*this);
-        debt_.owe_rest(); // what the actuator does is not known yet
+        static_cast<void>(front.add(*this)); // has room: see above
+        debt_.owe_rest();                    // what the actuator does is not known yet
     }
     component(const component&) = delete;
     component& operator=(const component&) = delete;

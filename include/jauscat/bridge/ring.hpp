@@ -33,7 +33,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     basic_ring& operator=(const basic_ring&) = delete;
 
     /// A slave of this link; before the first frame. It must outlive the ring. False where there is no room.
-    bool add(slave_front& front) noexcept {
+    [[nodiscard]] bool add(slave_front& front) noexcept {
         if (place_count_ == places_.size()) return false;
         places_[place_count_++].front = &front;
         return true;

@@ -47,7 +47,7 @@ class slave_front {
         if (wake_) wake_();
     }
     /// False where there is no room for another.
-    bool add(component& unit) noexcept {
+    [[nodiscard]] bool add(component& unit) noexcept {
         if (component_count_ == components_.size()) return false;
         components_[component_count_++] = &unit;
         return true;

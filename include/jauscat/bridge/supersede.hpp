@@ -40,8 +40,8 @@ namespace detail {
 
 // Integers as on the wire: a field that both carry or only the older one carries keeps its exact value.
 template <class Message>
-constexpr std::optional<std::size_t> merge_fields(std::span<const std::byte> older, std::span<const std::byte> newer,
-                                                  std::span<std::byte> out) noexcept {
+[[nodiscard]] constexpr std::optional<std::size_t>
+merge_fields(std::span<const std::byte> older, std::span<const std::byte> newer, std::span<std::byte> out) noexcept {
     wire::raw<Message> merged{}, latest{};
     if (!wire::decode(merged, older) || !wire::decode(latest, newer)) return std::nullopt;
     [&]<auto... Members>(wire::key_list<Members...>) {

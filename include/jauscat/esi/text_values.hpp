@@ -25,7 +25,7 @@ inline std::string hex_number(std::uint32_t value, std::size_t digits = 1) {
 }
 
 /// The value of `#x1A` or `26`, if it is at most `max`.
-inline std::optional<std::uint32_t> parse_number(std::string_view text, std::uint32_t max = 0xFFFFFFFF) {
+[[nodiscard]] inline std::optional<std::uint32_t> parse_number(std::string_view text, std::uint32_t max = 0xFFFFFFFF) {
     const bool hex = text.starts_with("#x");
     if (hex) text.remove_prefix(2);
     std::uint32_t value{};
@@ -36,7 +36,7 @@ inline std::optional<std::uint32_t> parse_number(std::string_view text, std::uin
 }
 
 /// `true`, `false`, `1` or `0`.
-inline std::optional<bool> parse_boolean(std::string_view text) {
+[[nodiscard]] inline std::optional<bool> parse_boolean(std::string_view text) {
     if (text == "true" || text == "1") return true;
     if (text == "false" || text == "0") return false;
     return std::nullopt;
@@ -53,7 +53,7 @@ inline std::string hex_bytes(std::span<const std::byte> bytes) {
 }
 
 /// The reverse of `hex_bytes`; nothing for any other text.
-inline std::optional<std::vector<std::byte>> parse_bytes(std::string_view text) {
+[[nodiscard]] inline std::optional<std::vector<std::byte>> parse_bytes(std::string_view text) {
     std::vector<std::byte> bytes;
     if (text.size() % 2 != 0) return std::nullopt;
     for (; !text.empty(); text.remove_prefix(2)) {
@@ -112,7 +112,7 @@ inline std::string octet_string_type(std::size_t bytes) { return "OCTET_STRING("
 inline std::string string_type(std::size_t characters) { return "STRING(" + std::to_string(characters) + ')'; }
 
 /// Size in bits of a base type: one of `sized_types`, STRING(n), OCTET_STRING(n), ARRAY [0..n] OF BYTE.
-inline std::optional<std::uint32_t> bits_of(std::string_view type) {
+[[nodiscard]] inline std::optional<std::uint32_t> bits_of(std::string_view type) {
     for (const auto& [name, bits] : sized_types)
         if (type == name) return bits;
     // The length, or the last index, is between `before` and `after`.
@@ -138,7 +138,7 @@ inline constexpr std::array<std::pair<ethercat::sii_sync_manager_use, std::strin
      {ethercat::sii_sync_manager_use::inputs, "Inputs"}}};
 
 /// The use in an element Sm.
-inline std::optional<ethercat::sii_sync_manager_use> parse_sync_manager_use(std::string_view text) {
+[[nodiscard]] inline std::optional<ethercat::sii_sync_manager_use> parse_sync_manager_use(std::string_view text) {
     for (const auto& [use, name] : sync_manager_uses)
         if (text == name) return use;
     return std::nullopt;

@@ -35,7 +35,7 @@ namespace detail {
 
 inline bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-inline std::optional<unsigned> hex_digit(char c) {
+[[nodiscard]] inline std::optional<unsigned> hex_digit(char c) {
     if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
     if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a' + 10);
     if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A' + 10);
@@ -43,7 +43,7 @@ inline std::optional<unsigned> hex_digit(char c) {
 }
 
 /// One character between quotes, behind a backslash or not.
-inline bool unescape(std::string_view line, std::size_t& at, std::string& out) {
+[[nodiscard]] inline bool unescape(std::string_view line, std::size_t& at, std::string& out) {
     if (line[at] != '\\') {
         out += line[at++];
         return true;

@@ -15,7 +15,7 @@ struct whole_number {
     bool negative{};
 };
 /// Decimal, or hexadecimal behind 0x.
-inline std::optional<whole_number> scan_whole(std::string_view text) {
+[[nodiscard]] inline std::optional<whole_number> scan_whole(std::string_view text) {
     whole_number made{.negative = text.starts_with('-')};
     if (made.negative || text.starts_with('+')) text.remove_prefix(1);
     const int base = text.starts_with("0x") || text.starts_with("0X") ? 16 : 10;
@@ -29,7 +29,7 @@ inline std::optional<whole_number> scan_whole(std::string_view text) {
     }
     return made;
 }
-inline std::optional<double> scan_real(std::string_view text) {
+[[nodiscard]] inline std::optional<double> scan_real(std::string_view text) {
     if (text == "NaN") return std::numeric_limits<double>::quiet_NaN();
     if (text == "Infinity") return std::numeric_limits<double>::infinity();
     if (text == "-Infinity") return -std::numeric_limits<double>::infinity();
@@ -40,7 +40,7 @@ inline std::optional<double> scan_real(std::string_view text) {
     return made;
 }
 /// Pairs of hex digits; spaces between pairs.
-inline std::optional<std::vector<std::byte>> scan_hex(std::string_view text) {
+[[nodiscard]] inline std::optional<std::vector<std::byte>> scan_hex(std::string_view text) {
     std::vector<std::byte> bytes;
     for (std::size_t at = 0; at != text.size();) {
         if (is_space(text[at])) {

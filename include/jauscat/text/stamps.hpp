@@ -28,7 +28,8 @@ namespace jauscat::text {
 
 namespace detail {
 /// Takes `digits` digits and what follows them off the front of `text`; false where something else stands there.
-inline bool take_number(std::string_view& text, std::size_t digits, std::string_view follows, unsigned& number) {
+[[nodiscard]] inline bool take_number(std::string_view& text, std::size_t digits, std::string_view follows,
+                                      unsigned& number) {
     if (text.size() < digits) return false;
     const char* const end = text.data() + digits;
     if (std::from_chars(text.data(), end, number).ptr != end) return false;

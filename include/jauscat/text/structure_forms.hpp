@@ -29,7 +29,7 @@ template <class T> std::vector<std::byte> encoded(const void* value) {
     bytes.resize(written ? written->size() : 0);
     return bytes;
 }
-template <class T> bool decoded(void* value, std::span<const std::byte> bytes) {
+template <class T> [[nodiscard]] bool decoded(void* value, std::span<const std::byte> bytes) {
     return static_cast<bool>(wire::decode(*static_cast<T*>(value), bytes));
 }
 

@@ -80,14 +80,15 @@ class acknowledged_receiver {
                 wants_answer ? end_zero(is_its) : end_unnumbered(now, is_its);
             }
             const message_outcome outcome = obey();
-            if (wants_answer && outcome != message_outcome::deferred) acknowledge(head, self_, answer_of(outcome), out);
+            if (wants_answer && outcome != message_outcome::deferred)
+                static_cast<void>(acknowledge(head, self_, answer_of(outcome), out)); // its header was received
             return received::handed_on;
         }
         const acknowledged_message key{head.source, head.command_code, head.sequence_number, digest_of(body)};
         const search found = find(key, now);
         if (found.same != nullptr) {
             if (found.same->answer == ack_nak::request) return received::pending;
-            acknowledge(head, self_, found.same->answer, out);
+            static_cast<void>(acknowledge(head, self_, found.same->answer, out)); // its header was received
             return received::repeated;
         }
         if (found.free == nullptr || 2 * found.of_source >= places_.size()) return received::no_room;
@@ -133,7 +134,7 @@ class acknowledged_receiver {
     }
     constexpr void settle(acknowledged_message& place, const header& head, ack_nak answer, message_sink out) noexcept {
         place.answer = answer;
-        acknowledge(head, self_, answer, out);
+        static_cast<void>(acknowledge(head, self_, answer, out)); // its header was received
     }
     [[nodiscard]] constexpr acknowledged_message* first_pending(const header& head) const noexcept {
         acknowledged_message* first = nullptr;

@@ -98,7 +98,7 @@ template <coded_message T>
 }
 
 /// Answers `request` with an ACK or a NAK from `self`.
-constexpr bool acknowledge(header request, const address& self, ack_nak how, message_sink out) noexcept {
+[[nodiscard]] constexpr bool acknowledge(header request, const address& self, ack_nak how, message_sink out) noexcept {
     request.destination = self;
     std::array<std::byte, header_size> bytes{};
     const auto message = make_acknowledgement(request, how, bytes);

@@ -59,7 +59,7 @@ class large_data_sender {
     /// Hands packet `sequence_number` to `out` once more, whether next() has sent it or not; false when there is no
     /// such packet. Its flag is `repeated`, but that of the last packet stays `last`: nothing else says how many there
     /// are, and the one sent before may be lost.
-    constexpr bool repeat(std::size_t sequence_number, message_sink out) {
+    [[nodiscard]] constexpr bool repeat(std::size_t sequence_number, message_sink out) {
         if (sequence_number >= packets_) return false;
         const bool ends = sequence_number + 1 == packets_;
         put(sequence_number, ends ? flag_of(sequence_number) : data_flag::repeated, out);

@@ -14,7 +14,7 @@
 namespace jauscat::net {
 
 /// Reads `subsystem.node.component.instance`, four decimal numbers from 0 to 255. Nothing for any other text.
-inline std::optional<jaus::address> parse_jausip(std::string_view text) noexcept {
+[[nodiscard]] inline std::optional<jaus::address> parse_jausip(std::string_view text) noexcept {
     std::array<std::uint8_t, 4> levels{};
     const char* at = text.data();
     const char* const end = at + text.size();

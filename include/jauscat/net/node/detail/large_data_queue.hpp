@@ -60,7 +60,7 @@ class large_data_queue {
     }
 
     /// Errors: no_space above `most` bytes, and those of large_data_sender.
-    jaus::errc push(const jaus::header& head, std::span<const std::byte> body) {
+    [[nodiscard]] jaus::errc push(const jaus::header& head, std::span<const std::byte> body) {
         if (body.size() > most_ - waiting_) return jaus::errc::no_space;
         auto made = std::make_unique<entry>(head, body);
         if (made->sender.error() != jaus::errc::ok) return made->sender.error();
@@ -246,7 +246,7 @@ class large_data_queue {
                 const bool is_doubted = packet.is_alike && !again;
                 packet.due = jaus::saturating_add(now, is_doubted ? beat : pacing_.acknowledgement.timeout);
                 if (again && i != 0)
-                    set.sender.repeat(i, out);
+                    static_cast<void>(set.sender.repeat(i, out)); // the packet was sent before
                 else
                     set.sender.next(out);
                 if (current_.get() != &set) return true; // cleared by a handler

@@ -200,7 +200,7 @@ class node_components {
         if (const auto before = find_whole(receiver, head); before != receiver.whole.end())
             before->until = jaus::saturating_add(now, large_data_queue::memory);
         if (const auto answer = answer_to(receiver, head, what))
-            jaus::acknowledge(head, receiver.it.self, *answer, out);
+            static_cast<void>(jaus::acknowledge(head, receiver.it.self, *answer, out)); // its header was received
     }
     [[nodiscard]] static bool is_acknowledged(const jaus::header& head) noexcept {
         return head.ack_nak == jaus::ack_nak::request && jaus::names_one_component(head.destination);
