@@ -36,7 +36,7 @@ int main(int argc, char** argv) try {
             auto answer = effort;
             jaus::keep_requested(answer, query.presence_vector);
             const auto sent = node.send({.destination = head.source, .source = self}, answer);
-            if (!sent) std::cout << sent.problem() << std::endl;
+            if (!sent) std::cout << sent.error().message << std::endl;
         })};
     const auto rest = [&effort](state, state now) {
         if (now != state::ready) effort = {}; // standby, emergency, shutdown: motors at rest

@@ -17,7 +17,7 @@ int open_and_drop(const std::string& interface) {
     // [drop]
     jauscat::net::raw_link link{interface};
     // set real-time priority and lock memory here, if needed
-    if (const auto dropped = jauscat::net::drop_privileges(); !dropped) return report(dropped.problem());
+    if (const auto dropped = jauscat::net::drop_privileges(); !dropped) return report(dropped.error().message);
     // start threads here
     // [drop end]
     return link.problem().empty() ? 0 : report(link.problem());
@@ -27,7 +27,7 @@ int open_and_drop(const std::string& interface) {
 
 int main(int argc, char** argv) try {
     if (argc > 1) return open_and_drop(argv[1]);
-    if (const auto dropped = jauscat::net::drop_privileges(); !dropped) return report(dropped.problem());
+    if (const auto dropped = jauscat::net::drop_privileges(); !dropped) return report(dropped.error().message);
     std::cout << "no privileges\n";
 } catch (const jauscat::net::open_error& e) {
     return report(e.what());

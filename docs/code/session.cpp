@@ -120,7 +120,7 @@ int main() try {
                   jaus::create_service_connection{.command_code = jaus::command_code_of<jaus::report_wrench_effort>,
                                                   .requested_periodic_update_rate = 20,
                                                   .requested_presence_vector = 1});
-    if (!asked) return std::cerr << asked.problem() << '\n', 1;
+    if (!asked) return std::cerr << asked.error().message << '\n', 1;
     net::run_until(context, 2s, [&] { return forward != 0; });
     std::cout << "operator: the driver reports " << forward << " %\n";
 

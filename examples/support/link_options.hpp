@@ -77,7 +77,8 @@ inline opened_link open_link(const boost::program_options::variables_map& values
 
 /// Gives up for good what raw Ethernet needs. Before threads are started.
 inline void give_up_privileges() {
-    if (const auto dropped = jauscat::net::drop_privileges(); !dropped) throw std::runtime_error{dropped.problem()};
+    if (const auto dropped = jauscat::net::drop_privileges(); !dropped)
+        throw std::runtime_error{dropped.error().message};
 }
 
 /// Opens the link that the options choose and hands it to `use(any_link&, const std::string& where)`, after giving up

@@ -9,6 +9,7 @@
 #include <jauscat/net/config/udp_options.hpp>
 #include <jauscat/net/config/verdict.hpp>
 #include <jauscat/net/config_error.hpp>
+#include <jauscat/net/error.hpp>
 #include <jauscat/net/limited_log.hpp>
 #include <jauscat/net/link/cycle_runner.hpp>
 #include <jauscat/net/link/cycle_timer.hpp>
@@ -27,6 +28,5 @@
 #include <jauscat/net/node/node_machine.hpp>
 #include <jauscat/net/node/run_until.hpp>
 #include <jauscat/net/open_error.hpp>
-#include <jauscat/net/outcome.hpp>
 #include <jauscat/net/rate_limit.hpp>
 #include <jauscat/version.hpp>

@@ -156,7 +156,7 @@ TEST_CASE("an acknowledged command and a large data set go through a node in the
     REQUIRE(ocu.node.send({.destination = make(2, 9, 33), .source = ocu.self}, jaus::standby{}));
     REQUIRE(support::until(context, [&] { return gateway.logged("no way to the destination is known"); }));
     const auto here = ocu.node.send({.destination = make(3, 1, 33), .source = ocu.self}, jaus::standby{});
-    REQUIRE(here.problem().find("unroutable: no way") != std::string::npos);
+    REQUIRE(here.error().message.find("unroutable: no way") != std::string::npos);
 }
 
 TEST_CASE("a datagram with the source of another is refused, logged and counted") {
@@ -192,14 +192,32 @@ TEST_CASE("what cannot be sent is told to the sender") {
     const auto source = p.ocu.self;
     auto to = p.robot.self;
     to.instance = 0;
-    REQUIRE(p.ocu.node.send({.destination = to, .source = source}, jaus::standby{}).problem().find("is 0") !=
+    REQUIRE(p.ocu.node.send({.destination = to, .source = source}, jaus::standby{}).error().message.find("is 0") !=
             std::string::npos);
     REQUIRE_FALSE(p.ocu.node.send({.destination = p.robot.self, .source = make(2, 1, 33)}, jaus::standby{}));
     REQUIRE_FALSE(p.ocu.node.send({.destination = make(9, 1), .source = source}, jaus::standby{}));
     p.ocu.node.stop();
-    REQUIRE(p.ocu.node.send({.destination = p.robot.self, .source = source}, jaus::standby{}).problem() ==
+    REQUIRE(p.ocu.node.send({.destination = p.robot.self, .source = source}, jaus::standby{}).error().message ==
             "the node is not running");
     REQUIRE_THROWS_AS(p.robot.node.start(), std::logic_error);
+}
+
+TEST_CASE("a caller can branch on why a message is not sent, and on the reason below") {
+    pair p;
+    const auto source = p.ocu.self;
+    const auto why = [&](const jaus::address& to, const auto& body) {
+        return p.ocu.node.send({.destination = to, .source = source}, body).error();
+    };
+    const auto beyond = why(p.robot.self, jaus::set_wrench_effort{.propulsive_linear_effort_x = 101});
+    CHECK(beyond.code == net::errc::not_encodable);
+    CHECK(beyond.reason == net::reason_of(wire::errc::out_of_range));
+    CHECK(beyond.reason != net::reason_of(static_cast<jaus::errc>(wire::errc::out_of_range)));
+    CHECK(beyond.reason.message() == wire::describe(wire::errc::out_of_range));
+    const auto nowhere = why(make(9, 1), jaus::standby{});
+    CHECK(nowhere.code == net::errc::unroutable);
+    CHECK(nowhere.reason == net::reason_of(jaus::routed::no_way));
+    p.ocu.node.stop();
+    CHECK(why(p.robot.self, jaus::standby{}).code == net::errc::not_running);
 }
 
 TEST_CASE("nodes find each other by multicast and ignore their own echo") {

@@ -107,8 +107,11 @@ TEST_CASE("a network that takes no more is told to the sender and counted") {
     station sender{context, at("::1"), {.send_buffer = 1}};
     const std::vector<std::byte> message(udp_transport::max_datagram_size);
     const auto refused = sender.transport.send(message, at("::1", 9));
-    CHECK(refused.problem() == "cannot send to [::1]:9: No buffer space available; the network takes less than is "
-                               "sent: send more slowly, or set send_buffer");
+    CHECK(refused.error().code == net::errc::back_pressure);
+    CHECK(refused.error().reason == std::errc::no_buffer_space);
+    CHECK(refused.error().message ==
+          "cannot send to [::1]:9: No buffer space available; the network takes less than is "
+          "sent: send more slowly, or set send_buffer");
     CHECK(sender.transport.counts().would_block == 1);
     CHECK(sender.transport.counts().sent == 0);
     CHECK(sender.transport.counts().errors == 0);

@@ -227,11 +227,12 @@ TEST_CASE("messages up to 65507 bytes pass, larger and empty ones are not sent")
 
     const auto with_prefix = sender.transport.send(message, receiver.transport.local(), jaus::framing::jaus01);
     CHECK_FALSE(with_prefix);
-    CHECK(with_prefix.problem() ==
+    CHECK(with_prefix.error().code == net::errc::too_large);
+    CHECK(with_prefix.error().message ==
           "a message of 65507 bytes does not fit a datagram of 65507 bytes; send it in several packets");
     message.push_back({});
     CHECK_FALSE(sender.transport.send(message, receiver.transport.local()));
-    CHECK(sender.transport.send({}, receiver.transport.local()).problem() == "an empty message is not sent");
+    CHECK(sender.transport.send({}, receiver.transport.local()).error().message == "an empty message is not sent");
     CHECK(sender.transport.counts().sent == 1);
     CHECK(sender.transport.counts().errors == 3);
 }
@@ -314,7 +315,7 @@ TEST_CASE("a stopped transport calls no handler and refuses to send") {
     CHECK(context.stopped());
     CHECK(receiver.events() == 0);
     const auto refused = receiver.transport.send(bytes_of("x"), peer.local_endpoint());
-    CHECK(refused.problem().starts_with("cannot send to " + text(peer.local_endpoint())));
+    CHECK(refused.error().message.starts_with("cannot send to " + text(peer.local_endpoint())));
     CHECK_NOTHROW(udp_transport{context, address}); // the port is free again
 }
 
@@ -367,9 +368,9 @@ TEST_CASE("a message goes to the system its header names, framed as that system 
 
     header.destination = {1, 33, 1, 7};
     REQUIRE(wire::encode(header, message));
-    CHECK(net::send_to_next_hop(here.transport, config, message).problem() ==
+    CHECK(net::send_to_next_hop(here.transport, config, message).error().message ==
           "no way to 7.1.33.1: no <system> of test.xml has a jausip that covers it");
-    CHECK(net::send_to_next_hop(here.transport, config, std::span{message}.first(15)).problem() ==
+    CHECK(net::send_to_next_hop(here.transport, config, std::span{message}.first(15)).error().message ==
           "no JAUS header in 15 bytes: truncated: the bytes end before the last field");
     CHECK(here.transport.counts().sent == 1);
 }

@@ -273,7 +273,7 @@ class communicator {
         if (report == 0 && to_one && body.size() <= jaus::max_body_size)
             send_acknowledged(head, body);
         else if (const auto sent = node_.send(head, std::span<const std::byte>{body}); !sent)
-            wrong(events::not_sent, {{"code", head.command_code}}, sent.problem());
+            wrong(events::not_sent, {{"code", head.command_code}}, sent.error().message);
         else {
             show(events::message_sent, example::message_members(head, body),
                  "sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");

@@ -55,6 +55,7 @@ template <error_type E> class [[nodiscard]] result<void, E> {
     using error_type = E;
 
     constexpr result() noexcept = default;
+    /// `ok`: success.
     constexpr result(E error) noexcept(std::is_nothrow_move_constructible_v<E>) : error_{std::move(error)} {}
 
     [[nodiscard]] constexpr bool has_value() const noexcept { return error_ == E{}; }

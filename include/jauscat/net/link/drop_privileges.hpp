@@ -1,7 +1,7 @@
 // Drops the privileges that a program needed to open a raw socket, so that later faults have those of an ordinary user.
 #pragma once
 
-#include <jauscat/net/outcome.hpp>
+#include <jauscat/net/error.hpp>
 
 #include <array>
 #include <cerrno>
@@ -33,17 +33,20 @@ inline std::optional<unsigned> id_from_environment(const char* name) {
 using capability_sets = std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3>;
 
 /// glibc has no function for these.
-inline bool get_capabilities(capability_sets& sets) noexcept {
+[[nodiscard]] inline bool get_capabilities(capability_sets& sets) noexcept {
     __user_cap_header_struct head{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
     return ::syscall(SYS_capget, &head, sets.data()) == 0;
 }
-inline bool set_capabilities(const capability_sets& sets) noexcept {
+[[nodiscard]] inline bool set_capabilities(const capability_sets& sets) noexcept {
     __user_cap_header_struct head{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
     return ::syscall(SYS_capset, &head, sets.data()) == 0;
 }
 
-inline outcome not_dropped(const char* what) {
-    return outcome{std::string{"privileges cannot be dropped: "} + what + ": " + std::strerror(errno)};
+inline error not_dropped(const char* what) {
+    const std::error_code reason{errno, std::generic_category()};
+    return {.code = errc::privileges_kept,
+            .reason = reason,
+            .message = std::string{"privileges cannot be dropped: "} + what + ": " + reason.message()};
 }
 
 } // namespace detail
@@ -56,7 +59,7 @@ inline outcome not_dropped(const char* what) {
 /// Open sockets are not affected; a raw_link continues, also when its interface returns. Call it after everything that
 /// needs privileges (raw sockets, real-time priority, locked memory, ports below 1024) and before threads are started,
 /// because Linux keeps capabilities for each thread. If it fails, the program should end.
-[[nodiscard]] inline outcome drop_privileges() {
+[[nodiscard]] inline result<void, error> drop_privileges() {
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return detail::not_dropped("no_new_privs");
     ::prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0); // older kernels have none
     if (::geteuid() == 0) {
@@ -73,7 +76,9 @@ inline outcome not_dropped(const char* what) {
     if (!detail::get_capabilities(left)) return detail::not_dropped("capabilities");
     for (const auto& set : left)
         if ((set.effective | set.permitted | set.inheritable) != 0)
-            return outcome{"privileges cannot be dropped: capabilities are left"};
+            return error{.code = errc::privileges_kept,
+                         .reason = {},
+                         .message = "privileges cannot be dropped: capabilities are left"};
     return {};
 }
 

@@ -6,6 +6,7 @@
 #include <jauscat/net/config/verdict.hpp>
 #include <jauscat/net/detail/handler_memory.hpp>
 #include <jauscat/net/detail/mapped_address.hpp>
+#include <jauscat/net/error.hpp>
 #include <jauscat/net/link/detail/bind_udp.hpp>
 #include <jauscat/net/link/detail/icmp_errors.hpp>
 #include <jauscat/net/link/detail/receive_batch.hpp>
@@ -13,7 +14,6 @@
 #include <jauscat/net/link/detail/send_parts.hpp>
 #include <jauscat/net/link/multicast.hpp>
 #include <jauscat/net/link/udp_counters.hpp>
-#include <jauscat/net/outcome.hpp>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>
@@ -84,19 +84,24 @@ class udp_transport {
 
     /// Sends one message with the given framing; does not wait. Fails for an empty message, one that does not fit a
     /// datagram, and if the network refuses at once; a closed port at the peer is reported later, to the error handler.
-    outcome send(std::span<const std::byte> message, const endpoint& to, jaus::framing framing = jaus::framing::bare) {
+    result<void, error> send(std::span<const std::byte> message, const endpoint& to,
+                             jaus::framing framing = jaus::framing::bare) {
         const auto prefix = jaus::prefix(framing);
-        if (message.empty()) return failure("an empty message is not sent");
+        if (message.empty())
+            return failure({.code = errc::empty_message, .reason = {}, .message = "an empty message is not sent"});
         if (prefix.size() + message.size() > max_datagram_size)
-            return failure("a message of " + std::to_string(message.size()) + " bytes does not fit a datagram of " +
-                           std::to_string(max_datagram_size) + " bytes; send it in several packets");
+            return failure({.code = errc::too_large,
+                            .reason = {},
+                            .message = "a message of " + std::to_string(message.size()) +
+                                       " bytes does not fit a datagram of " + std::to_string(max_datagram_size) +
+                                       " bytes; send it in several packets"});
         flush();
         const auto target = detail::for_socket(to, v6_);
-        int error = detail::send_parts(socket_, prefix, message, target);
+        int failed = detail::send_parts(socket_, prefix, message, target);
         // The error of an earlier datagram, maybe to another peer, is reported instead of sending: remove it and
         // repeat.
-        if (error != 0 && take_refusals() > 0) error = detail::send_parts(socket_, prefix, message, target);
-        if (error != 0) return not_sent(to, error);
+        if (failed != 0 && take_refusals() > 0) failed = detail::send_parts(socket_, prefix, message, target);
+        if (failed != 0) return not_sent(to, failed);
         ++counters_.sent;
         return {};
     }
@@ -107,7 +112,7 @@ class udp_transport {
     void post(std::span<const std::byte> message, const endpoint& to, jaus::framing framing = jaus::framing::bare) {
         const auto prefix = jaus::prefix(framing);
         if (!handing_on_ || message.empty() || prefix.size() + message.size() > max_posted_size) {
-            if (const auto done = send(message, to, framing); !done) tell(done.problem());
+            if (const auto done = send(message, to, framing); !done) tell(done.error().message);
             return;
         }
         if (out_.full()) flush();
@@ -175,20 +180,23 @@ class udp_transport {
     /// Sends posted messages.
     void flush() {
         while (!out_.empty()) {
-            int error = out_.send(socket_.native_handle(), counters_.sent);
-            if (error != 0 && take_refusals() > 0) error = out_.send(socket_.native_handle(), counters_.sent);
-            if (error == 0) return;
+            int failed = out_.send(socket_.native_handle(), counters_.sent);
+            if (failed != 0 && take_refusals() > 0) failed = out_.send(socket_.native_handle(), counters_.sent);
+            if (failed == 0) return;
             const auto to = detail::unmapped(out_.front());
             out_.pop();
-            tell(not_sent(to, error).problem());
+            tell(not_sent(to, failed).message);
         }
     }
 
-    outcome not_sent(const endpoint& to, int error) {
-        auto problem = "cannot send to " + detail::text(to) + ": " + std::generic_category().message(error);
-        if (!detail::is_back_pressure(error)) return failure(std::move(problem));
+    error not_sent(const endpoint& to, int failed) {
+        const std::error_code reason{failed, std::generic_category()};
+        auto problem = "cannot send to " + detail::text(to) + ": " + reason.message();
+        if (!detail::is_back_pressure(failed))
+            return failure({.code = errc::not_sent, .reason = reason, .message = std::move(problem)});
         ++counters_.would_block;
-        return outcome{problem + "; the network takes less than is sent: send more slowly, or set send_buffer"};
+        problem += "; the network takes less than is sent: send more slowly, or set send_buffer";
+        return {.code = errc::back_pressure, .reason = reason, .message = std::move(problem)};
     }
 
     void received() {
@@ -246,10 +254,13 @@ class udp_transport {
     void tell(const std::string& text) {
         if (on_error_) on_error_(text);
     }
-    void report(std::string text) { tell(failure(std::move(text)).problem()); }
-    outcome failure(std::string text) {
+    void report(const std::string& text) {
         ++counters_.errors;
-        return outcome{std::move(text)};
+        tell(text);
+    }
+    error failure(error what) {
+        ++counters_.errors;
+        return what;
     }
 
     static constexpr int max_batches = 4;

@@ -93,13 +93,13 @@ class jaus_node {
     /// Sends a message of a component of this node. A body of more than 4080 bytes is sent as a large data set, paced;
     /// if `ack_nak` requests acknowledgement, its packets are repeated until they are acknowledged. `data_size` and
     /// `data_flag` of `head` are ignored, for a large data set also `sequence_number`.
-    outcome send(const jaus::header& head, bytes body) {
+    result<void, error> send(const jaus::header& head, bytes body) {
         auto what = machine_.send(head, body, now());
         arm();
         return what;
     }
-    /// The same for a typed body. A value that does not encode gives an outcome with a problem, not an exception.
-    template <jaus::coded_message T> outcome send(const jaus::header& head, const T& body) {
+    /// The same for a typed body. A value that does not encode gives errc::not_encodable, not an exception.
+    template <jaus::coded_message T> result<void, error> send(const jaus::header& head, const T& body) {
         auto what = machine_.send(head, body, now());
         arm();
         return what;

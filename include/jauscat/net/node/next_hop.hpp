@@ -14,16 +14,20 @@ namespace jauscat::net {
 
 /// Sends a whole message, header first, to the system whose jausip covers its destination, with that system's framing.
 /// Fails if the header is incomplete, if no system covers the destination, and if `udp_transport::send` fails.
-inline outcome send_to_next_hop(udp_transport& transport, const jaus_config& config,
-                                std::span<const std::byte> message) {
+[[nodiscard]] inline result<void, error> send_to_next_hop(udp_transport& transport, const jaus_config& config,
+                                                          std::span<const std::byte> message) {
     jaus::header header;
     if (const auto read = wire::decode_prefix(header, message); !read)
-        return outcome{"no JAUS header in " + std::to_string(message.size()) +
-                       " bytes: " + std::string{wire::describe(read.error())}};
+        return error{.code = errc::invalid_message,
+                     .reason = reason_of(read.error()),
+                     .message = "no JAUS header in " + std::to_string(message.size()) +
+                                " bytes: " + std::string{wire::describe(read.error())}};
     const auto* hop = config.next_hop(header.destination);
     if (!hop)
-        return outcome{"no way to " + to_jausip(header.destination) + ": no <system> of " + config.source +
-                       " has a jausip that covers it"};
+        return error{.code = errc::unroutable,
+                     .reason = {},
+                     .message = "no way to " + to_jausip(header.destination) + ": no <system> of " + config.source +
+                                " has a jausip that covers it"};
     return transport.send(message, hop->endpoint(), hop->framing);
 }
 

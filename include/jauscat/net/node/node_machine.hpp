@@ -2,13 +2,13 @@
 // sockets.
 #pragma once
 
+#include <jauscat/net/error.hpp>
 #include <jauscat/net/limited_log.hpp>
 #include <jauscat/net/node/datagram_gate.hpp>
 #include <jauscat/net/node/detail/node_core.hpp>
 #include <jauscat/net/node/detail/own_manager.hpp>
 #include <jauscat/net/node/detail/presence_changes.hpp>
 #include <jauscat/net/node/node_component.hpp>
-#include <jauscat/net/outcome.hpp>
 
 #include <exception>
 #include <stdexcept>
@@ -170,35 +170,45 @@ class node_machine {
     /// Sends a message of a component of this node. A body of more than 4080 bytes is sent as a large data set, paced;
     /// if `ack_nak` requests acknowledgement, its packets are repeated until they are acknowledged. `data_size` and
     /// `data_flag` of `head` are ignored, for a large data set also `sequence_number`.
-    outcome send(jaus::header head, bytes body, time now) {
-        if (!running()) return outcome{"the node is not running"};
+    result<void, error> send(jaus::header head, bytes body, time now) {
+        if (!running()) return error{.code = errc::not_running, .reason = {}, .message = "the node is not running"};
         head.data_flag = jaus::data_flag::only;
         if (body.size() > jaus::max_body_size) {
             const auto what = core_.large.push(head, body);
             if (what != jaus::errc::ok)
-                return outcome{"a large data set is not sent: " + std::string{what == jaus::errc::no_space
-                                                                                  ? "too many bytes wait to be sent"
-                                                                                  : describe(what)}};
+                return error{.code = what == jaus::errc::no_space ? errc::queue_full : errc::invalid_message,
+                             .reason = reason_of(what),
+                             .message = "a large data set is not sent: " +
+                                        std::string{what == jaus::errc::no_space ? "too many bytes wait to be sent"
+                                                                                 : describe(what)}};
             wake(now);
             return {};
         }
         std::array<std::byte, jaus::header_size + jaus::max_body_size> message{};
         const auto made = jaus::join(head, body, message);
-        if (!made) return outcome{std::string{describe(made.error())}};
+        if (!made)
+            return error{.code = errc::invalid_message,
+                         .reason = reason_of(made.error()),
+                         .message = std::string{describe(made.error())}};
         const auto what = core_.send(*made, now);
         wake_after_sending(now);
         if (what.outcome >= jaus::routed::no_such_component)
-            return outcome{std::string{describe(what.outcome)} + ": " + to_jausip(head.destination)};
+            return error{.code = errc::unroutable,
+                         .reason = reason_of(what.outcome),
+                         .message = std::string{describe(what.outcome)} + ": " + to_jausip(head.destination)};
         return {};
     }
-    /// The same for a typed body. A value that does not encode gives an outcome with a problem, not an exception.
-    template <jaus::coded_message T> outcome send(jaus::header head, const T& body, time now) {
+    /// The same for a typed body. A value that does not encode gives errc::not_encodable, not an exception.
+    template <jaus::coded_message T> result<void, error> send(jaus::header head, const T& body, time now) {
         std::array<std::byte, jaus::max_body_size> packet{};
         std::vector<std::byte> larger{};
         if (wire::encoded_size(body) > packet.size()) larger.resize(wire::encoded_size(body));
         const std::span<std::byte> encoded = larger.empty() ? std::span<std::byte>{packet} : larger;
         const auto written = wire::encode(body, encoded);
-        if (!written) return outcome{std::string{wire::describe(written.error())}};
+        if (!written)
+            return error{.code = errc::not_encodable,
+                         .reason = reason_of(written.error()),
+                         .message = std::string{wire::describe(written.error())}};
         head.command_code = jaus::command_code_of<T>;
         return send(head, *written, now);
     }
