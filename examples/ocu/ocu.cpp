@@ -141,7 +141,8 @@ int main(int argc, char** argv) {
             ("random", po::value<std::uint32_t>(), "command random fields generated from this seed")
             ("query", "query all efforts, command nothing")
             ("send", po::value<std::string>(), "send this message instead, with the FIELD=VALUE arguments")
-            ("timeout", po::value<unsigned>()->default_value(400), "milliseconds after which an unanswered message is repeated, three times")
+            ("timeout", po::value<unsigned>()->default_value(400), "milliseconds after which an unanswered message is sent again, or given up after the last attempt")
+            ("attempts", po::value<unsigned>()->default_value(4), "how often a message is sent in all until it is answered")
             ("field", po::value<words>(), "FIELD=VALUE; --field itself may be omitted");
         // clang-format on
         example::add_log_option(options);
@@ -167,7 +168,8 @@ int main(int argc, char** argv) {
         task what{.authority = static_cast<std::uint8_t>(in_range("authority", 0U, 255U)),
                   .wait = seconds("wait"),
                   .hold = seconds("hold")};
-        const std::chrono::milliseconds timeout{in_range("timeout", 1U, 60000U)};
+        const jauscat::retry_policy retry{.interval = std::chrono::milliseconds{in_range("timeout", 1U, 60000U)},
+                                          .attempts = in_range("attempts", 1U, 1000U)};
         const auto robot = example::parse_address(values["to"].as<std::string>());
         if (!jaus::names_one_component(robot)) throw example::usage_error{"--to must name one component"};
 
@@ -181,7 +183,7 @@ int main(int argc, char** argv) {
         what.compare = !query_only && !send;
         what.control = !values["no-control"].as<bool>() && needs_control(what.first.command_code);
 
-        operator_unit unit{example::load_config(values), robot, timeout, !values["unacknowledged"].as<bool>()};
+        operator_unit unit{example::load_config(values), robot, retry, !values["unacknowledged"].as<bool>()};
         const bool done = perform(unit, what);
         return unit.finish() && done ? example::success : example::failure;
     });

@@ -47,14 +47,14 @@ void say(example::event_kind kind, const example::event_members& members, const 
     example::write_event(kind, members, "ocu: " + shown + "\n");
 }
 
-operator_unit::operator_unit(const net::jaus_config& config, const jaus::address& robot, milliseconds timeout,
-                             bool acknowledged)
+operator_unit::operator_unit(const net::jaus_config& config, const jaus::address& robot,
+                             const jauscat::retry_policy& retry, bool acknowledged)
     : self_{example::component_of(config.me())},
       robot_{robot},
       manager_of_robot_{.instance = 1, .component = 1, .node = robot.node, .subsystem = robot.subsystem},
-      timeout_{timeout},
+      retry_{retry},
       acknowledged_{acknowledged},
-      held_{self_, robot, {.timeout = timeout, .requests = retries + 1, .renewal = std::chrono::seconds{5}}},
+      held_{self_, robot, {.retry = retry, .renewal = std::chrono::seconds{5}}},
       described_{self_,
                  {.name = {.identification = "operator control unit", .type = 60001}},
                  jaus::heartbeat_to_node_manager(self_),
@@ -62,7 +62,7 @@ operator_unit::operator_unit(const net::jaus_config& config, const jaus::address
       core_{self_,
             memory_,
             {.on_delivered = jaus::bound<&operator_unit::on_delivered>(*this)},
-            {.acknowledgement = {.timeout = timeout, .retries = retries, .first_number = example::any_number()}},
+            {.acknowledgement = {.retry = retry, .first_number = example::any_number()}},
             held_,
             described_},
       node_{context_, config, node_options()} {
@@ -216,7 +216,7 @@ bool operator_unit::work(const std::function<bool()>& done, const std::function<
 void operator_unit::wait(const std::function<bool()>& done) {
     work(done, [] { return example::stop_requested.load(); });
 }
-bool operator_unit::wait(const std::function<bool()>& done, milliseconds how_long) {
+bool operator_unit::wait(const std::function<bool()>& done, jauscat::duration how_long) {
     return work(done, [until = now() + how_long] { return example::stop_requested || now() >= until; });
 }
 
@@ -238,7 +238,7 @@ reply operator_unit::exchange(const order& what) {
     if (!asks && !acknowledged_) return reply::sent;
     if (acknowledged_) wait([&] { return report_ || outcome_; });
     if (asks && outcome_ == jaus::delivered::acknowledged) // there are components that report later
-        wait([&] { return report_.has_value(); }, (retries + 2) * timeout_);
+        wait([&] { return report_.has_value(); }, retry_.total() + retry_.interval);
     if (outcome_ == jaus::delivered::refused) return reply::refused;
     if (asks ? report_.has_value() : outcome_ == jaus::delivered::acknowledged) return reply::taken;
     return example::stop_requested ? reply::stopped : reply::silence;
@@ -261,9 +261,9 @@ bool operator_unit::is_robot_gone() const {
 
 /// Asks again where no report comes.
 void operator_unit::wait_for_report(bytes message) {
-    for (unsigned i = 0; i <= retries && !report_ && !example::stop_requested; ++i) {
+    for (std::uint32_t made = 0; retry_.allows_another(made) && !report_ && !example::stop_requested; ++made) {
         out_(message);
-        wait([this] { return report_.has_value(); }, timeout_);
+        wait([this] { return report_.has_value(); }, retry_.interval);
     }
 }
 

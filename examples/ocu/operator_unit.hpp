@@ -41,9 +41,10 @@ class operator_unit {
     using bytes = std::span<const std::byte>;
     using milliseconds = std::chrono::milliseconds;
 
-    /// `timeout`: from sending a message that must be answered to sending it again, three times at most.
-    /// `acknowledged`: messages ask for an acknowledgement; else commands are sent once.
-    operator_unit(const net::jaus_config& config, const jaus::address& robot, milliseconds timeout, bool acknowledged);
+    /// `retry`: of a message that must be answered. `acknowledged`: messages ask for an acknowledgement; else commands
+    /// are sent once.
+    operator_unit(const net::jaus_config& config, const jaus::address& robot, const jauscat::retry_policy& retry,
+                  bool acknowledged);
 
     /// Waits for a heartbeat of any component of the robot. False: none came.
     bool hear_robot(milliseconds patience);
@@ -63,7 +64,6 @@ class operator_unit {
     bool finish();
 
   private:
-    static constexpr unsigned retries = 3;
     using control_state = jaus::control_state;
 
     struct application_type {
@@ -82,7 +82,7 @@ class operator_unit {
     void robot_is_there(const jaus::address& who, bool is_there);
     bool work(const std::function<bool()>& done, const std::function<bool()>& given_up);
     void wait(const std::function<bool()>& done);
-    bool wait(const std::function<bool()>& done, milliseconds how_long);
+    bool wait(const std::function<bool()>& done, jauscat::duration how_long);
     reply exchange(const order& what);
     bool send(bytes message);
     [[nodiscard]] bool is_of_robot(const jaus::address& who) const noexcept;
@@ -94,7 +94,7 @@ class operator_unit {
     void tell_why();
 
     jaus::address self_, robot_, manager_of_robot_, heard_{manager_of_robot_};
-    milliseconds timeout_;
+    jauscat::retry_policy retry_;
     bool acknowledged_;
     boost::asio::io_context context_{};
 

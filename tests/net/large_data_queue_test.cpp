@@ -134,7 +134,7 @@ TEST_CASE("a good network carries each packet of a large data set once") {
     REQUIRE(t.now < 4 * (37ms / 4 + 12ms + 40ms)); // a short pause after each
 }
 
-TEST_CASE("a large data set without an answer is given up after its retries, and the next one goes on") {
+TEST_CASE("a large data set without an answer is given up after its attempts, and the next one goes on") {
     transfer t{conditions{.receiver_is_there = false}};
     REQUIRE(t.queue.push(head, image(150'000, 1)) == jaus::errc::ok);
     t.run(20s);

@@ -96,7 +96,7 @@ struct program {
     std::vector<bytes> large{};
     hooks_type hooks{};
     jaus::component_memory<> memory{};
-    jaus::held_control other{self, make(2, 1, 33), {.timeout = 2s}};
+    jaus::held_control other{self, make(2, 1, 33), {.retry = {.interval = 2s, .attempts = 3}}};
     jaus::component<jaus::held_control> core{
         self, memory, {.on_delivered = jaus::bound<&hooks_type::on_delivered>(hooks)}, {}, other};
     struct handler {

@@ -56,7 +56,7 @@ struct simulated_program {
     std::vector<jaus::delivered> large_done{};
     hooks_type hooks{};
     jaus::component_memory<> memory{};
-    jaus::held_control other{self, make(2, 1, 33), {.timeout = 2s}};
+    jaus::held_control other{self, make(2, 1, 33), {.retry = {.interval = 2s, .attempts = 3}}};
     std::array<jaus::connectable_report, 1> reports{
         {{.command_code = jaus::command_code_of<jaus::report_wrench_effort>}}};
     std::optional<std::size_t> operator()(std::uint16_t, std::uint32_t, std::span<std::byte>) const { return 0; }

@@ -26,7 +26,7 @@ constexpr jaus::header to_arm{.destination = arm_address, .source = ocu_address}
 struct ocu {
     std::array<jaus::awaited_message, 2> places{};
     std::array<std::byte, 2 * 20> copies{};
-    jaus::acknowledged_sender commands{places, copies, {.timeout = 100ms, .retries = 2}};
+    jaus::acknowledged_sender commands{places, copies, {.retry = {.interval = 100ms, .attempts = 3}}};
     sent_messages sent{};
     std::vector<std::pair<std::uint16_t, delivered>> heard{}; // sequence number and outcome
 
@@ -100,7 +100,7 @@ TEST_CASE("a NAK is an outcome as well") {
     REQUIRE(o.heard == outcomes{{1, delivered::refused}});
 }
 
-TEST_CASE("a message without an answer is sent again, the same bytes, and given up after the retries") {
+TEST_CASE("a message without an answer is sent again, the same bytes, and given up after all attempts") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, 1s, o.sent.sink()));
     REQUIRE(o.commands.next_event() == 1100ms);
@@ -293,7 +293,7 @@ TEST_CASE("a memory or a timeout without end does not end") {
     a.hear(0x0001, 5, 0, 1s);
     REQUIRE(a.hear(0x0001, 5, 0, 1000h) == received::repeated);
     ocu o;
-    o.commands = {o.places, o.copies, {.timeout = nanoseconds::max()}};
+    o.commands = {o.places, o.copies, {.retry = {.interval = nanoseconds::max(), .attempts = 4}}};
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, 1s, o.sent.sink()));
     o.on_time(1000h);
     REQUIRE(o.sent.size() == 1);
@@ -595,7 +595,7 @@ TEST_CASE("over a channel that loses, doubles and delays, a message is handed on
         jaus::address self;
         std::vector<jaus::awaited_message> places = std::vector<jaus::awaited_message>(16);
         std::vector<std::byte> copies = std::vector<std::byte>(16 * 32);
-        jaus::acknowledged_sender commands{places, copies, {.timeout = 150ms, .retries = 5}};
+        jaus::acknowledged_sender commands{places, copies, {.retry = {.interval = 150ms, .attempts = 6}}};
         int left = 400;
     };
     struct receiver {

@@ -294,7 +294,7 @@ TEST_CASE("after a bad network both sides agree who has control, where silent co
         lossy_channel network{seed};
         network.faults = {.lose = 20, .duplicate = 15, .delay = 80, .longest = 50ms};
         jaus::component_control control{self, {.timeout = 1s}};
-        const jaus::held_control_options keep{.timeout = 100ms, .requests = 5, .renewal = 300ms};
+        const jaus::held_control_options keep{.retry = {.interval = 100ms, .attempts = 5}, .renewal = 300ms};
         std::array operators{jaus::held_control{ocu, self, keep}, jaus::held_control{other, self, keep}};
         const auto out = network.sink();
         network.listen(self, [&](const jaus::header& head, std::span<const std::byte> body) {

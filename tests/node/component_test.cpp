@@ -214,7 +214,8 @@ TEST_CASE("a controller that renews its control keeps it, one that falls silent 
     jaus::component_memory<1, 64, 4> memory{};
     std::vector<control_state> states{};
     const auto changed = [&](control_state s) { states.push_back(s); };
-    jaus::held_control control{ocu_address, arm_address, {.timeout = 100ms, .renewal = 400ms}, changed};
+    jaus::held_control control{
+        ocu_address, arm_address, {.retry = {.interval = 100ms, .attempts = 3}, .renewal = 400ms}, changed};
     jaus::component core{ocu_address, memory, {}, {}, control};
     bool alive = true;
     channel.listen(ocu_address, [&](const jaus::header& head, std::span<const std::byte> body) {
@@ -752,8 +753,8 @@ TEST_CASE("over a bad channel every command of the controller that is acknowledg
     CAPTURE(seed);
     lossy_channel channel{seed};
     arm a{{.control = {.timeout = 0s}}}; // the channel is too bad for any that is not longer than its silences
-    ocu operator_{ocu_address, {.acknowledgement = {.timeout = 100ms, .retries = 8}}};
-    ocu intruder{boss_address, {.acknowledgement = {.timeout = 100ms, .retries = 8}}};
+    ocu operator_{ocu_address, {.acknowledgement = {.retry = {.interval = 100ms, .attempts = 9}}}};
+    ocu intruder{boss_address, {.acknowledgement = {.retry = {.interval = 100ms, .attempts = 9}}}};
     join(channel, a);
     join(channel, operator_);
     join(channel, intruder);

@@ -968,7 +968,7 @@ TEST_CASE("a first change that has come is not asked for any more") {
     REQUIRE(c.events.next_event() == std::nullopt);
 
     // Nor is a provider asked that does not answer Query Events.
-    c.events = jaus::event_consumer<2>{viewer, 1s, 5, time_point::max()};
+    c.events = jaus::event_consumer<2>{viewer, {.interval = 1s, .attempts = 5}, time_point::max()};
     subscribe(p, c, event_type::every_change, 2s);
     REQUIRE(c.first().state == requested_state::active);
     REQUIRE(c.events.next_event() == std::nullopt);
@@ -1025,7 +1025,7 @@ TEST_CASE("over a network that loses a third of all messages events come about, 
     for (int round = 0; round != 100; ++round) {
         provider p;
         consumer c;
-        c.events = jaus::event_consumer<2>{viewer, 100ms, 100};
+        c.events = jaus::event_consumer<2>{viewer, {.interval = 100ms, .attempts = 100}};
         const auto exchange = [&](time_point now) {
             for (int hop = 0; hop != 4; ++hop) {
                 for (const auto& m : c.sent.take())

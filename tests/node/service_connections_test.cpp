@@ -446,7 +446,7 @@ TEST_CASE("over a network that loses a third of all messages connections come ab
     for (int round = 0; round != 50; ++round) {
         provider p;
         consumer c;
-        c.service = jaus::service_consumer<2>{viewer, {.requests = 100}, c};
+        c.service = jaus::service_consumer<2>{viewer, {.retry = {.interval = 1s, .attempts = 100}}, c};
         std::vector<std::uint16_t> numbers;
         std::uint64_t lost_by_count = 0;
         const auto exchange = [&](time_point now) {

@@ -54,10 +54,10 @@ operator_program::operator_program(world& w, network& n, model& m, const std::ve
 
 void operator_program::add_components(net::node_machine& node) {
     memory_ = {};
-    control_.emplace(
-        id_, target_,
-        jaus::held_control_options{.timeout = milliseconds{200}, .requests = 3, .renewal = milliseconds{150}},
-        control_listener_);
+    control_.emplace(id_, target_,
+                     jaus::held_control_options{.retry = {.interval = milliseconds{200}, .attempts = 3},
+                                                .renewal = milliseconds{150}},
+                     control_listener_);
     jaus::component_options options{};
     options.acknowledgement.first_number = static_cast<std::uint16_t>(random_.next());
     core_.emplace(id_, memory_,
@@ -82,7 +82,7 @@ std::optional<std::uint8_t> operator_program::sender_of(const jaus::address& sou
 
 time operator_program::longest_wait() const {
     constexpr jaus::acknowledgement_options defaults{};
-    return (defaults.retries + 1) * defaults.timeout + milliseconds{100};
+    return defaults.retry.total() + milliseconds{100};
 }
 
 jaus::message_outcome operator_program::application::operator()(const jaus::header& head, bytes body) const {

@@ -24,11 +24,11 @@ struct commander {
     commander(const jaus::address& self, large_traffic& large, listener tell)
         : on_delivered{std::move(tell)},
           application{large},
-          control{self, robot_id, {.timeout = 100ms, .requests = 10, .renewal = 250ms}},
+          control{self, robot_id, {.retry = {.interval = 100ms, .attempts = 10}, .renewal = 250ms}},
           core{self,
                memory,
                {.on_delivered = on_delivered},
-               {.acknowledgement = {.timeout = 50ms, .retries = 29}},
+               {.acknowledgement = {.retry = {.interval = 50ms, .attempts = 30}}},
                control} {
         core.change(jaus::state_event::initialized);
     }

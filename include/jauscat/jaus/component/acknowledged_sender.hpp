@@ -1,5 +1,6 @@
 // Repeats messages until they are acknowledged, without blocking: RA 3.3 part 2, ACK/NAK.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/message/saturating_add.hpp>
 
@@ -14,7 +15,7 @@ namespace jauscat::jaus {
 struct awaited_message {
     jaus::header header{};            ///< as sent
     std::size_t size{};               ///< of the message, header included; 0: the place is free
-    unsigned sent{};                  ///< how often
+    std::uint32_t sent{};             ///< how often
     std::chrono::nanoseconds due{};   ///< when it is sent again or given up
     std::chrono::nanoseconds until{}; ///< from then on it is not sent again, however often it was
 };
@@ -63,34 +64,26 @@ struct [[nodiscard]] send_result {
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return error == send_errc::ok; }
 };
 
-/// Timeout and retries of acknowledged messages.
 struct acknowledgement_options {
-    /// Time between repetitions. By default a message times out after one second.
-    std::chrono::nanoseconds timeout{std::chrono::milliseconds{250}};
-    unsigned retries{3}; ///< how often a message is sent again; 0: sent once
+    /// By default a message times out after one second. The receiver must remember it for longer than `retry.total()`.
+    retry_policy retry{.interval = std::chrono::milliseconds{250}, .attempts = 4};
     /// The first sequence number; 1 instead of 0. A program that is started again should not begin where it did before:
     /// who remembers its messages would take the new ones for repeats. A random number will do.
     std::uint16_t first_number{};
-    /// After the first time a message is sent again for so long at most. The receiver must remember it for longer.
-    [[nodiscard]] constexpr std::chrono::nanoseconds longest() const noexcept {
-        using std::chrono::nanoseconds;
-        const auto times = std::int64_t{retries} + 1;
-        return timeout > nanoseconds::max() / times ? nanoseconds::max() : timeout * times;
-    }
 };
 
 /// Sends messages that ask for an acknowledgement, keeps a copy of each, and sends it again until the ACK or NAK is
-/// there or the retries are used up. A message is known by its command code, sequence number and destination; sequence
+/// there or all attempts are made. A message is known by its command code, sequence number and destination; sequence
 /// numbers are given here, one after the other and around at 65536, never one that still waits, and never 0: that is
 /// the number of those that do not count, whose repeats a receiver cannot tell from new messages. Each message has one
 /// outcome.
 ///
-/// A program that was suspended calls on_time late. What would be sent again after `options.longest()` is given up: its
-/// receiver may have forgotten it, and would do it twice.
+/// A program that was suspended calls on_time late. What would be sent again after `options.retry.total()` is given up:
+/// its receiver may have forgotten it, and would do it twice.
 ///
 ///     std::array<jaus::awaited_message, 16> places{};
 ///     std::array<std::byte, 16 * 64> copies{};
-///     jaus::acknowledged_sender commands{places, copies, {.timeout = 100ms}};
+///     jaus::acknowledged_sender commands{places, copies, {.retry = {.interval = 100ms, .attempts = 4}}};
 ///     commands.send(head, jaus::standby{}, now, out);
 ///     commands.on_message(received_header, [&](const jaus::awaited_message& m, jaus::delivered what) { ... });
 class acknowledged_sender {
@@ -143,13 +136,13 @@ class acknowledged_sender {
         return true;
     }
 
-    /// Repeats messages that were not acknowledged within the timeout; after the last retry they time out.
+    /// Repeats messages that were not acknowledged within the interval; after the last attempt they time out.
     constexpr void on_time(std::chrono::nanoseconds now, message_sink out, auto&& tell) {
         for (awaited_message& place : places_) {
             if (place.size == 0 || now < place.due) continue;
-            if (place.sent <= options_.retries && now < place.until) {
+            if (options_.retry.allows_another(place.sent) && now < place.until) {
                 ++place.sent;
-                place.due = saturating_add(now, options_.timeout);
+                place.due = saturating_add(now, options_.retry.interval);
                 out(copy_of(place).first(place.size));
             } else {
                 const awaited_message m = std::exchange(place, {});
@@ -184,8 +177,8 @@ class acknowledged_sender {
             return {large ? send_errc::too_large : send_errc::invalid};
         }
         head.data_size = static_cast<std::uint16_t>(message->size() - header_size);
-        *place = {head, message->size(), 1, saturating_add(now, options_.timeout),
-                  saturating_add(now, options_.longest())};
+        const auto& retry = options_.retry;
+        *place = {head, message->size(), 1, saturating_add(now, retry.interval), saturating_add(now, retry.total())};
         next_ = following(head.sequence_number);
         out(*message);
         return {send_errc::ok, head.sequence_number};

@@ -24,7 +24,7 @@ struct component_options {
 /// For more, `Remembered` is twice that rate times component_options::memory: a thousand a second that are remembered
 /// for two seconds are 4000 places of 24 bytes. All of them are looked at for each message that asks for an
 /// acknowledgement (some microseconds), so where the rate is high a shorter memory helps: it only has to outlast what
-/// the sender repeats, (1 + retries) times its timeout. `Waiting` is the rate times the timeout, more on a bad network.
+/// the sender repeats, `retry.total()`. `Waiting` is the rate times `retry.interval`, more on a bad network.
 template <std::size_t Waiting = 16, std::size_t Size = 256, std::size_t Remembered = 512> struct component_memory {
     std::array<awaited_message, Waiting> waiting{};            ///< messages that wait for an acknowledgement
     std::array<std::byte, Waiting * Size> copies{};            ///< these messages

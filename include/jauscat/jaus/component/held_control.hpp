@@ -1,6 +1,7 @@
 // Control of another component, controller side: request with retries, renewal, loss, release. RA 3.3 part 3, core
 // subgroup. The other side is component_control.hpp.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/message/hook.hpp>
 #include <jauscat/jaus/message/saturating_add.hpp>
@@ -24,10 +25,8 @@ enum class control_state : std::uint8_t {
     unanswered, ///< given up: no answer to as many requests as were to be made
 };
 
-/// Timeout, retries and renewal of control.
 struct held_control_options {
-    std::chrono::nanoseconds timeout{std::chrono::seconds{1}}; ///< between requests that are not answered
-    unsigned requests{3};                                      ///< unanswered ones, before it is given up
+    retry_policy retry{.interval = std::chrono::seconds{1}, .attempts = 3}; ///< of a request that is not answered
     /// Interval of renewing requests: keeps control alive at the component, and detects its loss. 0: never.
     std::chrono::nanoseconds renewal{};
 };
@@ -96,14 +95,14 @@ class held_control {
     constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
         const auto due = next_event();
         if (!due || now < *due) return;
-        if (asked_ >= options_.requests)
+        if (!options_.retry.allows_another(asked_))
             enter(control_state::unanswered);
         else
             request(now, out);
     }
     [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
         if (state_ == control_state::asking || (state_ == control_state::held && asked_ != 0))
-            return saturating_add(at_, options_.timeout);
+            return saturating_add(at_, options_.retry.interval);
         if (state_ == control_state::held && options_.renewal != options_.renewal.zero())
             return saturating_add(at_, options_.renewal);
         return std::nullopt;
@@ -148,7 +147,7 @@ class held_control {
     hook<void(control_state)> changed_;
     control_state state_{};
     std::uint8_t authority_{};
-    unsigned asked_{};              // requests since the last answer
+    std::uint32_t asked_{};         // requests since the last answer
     unsigned releases_{};           // sent when the target still asks for the pulse
     std::chrono::nanoseconds at_{}; // of the last request or answer
 };

@@ -1,5 +1,6 @@
 // Service connection of a consumer: states, results, options.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
@@ -9,9 +10,9 @@ namespace jauscat::jaus {
 
 enum class consumed_state : std::uint8_t {
     free,       ///< no connection
-    asking,     ///< not confirmed yet; asked again at each timeout
+    asking,     ///< not confirmed yet; asked again at each interval
     active,     ///< confirmed, and reports come
-    stale,      ///< no report for three periods; asked again at each timeout
+    stale,      ///< no report for three periods; asked again at each interval
     suspended,  ///< by suspend()
     refused,    ///< by the provider, for the reason in `response`
     unanswered, ///< given up: no answer to as many requests as were to be made
@@ -31,7 +32,7 @@ struct consumed_connection {
     double rate{};                          ///< hertz, as confirmed
     std::chrono::nanoseconds due{};         ///< when to ask again, notice the silence, or be done
     std::chrono::nanoseconds asked_at{};    ///< when a message was last sent to the provider
-    unsigned requests{};                    ///< that were not answered
+    std::uint32_t requests{};               ///< that were not answered
     std::uint64_t received{};               ///< reports in order
     std::uint64_t lost{};                   ///< reports missing between those in order
     std::uint64_t dropped{};                ///< reports that came twice or after a later one
@@ -55,11 +56,10 @@ struct consumer_outcome {
     friend constexpr bool operator==(const consumer_outcome&, const consumer_outcome&) = default;
 };
 
-/// Timeouts and retries of a consumer.
 struct consumer_options {
-    std::chrono::nanoseconds timeout{std::chrono::seconds{1}}; ///< between requests that are not answered
-    unsigned requests{5};                                      ///< unanswered ones, before a new connection is given up
-    unsigned silent_periods{3};                                ///< without a report make a connection stale
+    /// Of a request that is not answered. A stale connection is requested again without limit.
+    retry_policy retry{.interval = std::chrono::seconds{1}, .attempts = 5};
+    unsigned silent_periods{3}; ///< without a report make a connection stale
 };
 
 } // namespace jauscat::jaus

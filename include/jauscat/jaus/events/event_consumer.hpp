@@ -1,6 +1,7 @@
 // Events, consumer side: requests with retries, received events matched with requests. RA 3.3 part 3, codes 01F0h to
 // 01F4h and 41F1h. The provider side is events.hpp.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/requested_event.hpp>
 #include <jauscat/jaus/message/saturating_add.hpp>
@@ -19,13 +20,12 @@ namespace jauscat::jaus {
 /// event_consumer.
 template <std::size_t Capacity> class event_consumer {
   public:
-    /// `timeout`: between requests that are not answered; `requests`: how many of those. `silence`: without an event
-    /// that is not periodic, before its provider is asked; nanoseconds::max() for one that does not answer Query
-    /// Events.
-    constexpr explicit event_consumer(const address& self, std::chrono::nanoseconds timeout = std::chrono::seconds{1},
-                                      unsigned requests = 5,
+    /// `silence`: without an event that is not periodic, before its provider is asked; duration::max() for a provider
+    /// that does not answer Query Events.
+    constexpr explicit event_consumer(const address& self,
+                                      const retry_policy& retry = {.interval = std::chrono::seconds{1}, .attempts = 5},
                                       std::chrono::nanoseconds silence = std::chrono::seconds{5}) noexcept
-        : self_{self}, timeout_{timeout}, most_requests_{requests}, silence_{silence} {}
+        : self_{self}, retry_{retry}, silence_{silence} {}
 
     /// Sends `wanted`, whose local request ID is replaced. Returns the event's place in requested(); none where all are
     /// taken, a rate rounds to 0 or the message cannot be made.
@@ -117,12 +117,12 @@ template <std::size_t Capacity> class event_consumer {
     constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
         for (requested_event& e : requested_) {
             if (!has_due(e) || e.due > now) continue;
-            if (e.state == requested_state::active && !comes_at_rate(e) && e.requests < most_requests_) {
+            if (e.state == requested_state::active && !comes_at_rate(e) && retry_.allows_another(e.requests)) {
                 query(e, now, out);
                 continue;
             }
             if (e.state == requested_state::active) e.state = requested_state::stale;
-            if (e.state == requested_state::stale || e.requests < most_requests_)
+            if (e.state == requested_state::stale || retry_.allows_another(e.requests))
                 ask(e, now, out);
             else if (e.state == requested_state::asking)
                 e.state = requested_state::unanswered;
@@ -206,12 +206,12 @@ template <std::size_t Capacity> class event_consumer {
                      .local_request_id = e.local_request_id, .message_code = e.message_code, .event_id = e.event_id},
                  out);
         ++e.requests;
-        e.due = saturating_add(now, timeout_);
+        e.due = saturating_add(now, retry_.interval);
     }
     constexpr void query(requested_event& e, std::chrono::nanoseconds now, message_sink out) noexcept {
         send(e, query_events{.message_code = e.message_code, .event_id = e.event_id}, out);
         ++e.requests;
-        e.due = saturating_add(now, timeout_);
+        e.due = saturating_add(now, retry_.interval);
     }
     // A list without an event may be the answer about another, so it says nothing about this one.
     constexpr void listed(const address& source, std::span<const std::byte> body,
@@ -281,7 +281,7 @@ template <std::size_t Capacity> class event_consumer {
         const auto ahead = static_cast<std::uint8_t>(m.event_sequence_number - e->sequence_number);
         const bool is_newer = ahead != 0 && ahead < 128;
         // 8 bits say nothing about a gap of 128 events and more. After a silence none is late.
-        const bool may_be_late = e->state != requested_state::stale && now - e->heard_at < timeout_;
+        const bool may_be_late = e->state != requested_state::stale && now - e->heard_at < retry_.interval;
         if (e->heard && !is_newer && may_be_late) {
             outcome.what = event_news::repeated;
             return;
@@ -314,14 +314,13 @@ template <std::size_t Capacity> class event_consumer {
                      .message_code = m.message_code,
                      .local_request_id = ++last_id_,
                      .event_id = m.event_id,
-                     .due = saturating_add(now, timeout_)};
+                     .due = saturating_add(now, retry_.interval)};
         send(unwanted_,
              cancel_event{.local_request_id = last_id_, .message_code = m.message_code, .event_id = m.event_id}, out);
     }
 
     address self_;
-    std::chrono::nanoseconds timeout_;
-    unsigned most_requests_;
+    retry_policy retry_;
     std::chrono::nanoseconds silence_;
     std::array<requested_event, Capacity> requested_{};
     requested_event unwanted_{}; ///< cancelled last, without having been asked for

@@ -8,9 +8,9 @@ namespace jauscat::jaus {
 
 enum class requested_state : std::uint8_t {
     free,       ///< no event
-    asking,     ///< not answered yet; asked again at each timeout
+    asking,     ///< not answered yet; asked again at each interval
     active,     ///< confirmed
-    stale,      ///< the provider is silent, or has not the event any more; asked for again at each timeout
+    stale,      ///< the provider is silent, or has not the event any more; asked for again at each interval
     updating,   ///< by update(), not answered yet; until then it goes on as it was, or as it will be
     rejected,   ///< by the provider, for the reason in `response`
     unanswered, ///< given up: no answer to as many requests as were to be made, or the provider has disappeared
@@ -35,7 +35,7 @@ struct requested_event {
     double rate{};                       ///< hertz, as confirmed; 0: none was
     std::chrono::nanoseconds due{};      ///< when to ask again, or notice the silence
     std::chrono::nanoseconds heard_at{}; ///< when the last event came
-    unsigned requests{};                 ///< that were not answered
+    std::uint32_t requests{};            ///< that were not answered
     std::uint64_t received{};            ///< events
     std::uint64_t lost{};                ///< events missing between those, as far as 8 bits can count
     wire::inline_list<std::byte, max_create_event_size>

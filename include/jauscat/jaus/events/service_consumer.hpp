@@ -64,7 +64,7 @@ template <std::size_t Capacity> class service_consumer {
         if (place >= Capacity || connections_[place].state == consumed_state::free) return;
         consumed_connection& c = connections_[place];
         if (c.confirmed) tell<terminate_service_connection>(c, now, out);
-        c.due = saturating_add(now, std::max(silence(c), options_.timeout));
+        c.due = saturating_add(now, std::max(silence(c), options_.retry.interval));
         enter(c, consumed_state::ending);
     }
 
@@ -81,12 +81,13 @@ template <std::size_t Capacity> class service_consumer {
         case consumed_state::active:
         case consumed_state::stale: return count(*c, head.sequence_number, place, now);
         case consumed_state::suspended: // the message got lost
-            if (now - c->asked_at >= options_.timeout) tell<suspend_service_connection>(*c, now, out);
+            if (now - c->asked_at >= options_.retry.interval) tell<suspend_service_connection>(*c, now, out);
             break;
         case consumed_state::refused:
         case consumed_state::ending:
-            if (c->confirmed && now - c->asked_at >= options_.timeout) tell<terminate_service_connection>(*c, now, out);
-            c->due = saturating_add(now, std::max(silence(*c), options_.timeout));
+            if (c->confirmed && now - c->asked_at >= options_.retry.interval)
+                tell<terminate_service_connection>(*c, now, out);
+            c->due = saturating_add(now, std::max(silence(*c), options_.retry.interval));
             break;
         default: break;
         }
@@ -100,7 +101,7 @@ template <std::size_t Capacity> class service_consumer {
             if (c.state == consumed_state::ending) {
                 enter(c, consumed_state::free);
                 c = {};
-            } else if (c.state == consumed_state::asking && c.requests >= options_.requests) {
+            } else if (c.state == consumed_state::asking && !options_.retry.allows_another(c.requests)) {
                 enter(c, consumed_state::unanswered);
             } else {
                 if (c.state == consumed_state::active) enter(c, consumed_state::stale);
@@ -155,7 +156,7 @@ template <std::size_t Capacity> class service_consumer {
         static_cast<void>(put(head_to(c), c.request, out));
         ++c.requests;
         c.asked_at = now;
-        c.due = saturating_add(now, options_.timeout);
+        c.due = saturating_add(now, options_.retry.interval);
     }
     template <class Message>
     constexpr void tell(consumed_connection& c, std::chrono::nanoseconds now, message_sink out) noexcept {

@@ -1,6 +1,7 @@
 // Options and callbacks of a JAUS node.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/jaus/component/component_outcome.hpp>
 #include <jauscat/jaus/routing/node_description.hpp>
@@ -46,8 +47,8 @@ struct jaus_node_options {
     /// pause, which is the time that a receiver waits for the next packet of a set without acknowledgement. Must be the
     /// same at both ends.
     std::chrono::nanoseconds large_data_pause{std::chrono::milliseconds{500}};
-    /// Repeats of their packets if `ack_nak` of the header requests acknowledgement.
-    jaus::acknowledgement_options large_data_acknowledgement{.timeout = std::chrono::milliseconds{50}, .retries = 20};
+    /// Of each of their packets, if `ack_nak` of the header requests acknowledgement.
+    retry_policy large_data_retry{.interval = std::chrono::milliseconds{50}, .attempts = 21};
     /// Limit of queued bytes: of large data sets to be sent, and of messages between components of the node.
     std::size_t most_waiting{std::size_t{16} << 20U};
 

@@ -1,6 +1,7 @@
 // Queue of large data sets to be sent, paced so that neither buffers nor a peer's rate limit overflow.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/jaus/large_data/large_data_sender.hpp>
 #include <jauscat/jaus/message/saturating_add.hpp>
@@ -25,7 +26,7 @@ struct large_data_pacing {
     /// Pause between two data sets of the same source and code to the same destination, if packets of the first may
     /// still be in transit, or the receiver may have a part of it: see large_data_queue.
     std::chrono::nanoseconds pause{std::chrono::milliseconds{500}};
-    jaus::acknowledgement_options acknowledgement{.timeout = std::chrono::milliseconds{50}, .retries = 20};
+    retry_policy retry{.interval = std::chrono::milliseconds{50}, .attempts = 21}; ///< of a packet
 };
 
 /// Copies of bodies, sent one after the other, because packets do not identify their data set.
@@ -57,6 +58,7 @@ class large_data_queue {
     /// `most`: limit of queued bytes.
     large_data_queue(std::size_t most, const large_data_pacing& pacing) : most_{most}, pacing_{pacing} {
         pacing_.packets = std::max(pacing_.packets, 1U);
+        pacing_.retry.attempts = std::max(pacing_.retry.attempts, 1U);
     }
 
     /// Errors: no_space above `most` bytes, and those of large_data_sender.
@@ -133,9 +135,9 @@ class large_data_queue {
     static constexpr unsigned tries_until_restart = 4;
 
     struct sent_packet {
-        time due{};       ///< time of the next repeat
-        unsigned sent{};  ///< number of transmissions
-        unsigned tries{}; ///< the same since the last start of the data set
+        time due{};           ///< time of the next repeat
+        std::uint32_t sent{}; ///< number of transmissions
+        unsigned tries{};     ///< the same since the last start of the data set
         bool acknowledged{};
         bool is_alike{}; ///< equals that of the previous data set: the receiver does not acknowledge the first copy
     };
@@ -214,14 +216,14 @@ class large_data_queue {
         return false;
     }
 
-    /// False if a packet has reached the limit of repeats.
+    /// False if all attempts of a packet are made.
     bool send_acknowledged(entry& set, time now, jaus::message_sink out) {
         if (set.is_sent_again && !is_known_still(set, now)) return false;
         const auto last = set.packets.size() - 1;
         while (set.first_open != last && set.packets[set.first_open].acknowledged) ++set.first_open;
         const auto behind = set.first_open == 0 ? std::size_t{1} : set.first_open == last ? last + 1 : last;
         unsigned left = pacing_.packets;
-        next_ = jaus::saturating_add(now, pacing_.acknowledgement.timeout);
+        next_ = jaus::saturating_add(now, pacing_.retry.interval);
         for (auto i = set.first_open; i != behind; ++i) {
             auto& packet = set.packets[i];
             if (packet.acknowledged) continue;
@@ -230,7 +232,7 @@ class large_data_queue {
                     next_ = now + beat;
                     break;
                 }
-                if (packet.sent > pacing_.acknowledgement.retries) return false;
+                if (!pacing_.retry.allows_another(packet.sent)) return false;
                 if (i != 0 && packet.tries == tries_until_restart && may_restart(set, now)) {
                     restart(set);
                     next_ = now;
@@ -244,7 +246,7 @@ class large_data_queue {
                 ++packet.sent;
                 ++packet.tries;
                 const bool is_doubted = packet.is_alike && !again;
-                packet.due = jaus::saturating_add(now, is_doubted ? beat : pacing_.acknowledgement.timeout);
+                packet.due = jaus::saturating_add(now, is_doubted ? beat : pacing_.retry.interval);
                 if (again && i != 0)
                     static_cast<void>(set.sender.repeat(i, out)); // the packet was sent before
                 else
@@ -256,7 +258,7 @@ class large_data_queue {
         return true;
     }
     [[nodiscard]] bool may_restart(const entry& set, time now) const noexcept {
-        return set.restarts < pacing_.acknowledgement.retries / tries_until_restart && is_known_still(set, now);
+        return set.restarts < (pacing_.retry.attempts - 1) / tries_until_restart && is_known_still(set, now);
     }
     [[nodiscard]] static bool is_known_still(const entry& set, time now) noexcept {
         return !set.last_sent_at || now - *set.last_sent_at < latest_resent;

@@ -20,8 +20,7 @@ class node_core {
     using send_handler = std::function<void(bytes message, const node_routes::endpoint& to, jaus::framing framing)>;
 
     node_core(const jaus_node_options& options, limited_log& log, send_handler send)
-        : large{options.most_waiting,
-                {options.large_data_pace, options.large_data_pause, options.large_data_acknowledgement}},
+        : large{options.most_waiting, {options.large_data_pace, options.large_data_pause, options.large_data_retry}},
           components{options, log},
           log_{log},
           send_{std::move(send)},
