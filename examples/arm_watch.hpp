@@ -19,7 +19,7 @@ class arm_watch {
     arm_watch(arm& behind, std::chrono::milliseconds command_timeout) : arm_{behind}, timeout_{command_timeout} {}
 
     /// To be called after each frame and after time has passed.
-    void look(const jauscat::ethercat::slave& slave, std::chrono::nanoseconds now) {
+    void look(const jauscat::ethercat::slave& slave, jauscat::time_point now) {
         look_at_state(slave.state());
         if (std::exchange(station_, slave.station_address()) != slave.station_address())
             arm_.rest("station_address", "another station address");
@@ -46,7 +46,7 @@ class arm_watch {
     al_state state_{};
     std::uint16_t station_{};
     std::uint64_t messages_{};
-    std::chrono::nanoseconds last_message_{};
+    jauscat::time_point last_message_{};
 };
 
 } // namespace example

@@ -10,6 +10,7 @@
 #include <jauscat/ethercat/slave/mapped_objects.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
+#include <jauscat/net/now.hpp>
 
 #include <cmath>
 #include <iomanip>
@@ -110,7 +111,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
             {{"state", jauscat::text::to_text(state)}, {"station", slave.station_address()}},
             "state " + jauscat::text::to_text(state) + ", station address " + std::to_string(slave.station_address()));
     };
-    const auto work = [&](std::chrono::nanoseconds now) {
+    const auto work = [&](jauscat::time_point now) {
         watch.look(slave, now); // first: the inputs say what is in force then
         process_data.work(slave);
         show_state();
@@ -118,7 +119,7 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
     std::string problem;
     while (!example::stop_requested) {
         const auto size = link.receive(frame, longest_wait);
-        const auto now = std::chrono::steady_clock::now().time_since_epoch();
+        const auto now = jauscat::net::now();
         if (size == 0) {
             slave.on_time(now);
             work(now);

@@ -92,6 +92,6 @@ void fuzz::run(std::span<const std::byte> input) {
     }
     std::array<std::byte, 16> answer{};
     std::size_t answers = 0;
-    while (jaus.acknowledgement(inputs, std::chrono::seconds{1}, answer) != 0) ++answers;
+    while (jaus.acknowledgement(inputs, jauscat::time_point{std::chrono::seconds{1}}, answer) != 0) ++answers;
     check(answers == waiting, "each command that was taken is answered once");
 }

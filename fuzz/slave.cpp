@@ -79,7 +79,7 @@ void fuzz::run(std::span<const std::byte> input) {
     slave device{what, (options & 64) != 0 ? object_dictionary{described} : object_dictionary{plain}, rules};
     plain.on_access =
         described.on_access = [&] { check(device.state() != al_state::init, "a slave in INIT has no mailbox"); };
-    std::chrono::nanoseconds now{};
+    jauscat::time_point now{};
     for (int step = 0; step != max_steps && !in.empty(); ++step)
         if (auto frame = next_frame(in); !frame.empty()) {
             check_frame(device, std::move(frame));

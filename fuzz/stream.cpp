@@ -19,10 +19,12 @@ class listener {
     std::vector<bytes> messages{};
 
     void hear(std::span<const std::byte> part, std::chrono::nanoseconds now) {
-        framer_.on_bytes(part, now, [this](std::span<const std::byte> m) { messages.push_back(copy_of(m)); });
+        framer_.on_bytes(part, jauscat::time_point{now},
+                         [this](std::span<const std::byte> m) { messages.push_back(copy_of(m)); });
     }
     void wait(std::chrono::nanoseconds now) {
-        framer_.on_time(now, [this](std::span<const std::byte> m) { messages.push_back(copy_of(m)); });
+        framer_.on_time(jauscat::time_point{now},
+                        [this](std::span<const std::byte> m) { messages.push_back(copy_of(m)); });
     }
 
   private:

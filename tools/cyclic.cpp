@@ -7,6 +7,7 @@
 #include <jauscat/net/link/cycle_runner.hpp>
 #include <jauscat/net/link/latency_histogram.hpp>
 #include <jauscat/net/link/run_master.hpp>
+#include <jauscat/net/now.hpp>
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/value.hpp>
 
@@ -162,7 +163,7 @@ class slave_watch {
         : master_{master}, data_{data}, patience_{patience} {}
 
     void look() {
-        const auto now = std::chrono::steady_clock::now().time_since_epoch();
+        const auto now = jauscat::net::now();
         for (const auto& slave : master_.slaves()) {
             const auto& status = data_.status(slave);
             // One that has just reached OP has yet to be seen there.
@@ -185,7 +186,7 @@ class slave_watch {
     [[nodiscard]] bool all_run() const noexcept { return stopped_.empty(); }
 
   private:
-    [[nodiscard]] std::string reason(const ethercat::slave_status& status, std::chrono::nanoseconds now) const {
+    [[nodiscard]] std::string reason(const ethercat::slave_status& status, jauscat::time_point now) const {
         const auto condition = status.condition_within(patience_, now);
         std::string text{describe(condition)};
         if (condition == ethercat::slave_condition::not_in_op)
@@ -210,7 +211,7 @@ class slave_watch {
     const ethercat::master& master_;
     const ethercat::process_data& data_;
     std::chrono::nanoseconds patience_;
-    std::chrono::nanoseconds begun_{std::chrono::steady_clock::now().time_since_epoch()};
+    jauscat::time_point begun_ = jauscat::net::now();
     std::set<std::uint16_t> stopped_{};
 };
 

@@ -5,6 +5,7 @@
 #include <jauscat/ethercat/code_texts.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
+#include <jauscat/net/now.hpp>
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/value.hpp>
 
@@ -193,7 +194,7 @@ int serve(example::any_link& link, const std::string& where, std::deque<node>& n
             if (!problem.empty()) say.bad(example::events::link_problem, {{"problem", problem}}, problem);
         }
         for (auto& each : nodes) {
-            each.slave().on_time(std::chrono::steady_clock::now().time_since_epoch());
+            each.slave().on_time(jauscat::net::now());
             each.show_changes();
         }
     }

@@ -103,7 +103,7 @@ inline unsigned command_by_mailbox(row& into, unsigned count, jauscat::net::raw_
 /// By the process image: in the slave with the next cycle.
 inline unsigned command_by_cycle(row& into, unsigned count, jauscat::net::cycle_runner<jauscat::net::raw_link>& cycles,
                                  ethercat::process_data& data, const ethercat::slave_record& record, slave_end& slave) {
-    const auto now = [] { return std::chrono::steady_clock::now().time_since_epoch(); };
+    const auto now = [] { return jauscat::net::now(); };
     efforts_by_cycle efforts{{.subsystem = 1, .station = station}, component};
     static_cast<void>(efforts.start(data.outputs(record), data.inputs(record)));
     jaus_socket socket{[&](std::span<const std::byte> bytes) {

@@ -15,6 +15,7 @@ namespace jaus = jauscat::jaus;
 namespace net = jauscat::net;
 namespace wire = jauscat::wire;
 using namespace std::chrono_literals;
+using jauscat::time_point;
 using std::chrono::nanoseconds;
 // [includes end]
 
@@ -70,7 +71,7 @@ class lamp {
   public:
     static constexpr std::uint16_t switch_on = 0xD102; ///< private message; one byte: seconds
 
-    jaus::message_outcome on_message(const jaus::header& head, std::span<const std::byte> body, nanoseconds now,
+    jaus::message_outcome on_message(const jaus::header& head, std::span<const std::byte> body, time_point now,
                                      jaus::message_sink) {
         if (head.command_code != switch_on) return jaus::message_outcome::not_mine;
         if (body.size() != 1) return jaus::message_outcome::malformed;
@@ -78,10 +79,10 @@ class lamp {
         off_at_ = now + std::to_integer<int>(body[0]) * 1s;
         return jaus::message_outcome::taken;
     }
-    void on_time(nanoseconds now, jaus::message_sink) {
+    void on_time(time_point now, jaus::message_sink) {
         if (off_at_ && now >= *off_at_) off_at_.reset();
     }
-    [[nodiscard]] std::optional<nanoseconds> next_event() const { return off_at_; }
+    [[nodiscard]] std::optional<time_point> next_event() const { return off_at_; }
     void on_lost(const jaus::address& who) {
         if (jaus::stands_for(who, user_)) off_at_.reset();
     }
@@ -90,7 +91,7 @@ class lamp {
 
   private:
     jaus::address user_{};
-    std::optional<nanoseconds> off_at_{};
+    std::optional<time_point> off_at_{};
 };
 // [part end]
 
@@ -101,13 +102,13 @@ template <net::node_component Component> struct counted_component {
     unsigned messages{};
 
     [[nodiscard]] const jaus::address& self() const { return it.self(); }
-    jaus::component_outcome on_message(const jaus::header& head, std::span<const std::byte> body, nanoseconds now,
+    jaus::component_outcome on_message(const jaus::header& head, std::span<const std::byte> body, time_point now,
                                        jaus::message_sink out, auto&& application) {
         ++messages;
         return it.on_message(head, body, now, out, application);
     }
-    void on_time(nanoseconds now, jaus::message_sink out) { it.on_time(now, out); }
-    [[nodiscard]] std::optional<nanoseconds> next_event() const { return it.next_event(); }
+    void on_time(time_point now, jaus::message_sink out) { it.on_time(now, out); }
+    [[nodiscard]] std::optional<time_point> next_event() const { return it.next_event(); }
     void on_lost(const jaus::address& who) { it.on_lost(who); }
 };
 // [component end]
@@ -169,7 +170,7 @@ int main() {
     counted_component<decltype(unit)> counted{unit};
     static_assert(net::node_component<decltype(counted)>);
     counted.on_message({.command_code = lamp::switch_on, .destination = self, .source = visitor},
-                       std::array{std::byte{30}}, 0s, send, not_mine);
+                       std::array{std::byte{30}}, time_point{}, send, not_mine);
     std::cout << "the lamp is " << (light.is_on() ? "on" : "off");
     counted.on_lost(visitor);
     std::cout << ", and " << (light.is_on() ? "on" : "off") << " when the visitor is lost; " << counted.messages
@@ -181,7 +182,7 @@ int main() {
         jaus::keep_requested(report, fields);
         const auto written = wire::encode(report, body);
         if (!written) return std::nullopt;
-        return written.size();
+        return written->size();
     };
     constexpr std::array reports{jaus::connectable_report{jaus::command_code_of<jaus::report_wrench_effort>}};
     std::array<std::byte, 64> room{};

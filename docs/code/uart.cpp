@@ -39,9 +39,7 @@ void on_message(std::span<const std::byte> bytes) {
 }
 
 /// Called by the main loop with the received bytes, and every few milliseconds without any.
-void on_bytes(std::span<const std::byte> bytes, std::chrono::nanoseconds now) {
-    framer.on_bytes(bytes, now, on_message);
-}
+void on_bytes(std::span<const std::byte> bytes, jauscat::time_point now) { framer.on_bytes(bytes, now, on_message); }
 // [node end]
 
 int main() {
@@ -49,6 +47,6 @@ int main() {
     constexpr std::array<unsigned char, 23> line{0xff, 0x00, 0x37, 0x16, 0x02, 0x05, 0x04, 1,    33,   2,    2,   1,
                                                  32,   1,    1,    4,    0x00, 0x22, 0x00, 0x01, 0x00, 0x00, 0x40};
     const auto bytes = std::as_bytes(std::span{line});
-    on_bytes(bytes.first(9), 0ms);
-    on_bytes(bytes.subspan(9), 1ms);
+    on_bytes(bytes.first(9), jauscat::time_point{0ms});
+    on_bytes(bytes.subspan(9), jauscat::time_point{1ms});
 }

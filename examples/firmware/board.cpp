@@ -32,7 +32,7 @@ uart_registers& uart(firmware::line which) noexcept {
 volatile std::uint32_t milliseconds, received_count, taken_count;
 std::array<volatile std::byte, 256> ring;
 
-std::chrono::nanoseconds now() noexcept { return std::chrono::milliseconds{milliseconds}; }
+jauscat::time_point now() noexcept { return jauscat::time_point{std::chrono::milliseconds{milliseconds}}; }
 
 /// Moves what has arrived since the last call into `out`.
 std::span<const std::byte> take_received(std::span<std::byte> out) noexcept {

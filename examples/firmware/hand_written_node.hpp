@@ -216,7 +216,7 @@ template <class Values> void copy_present(const wrench_effort<Values>& from, wre
 
 template <class Values> class node {
   public:
-    void on_bytes(std::span<const std::byte> bytes, std::chrono::nanoseconds now) {
+    void on_bytes(std::span<const std::byte> bytes, jauscat::time_point now) {
         on_time(now);
         heard_ = now;
         while (!bytes.empty()) {
@@ -228,7 +228,7 @@ template <class Values> class node {
             search(false);
         }
     }
-    void on_time(std::chrono::nanoseconds now) {
+    void on_time(jauscat::time_point now) {
         if (waiting_ != 0 && now - heard_ >= firmware::idle) search(true);
     }
 
@@ -346,7 +346,7 @@ template <class Values> class node {
     }
 
     static inline uint8_t buffer[header_size + firmware::largest_body];
-    std::chrono::nanoseconds heard_{};
+    jauscat::time_point heard_{};
     uint32_t waiting_{}, refused_{};
     wrench_effort<Values> efforts_{};
 };

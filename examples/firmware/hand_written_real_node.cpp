@@ -5,7 +5,7 @@ namespace {
 constinit by_hand::node<by_hand::real_values> node;
 }
 
-void firmware::on_bytes(std::span<const std::byte> bytes, std::chrono::nanoseconds now) noexcept {
+void firmware::on_bytes(std::span<const std::byte> bytes, jauscat::time_point now) noexcept {
     node.on_bytes(bytes, now);
 }
-void firmware::on_time(std::chrono::nanoseconds now) noexcept { node.on_time(now); }
+void firmware::on_time(jauscat::time_point now) noexcept { node.on_time(now); }

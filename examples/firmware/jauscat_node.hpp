@@ -18,10 +18,10 @@ namespace jaus = jauscat::jaus;
 /// the wire, for a core without floating point.
 template <class Command, class Report> class jauscat_node {
   public:
-    void on_bytes(std::span<const std::byte> bytes, std::chrono::nanoseconds now) noexcept {
+    void on_bytes(std::span<const std::byte> bytes, jauscat::time_point now) noexcept {
         framer_.on_bytes(bytes, now, taker());
     }
-    void on_time(std::chrono::nanoseconds now) noexcept { framer_.on_time(now, taker()); }
+    void on_time(jauscat::time_point now) noexcept { framer_.on_time(now, taker()); }
 
   private:
     using header = jaus::header;

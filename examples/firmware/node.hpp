@@ -8,6 +8,8 @@
 //   - acknowledges, positively or negatively, where the sender asks for it;
 //   - ignores messages to others.
 #pragma once
+#include <jauscat/base/time.hpp>
+
 #include <chrono>
 #include <cstddef>
 #include <span>
@@ -30,8 +32,8 @@ enum class line { jaus, card };
 void send(line to, std::span<const std::byte> bytes) noexcept;
 
 /// Of the node: bytes that arrived on the line `jaus`.
-void on_bytes(std::span<const std::byte> bytes, std::chrono::nanoseconds now) noexcept;
+void on_bytes(std::span<const std::byte> bytes, jauscat::time_point now) noexcept;
 /// Of the node: called at least every millisecond while nothing arrives.
-void on_time(std::chrono::nanoseconds now) noexcept;
+void on_time(jauscat::time_point now) noexcept;
 
 } // namespace firmware

@@ -8,7 +8,7 @@ constinit jauscat_node<jauscat::wire::raw<jaus::set_wrench_effort>, jauscat::wir
     node;
 } // namespace
 
-void firmware::on_bytes(std::span<const std::byte> bytes, std::chrono::nanoseconds now) noexcept {
+void firmware::on_bytes(std::span<const std::byte> bytes, jauscat::time_point now) noexcept {
     node.on_bytes(bytes, now);
 }
-void firmware::on_time(std::chrono::nanoseconds now) noexcept { node.on_time(now); }
+void firmware::on_time(jauscat::time_point now) noexcept { node.on_time(now); }

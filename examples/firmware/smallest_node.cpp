@@ -10,7 +10,7 @@ constexpr uint32_t effort_count = 12, wide_efforts = 6;
 
 uint8_t buffer[header_size + firmware::largest_body];
 uint32_t waiting;               // bytes in the buffer
-std::chrono::nanoseconds heard; // when the last one came
+jauscat::time_point heard;      // when the last one came
 uint16_t efforts[effort_count]; // as on the wire
 uint16_t efforts_known;         // presence vector of those that were commanded
 uint32_t refused;
@@ -151,7 +151,7 @@ void search(bool no_more) {
 
 } // namespace
 
-void firmware::on_bytes(std::span<const std::byte> bytes, std::chrono::nanoseconds now) noexcept {
+void firmware::on_bytes(std::span<const std::byte> bytes, jauscat::time_point now) noexcept {
     on_time(now);
     heard = now;
     for (const std::byte byte : bytes) {
@@ -160,6 +160,6 @@ void firmware::on_bytes(std::span<const std::byte> bytes, std::chrono::nanosecon
     }
 }
 
-void firmware::on_time(std::chrono::nanoseconds now) noexcept {
+void firmware::on_time(jauscat::time_point now) noexcept {
     if (waiting != 0 && now - heard >= idle) search(true);
 }

@@ -37,7 +37,7 @@ void tell(const std::string& cause, example::event_kind kind, const example::eve
     example::write_limited(cause, kind, members, "ocu: " + line + "\n");
 }
 
-std::chrono::nanoseconds now() { return net::jaus_node::now(); }
+jauscat::time_point now() { return net::now(); }
 
 } // namespace
 

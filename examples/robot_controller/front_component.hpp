@@ -35,7 +35,6 @@ struct said_messages {
 class front_component {
   public:
     using bytes = std::span<const std::byte>;
-    using time = std::chrono::nanoseconds;
 
     front_component(const jauscat::jaus::address& self, jauscat::bridge::slave_front& front,
                     const jauscat::jaus::component_options& options, speaker say)
@@ -43,7 +42,7 @@ class front_component {
 
     [[nodiscard]] const jauscat::jaus::address& self() const noexcept { return unit_.self(); }
 
-    jauscat::jaus::component_outcome on_message(const jauscat::jaus::header& head, bytes body, time now,
+    jauscat::jaus::component_outcome on_message(const jauscat::jaus::header& head, bytes body, jauscat::time_point now,
                                                 jauscat::jaus::message_sink out, auto&& application) {
         if (!is_pulse(head)) show_received(head, body);
         const said_messages said{say_, out};
@@ -52,8 +51,8 @@ class front_component {
             say_(events::message_repeated, message_members(head), std::string{describe(what)});
         return what;
     }
-    void on_time(time now, jauscat::jaus::message_sink out) { unit_.on_time(now, out); }
-    [[nodiscard]] std::optional<time> next_event() const { return unit_.next_event(); }
+    void on_time(jauscat::time_point now, jauscat::jaus::message_sink out) { unit_.on_time(now, out); }
+    [[nodiscard]] std::optional<jauscat::time_point> next_event() const { return unit_.next_event(); }
     void on_lost(const jauscat::jaus::address& who) { unit_.on_lost(who); }
 
   private:

@@ -7,6 +7,7 @@
 #include <jauscat/net/limited_log.hpp>
 #include <jauscat/net/link/raw_link.hpp>
 #include <jauscat/net/link/udp_link.hpp>
+#include <jauscat/net/now.hpp>
 #include <jauscat/text/hex.hpp>
 #include <jauscat/text/value.hpp>
 
@@ -35,7 +36,7 @@ class setpoint {
         if (subindex != 0) return ethercat::abort_code::no_subindex;
         if (data.size() != value_.size()) return ethercat::abort_code::length_mismatch;
         std::ranges::copy(data, value_.begin());
-        limited(std::chrono::steady_clock::now().time_since_epoch(), [&] { return "2000h = " + text::hex(data); });
+        limited(jauscat::net::now(), [&] { return "2000h = " + text::hex(data); });
         return ethercat::abort_code::none;
     }
 
@@ -62,7 +63,7 @@ template <ethercat::link Link> void serve(Link& link) {
     for (;;) {
         const auto size = link.receive(frame, std::chrono::milliseconds{20});
         const auto received = std::span{frame}.first(size);
-        const auto now = std::chrono::steady_clock::now().time_since_epoch();
+        const auto now = jauscat::net::now();
         if (size != 0) {
             for (auto& each : ring) each.slave.process(received); // the frame passes all of them
             if (!link.send(received)) limited(now, [&] { return link.problem(); });

@@ -3,6 +3,7 @@
 //     large_data
 #include <jauscat/jaus/large_data/large_data_sender.hpp>
 #include <jauscat/jaus/large_data/reassembler.hpp>
+#include <jauscat/net/now.hpp>
 #include <jauscat/schema/jaus/environment_sensor.hpp>
 #include <jauscat/wire/wire.hpp>
 
@@ -42,7 +43,7 @@ int main() {
     const auto receive = [&](std::span<const std::byte> packet) {
         const auto message = jaus::split(packet);
         if (!message) return;
-        const auto now = std::chrono::steady_clock::now().time_since_epoch();
+        const auto now = jauscat::net::now();
         const auto what = receiver.on_packet(message.header, message.body, now, take, lost);
         std::cout << "packet " << message.header.sequence_number << ", " << packet.size()
                   << " bytes: " << describe(what) << '\n';

@@ -2,6 +2,7 @@
 #pragma once
 #include "support/colour.hpp"
 #include "support/log.hpp"
+#include <jauscat/net/now.hpp>
 #include <jauscat/net/rate_limit.hpp>
 
 #include <chrono>
@@ -34,7 +35,7 @@ class event_limit {
     std::optional<std::uint64_t> admit(std::string cause) {
         if (causes_.size() == most && !causes_.contains(cause)) cause.clear();
         auto& [bucket, left_out] = causes_[cause];
-        if (bucket.take(limit, std::chrono::steady_clock::now().time_since_epoch())) return std::exchange(left_out, 0);
+        if (bucket.take(limit, jauscat::net::now())) return std::exchange(left_out, 0);
         ++left_out;
         return std::nullopt;
     }

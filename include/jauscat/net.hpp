@@ -27,6 +27,7 @@
 #include <jauscat/net/node/next_hop.hpp>
 #include <jauscat/net/node/node_machine.hpp>
 #include <jauscat/net/node/run_until.hpp>
+#include <jauscat/net/now.hpp>
 #include <jauscat/net/open_error.hpp>
 #include <jauscat/net/rate_limit.hpp>
 #include <jauscat/version.hpp>

@@ -14,6 +14,8 @@ TEST_CASE("a sum of times ends at the last instant") {
     STATIC_REQUIRE(saturating_add(time_point{5ms}, duration::max()) == time_point::max());
     STATIC_REQUIRE(saturating_add(time_point::max(), 1ns) == time_point::max());
     STATIC_REQUIRE(saturating_add(time_point::max(), 0ns) == time_point::max());
+    STATIC_REQUIRE(saturating_add(5ms, 3ms) == 8ms);
+    STATIC_REQUIRE(saturating_add(5ms, duration::max()) == duration::max());
 }
 
 TEST_CASE("a deadline is reached at its instant") {

@@ -155,11 +155,11 @@ class emulated_actuator {
     emulated_actuator(std::uint8_t subsystem, std::uint16_t station) : behind{subsystem, station} {}
 
     /// A frame passes.
-    void pass(std::span<std::byte> frame, std::chrono::nanoseconds now) {
+    void pass(std::span<std::byte> frame, jauscat::time_point now) {
         slave.pass(frame);
         work(now);
     }
-    void work(std::chrono::nanoseconds now) {
+    void work(jauscat::time_point now) {
         slave.on_time(now);
         if (hangs) return;
         slave.work();

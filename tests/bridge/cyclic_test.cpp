@@ -33,7 +33,7 @@ TEST_CASE("of two commands between two cycles only the one that the slave has ta
 TEST_CASE("a frame that is held back for the process data is asked for when they have gone") {
     rig r{1, true};
     r.run_until_ready();
-    r.run_until([&] { return r.bus.next_event().value_or(0ns) > r.now + 5ms; });
+    r.run_until([&] { return r.bus.next_event().value_or(jauscat::time_point{}) > r.now + 5ms; });
     r.run(7ms + 600us); // within the reserve
     r.tell(jaus::set_travel_speed{.desired_speed = 3});
     REQUIRE(r.bus.next_event());

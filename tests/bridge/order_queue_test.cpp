@@ -1,8 +1,10 @@
 // Messages that wait.
 #include "support/catch.hpp"
+#include "support/instant.hpp"
 #include <jauscat/bridge/order_queue.hpp>
 
 using namespace std::chrono_literals;
+using support::instant;
 namespace bridge = jauscat::bridge;
 namespace jaus = jauscat::jaus;
 
@@ -18,7 +20,8 @@ template <class T> std::vector<std::byte> body_of(const T& message) {
     return body;
 }
 bridge::order order_of(std::uint16_t code, std::uint16_t number, const jaus::address& from = sender) {
-    return {.header = {.command_code = code, .source = from, .sequence_number = number}, .expires = 1s};
+    return {.header = {.command_code = code, .source = from, .sequence_number = number},
+            .expires = jauscat::deadline{instant{1s}}};
 }
 constexpr auto nobody = [](const jaus::header&) { FAIL("nothing is superseded"); };
 constexpr auto any = [](const bridge::order&) { return true; };

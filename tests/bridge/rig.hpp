@@ -176,7 +176,7 @@ class rig {
     bridge::ring bus{options};
     std::vector<std::vector<std::byte>> messages{};
     jaus::component_outcome last_outcome{};
-    std::chrono::nanoseconds now{1s};
+    jauscat::time_point now{1s};
     std::chrono::nanoseconds round_trip{200us};
     bool cable_is_out{};
     std::size_t dead_from{100}; ///< slaves from here on do not get frames
@@ -187,10 +187,10 @@ class rig {
   private:
     struct flight {
         std::vector<std::byte> frame;
-        std::chrono::nanoseconds at;
+        jauscat::time_point at;
     };
 
-    void step(std::chrono::nanoseconds limit) {
+    void step(jauscat::time_point limit) {
         std::array<std::byte, ethercat::max_frame_size> frame{};
         while (const auto size = bus.next_frame(frame, now)) send(std::span{frame}.first(size));
         auto next = limit;

@@ -1,10 +1,12 @@
 // What an actuator is owed, and in what order.
 #include "support/catch.hpp"
+#include "support/instant.hpp"
 #include <jauscat/bridge/stop_debt.hpp>
 
 using namespace std::chrono_literals;
 using jauscat::bridge::stop_debt;
 using jauscat::bridge::stop_order;
+using support::instant;
 
 TEST_CASE("an emergency goes first, and its confirmation covers rest") {
     stop_debt debt{20ms};
@@ -20,8 +22,8 @@ TEST_CASE("a refused order is tried again after a growing interval, without end"
     stop_debt debt{20ms};
     debt.owe_emergency();
     for (unsigned i = 1; i != 1000; ++i) {
-        CHECK(debt.refused(*debt.next(), false, 1s));
-        CHECK(debt.next_attempt() == 1s + 20ms * std::min(i, 10U));
+        CHECK(debt.refused(*debt.next(), false, instant{1s}));
+        CHECK(debt.next_attempt() == instant{1s + 20ms * std::min(i, 10U)});
         CHECK(debt.refusals() == i);
         CHECK(debt.owes_stop());
     }
@@ -32,7 +34,7 @@ TEST_CASE("zeros that are refused three times alternate with an emergency") {
     debt.owe_rest();
     for (int i = 0; i != 3; ++i) {
         CHECK(debt.next() == stop_order::rest);
-        debt.refused(stop_order::rest, false, 0s);
+        debt.refused(stop_order::rest, false, instant{0s});
     }
     CHECK(debt.next() == stop_order::emergency);
     debt.confirmed(stop_order::emergency);
@@ -46,9 +48,9 @@ TEST_CASE("the end of an emergency comes last, is given up after three refusals,
     CHECK(debt.next() == stop_order::rest);
     debt.confirmed(stop_order::rest);
     CHECK(debt.next() == stop_order::clear_emergency);
-    CHECK(debt.refused(stop_order::clear_emergency, false, 0s));
-    CHECK(debt.refused(stop_order::clear_emergency, false, 0s));
-    CHECK(!debt.refused(stop_order::clear_emergency, false, 0s));
+    CHECK(debt.refused(stop_order::clear_emergency, false, instant{0s}));
+    CHECK(debt.refused(stop_order::clear_emergency, false, instant{0s}));
+    CHECK(!debt.refused(stop_order::clear_emergency, false, instant{0s}));
     CHECK(debt.settled());
     debt.owe_clear();
     debt.owe_emergency();
@@ -58,12 +60,12 @@ TEST_CASE("the end of an emergency comes last, is given up after three refusals,
 TEST_CASE("an actuator that did not know emergencies is told of the next one all the same") {
     stop_debt debt{20ms};
     debt.owe_emergency();
-    debt.refused(stop_order::emergency, true, 0s);
+    debt.refused(stop_order::emergency, true, instant{0s});
     CHECK(debt.next() == stop_order::rest);
     debt.confirmed(stop_order::rest);
     CHECK(debt.settled());
     debt.owe_emergency();
-    debt.refused(stop_order::emergency, false, 0s);
+    debt.refused(stop_order::emergency, false, instant{0s});
     debt.confirmed(stop_order::rest);
     CHECK(debt.next() == stop_order::emergency);
 }

@@ -1,17 +1,17 @@
-// expect: node: the component has no next_event() const that returns a std::optional<std::chrono::nanoseconds>
+// expect: node: the component has no next_event() const that returns a std::optional<time_point>
 #include <jauscat/net/node/node_machine.hpp>
 
 namespace jaus = jauscat::jaus;
-using std::chrono::nanoseconds;
+using jauscat::time_point;
 
 struct lamp {
     jaus::address self() const { return {}; }
-    jaus::component_outcome on_message(const jaus::header&, std::span<const std::byte>, nanoseconds, jaus::message_sink,
+    jaus::component_outcome on_message(const jaus::header&, std::span<const std::byte>, time_point, jaus::message_sink,
                                        auto&&) {
         return jaus::component_outcome::taken;
     }
-    void on_time(nanoseconds, jaus::message_sink) {}
-    nanoseconds next_event() const { return {}; }
+    void on_time(time_point, jaus::message_sink) {}
+    time_point next_event() const { return {}; }
     void on_lost(const jaus::address&) {}
 } one;
 struct nothing {

@@ -1,18 +1,18 @@
-// expect: node: the component has no on_message(const header&, std::span<const std::byte>, std::chrono::nanoseconds,
+// expect: node: the component has no on_message(const header&, std::span<const std::byte>, time_point,
 // message_sink, auto&& application) that returns a component_outcome
 #include <jauscat/net/node/node_machine.hpp>
 
 namespace jaus = jauscat::jaus;
-using std::chrono::nanoseconds;
+using jauscat::time_point;
 
 struct lamp {
     jaus::address self() const { return {}; }
-    jaus::component_outcome on_message(const jaus::header&, std::span<const std::byte>, nanoseconds,
+    jaus::component_outcome on_message(const jaus::header&, std::span<const std::byte>, time_point,
                                        jaus::message_sink) {
         return jaus::component_outcome::taken;
     }
-    void on_time(nanoseconds, jaus::message_sink) {}
-    std::optional<nanoseconds> next_event() const { return std::nullopt; }
+    void on_time(time_point, jaus::message_sink) {}
+    std::optional<time_point> next_event() const { return std::nullopt; }
     void on_lost(const jaus::address&) {}
 } one;
 struct nothing {

@@ -2,15 +2,15 @@
 #include <jauscat/net/node/node_machine.hpp>
 
 namespace jaus = jauscat::jaus;
-using std::chrono::nanoseconds;
+using jauscat::time_point;
 
 struct lamp {
-    jaus::component_outcome on_message(const jaus::header&, std::span<const std::byte>, nanoseconds, jaus::message_sink,
+    jaus::component_outcome on_message(const jaus::header&, std::span<const std::byte>, time_point, jaus::message_sink,
                                        auto&&) {
         return jaus::component_outcome::taken;
     }
-    void on_time(nanoseconds, jaus::message_sink) {}
-    std::optional<nanoseconds> next_event() const { return std::nullopt; }
+    void on_time(time_point, jaus::message_sink) {}
+    std::optional<time_point> next_event() const { return std::nullopt; }
     void on_lost(const jaus::address&) {}
 } one;
 struct nothing {

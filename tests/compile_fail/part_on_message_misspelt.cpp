@@ -1,16 +1,16 @@
-// expect: component: a part has no on_message(const header&, std::span<const std::byte>, std::chrono::nanoseconds,
+// expect: component: a part has no on_message(const header&, std::span<const std::byte>, time_point,
 // message_sink)
 #include <jauscat/jaus/component/component.hpp>
 
 namespace jaus = jauscat::jaus;
-using std::chrono::nanoseconds;
+using jauscat::time_point;
 
 struct lamp {
-    jaus::message_outcome on_mesage(const jaus::header&, std::span<const std::byte>, nanoseconds, jaus::message_sink) {
+    jaus::message_outcome on_mesage(const jaus::header&, std::span<const std::byte>, time_point, jaus::message_sink) {
         return jaus::message_outcome::not_mine;
     }
-    void on_time(nanoseconds, jaus::message_sink) {}
-    std::optional<nanoseconds> next_event() const { return std::nullopt; }
+    void on_time(time_point, jaus::message_sink) {}
+    std::optional<time_point> next_event() const { return std::nullopt; }
     void on_lost(const jaus::address&) {}
 } one;
 jaus::component_memory<> memory;

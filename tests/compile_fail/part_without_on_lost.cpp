@@ -2,14 +2,14 @@
 #include <jauscat/jaus/component/component.hpp>
 
 namespace jaus = jauscat::jaus;
-using std::chrono::nanoseconds;
+using jauscat::time_point;
 
 struct lamp {
-    jaus::message_outcome on_message(const jaus::header&, std::span<const std::byte>, nanoseconds, jaus::message_sink) {
+    jaus::message_outcome on_message(const jaus::header&, std::span<const std::byte>, time_point, jaus::message_sink) {
         return jaus::message_outcome::not_mine;
     }
-    void on_time(nanoseconds, jaus::message_sink) {}
-    std::optional<nanoseconds> next_event() const { return std::nullopt; }
+    void on_time(time_point, jaus::message_sink) {}
+    std::optional<time_point> next_event() const { return std::nullopt; }
 } one;
 jaus::component_memory<> memory;
 jaus::component core{{}, memory, {}, {}, one};

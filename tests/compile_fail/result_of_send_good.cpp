@@ -3,6 +3,6 @@
 
 namespace jaus = jauscat::jaus;
 
-bool rest(jaus::component<>& unit, const jaus::address& arm, std::chrono::nanoseconds now, jaus::message_sink out) {
+bool rest(jaus::component<>& unit, const jaus::address& arm, jauscat::time_point now, jaus::message_sink out) {
     return static_cast<bool>(unit.send({.destination = arm}, jaus::standby{}, now, out));
 }

@@ -3,6 +3,6 @@
 
 namespace jaus = jauscat::jaus;
 
-void rest(jaus::component<>& unit, const jaus::address& arm, std::chrono::nanoseconds now, jaus::message_sink out) {
+void rest(jaus::component<>& unit, const jaus::address& arm, jauscat::time_point now, jaus::message_sink out) {
     unit.send({.destination = arm}, jaus::standby{}, now, out);
 }

@@ -2,6 +2,7 @@
 #include "ethercat/objects.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
+#include "support/instant.hpp"
 #include "support/simulated_link.hpp"
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/slave/loopback_link.hpp>
@@ -17,6 +18,7 @@ using jauscat::test::counting;
 using jauscat::test::from_hex;
 using jauscat::test::simulated_link;
 using jauscat::test::to_hex;
+using support::instant;
 namespace test = jauscat::test;
 
 namespace {
@@ -252,7 +254,7 @@ TEST_CASE("a master whose frame buffer is too small gives up with a reason") {
     bench b;
     bytes small(59);
     REQUIRE(b.master.start(bring_up{0, 1}));
-    CHECK(b.master.next_frame(small, 0ns) == 0);
+    CHECK(b.master.next_frame(small, instant{0ns}) == 0);
     CHECK(b.master.idle());
     CHECK(b.master.error().code == master_errc::no_space);
 }

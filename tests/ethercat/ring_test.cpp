@@ -2,6 +2,7 @@
 #include "ethercat/objects.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
+#include "support/instant.hpp"
 #include "support/simulated_link.hpp"
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
@@ -18,6 +19,7 @@ using namespace std::chrono_literals;
 using jauscat::test::from_hex;
 using jauscat::test::simulated_link;
 using jauscat::test::to_hex;
+using support::instant;
 namespace test = jauscat::test;
 
 namespace {
@@ -323,10 +325,10 @@ TEST_CASE("writes of the outputs trigger the watchdog even if the SII says other
     std::array<std::byte, 8> manager{};
     REQUIRE(b.run(exchange_datagram{command::fprd, 1, 0x0810, manager}));
     CHECK(to_hex(std::span{manager}.first(5)) == "00 1c 04 00 64");
-    b.at(0).on_time(0ms);
+    b.at(0).on_time(instant{0ms});
     REQUIRE(b.cycle(data));
-    b.at(0).on_time(1ms);
-    b.at(0).on_time(102ms);
+    b.at(0).on_time(instant{1ms});
+    b.at(0).on_time(instant{102ms});
     CHECK(b.at(0).state() == al_state::safe_op);
 }
 
@@ -400,8 +402,8 @@ TEST_CASE("a cycle that does not come back is lost, and a late one is not taken 
     b.op();
     process_data data{b.master.slaves()};
     bytes first(max_frame_size), second(max_frame_size);
-    first.resize(data.next_frame(first, 0ms));
-    second.resize(data.next_frame(second, 1ms));
+    first.resize(data.next_frame(first, instant{0ms}));
+    second.resize(data.next_frame(second, instant{1ms}));
     CHECK(data.statistics().lost == 1);
     b.at(0).process(first);
     CHECK(data.on_frame(first)); // ours, but late
@@ -413,10 +415,10 @@ TEST_CASE("a cycle that does not come back is lost, and a late one is not taken 
     // What the master sent is not this one's, and the other way round.
     bytes frame(max_frame_size);
     REQUIRE(b.master.start(change_state{1, al_state::op}));
-    frame.resize(b.master.next_frame(frame, 2ms));
+    frame.resize(b.master.next_frame(frame, instant{2ms}));
     b.at(0).process(frame);
     CHECK_FALSE(data.on_frame(frame));
-    CHECK(b.master.on_frame(frame, 2ms));
+    CHECK(b.master.on_frame(frame, instant{2ms}));
 }
 
 TEST_CASE("each cycle of watched slaves says of each one whether it is there and in OP") {
@@ -426,9 +428,9 @@ TEST_CASE("each cycle of watched slaves says of each one whether it is there and
     REQUIRE(data.fits());
     const auto status = [&](std::uint16_t station) { return data.status(*b.master.find(station)); };
     CHECK(status(1).condition == slave_condition::silent);
-    CHECK_FALSE(status(1).ran_within(1h, 0ms));
+    CHECK_FALSE(status(1).ran_within(1h, instant{0ms}));
 
-    b.link.now = 10ms;
+    b.link.now = instant{10ms};
     data.outputs(*b.master.find(1))[0] = std::byte{0x77};
     b.at(0).inputs()[0] = std::byte{0x55};
     b.at(1).inputs()[0] = std::byte{0x66};
@@ -449,30 +451,30 @@ TEST_CASE("each cycle of watched slaves says of each one whether it is there and
     for (std::uint16_t station = 1; station != 3; ++station) {
         CHECK(status(station).condition == slave_condition::running);
         CHECK(status(station).al.state == al_state::op);
-        CHECK(status(station).last_running == 10ms);
+        CHECK(status(station).last_running == instant{10ms});
         CHECK_FALSE(status(station).mail_waits);
     }
 
     // A master that took the first one's state: its inputs count in SAFE-OP, but it does not run.
-    b.link.now = 20ms;
+    b.link.now = instant{20ms};
     write_register(b.at(0), command::fpwr, 1, 0x0120, "0400");
     b.at(0).inputs()[0] = std::byte{0x56};
     REQUIRE(b.cycle(data));
     CHECK(status(1).condition == slave_condition::not_in_op);
     CHECK(status(1).al.state == al_state::safe_op);
-    CHECK(status(1).last_running == 10ms);
-    CHECK(status(1).last_inputs == 20ms);
+    CHECK(status(1).last_running == instant{10ms});
+    CHECK(status(1).last_inputs == instant{20ms});
     CHECK(to_hex(data.inputs(*b.master.find(1))) == "56");
     CHECK(status(2).condition == slave_condition::running);
 
     // Reset: what the other one says counts all the same.
-    b.link.now = 30ms;
+    b.link.now = instant{30ms};
     b.at(0).power_on();
     b.at(1).inputs()[0] = std::byte{0x67};
     REQUIRE(b.cycle(data));
     CHECK_FALSE(data.is_complete());
     CHECK(status(1).condition == slave_condition::absent);
-    CHECK(status(1).last_inputs == 20ms);
+    CHECK(status(1).last_inputs == instant{20ms});
     CHECK(status(2).condition == slave_condition::running);
     CHECK(to_hex(data.inputs(*b.master.find(2))) == "67");
 }
@@ -481,10 +483,10 @@ TEST_CASE("a watched slave says why it left OP") {
     bench b{motors};
     b.op();
     process_data data{b.master.slaves(), {.watch_slaves = true}};
-    b.at(0).on_time(0ms);
+    b.at(0).on_time(instant{0ms});
     REQUIRE(b.cycle(data));
-    b.at(0).on_time(1ms);
-    b.at(0).on_time(200ms); // its watchdog has expired
+    b.at(0).on_time(instant{1ms});
+    b.at(0).on_time(instant{200ms}); // its watchdog has expired
     REQUIRE(b.cycle(data));
     const auto& status = data.status(b.master.slaves().front());
     CHECK(status.condition == slave_condition::not_in_op);
@@ -498,17 +500,17 @@ TEST_CASE("a slave whose station address is gone does not run, though its proces
     b.op();
     process_data data{b.master.slaves(), {.watch_slaves = true}};
     b.at(0).inputs()[0] = std::byte{1};
-    b.link.now = 10ms;
+    b.link.now = instant{10ms};
     REQUIRE(b.cycle(data));
     write_register(b.at(0), command::apwr, 0, 0x0010, "0900");
     b.at(0).inputs()[0] = std::byte{2};
-    b.link.now = 20ms;
+    b.link.now = instant{20ms};
     REQUIRE(b.cycle(data));
     CHECK(data.is_complete());
     const auto& status = data.status(b.master.slaves().front());
     CHECK(status.condition == slave_condition::absent);
-    CHECK(status.last_running == 10ms);
-    CHECK(status.last_inputs == 10ms);
+    CHECK(status.last_running == instant{10ms});
+    CHECK(status.last_inputs == instant{10ms});
     CHECK(to_hex(data.inputs(b.master.slaves().front())) == "01");
 
     // Two slaves under one address: neither is believed.
@@ -528,7 +530,7 @@ TEST_CASE("a state that is not known does not count as running") {
     process_data data{b.master.slaves(), {.watch_slaves = true}};
     for (const unsigned raw : {0u, 5u, 6u, 7u, 9u, 0xCu, 0xFu, 0x18u}) {
         bytes frame(max_frame_size);
-        frame.resize(data.next_frame(frame, 1ms));
+        frame.resize(data.next_frame(frame, instant{1ms}));
         b.at(0).process(frame);
         mutable_frame_view view;
         REQUIRE(view.parse(frame));
@@ -546,25 +548,25 @@ TEST_CASE("silence of a watched slave is measured by the clock, from when the la
     b.op();
     process_data data{b.master.slaves(), {.watch_slaves = true}};
     const auto& status = data.status(b.master.slaves().front());
-    b.link.now = 10ms;
+    b.link.now = instant{10ms};
     REQUIRE(b.cycle(data));
-    CHECK(status.ran_within(100ms, 110ms));
-    CHECK(status.has_inputs_within(100ms, 110ms));
-    CHECK(status.condition_within(100ms, 110ms) == slave_condition::running);
-    CHECK_FALSE(status.ran_within(100ms, 110ms + 1ns));
-    CHECK(status.condition_within(100ms, 110ms + 1ns) == slave_condition::silent);
+    CHECK(status.ran_within(100ms, instant{110ms}));
+    CHECK(status.has_inputs_within(100ms, instant{110ms}));
+    CHECK(status.condition_within(100ms, instant{110ms}) == slave_condition::running);
+    CHECK_FALSE(status.ran_within(100ms, instant{110ms + 1ns}));
+    CHECK(status.condition_within(100ms, instant{110ms + 1ns}) == slave_condition::silent);
 
     bytes frame(max_frame_size); // received 300 ms after it was sent: its news are as old
-    frame.resize(data.next_frame(frame, 20ms));
+    frame.resize(data.next_frame(frame, instant{20ms}));
     b.at(0).process(frame);
     REQUIRE(data.on_frame(frame));
-    CHECK_FALSE(status.ran_within(100ms, 320ms));
-    CHECK(status.condition_within(100ms, 320ms) == slave_condition::silent);
+    CHECK_FALSE(status.ran_within(100ms, instant{320ms}));
+    CHECK(status.condition_within(100ms, instant{320ms}) == slave_condition::silent);
 
     b.at(0).power_on();
-    b.link.now = 330ms;
+    b.link.now = instant{330ms};
     REQUIRE(b.cycle(data));
-    CHECK(status.condition_within(100ms, 340ms) == slave_condition::absent);
+    CHECK(status.condition_within(100ms, instant{340ms}) == slave_condition::absent);
 }
 
 TEST_CASE("a slave that could not be brought up again keeps its place in the image: it may still run with it") {
@@ -625,18 +627,18 @@ TEST_CASE("as many slaves as a master has are watched in one frame; what does no
     bytes frame(max_frame_size);
     process_data plain_cycle{large.master.slaves()};
     CHECK(plain_cycle.fits());
-    CHECK(plain_cycle.next_frame(frame, 0ms) == 16 + 12 + 1424);
+    CHECK(plain_cycle.next_frame(frame, instant{0ms}) == 16 + 12 + 1424);
     bench full{{.outputs = many}, {.inputs = many}, {.outputs = std::span{many}.first(115)}};
     full.safe_op();
     process_data full_cycle{full.master.slaves()};
     for (int cycle = 0; cycle != 300; ++cycle) {
-        CHECK(full_cycle.next_frame(frame, cycle * 1ms) == 16 + 12 + 1484);
-        const auto size = plain_cycle.next_frame(frame, cycle * 1ms);
+        CHECK(full_cycle.next_frame(frame, instant{cycle * 1ms}) == 16 + 12 + 1484);
+        const auto size = plain_cycle.next_frame(frame, instant{cycle * 1ms});
         CHECK(size == (cycle < 254 ? 16 + 12 + 1424 : 16 + 12 + 1424 + 13)); // one more datagram: see process_data
     }
     process_data too_much{large.master.slaves(), {.watch_slaves = true}};
     CHECK_FALSE(too_much.fits());
-    CHECK(too_much.next_frame(frame, 0ms) == 0);
+    CHECK(too_much.next_frame(frame, instant{0ms}) == 0);
 }
 
 TEST_CASE("a reply of 256 cycles ago is not taken for that of the present cycle") {
@@ -647,7 +649,7 @@ TEST_CASE("a reply of 256 cycles ago is not taken for that of the present cycle"
         bytes first, frame;
         for (int cycle = 0; cycle != 257; ++cycle) {
             frame.resize(max_frame_size);
-            frame.resize(data.next_frame(frame, cycle * 1ms));
+            frame.resize(data.next_frame(frame, instant{cycle * 1ms}));
             if (cycle == 0) first = frame;
         }
         b.at(0).inputs()[0] = std::byte{0x77};
@@ -667,7 +669,7 @@ TEST_CASE("a late frame of a cycle before is nobody else's, however late, and wh
     b.op();
     process_data before{b.master.slaves()};
     bytes late(max_frame_size);
-    late.resize(before.next_frame(late, 0ms));
+    late.resize(before.next_frame(late, instant{0ms}));
     process_data data{b.master.slaves().first(1)};
     data.follow(before);
     for (int cycle = 0; cycle != 300; ++cycle) REQUIRE(b.cycle(data));

@@ -1,5 +1,6 @@
 // A JAUS message too large for one packet and for the slave's mailbox: assembled, translated, delivered in segments.
 #include "ethercat/segmented_bench.hpp"
+#include "support/instant.hpp"
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/bridge/message_assembly.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
@@ -8,6 +9,7 @@
 using namespace jauscat;
 using namespace std::chrono_literals;
 using jaus::reassembled;
+using support::instant;
 using test::counting;
 using test::segmented_bench;
 using test::to_hex;
@@ -46,7 +48,7 @@ packets large_data_set(const bytes& body, std::size_t share) {
 template <class Table> struct assembled {
     bridge::message_assembly<translate::translator<Table>::max_body> assembly{5s};
     packets taken{};
-    std::chrono::nanoseconds now{};
+    jauscat::time_point now{};
 
     reassembled give(const bytes& packet) {
         jaus::header h{};
@@ -129,7 +131,7 @@ TEST_CASE("four large data sets are assembled at a time, and a silent one makes 
             CHECK(a.give(part_from(subsystem, number)) == reassembled::waiting);
     CHECK(a.give(part_from(4)) == reassembled::repeated);
     CHECK(a.give(part_from(5)) == reassembled::no_room);
-    a.now = 6s;
+    a.now = instant{6s};
     CHECK(a.give(part_from(5)) == reassembled::waiting);
     CHECK(describe(reassembled::no_room) == "too many large data sets at a time: send it again later");
 }

@@ -2,6 +2,7 @@
 // frame as any master's.
 #include "ethercat/objects.hpp"
 #include "ethercat/slave_bench.hpp"
+#include "support/instant.hpp"
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 
 #include <chrono>
@@ -13,6 +14,7 @@ using namespace jauscat::ethercat;
 using namespace std::chrono_literals;
 using jauscat::test::from_hex;
 using jauscat::test::to_hex;
+using support::instant;
 namespace test = jauscat::test;
 
 namespace {
@@ -241,36 +243,36 @@ TEST_CASE("a slave whose outputs are not written for the watchdog's time goes to
     one.to_op();
     auto& device = one.slaves[0];
     CHECK(one.read(0x0440, 2).data == "01 00");
-    device.on_time(5s); // the time begins with the first look
+    device.on_time(instant{5s}); // the time begins with the first look
     one.lwr(0, "01020304");
-    device.on_time(5050ms);
-    device.on_time(5149ms);
+    device.on_time(instant{5050ms});
+    device.on_time(instant{5149ms});
     CHECK(device.state() == al_state::op);
-    device.on_time(5150ms);
+    device.on_time(instant{5150ms});
     CHECK(one.read(0x0130, 6).data == "14 00 00 00 1b 00");
     CHECK(one.read(0x0440, 2).data == "00 00");
     CHECK(one.lwr(0, "05060708").working_counter == 1);
     CHECK(to_hex(device.outputs()) == "01 02 03 04");
     CHECK(one.state("0800") == "14 00 00 00 1b 00"); // not acknowledged
     CHECK(one.state("1800") == "08 00 00 00 00 00");
-    device.on_time(9s);
-    device.on_time(9099ms);
+    device.on_time(instant{9s});
+    device.on_time(instant{9099ms});
     CHECK(device.state() == al_state::op);
 
     one.write(0x0420, "1400"); // 2 ms
-    device.on_time(9099ms + 1us);
+    device.on_time(instant{9099ms + 1us});
     CHECK(device.state() == al_state::safe_op);
     one.write(0x0420, "0000"); // off
     CHECK(one.state("1800") == "08 00 00 00 00 00");
-    device.on_time(20s);
-    device.on_time(30s);
+    device.on_time(instant{20s});
+    device.on_time(instant{30s});
     CHECK(device.state() == al_state::op);
 
     one.write(0x0420, "e803");
     one.write(0x0816, "00");
     one.write(0x0810, "001c 0400 24 00 01 00"); // a SyncManager without watchdog
-    device.on_time(40s);
-    device.on_time(50s);
+    device.on_time(instant{40s});
+    device.on_time(instant{50s});
     CHECK(device.state() == al_state::op);
 }
 

@@ -3,6 +3,7 @@
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/link/udp_link.hpp>
+#include <jauscat/net/now.hpp>
 
 #include <array>
 #include <chrono>
@@ -40,7 +41,7 @@ int main() try {
             slave.process(received);
             if (!link.send(received)) std::cout << link.problem() << std::endl;
         }
-        slave.on_time(std::chrono::steady_clock::now().time_since_epoch());
+        slave.on_time(jauscat::net::now());
     }
 } catch (const std::exception& problem) {
     return std::cerr << "wrong_size_slave: " << problem.what() << '\n', 1;

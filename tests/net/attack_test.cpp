@@ -2,6 +2,7 @@
 // datagrams, without sockets and through them.
 #include "net/defended_node.hpp"
 #include "support/allocations.hpp"
+#include "support/instant.hpp"
 #include "support/random_message.hpp"
 #include "support/until.hpp"
 #include <jauscat/net/link/udp_transport.hpp>
@@ -11,9 +12,9 @@
 
 using namespace jauscat;
 using namespace std::chrono_literals;
+using support::instant;
 using namespace net_test;
 using net::verdict;
-using std::chrono::nanoseconds;
 using byte_vector = std::vector<std::byte>;
 
 namespace {
@@ -33,7 +34,7 @@ const jaus::query_component_status status_query{};
 struct target {
     defended_node node{guarded_config};
     std::uint64_t answers{};
-    verdict receive(std::span<const std::byte> datagram, const net::access_list::endpoint& from, nanoseconds now) {
+    verdict receive(std::span<const std::byte> datagram, const net::access_list::endpoint& from, instant now) {
         return node.receive(datagram, from, now, [this](auto) { ++answers; });
     }
 };
@@ -153,7 +154,7 @@ TEST_CASE("one million random datagrams allocate nothing, and the node works on"
          {verdict::taken, verdict::malformed, verdict::unknown_peer, verdict::wrong_sender, verdict::rate_limited})
         verdicts[v] = 0;
     std::uint64_t answers_to_refused = 0;
-    nanoseconds now{1s};
+    jauscat::time_point now{1s};
     const auto before = support::allocations();
     for (int i = 0; i != 1'000'000; ++i) {
         now += 1ms; // within the rate, so that they come through
@@ -190,7 +191,7 @@ TEST_CASE("a storm through a socket is counted to the last datagram, and the nex
         std::to_string(console.local_endpoint().port()) + "'><limits rate='0'/></system>");
     net::datagram_gate gate{config};
     defended_node node{config};
-    const auto clock = [] { return std::chrono::steady_clock::now().time_since_epoch(); };
+    const auto clock = [] { return net::now(); };
     transport.set_filter([&](auto bytes, const auto& from) { return gate(bytes, from, clock()); });
     transport.start(
         [&](auto bytes, const auto& from, auto framing) {

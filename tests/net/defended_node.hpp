@@ -28,7 +28,6 @@ constexpr jauscat::jaus::address robot_arm{1, 33, 1, 2}, ocu{1, 32, 1, 1}, camer
 /// A primitive driver: gate, reassembly, core and one command of its own.
 class defended_node {
   public:
-    using time = std::chrono::nanoseconds;
     using verdict = jauscat::net::verdict;
     using bytes = std::span<const std::byte>;
 
@@ -37,12 +36,13 @@ class defended_node {
     }
 
     /// What a transport does with each datagram. `answer(bytes)` gets what is sent because of it.
-    verdict receive(bytes message, const jauscat::net::access_list::endpoint& from, time now, auto&& answer) {
+    verdict receive(bytes message, const jauscat::net::access_list::endpoint& from, jauscat::time_point now,
+                    auto&& answer) {
         const auto what = gate_(message, from, now);
         if (what == verdict::taken) take(message, now, answer);
         return what;
     }
-    void take(bytes message, time now, auto&& answer) {
+    void take(bytes message, jauscat::time_point now, auto&& answer) {
         namespace jaus = jauscat::jaus;
         const auto m = jaus::split(message);
         if (!m) return;
@@ -54,7 +54,7 @@ class defended_node {
         if (large_.on_packet(m.header, m.body, now, whole, [](auto&) {}) == jaus::reassembled::only)
             whole(m.header, m.body);
     }
-    void on_time(time now, auto&& answer) {
+    void on_time(jauscat::time_point now, auto&& answer) {
         core_.on_time(now, answer);
         large_.on_time(now, [](auto&) {});
     }

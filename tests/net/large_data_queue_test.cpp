@@ -1,5 +1,6 @@
 // Large data sets on their way out, repeated packet by packet over a bad network, in simulated time.
 #include "support/catch.hpp"
+#include "support/instant.hpp"
 #include <jauscat/jaus/component/component.hpp>
 #include <jauscat/jaus/large_data/reassembler.hpp>
 #include <jauscat/net/node/detail/large_data_queue.hpp>
@@ -13,6 +14,7 @@ namespace {
 namespace jaus = jauscat::jaus;
 using jauscat::net::detail::large_data_queue;
 using namespace std::chrono_literals;
+using support::instant;
 using bytes = std::vector<std::byte>;
 using nanoseconds = std::chrono::nanoseconds;
 
@@ -41,7 +43,8 @@ struct transfer {
     std::vector<jaus::delivered> outcomes{};
     std::size_t packets{};
 
-    void run(nanoseconds end) {
+    void run(instant until) {
+        const jauscat::time_point end = until;
         while (now < end) {
             queue.on_time(
                 now, [&](std::span<const std::byte> packet) { ++packets, put(packet, to_receiver); },
@@ -57,10 +60,10 @@ struct transfer {
         }
     }
 
-    nanoseconds now{};
+    jauscat::time_point now{};
 
   private:
-    using wire = std::multimap<nanoseconds, bytes>;
+    using wire = std::multimap<jauscat::time_point, bytes>;
 
     void put(std::span<const std::byte> packet, wire& on) {
         if (random() % 100 < network.loss) return;
@@ -131,7 +134,7 @@ TEST_CASE("a good network carries each packet of a large data set once") {
     t.run(20s);
     REQUIRE(t.arrived.size() == 4);
     REQUIRE(t.packets == 4 * 37);
-    REQUIRE(t.now < 4 * (37ms / 4 + 12ms + 40ms)); // a short pause after each
+    REQUIRE(t.now < instant{4 * (37ms / 4 + 12ms + 40ms)}); // a short pause after each
 }
 
 TEST_CASE("a large data set without an answer is given up after its attempts, and the next one goes on") {
@@ -140,7 +143,7 @@ TEST_CASE("a large data set without an answer is given up after its attempts, an
     t.run(20s);
     REQUIRE(t.outcomes == std::vector{jaus::delivered::timed_out});
     REQUIRE(t.packets == 21); // the first, and nothing behind it
-    REQUIRE(t.now >= 21 * 50ms);
+    REQUIRE(t.now >= instant{21 * 50ms});
     t.network.receiver_is_there = true;
     REQUIRE(t.queue.push(head, image(150'000, 2)) == jaus::errc::ok);
     t.run(40s);
@@ -171,21 +174,21 @@ TEST_CASE(
     REQUIRE(t.arrived.size() == 3);
     REQUIRE((t.arrived[1] == other));
     REQUIRE(t.packets == 3 * 5 + 1);
-    REQUIRE(t.now < 3 * (10ms + 40ms));
+    REQUIRE(t.now < instant{3 * (10ms + 40ms)});
 }
 
 // Its program was suspended; the receiver knows a whole data set for two seconds.
 TEST_CASE("a large data set is not sent once more when its receiver may have forgotten that it has it") {
     large_data_queue queue{100'000, {}};
-    const jauscat::net::detail::large_data_queue::time begin = 10s;
+    const jauscat::time_point begin = instant{10s};
     std::vector<std::uint16_t> sent;
     std::vector<jaus::delivered> outcomes;
-    const auto drive = [&](nanoseconds now) {
+    const auto drive = [&](jauscat::time_point now) {
         queue.on_time(
             now, [&](std::span<const std::byte> packet) { sent.push_back(jaus::split(packet).header.sequence_number); },
             [&](const jaus::header&, jaus::delivered what) { outcomes.push_back(what); });
     };
-    const auto acknowledge = [&](std::uint16_t number, nanoseconds now) {
+    const auto acknowledge = [&](std::uint16_t number, jauscat::time_point now) {
         auto answer = jaus::answer_to(head);
         answer.command_code = head.command_code;
         answer.ack_nak = jaus::ack_nak::ack;
@@ -196,7 +199,7 @@ TEST_CASE("a large data set is not sent once more when its receiver may have for
     drive(begin);
     acknowledge(0, begin);
     // The last one gets no answer: after four attempts all is sent again.
-    nanoseconds now = begin;
+    jauscat::time_point now = begin;
     while (sent != std::vector<std::uint16_t>{0, 1, 1, 1, 1, 0}) {
         drive(now += 1ms);
         REQUIRE(now < begin + 1s);
@@ -211,7 +214,7 @@ TEST_CASE("a large data set that is refused ends with the first NAK") {
     REQUIRE(refused.queue.push(head, image(20'000, 1)) == jaus::errc::ok);
     refused.run(20s);
     REQUIRE(refused.outcomes == std::vector{jaus::delivered::refused});
-    REQUIRE(refused.now < 100ms);
+    REQUIRE(refused.now < instant{100ms});
 }
 
 TEST_CASE("what asks for no acknowledgement, or goes to all of a level, is sent once and waited for by nobody") {
@@ -225,7 +228,7 @@ TEST_CASE("what asks for no acknowledgement, or goes to all of a level, is sent 
     t.run(20s);
     REQUIRE(t.packets == 2 * 5);
     REQUIRE(t.outcomes.empty());
-    REQUIRE(t.now < 100ms + 500ms); // the second goes to the receiver of the first too
+    REQUIRE(t.now < instant{100ms + 500ms}); // the second goes to the receiver of the first too
 }
 
 TEST_CASE("acknowledgements of others are not the queue's") {
@@ -236,17 +239,17 @@ TEST_CASE("acknowledgements of others are not the queue's") {
         to.ack_nak = jaus::ack_nak::ack;
         return to;
     };
-    REQUIRE_FALSE(queue.on_acknowledgement(answer(head), 0ns));
+    REQUIRE_FALSE(queue.on_acknowledgement(answer(head), instant{0ns}));
     REQUIRE(queue.push(head, image(20'000, 1)) == jaus::errc::ok);
     auto other = head;
     other.destination.component = 99;
-    REQUIRE_FALSE(queue.on_acknowledgement(answer(other), 0ns));
+    REQUIRE_FALSE(queue.on_acknowledgement(answer(other), instant{0ns}));
     other = head;
     other.sequence_number = 5; // of 0 to 4
-    REQUIRE_FALSE(queue.on_acknowledgement(answer(other), 0ns));
-    REQUIRE_FALSE(queue.on_acknowledgement(answer(head), 0ns)); // nothing is sent yet
-    queue.on_time(1s, [](std::span<const std::byte>) {}, {});
-    REQUIRE(queue.on_acknowledgement(answer(head), 1s));
+    REQUIRE_FALSE(queue.on_acknowledgement(answer(other), instant{0ns}));
+    REQUIRE_FALSE(queue.on_acknowledgement(answer(head), instant{0ns})); // nothing is sent yet
+    queue.on_time(instant{1s}, [](std::span<const std::byte>) {}, {});
+    REQUIRE(queue.on_acknowledgement(answer(head), instant{1s}));
     REQUIRE(queue.push(head, image(100'000, 1)) == jaus::errc::no_space);
 }
 
@@ -263,7 +266,7 @@ TEST_CASE("a large data set that the component refused is refused again when the
     jauscat::net::detail::node_components components{options, log};
     components.add({core, application});
     components.start(1U << 20U, nullptr);
-    nanoseconds now{};
+    jauscat::time_point now{};
     const auto answer_to = [&](jaus::data_flag flag, std::uint16_t number, std::byte content) {
         auto packet = head;
         packet.data_flag = flag;
@@ -309,9 +312,9 @@ TEST_CASE("a patience without end does not end, and wakes nobody") {
     const auto ignore = [](std::span<const std::byte>) {};
     auto packet = head;
     packet.data_flag = jaus::data_flag::first;
-    components.hand_on(0, packet, image(10, 1), {.now = 1s}, ignore);
+    components.hand_on(0, packet, image(10, 1), {.now = instant{1s}}, ignore);
     REQUIRE(components.next_event() == std::nullopt);
-    components.on_time(1000h, ignore);
+    components.on_time(instant{1000h}, ignore);
     REQUIRE(components.next_event() == std::nullopt);
     REQUIRE(lines == 0);
 }

@@ -50,7 +50,7 @@ struct seen_message {
 
 /// A node with one component, and what it says.
 struct program {
-    using time = std::chrono::nanoseconds;
+    using time = jauscat::time_point;
 
     program(boost::asio::io_context& context, const net::jaus_config& c, const jaus::address& id,
             net::jaus_node_options options = {})

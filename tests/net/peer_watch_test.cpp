@@ -1,7 +1,9 @@
 // Lost peers of programs that no node manager tells about them, in simulated time.
 #include "net/simulated_program.hpp"
+#include "support/instant.hpp"
 
 using namespace net_test;
+using support::instant;
 
 namespace {
 
@@ -79,13 +81,14 @@ TEST_CASE("a flood of peers that bind a component takes a bounded number of plac
     net::detail::peer_watch watch{3s};
     const auto self = make(2, 1, 33);
     for (unsigned node = 1; node != 255; ++node)
-        for (unsigned component = 1; component != 255; ++component) watch.bind(make(9, node, component), self, 0s);
+        for (unsigned component = 1; component != 255; ++component)
+            watch.bind(make(9, node, component), self, instant{0s});
     std::size_t asked = 0, lost = 0;
     const auto none_known = [](const jaus::address&) { return false; };
     const auto count_lost = [&](const jaus::address&) { ++lost; };
-    watch.on_time(1s, none_known, [&](std::span<const std::byte>) { ++asked; }, count_lost);
+    watch.on_time(instant{1s}, none_known, [&](std::span<const std::byte>) { ++asked; }, count_lost);
     REQUIRE(asked == net::detail::peer_watch::most);
-    watch.on_time(3s, none_known, [](std::span<const std::byte>) {}, count_lost);
+    watch.on_time(instant{3s}, none_known, [](std::span<const std::byte>) {}, count_lost);
     REQUIRE(lost == net::detail::peer_watch::most);
     REQUIRE_FALSE(watch.next_event());
 }

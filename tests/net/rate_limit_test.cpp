@@ -1,5 +1,6 @@
 // Token buckets: rate, burst, idle times; and a table of them under a flood of senders.
 #include "support/catch.hpp"
+#include "support/instant.hpp"
 #include <jauscat/net/limited_log.hpp>
 #include <jauscat/net/rate_limit.hpp>
 
@@ -8,16 +9,19 @@
 #include <vector>
 
 using namespace std::chrono_literals;
-using net_time = std::chrono::nanoseconds;
+using jauscat::duration;
+using jauscat::time_point;
 using jauscat::net::rate;
 using jauscat::net::rate_key;
 using jauscat::net::rate_limit;
 using jauscat::net::token_bucket;
+using support::instant;
 
 namespace {
 
 /// Messages of `count` sent every `step` that are taken.
-int taken(token_bucket& bucket, const rate& limit, net_time start, net_time step, int count) {
+int taken(token_bucket& bucket, const rate& limit, instant from, duration step, int count) {
+    const time_point start = from;
     int sum = 0;
     for (int i = 0; i != count; ++i) sum += bucket.take(limit, start + step * i) ? 1 : 0;
     return sum;
@@ -26,7 +30,7 @@ int taken(token_bucket& bucket, const rate& limit, net_time start, net_time step
 } // namespace
 
 TEST_CASE("a bucket gives its burst at once and then its rate") {
-    for (const net_time start : {net_time{-5s}, net_time{0s}, net_time{1'000'000s}}) {
+    for (const time_point start : {time_point{-5s}, time_point{0s}, time_point{1'000'000s}}) {
         token_bucket bucket;
         const rate limit{.per_second = 100, .burst = 10};
         CHECK(taken(bucket, limit, start, 0ns, 50) == 10);
@@ -45,10 +49,10 @@ TEST_CASE("a sender at its rate is never refused") {
 TEST_CASE("a bucket that was left alone is full again and no fuller") {
     token_bucket bucket;
     const rate limit{.per_second = 10, .burst = 5};
-    CHECK(bucket.is_full(0s));
+    CHECK(bucket.is_full(instant{0s}));
     CHECK(taken(bucket, limit, 0s, 0ns, 9) == 5);
-    CHECK_FALSE(bucket.is_full(499ms));
-    CHECK(bucket.is_full(500ms));
+    CHECK_FALSE(bucket.is_full(instant{499ms}));
+    CHECK(bucket.is_full(instant{500ms}));
     CHECK(taken(bucket, limit, 1h, 0ns, 9) == 5);
 }
 
@@ -66,10 +70,10 @@ TEST_CASE("limits at their ends: none, a burst of zero, the largest numbers") {
 TEST_CASE("each sender has a bucket of its own") {
     rate_limit<64> limits{{.per_second = 10, .burst = 3}};
     for (const rate_key& sender : {rate_key{0, 1}, rate_key{1, 0}, rate_key{0, 0}}) {
-        for (int i = 0; i != 3; ++i) CHECK(limits.take(sender, 1s));
-        CHECK_FALSE(limits.take(sender, 1s));
+        for (int i = 0; i != 3; ++i) CHECK(limits.take(sender, instant{1s}));
+        CHECK_FALSE(limits.take(sender, instant{1s}));
     }
-    CHECK(limits.take({0, 1}, 1100ms));
+    CHECK(limits.take({0, 1}, instant{1100ms}));
     CHECK(limits.crowded() == 0);
 }
 
@@ -77,31 +81,31 @@ TEST_CASE("a flood of senders is limited as a whole and does not push out those 
     const rate limit{.per_second = 1000, .burst = 10};
     rate_limit<64> limits{limit, 42};
     const rate_key peer{0, 7};
-    for (int i = 0; i != 10; ++i) CHECK(limits.take(peer, 0s));
-    CHECK_FALSE(limits.take(peer, 0s));
+    for (int i = 0; i != 10; ++i) CHECK(limits.take(peer, instant{0s}));
+    CHECK_FALSE(limits.take(peer, instant{0s}));
 
     std::mt19937_64 random{3};
     std::uint64_t taken = 0;
-    for (int i = 0; i != 100'000; ++i) taken += limits.take({random(), random()}, 0s) ? 1 : 0;
+    for (int i = 0; i != 100'000; ++i) taken += limits.take({random(), random()}, instant{0s}) ? 1 : 0;
     CHECK(taken <= 63 + 10); // one each while there are places, then the shared bucket
     CHECK(taken >= 50);
     CHECK(limits.crowded() > 99'000);
-    CHECK_FALSE(limits.take(peer, 0s)); // its bucket was not forgotten
-    CHECK(limits.take(peer, 1ms));
+    CHECK_FALSE(limits.take(peer, instant{0s})); // its bucket was not forgotten
+    CHECK(limits.take(peer, instant{1ms}));
 }
 
 TEST_CASE("idle senders make room for others") {
     rate_limit<8> limits{{.per_second = 10, .burst = 1}};
     for (int second = 0; second != 100; ++second)
         for (std::uint64_t sender = 0; sender != 8; ++sender)
-            CHECK(limits.take({static_cast<std::uint64_t>(second), sender}, std::chrono::seconds{second}));
+            CHECK(limits.take({static_cast<std::uint64_t>(second), sender}, instant{std::chrono::seconds{second}}));
     CHECK(limits.crowded() == 0);
 }
 
 TEST_CASE("a limit is computed at compile time as well, so it uses no clock and no memory of its own") {
     constexpr bool second_is_refused = [] {
         rate_limit<8> limits{{.per_second = 1, .burst = 1}};
-        return limits.take({1, 2}, 1s) && !limits.take({1, 2}, 1s);
+        return limits.take({1, 2}, instant{1s}) && !limits.take({1, 2}, instant{1s});
     }();
     static_assert(second_is_refused);
     SUCCEED();
@@ -113,9 +117,9 @@ TEST_CASE("a log is limited by cause: what floods it does not hide what else hap
                                   {.per_second = 1, .burst = 2}};
     const auto flood = [] { return "refused"; };
     const auto rare = [] { return "lost"; };
-    for (int i = 0; i != 1000; ++i) log(0s, flood);
-    log(0s, rare);
-    log(1s, flood);
+    for (int i = 0; i != 1000; ++i) log(instant{0s}, flood);
+    log(instant{0s}, rare);
+    log(instant{1s}, flood);
     REQUIRE(lines == std::vector<std::string>{"refused", "refused", "lost", "998 lines such as the next were left out",
                                               "refused"});
 }

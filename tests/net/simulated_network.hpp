@@ -15,7 +15,6 @@ namespace net_test {
 /// Carries datagrams between node machines by their endpoints.
 class simulated_network {
   public:
-    using time = std::chrono::nanoseconds;
     using machine = jauscat::net::node_machine;
     using endpoint = machine::endpoint;
 
@@ -24,11 +23,11 @@ class simulated_network {
         unsigned lose{};
         unsigned duplicate{};
         unsigned delay{};
-        time longest{std::chrono::milliseconds{3}}; ///< of a delay
+        jauscat::duration longest{std::chrono::milliseconds{3}}; ///< of a delay
     } faults{};
-    time now{std::chrono::hours{1}};
-    time trip{std::chrono::microseconds{100}}; ///< one way
-    std::size_t sent{};                        ///< datagrams
+    jauscat::time_point now{std::chrono::hours{1}};
+    jauscat::duration trip{std::chrono::microseconds{100}}; ///< one way
+    std::size_t sent{};                                     ///< datagrams
 
     explicit simulated_network(unsigned seed = 1) : random_{seed} {}
 
@@ -38,8 +37,9 @@ class simulated_network {
             ++sent;
             if (happens(faults.lose)) return;
             for (int copies = happens(faults.duplicate) ? 2 : 1; copies != 0; --copies) {
-                time at = now + trip;
-                if (happens(faults.delay)) at += time{random_() % static_cast<std::uint64_t>(faults.longest.count())};
+                jauscat::time_point at = now + trip;
+                if (happens(faults.delay))
+                    at += jauscat::duration{random_() % static_cast<std::uint64_t>(faults.longest.count())};
                 travelling_.emplace(at, datagram{from, to, framing, {message.begin(), message.end()}});
             }
         };
@@ -48,9 +48,9 @@ class simulated_network {
     void detach(const endpoint& at) { nodes_.erase(at); }
 
     /// Until `done()` or `end`; whether it is done.
-    bool run(time end, const std::function<bool()>& done = [] { return false; }) {
+    bool run(jauscat::time_point end, const std::function<bool()>& done = [] { return false; }) {
         while (!done()) {
-            std::optional<time> next;
+            std::optional<jauscat::time_point> next;
             if (!travelling_.empty()) next = travelling_.begin()->first;
             for (const auto& [at, node] : nodes_)
                 if (const auto due = node->next_event(); due && (!next || *due < *next)) next = due;
@@ -82,7 +82,7 @@ class simulated_network {
 
     std::mt19937_64 random_;
     std::map<endpoint, machine*> nodes_{};
-    std::multimap<time, datagram> travelling_{};
+    std::multimap<jauscat::time_point, datagram> travelling_{};
 };
 
 } // namespace net_test

@@ -1,6 +1,7 @@
 // Acknowledged messages: sent again until answered, handed on once.
 #include "node/lossy_channel.hpp"
 #include "support/catch.hpp"
+#include "support/instant.hpp"
 #include <jauscat/jaus/component/acknowledged_receiver.hpp>
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/schema/jaus/core.hpp>
@@ -11,6 +12,7 @@ namespace {
 
 using namespace jauscat::test;
 using namespace std::chrono_literals;
+using support::instant;
 namespace jaus = jauscat::jaus;
 using jaus::ack_nak;
 using jaus::delivered;
@@ -41,7 +43,7 @@ struct ocu {
             {.ack_nak = how, .command_code = code, .destination = to, .source = from, .sequence_number = number},
             tell());
     }
-    void on_time(nanoseconds now) { commands.on_time(now, sent.sink(), tell()); }
+    void on_time(instant now) { commands.on_time(now, sent.sink(), tell()); }
 };
 using outcomes = std::vector<std::pair<std::uint16_t, delivered>>;
 
@@ -52,7 +54,7 @@ struct arm {
     sent_messages sent{};
     int handed_on{};
 
-    received hear(std::uint16_t code, std::uint16_t number, std::uint8_t body = 0, nanoseconds now = 0s,
+    received hear(std::uint16_t code, std::uint16_t number, std::uint8_t body = 0, instant now = 0s,
                   message_outcome outcome = message_outcome::taken, jaus::address from = ocu_address,
                   ack_nak wish = ack_nak::request, jaus::address to = arm_address) {
         const jaus::header head{.ack_nak = wish,
@@ -76,7 +78,7 @@ struct arm {
 
 TEST_CASE("a message asks for its acknowledgement and is not sent again once that is there") {
     ocu o;
-    const auto sent = o.commands.send(to_arm, jaus::set_component_authority{7}, 1s, o.sent.sink());
+    const auto sent = o.commands.send(to_arm, jaus::set_component_authority{7}, instant{1s}, o.sent.sink());
     REQUIRE(sent);
     REQUIRE(o.sent.size() == 1);
     REQUIRE(o.sent.header(0).ack_nak == ack_nak::request);
@@ -87,7 +89,7 @@ TEST_CASE("a message asks for its acknowledgement and is not sent again once tha
     REQUIRE(o.heard == outcomes{{sent.sequence_number, delivered::acknowledged}});
     REQUIRE(o.commands.waiting() == 0);
     REQUIRE_FALSE(o.commands.next_event());
-    o.on_time(10s);
+    o.on_time(instant{10s});
     REQUIRE(o.sent.size() == 1);
     REQUIRE_FALSE(o.answer(0x0001, sent.sequence_number, ack_nak::ack)); // a second one is nobody's
     REQUIRE(o.heard.size() == 1);
@@ -95,27 +97,27 @@ TEST_CASE("a message asks for its acknowledgement and is not sent again once tha
 
 TEST_CASE("a NAK is an outcome as well") {
     ocu o;
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()));
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()));
     REQUIRE(o.answer(0x0003, 1, ack_nak::nak));
     REQUIRE(o.heard == outcomes{{1, delivered::refused}});
 }
 
 TEST_CASE("a message without an answer is sent again, the same bytes, and given up after all attempts") {
     ocu o;
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 1s, o.sent.sink()));
-    REQUIRE(o.commands.next_event() == 1100ms);
-    o.on_time(1100ms - 1ns);
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{1s}, o.sent.sink()));
+    REQUIRE(o.commands.next_event() == instant{1100ms});
+    o.on_time(instant{1100ms - 1ns});
     REQUIRE(o.sent.size() == 1);
-    o.on_time(1100ms);
+    o.on_time(instant{1100ms});
     REQUIRE(o.sent.size() == 2);
-    REQUIRE(o.commands.next_event() == 1200ms);
-    o.on_time(1250ms); // late: the next timeout counts from here
-    REQUIRE(o.commands.next_event() == 1350ms);
+    REQUIRE(o.commands.next_event() == instant{1200ms});
+    o.on_time(instant{1250ms}); // late: the next timeout counts from here
+    REQUIRE(o.commands.next_event() == instant{1350ms});
     REQUIRE(o.sent.size() == 3);
     REQUIRE(o.sent[1] == o.sent[0]);
     REQUIRE(o.sent[2] == o.sent[0]);
     REQUIRE(o.heard.empty());
-    o.on_time(1350ms);
+    o.on_time(instant{1350ms});
     REQUIRE(o.sent.size() == 3);
     REQUIRE(o.heard == outcomes{{1, delivered::timed_out}});
     REQUIRE_FALSE(o.commands.next_event());
@@ -125,13 +127,13 @@ TEST_CASE("a message without an answer is sent again, the same bytes, and given 
 // Its receiver may have forgotten it by then, and would obey it a second time.
 TEST_CASE("a message that was to be sent again while its program was suspended is given up") {
     ocu o;
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 1s, o.sent.sink()));
-    o.on_time(1100ms);
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{1s}, o.sent.sink()));
+    o.on_time(instant{1100ms});
     REQUIRE(o.sent.size() == 2);
-    o.on_time(1300ms - 1ns); // late, and soon enough
+    o.on_time(instant{1300ms - 1ns}); // late, and soon enough
     REQUIRE(o.sent.size() == 3);
-    REQUIRE(o.commands.send(to_arm, jaus::resume{}, 2s, o.sent.sink()));
-    o.on_time(2300ms); // suspended
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{2s}, o.sent.sink()));
+    o.on_time(instant{2300ms}); // suspended
     REQUIRE(o.sent.size() == 4);
     REQUIRE(o.heard == outcomes{{1, delivered::timed_out}, {2, delivered::timed_out}});
     REQUIRE_FALSE(o.answer(0x0004, 2, ack_nak::ack)); // it lay in the socket
@@ -139,7 +141,7 @@ TEST_CASE("a message that was to be sent again while its program was suspended i
 
 TEST_CASE("only the answer to a message counts: its code, number, sender and addressee") {
     ocu o;
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()));
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()));
     REQUIRE_FALSE(o.answer(0x0004, 1, ack_nak::ack));
     REQUIRE_FALSE(o.answer(0x0003, 2, ack_nak::ack));
     REQUIRE_FALSE(o.answer(0x0003, 1, ack_nak::ack, other));
@@ -152,20 +154,20 @@ TEST_CASE("only the answer to a message counts: its code, number, sender and add
 
 TEST_CASE("as many messages wait as there are places") {
     ocu o;
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()));
-    REQUIRE(o.commands.send(to_arm, jaus::resume{}, 50ms, o.sent.sink()).sequence_number == 2);
-    REQUIRE(o.commands.send(to_arm, jaus::resume{}, 50ms, o.sent.sink()).error == send_errc::no_room);
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()));
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).sequence_number == 2);
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).error == send_errc::no_room);
     REQUIRE(o.sent.size() == 2);
-    REQUIRE(o.commands.next_event() == 100ms);
+    REQUIRE(o.commands.next_event() == instant{100ms});
     REQUIRE(o.answer(0x0003, 1, ack_nak::ack));
-    REQUIRE(o.commands.next_event() == 150ms);
-    REQUIRE(o.commands.send(to_arm, jaus::resume{}, 50ms, o.sent.sink()).sequence_number == 3);
+    REQUIRE(o.commands.next_event() == instant{150ms});
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).sequence_number == 3);
 }
 
 TEST_CASE("what cannot be acknowledged or does not fit is not sent") {
     ocu o;
     const auto send = [&](const jaus::header& head, const auto& body) {
-        return o.commands.send(head, body, 0s, o.sent.sink()).error;
+        return o.commands.send(head, body, instant{0s}, o.sent.sink()).error;
     };
     REQUIRE(send({.destination = {255, 49, 2, 3}, .source = ocu_address}, jaus::standby{}) ==
             send_errc::not_one_address);
@@ -173,14 +175,14 @@ TEST_CASE("what cannot be acknowledged or does not fit is not sent") {
     REQUIRE(send({.priority = 16, .destination = arm_address}, jaus::standby{}) == send_errc::invalid);
     REQUIRE(send(to_arm, jaus::report_component_control{}) == send_errc::too_large); // 21 bytes, a place has 20
     const auto large = message(to_arm, jaus::report_component_control{});
-    REQUIRE(o.commands.send(large, 0s, o.sent.sink()).error == send_errc::too_large);
-    REQUIRE(o.commands.send(std::span{large}.first(15), 0s, o.sent.sink()).error == send_errc::invalid);
-    REQUIRE(o.commands.send(std::span{large}.first(20), 0s, o.sent.sink()).error == send_errc::invalid);
+    REQUIRE(o.commands.send(large, instant{0s}, o.sent.sink()).error == send_errc::too_large);
+    REQUIRE(o.commands.send(std::span{large}.first(15), instant{0s}, o.sent.sink()).error == send_errc::invalid);
+    REQUIRE(o.commands.send(std::span{large}.first(20), instant{0s}, o.sent.sink()).error == send_errc::invalid);
     const auto part = message({.destination = arm_address, .data_flag = jaus::data_flag::first}, jaus::standby{});
-    REQUIRE(o.commands.send(part, 0s, o.sent.sink()).error == send_errc::too_large);
+    REQUIRE(o.commands.send(part, instant{0s}, o.sent.sink()).error == send_errc::too_large);
     REQUIRE(o.sent.empty());
     REQUIRE(o.commands.waiting() == 0);
-    REQUIRE(jaus::acknowledged_sender{{}, {}}.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).error ==
+    REQUIRE(jaus::acknowledged_sender{{}, {}}.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).error ==
             send_errc::no_room);
 }
 
@@ -189,8 +191,8 @@ TEST_CASE("a whole message is sent with a number of its own") {
     const auto ready =
         message({.priority = 9, .destination = arm_address, .source = ocu_address, .sequence_number = 50},
                 jaus::set_component_authority{3});
-    REQUIRE(o.commands.send(ready, 0s, o.sent.sink()).sequence_number == 1);
-    REQUIRE(o.commands.send(ready, 0s, o.sent.sink()).sequence_number == 2);
+    REQUIRE(o.commands.send(ready, instant{0s}, o.sent.sink()).sequence_number == 1);
+    REQUIRE(o.commands.send(ready, instant{0s}, o.sent.sink()).sequence_number == 2);
     REQUIRE(o.sent.header(1).sequence_number == 2);
     REQUIRE(o.sent.header(1).priority == 9);
     REQUIRE(o.sent.header(1).ack_nak == ack_nak::request);
@@ -204,10 +206,11 @@ TEST_CASE("a program that starts again begins with another number, so that its f
         std::array<std::byte, 2 * 20> copies{};
         jaus::acknowledged_sender commands{places, copies, {.first_number = first}};
         sent_messages sent{};
-        REQUIRE(commands.send(to_arm, jaus::release_component_control{}, 0s, sent.sink()).sequence_number == first);
+        REQUIRE(commands.send(to_arm, jaus::release_component_control{}, instant{0s}, sent.sink()).sequence_number ==
+                first);
         REQUIRE(a.hear(0x000E, first) == received::handed_on);
         REQUIRE(a.hear(0x000E, first) == received::repeated);
-        REQUIRE(commands.send(to_arm, jaus::standby{}, 0s, sent.sink()).sequence_number ==
+        REQUIRE(commands.send(to_arm, jaus::standby{}, instant{0s}, sent.sink()).sequence_number ==
                 static_cast<std::uint16_t>(first + 1));
     }
     REQUIRE(a.handed_on == 3);
@@ -215,23 +218,23 @@ TEST_CASE("a program that starts again begins with another number, so that its f
 
 TEST_CASE("numbers go around and leave out the ones that wait") {
     ocu o;
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).sequence_number == 1);
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).sequence_number == 1);
     for (unsigned n = 2; n <= 0xFFFF; ++n) {
-        REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).sequence_number == n);
+        REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).sequence_number == n);
         REQUIRE(o.answer(0x0003, static_cast<std::uint16_t>(n), ack_nak::ack));
         o.sent.clear();
     }
     // 0 is the number of those that do not count.
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()).sequence_number == 2);
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).sequence_number == 2);
 }
 
 TEST_CASE("the handler of an outcome may send the next message into the place that has become free") {
     ocu o;
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()));
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 0s, o.sent.sink()));
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()));
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()));
     int next = 0;
     const auto send_next = [&](const jaus::awaited_message&, delivered) {
-        next += static_cast<bool>(o.commands.send(to_arm, jaus::resume{}, 1s, o.sent.sink()));
+        next += static_cast<bool>(o.commands.send(to_arm, jaus::resume{}, instant{1s}, o.sent.sink()));
     };
     REQUIRE(o.commands.on_message({.ack_nak = ack_nak::ack,
                                    .command_code = 3,
@@ -240,7 +243,7 @@ TEST_CASE("the handler of an outcome may send the next message into the place th
                                    .sequence_number = 1},
                                   send_next));
     REQUIRE(next == 1);
-    for (const nanoseconds now : {1000ms, 1100ms, 1200ms, 1300ms}) o.commands.on_time(now, o.sent.sink(), send_next);
+    for (const auto now : {1000ms, 1100ms, 1200ms, 1300ms}) o.commands.on_time(instant{now}, o.sent.sink(), send_next);
     REQUIRE(next == 4); // the second one had waited for a second: it was given up at once
     REQUIRE(o.commands.waiting() == 2);
 }
@@ -294,8 +297,8 @@ TEST_CASE("a memory or a timeout without end does not end") {
     REQUIRE(a.hear(0x0001, 5, 0, 1000h) == received::repeated);
     ocu o;
     o.commands = {o.places, o.copies, {.retry = {.interval = nanoseconds::max(), .attempts = 4}}};
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, 1s, o.sent.sink()));
-    o.on_time(1000h);
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{1s}, o.sent.sink()));
+    o.on_time(instant{1000h});
     REQUIRE(o.sent.size() == 1);
 }
 
@@ -386,7 +389,7 @@ TEST_CASE("a refused repeat of a pending message numbered 0 gets no NAK") {
     REQUIRE(a.sent.size() == 1);
     const jaus::header pending{
         .ack_nak = ack_nak::request, .command_code = 0x0405, .destination = arm_address, .source = ocu_address};
-    REQUIRE(a.commands.finish(pending, true, 0s, a.sent.sink()));
+    REQUIRE(a.commands.finish(pending, true, instant{0s}, a.sent.sink()));
     REQUIRE(a.answer(1) == ack_nak::ack);
 }
 
@@ -475,7 +478,7 @@ TEST_CASE("one source cannot take all places, all sources together can, Set Emer
 
 TEST_CASE("a deferred message is acknowledged when it is finished, its repeats before that are dropped") {
     arm a;
-    const auto finish = [&](std::uint16_t number, bool executed, nanoseconds now) {
+    const auto finish = [&](std::uint16_t number, bool executed, instant now) {
         return a.commands.finish({.ack_nak = ack_nak::request,
                                   .command_code = 0x0405,
                                   .destination = arm_address,
@@ -486,15 +489,15 @@ TEST_CASE("a deferred message is acknowledged when it is finished, its repeats b
     };
     REQUIRE(a.hear(0x0405, 5, 1, 0s, message_outcome::deferred) == received::handed_on);
     REQUIRE(a.hear(0x0405, 6, 1, 0s, message_outcome::deferred) == received::handed_on);
-    for (const nanoseconds now : {0s, 1s, 3600s}) REQUIRE(a.hear(0x0405, 5, 1, now) == received::pending);
+    for (const auto now : {0s, 1s, 3600s}) REQUIRE(a.hear(0x0405, 5, 1, now) == received::pending);
     REQUIRE(a.sent.empty());
-    REQUIRE(finish(5, true, 3600s));
+    REQUIRE(finish(5, true, instant{3600s}));
     REQUIRE(a.sent.size() == 1);
     REQUIRE(a.sent[0] == from_hex("36 02 05 04 01 20 01 01 01 31 02 03 00 00 05 00"));
-    REQUIRE(finish(6, false, 3600s));
+    REQUIRE(finish(6, false, instant{3600s}));
     REQUIRE(a.sent[1] == from_hex("26 02 05 04 01 20 01 01 01 31 02 03 00 00 06 00"));
-    REQUIRE_FALSE(finish(5, false, 3600s)); // once
-    REQUIRE_FALSE(finish(7, true, 3600s));
+    REQUIRE_FALSE(finish(5, false, instant{3600s})); // once
+    REQUIRE_FALSE(finish(7, true, instant{3600s}));
     REQUIRE(a.sent.size() == 2);
     // The answer is remembered from then on.
     REQUIRE(a.hear(0x0405, 5, 1, 3601s - 1ns) == received::repeated);
@@ -512,7 +515,7 @@ TEST_CASE("pending messages keep their places, so there are no more of them than
     REQUIRE(a.hear(0x0405, 9, 0, 3600s) == received::no_room);
     const jaus::header first{
         .ack_nak = ack_nak::request, .command_code = 0x0405, .destination = arm_address, .source = ocu_address};
-    REQUIRE(a.commands.finish(first, true, 3600s, a.sent.sink()));
+    REQUIRE(a.commands.finish(first, true, instant{3600s}, a.sent.sink()));
     REQUIRE(a.hear(0x0405, 9, 0, 3600s) == received::no_room); // remembered now
     REQUIRE(a.hear(0x0405, 9, 0, 3601s) == received::handed_on);
     for (std::uint16_t i = 1; i != 4; ++i) REQUIRE(a.hear(0x0405, i, 0, 7200s) == received::pending);
@@ -524,7 +527,7 @@ TEST_CASE("what is never remembered may be deferred: it is handed on each time, 
         .ack_nak = ack_nak::request, .command_code = 0x0006, .destination = arm_address, .source = ocu_address};
     for (int i = 0; i != 20; ++i) REQUIRE(a.hear(0x0006, 0, 1, 0s, message_outcome::deferred) == received::handed_on);
     REQUIRE(a.sent.empty());
-    for (int i = 0; i != 20; ++i) REQUIRE(a.commands.finish(stop, true, 0s, a.sent.sink()));
+    for (int i = 0; i != 20; ++i) REQUIRE(a.commands.finish(stop, true, instant{0s}, a.sent.sink()));
     REQUIRE(a.sent.size() == 20);
     REQUIRE(a.sent[19] == from_hex("36 02 06 00 01 20 01 01 01 31 02 03 00 00 00 00"));
 }
@@ -533,12 +536,12 @@ TEST_CASE("a deferred message that wants no acknowledgement, or is for all of a 
     arm a;
     jaus::header head{.command_code = 0x0405, .destination = arm_address, .source = ocu_address};
     REQUIRE(a.hear(0x0405, 0, 0, 0s, message_outcome::deferred, ocu_address, ack_nak::none) == received::handed_on);
-    REQUIRE_FALSE(a.commands.finish(head, true, 0s, a.sent.sink()));
+    REQUIRE_FALSE(a.commands.finish(head, true, instant{0s}, a.sent.sink()));
     head.ack_nak = ack_nak::request;
     head.destination = {255, 255, 2, 3};
     REQUIRE(a.hear(0x0405, 0, 0, 0s, message_outcome::deferred, ocu_address, ack_nak::request, head.destination) ==
             received::handed_on);
-    REQUIRE_FALSE(a.commands.finish(head, true, 0s, a.sent.sink()));
+    REQUIRE_FALSE(a.commands.finish(head, true, instant{0s}, a.sent.sink()));
     REQUIRE(a.sent.empty());
 }
 
@@ -550,8 +553,8 @@ TEST_CASE("a handler may finish its message at once") {
                             .source = ocu_address,
                             .sequence_number = 3};
     const auto hear = [&] {
-        return a.commands.on_message(head, {}, 0s, a.sent.sink(), [&] {
-            REQUIRE(a.commands.finish(head, true, 0s, a.sent.sink()));
+        return a.commands.on_message(head, {}, instant{0s}, a.sent.sink(), [&] {
+            REQUIRE(a.commands.finish(head, true, instant{0s}, a.sent.sink()));
             return message_outcome::deferred;
         });
     };
@@ -566,7 +569,7 @@ TEST_CASE("of a sender that numbers all its messages 0 the pending ones are fini
     const auto finish = [&](std::uint16_t code, bool executed) {
         return a.commands.finish(
             {.ack_nak = ack_nak::request, .command_code = code, .destination = arm_address, .source = ocu_address},
-            executed, 3s, a.sent.sink());
+            executed, instant{3s}, a.sent.sink());
     };
     REQUIRE(a.hear(0x0405, 0, 1, 0s, message_outcome::deferred) == received::handed_on);
     REQUIRE(a.hear(0x0405, 0, 2, 1s, message_outcome::deferred) == received::handed_on);
@@ -619,7 +622,7 @@ TEST_CASE("over a channel that loses, doubles and delays, a message is handed on
                 .outcomes.push_back(what);
         };
         channel.listen(s.self, [&s, tell](const jaus::header& head, auto) { s.commands.on_message(head, tell); });
-        channel.work([&, tell]() -> std::optional<nanoseconds> {
+        channel.work([&, tell]() -> std::optional<jauscat::time_point> {
             s.commands.on_time(channel.now, channel.sink(), tell);
             while (s.left != 0) {
                 const jaus::header head{.destination = receivers[random() % 2].self, .source = s.self};

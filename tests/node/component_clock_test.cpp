@@ -1,6 +1,7 @@
 // A component's clock: set, queried, and right over the ends of months and in leap years.
 #include "node/messages.hpp"
 #include "support/catch.hpp"
+#include "support/instant.hpp"
 #include <jauscat/jaus/component/component_clock.hpp>
 
 #include <ctime>
@@ -9,9 +10,9 @@ namespace {
 
 using namespace jauscat::test;
 using namespace std::chrono_literals;
+using support::instant;
 namespace jaus = jauscat::jaus;
 using jaus::message_outcome;
-using std::chrono::nanoseconds;
 using std::chrono::sys_days;
 using stamps = jaus::report_time;
 
@@ -35,17 +36,17 @@ struct component {
     jaus::component_clock clock{self};
     sent_messages sent{};
 
-    template <class T> message_outcome hear(const T& body, nanoseconds now) {
+    template <class T> message_outcome hear(const T& body, instant now) {
         const auto bytes = message({.destination = self, .source = ocu, .sequence_number = 4}, body);
         const auto m = jaus::split(bytes);
         return clock.on_message(m.header, m.body, now, sent.sink());
     }
-    bool set(std::optional<jaus::time_stamp> time, std::optional<jaus::date_stamp> date, nanoseconds now = 0s) {
+    bool set(std::optional<jaus::time_stamp> time, std::optional<jaus::date_stamp> date, instant now = 0s) {
         const auto outcome = hear(jaus::set_time{time, date}, now);
         REQUIRE((outcome == message_outcome::taken || outcome == message_outcome::refused));
         return outcome == message_outcome::taken;
     }
-    stamps query(nanoseconds now, std::uint8_t presence_vector = 3) {
+    stamps query(instant now, std::uint8_t presence_vector = 3) {
         sent.clear();
         REQUIRE(hear(jaus::query_time{presence_vector}, now) == message_outcome::taken);
         REQUIRE(sent.size() == 1);
@@ -60,7 +61,7 @@ struct component {
 TEST_CASE("a clock that was not set tells nothing") {
     component c;
     REQUIRE(c.query(5s) == stamps{});
-    REQUIRE_FALSE(c.clock.time_at(5s));
+    REQUIRE_FALSE(c.clock.time_at(instant{5s}));
 }
 
 TEST_CASE("a clock that was set runs with the caller's time") {
@@ -70,7 +71,7 @@ TEST_CASE("a clock that was set runs with the caller's time") {
     REQUIRE(c.query(100s + 999'999ns) == stamps{at(21, 10, 44, 30, 250), on(21, 11, 2026)});
     REQUIRE(c.query(13h + 100s + 15min + 29s + 750ms) == stamps{at(22, 0, 0, 0, 0), on(22, 11, 2026)});
     REQUIRE(c.query(90s) == stamps{at(21, 10, 44, 20, 250), on(21, 11, 2026)});
-    REQUIRE(c.clock.time_at(100s) == sys_days{std::chrono::year{2026} / 11 / 21} + 10h + 44min + 30s + 250ms);
+    REQUIRE(c.clock.time_at(instant{100s}) == sys_days{std::chrono::year{2026} / 11 / 21} + 10h + 44min + 30s + 250ms);
 }
 
 TEST_CASE("a report has the fields that were asked for") {
@@ -85,9 +86,9 @@ TEST_CASE("a report has the fields that were asked for") {
 TEST_CASE("every midnight from 2000 to 2127 is followed by the right day") {
     component c;
     const sys_days first{std::chrono::year{2000} / 1 / 1}, last{std::chrono::year{2127} / 12 / 31};
-    REQUIRE(c.clock.set(jaus::civil_time{first}, 0s));
+    REQUIRE(c.clock.set(jaus::civil_time{first}, instant{0s}));
     for (auto day = first; day <= last; day += std::chrono::days{1}) {
-        const nanoseconds now = day - first;
+        const instant now{day - first};
         // The C library's calendar, which is another one.
         const std::time_t seconds = std::chrono::duration_cast<std::chrono::seconds>(day.time_since_epoch()).count();
         std::tm date{};
@@ -95,22 +96,22 @@ TEST_CASE("every midnight from 2000 to 2127 is followed by the right day") {
         const auto expected = on(static_cast<unsigned>(date.tm_mday), static_cast<unsigned>(date.tm_mon + 1),
                                  static_cast<unsigned>(date.tm_year + 1900));
         REQUIRE(c.clock.report_at(now) == stamps{at(expected.day, 0), expected});
-        REQUIRE(c.clock.report_at(now + 24h - 1ns) == stamps{at(expected.day, 23, 59, 59, 999), expected});
+        REQUIRE(c.clock.report_at(now + (24h - 1ns)) == stamps{at(expected.day, 23, 59, 59, 999), expected});
         // And set from these stamps, it goes on the same way.
         component again;
         REQUIRE(again.set(at(expected.day, 23, 59, 59, 999), expected, 7s));
-        REQUIRE(again.clock.time_at(7s + 1ms) == jaus::civil_time{day} + 24h);
+        REQUIRE(again.clock.time_at(instant{7s + 1ms}) == jaus::civil_time{day} + 24h);
     }
 }
 
 TEST_CASE("a date after 2127 has no stamp, and an application cannot set one") {
     component c;
     const jaus::civil_time end{sys_days{std::chrono::year{2128} / 1 / 1}};
-    REQUIRE(c.clock.set(end - 1ns, 0s));
+    REQUIRE(c.clock.set(end - 1ns, instant{0s}));
     REQUIRE(c.query(0s) == stamps{at(31, 23, 59, 59, 999), on(31, 12, 2127)});
     REQUIRE(c.query(1ns) == stamps{at(1, 0), std::nullopt});
-    REQUIRE_FALSE(c.clock.set(end, 0s));
-    REQUIRE_FALSE(c.clock.set(jaus::civil_time{sys_days{std::chrono::year{2000} / 1 / 1}} - 1ns, 0s));
+    REQUIRE_FALSE(c.clock.set(end, instant{0s}));
+    REQUIRE_FALSE(c.clock.set(jaus::civil_time{sys_days{std::chrono::year{2000} / 1 / 1}} - 1ns, instant{0s}));
     REQUIRE(c.query(0s) == stamps{at(31, 23, 59, 59, 999), on(31, 12, 2127)});
 }
 
@@ -150,7 +151,7 @@ TEST_CASE("time and date may come one after the other, each is told once it is k
     REQUIRE(c.query(1h) == stamps{at(31, 23), std::nullopt});
     REQUIRE(c.set(at(31, 21), {}, 48h)); // of no known month, so the day is right in any
     REQUIRE(c.query(48h) == stamps{at(31, 21), std::nullopt});
-    REQUIRE_FALSE(c.clock.time_at(48h));
+    REQUIRE_FALSE(c.clock.time_at(instant{48h}));
     REQUIRE(c.set({}, on(29, 2, 2000), 48h));
     REQUIRE(c.query(48h) == stamps{at(29, 21), on(29, 2, 2000)});
 
@@ -193,10 +194,10 @@ TEST_CASE("malformed time messages change nothing, others are left alone") {
     component c;
     const std::array<std::byte, 2> bytes{std::byte{1}, std::byte{2}};
     for (const std::uint16_t code : std::to_array<std::uint16_t>({0x0011, 0x2011}))
-        REQUIRE(c.clock.on_message({.command_code = code, .source = ocu}, bytes, 0s, c.sent.sink()) ==
+        REQUIRE(c.clock.on_message({.command_code = code, .source = ocu}, bytes, instant{0s}, c.sent.sink()) ==
                 message_outcome::malformed);
-    REQUIRE(c.clock.on_message({.command_code = 0x4011, .source = ocu}, bytes, 0s, c.sent.sink()) ==
+    REQUIRE(c.clock.on_message({.command_code = 0x4011, .source = ocu}, bytes, instant{0s}, c.sent.sink()) ==
             message_outcome::not_mine);
     REQUIRE(c.sent.empty());
-    REQUIRE_FALSE(c.clock.time_at(0s));
+    REQUIRE_FALSE(c.clock.time_at(instant{0s}));
 }

@@ -2,6 +2,7 @@
 // sends.
 #include "node/lossy_channel.hpp"
 #include "support/catch.hpp"
+#include "support/instant.hpp"
 #include <jauscat/jaus/component/component_control.hpp>
 #include <jauscat/jaus/component/held_control.hpp>
 
@@ -9,11 +10,10 @@ namespace {
 
 using namespace jauscat::test;
 using namespace std::chrono_literals;
+using support::instant;
 namespace jaus = jauscat::jaus;
 using enum jaus::component_control_response;
 using jaus::message_outcome;
-using time = std::chrono::nanoseconds;
-
 constexpr jaus::address self{1, 49, 2, 3}, ocu{1, 32, 1, 1}, other{1, 33, 1, 1};
 
 struct arm {
@@ -22,7 +22,7 @@ struct arm {
 
     explicit arm(const jaus::control_options& options = {}) : control{self, options} {}
 
-    template <class T> message_outcome hear(const T& body, jaus::address from, time now = 0s) {
+    template <class T> message_outcome hear(const T& body, jaus::address from, instant now = 0s) {
         const auto bytes = message({.destination = self, .source = from, .sequence_number = 9}, body);
         const auto m = jaus::split(bytes);
         control.heard(from, now);
@@ -30,7 +30,7 @@ struct arm {
         return control.on_message(m.header, m.body, now, sent.sink());
     }
     /// The answer to a request for control.
-    jaus::component_control_response request(std::uint8_t authority, jaus::address from, time now = 0s) {
+    jaus::component_control_response request(std::uint8_t authority, jaus::address from, instant now = 0s) {
         sent.clear();
         REQUIRE(hear(jaus::request_component_control{authority}, from, now) == message_outcome::taken);
         REQUIRE_FALSE(sent.empty());
@@ -86,7 +86,7 @@ TEST_CASE("only the controller releases control") {
     a.request(1, ocu);
     REQUIRE(a.hear(jaus::release_component_control{}, other) == message_outcome::refused);
     const jaus::header unasked{.command_code = 0x000E, .source = other}; // admits was not asked
-    REQUIRE(a.control.on_message(unasked, {}, 0s, a.sent.sink()) == message_outcome::taken);
+    REQUIRE(a.control.on_message(unasked, {}, instant{0s}, a.sent.sink()) == message_outcome::taken);
     REQUIRE(a.control.controls(ocu));
     REQUIRE(a.hear(jaus::release_component_control{}, ocu) == message_outcome::taken);
     REQUIRE_FALSE(a.control.controller());
@@ -174,28 +174,28 @@ TEST_CASE("a silent controller is asked for its pulse from a quarter of the time
     REQUIRE_FALSE(a.control.next_event());
     a.request(1, ocu, 10s);
     a.sent.clear();
-    for (const std::chrono::nanoseconds due : {10250ms, 10500ms, 10750ms}) {
+    for (const instant due : {instant{10250ms}, instant{10500ms}, instant{10750ms}}) {
         REQUIRE(a.control.next_event() == due);
-        a.control.on_time(due - 1ns, a.sent.sink());
+        a.control.on_time(due + -1ns, a.sent.sink());
         REQUIRE(a.sent.empty());
         a.control.on_time(due, a.sent.sink());
         REQUIRE(a.sent.size() == 1);
         REQUIRE(a.sent[0] == from_hex("06 02 02 22 01 20 01 01 01 31 02 03 00 00 00 00"));
         a.sent.clear();
     }
-    REQUIRE(a.control.next_event() == 11s);
-    a.control.heard(other, 10900ms);
-    a.control.on_time(11s - 1ns, a.sent.sink());
+    REQUIRE(a.control.next_event() == instant{11s});
+    a.control.heard(other, instant{10900ms});
+    a.control.on_time(instant{11s - 1ns}, a.sent.sink());
     REQUIRE(a.control.controls(ocu));
     REQUIRE(a.sent.empty());
-    a.control.on_time(11s, a.sent.sink());
+    a.control.on_time(instant{11s}, a.sent.sink());
     REQUIRE_FALSE(a.control.controller());
     REQUIRE(a.control.last_change() == jaus::control_change::lost);
     REQUIRE(a.sent.size() == 1);
     static_cast<void>(a.sent.body<jaus::reject_component_control>(0));
     REQUIRE(a.sent.header(0).destination == ocu);
     REQUIRE_FALSE(a.control.next_event());
-    a.control.on_time(20s, a.sent.sink());
+    a.control.on_time(instant{20s}, a.sent.sink());
     REQUIRE(a.sent.size() == 1);
 }
 
@@ -203,17 +203,17 @@ TEST_CASE("whatever the controller sends is life, and its pulse is for the contr
     arm a{{.timeout = 1s}};
     a.request(1, ocu, 10s);
     const jaus::header pulse{.command_code = 0x4202, .destination = self, .source = ocu};
-    REQUIRE_FALSE(a.control.takes_pulse(pulse)); // not asked for
-    a.control.on_time(10900ms, a.sent.sink());   // late: asked once, not three times
+    REQUIRE_FALSE(a.control.takes_pulse(pulse));        // not asked for
+    a.control.on_time(instant{10900ms}, a.sent.sink()); // late: asked once, not three times
     REQUIRE(a.sent.size() == 2);
-    REQUIRE(a.control.next_event() == 11s);
-    a.control.heard(ocu, 10950ms);
-    REQUIRE(a.control.next_event() == 11200ms);
+    REQUIRE(a.control.next_event() == instant{11s});
+    a.control.heard(ocu, instant{10950ms});
+    REQUIRE(a.control.next_event() == instant{11200ms});
     REQUIRE_FALSE(a.control.takes_pulse({.command_code = 0x4202, .destination = self, .source = other}));
     REQUIRE_FALSE(a.control.takes_pulse({.command_code = 0x4002, .destination = self, .source = ocu}));
     REQUIRE(a.control.takes_pulse(pulse));
     REQUIRE_FALSE(a.control.takes_pulse(pulse));
-    a.control.on_time(11200ms, a.sent.sink());
+    a.control.on_time(instant{11200ms}, a.sent.sink());
     a.request(2, other, 11300ms);
     REQUIRE_FALSE(a.control.takes_pulse({.command_code = 0x4202, .destination = self, .source = other}));
 }
@@ -221,18 +221,18 @@ TEST_CASE("whatever the controller sends is life, and its pulse is for the contr
 TEST_CASE("the default timeout is half a second, and any that is not 0 works") {
     arm a;
     a.request(1, ocu, 10s);
-    REQUIRE(a.control.next_event() == 10125ms);
-    a.control.on_time(10500ms, a.sent.sink());
+    REQUIRE(a.control.next_event() == instant{10125ms});
+    a.control.on_time(instant{10500ms}, a.sent.sink());
     REQUIRE_FALSE(a.control.controller());
     arm hasty{{.timeout = 1ns}}, patient{{.timeout = std::chrono::nanoseconds::max()}};
     hasty.request(1, ocu, 10s);
-    REQUIRE(hasty.control.next_event() == 10s + 1ns);
-    hasty.control.on_time(10s + 1ns, hasty.sent.sink());
+    REQUIRE(hasty.control.next_event() == instant{10s + 1ns});
+    hasty.control.on_time(instant{10s + 1ns}, hasty.sent.sink());
     REQUIRE_FALSE(hasty.control.controller());
     patient.request(1, ocu, 10s);
     for (int i = 0; i != 3; ++i) patient.control.on_time(*patient.control.next_event(), patient.sent.sink());
     REQUIRE(patient.control.controls(ocu));
-    REQUIRE(patient.control.next_event() == std::chrono::nanoseconds::max());
+    REQUIRE(patient.control.next_event() == jauscat::time_point::max());
 }
 
 TEST_CASE("why the controller has changed") {
@@ -258,7 +258,7 @@ TEST_CASE("without a timeout control does not end by itself") {
     arm a{{.timeout = 0s}};
     a.request(1, ocu);
     REQUIRE_FALSE(a.control.next_event());
-    a.control.on_time(100h, a.sent.sink());
+    a.control.on_time(instant{100h}, a.sent.sink());
     REQUIRE(a.control.controls(ocu));
 }
 
@@ -279,11 +279,11 @@ TEST_CASE("malformed control messages change nothing, others are left alone") {
     const std::array<std::byte, 6> bytes{};
     for (const std::uint16_t code : std::to_array<std::uint16_t>({0x0001, 0x000D, 0x000E, 0x2001, 0x200D})) {
         CAPTURE(code);
-        CHECK(a.control.on_message({.command_code = code, .source = ocu}, bytes, 0s, a.sent.sink()) ==
+        CHECK(a.control.on_message({.command_code = code, .source = ocu}, bytes, instant{0s}, a.sent.sink()) ==
               message_outcome::malformed);
     }
     for (const std::uint16_t code : std::to_array<std::uint16_t>({0x000F, 0x0010, 0x0405, 0x0006}))
-        CHECK(a.control.on_message({.command_code = code, .source = ocu}, bytes, 0s, a.sent.sink()) ==
+        CHECK(a.control.on_message({.command_code = code, .source = ocu}, bytes, instant{0s}, a.sent.sink()) ==
               message_outcome::not_mine);
     CHECK_FALSE(a.control.controller());
     CHECK(a.sent.empty());

@@ -2,6 +2,7 @@
 // network that loses some.
 #include "messages.hpp"
 #include "support/hex.hpp"
+#include "support/instant.hpp"
 #include <jauscat/jaus/events/event_consumer.hpp>
 #include <jauscat/jaus/events/events.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
@@ -14,6 +15,7 @@
 namespace {
 
 using namespace std::chrono_literals;
+using jauscat::time_point;
 using jauscat::jaus::event_boundary;
 using jauscat::jaus::event_news;
 using jauscat::jaus::event_response;
@@ -23,7 +25,7 @@ using jauscat::jaus::requested_state;
 using jauscat::test::bytes;
 using jauscat::test::from_hex;
 using jauscat::test::to_hex;
-using time_point = std::chrono::nanoseconds;
+using support::instant;
 namespace jaus = jauscat::jaus;
 namespace wire = jauscat::wire;
 
@@ -57,16 +59,16 @@ struct provider {
     jaus::events<4> events{sensor, reports, *this, memory};
     jauscat::test::sent_messages sent{};
 
-    message_outcome hear(const bytes& message, time_point now = 0s) {
+    message_outcome hear(const bytes& message, instant now = 0s) {
         const auto m = jaus::split(message);
         REQUIRE(m);
         return events.on_message(m.header, m.body, now, sent.sink());
     }
-    template <class Message> message_outcome hear(const jaus::address& from, const Message& body, time_point now = 0s) {
+    template <class Message> message_outcome hear(const jaus::address& from, const Message& body, instant now = 0s) {
         return hear(jauscat::test::message({.destination = sensor, .source = from}, body), now);
     }
     /// Creates an event that must be confirmed, and returns its ID.
-    std::uint8_t create(const jaus::create_event& request, time_point now = 0s) {
+    std::uint8_t create(const jaus::create_event& request, instant now = 0s) {
         sent.clear();
         REQUIRE(hear(viewer, request, now) == message_outcome::taken);
         const auto confirmed = sent.body<jaus::confirm_event_request>(0);
@@ -86,13 +88,13 @@ struct provider {
         return rejected.response_code;
     }
     /// How many events a change of the velocity makes.
-    std::size_t drive(double x, time_point now) {
+    std::size_t drive(double x, instant now) {
         sent.clear();
         current = velocity_body(x);
         events.changed(velocity, *current, now, sent.sink());
         return sent.size();
     }
-    std::size_t wait(time_point end) {
+    std::size_t wait(instant end) {
         sent.clear();
         while (events.next_event() && *events.next_event() <= end) events.on_time(*events.next_event(), sent.sink());
         return sent.size();
@@ -109,9 +111,9 @@ TEST_CASE("an event on every change is confirmed, and carries the report") {
     REQUIRE(to_hex(p.sent[0]) == "06 02 f3 01 01 28 01 01 01 2a 01 02 06 00 09 00 00 05 04 44 01 00");
     REQUIRE(p.events.next_event() == std::nullopt);
 
-    p.events.changed(velocity, from_hex("01 00 ff ff ff 7f"), 2s, p.sent.sink());
-    p.events.changed(devices, from_hex("00"), 2s, p.sent.sink());
-    p.events.changed(velocity, from_hex("01 00 00 00 00 00"), 3s, p.sent.sink());
+    p.events.changed(velocity, from_hex("01 00 ff ff ff 7f"), instant{2s}, p.sent.sink());
+    p.events.changed(devices, from_hex("00"), instant{2s}, p.sent.sink());
+    p.events.changed(velocity, from_hex("01 00 00 00 00 00"), instant{3s}, p.sent.sink());
     REQUIRE(p.sent.size() == 3);
     REQUIRE(to_hex(p.sent[1]) ==
             "06 02 f1 41 01 28 01 01 01 2a 01 02 0e 00 00 00 01 04 44 00 06 00 00 00 01 00 ff ff ff 7f");
@@ -135,21 +137,21 @@ TEST_CASE("a periodic event comes at the confirmed rate, without drift and witho
             message_outcome::taken);
     REQUIRE(to_hex(p.sent[0]) == "06 02 f3 01 01 28 01 01 01 2a 01 02 08 00 00 00 01 05 04 44 01 58 02 00");
     const auto period = jaus::period_of(*p.sent.body<jaus::confirm_event_request>(0).confirmed_periodic_rate);
-    REQUIRE(p.events.next_event() == 0s);
+    REQUIRE(p.events.next_event() == instant{0s});
     p.sent.clear();
     for (int i = 0; i != 1000; ++i) {
-        REQUIRE(p.events.next_event() == i * period);
-        p.events.on_time(i * period + 5ms, p.sent.sink());
+        REQUIRE(p.events.next_event() == instant{i * period});
+        p.events.on_time(instant{i * period + 5ms}, p.sent.sink());
     }
     REQUIRE(p.sent.size() == 1000);
     REQUIRE(p.sent.body<jaus::event>(999).event_sequence_number == 999 % 256);
-    p.events.on_time(5000 * period + 1ms, p.sent.sink());
+    p.events.on_time(instant{5000 * period + 1ms}, p.sent.sink());
     REQUIRE(p.sent.size() == 1001);
-    REQUIRE(p.events.next_event() == 5001 * period);
+    REQUIRE(p.events.next_event() == instant{5001 * period});
     REQUIRE(p.drive(1, 5000 * period + 2ms) == 0);
 
     p.current.reset();
-    p.events.on_time(5001 * period, p.sent.sink());
+    p.events.on_time(instant{5001 * period}, p.sent.sink());
     REQUIRE(p.sent.empty());
     REQUIRE(p.events.skipped() == 1);
 }
@@ -162,8 +164,8 @@ TEST_CASE("a periodic event without repeat comes only after a change") {
     REQUIRE(p.events.next_event() == std::nullopt);
     REQUIRE(p.drive(1, 250ms) == 0);
     REQUIRE(p.drive(2, 260ms) == 0);
-    REQUIRE(p.events.next_event() > 299ms);
-    REQUIRE(p.events.next_event() < 301ms);
+    REQUIRE(p.events.next_event() > instant{299ms});
+    REQUIRE(p.events.next_event() < instant{301ms});
     REQUIRE(p.wait(1s) == 1);
     const auto report = p.sent.body<jaus::event>(0).report_message_body;
     REQUIRE(std::ranges::equal(report, velocity_body(2)));
@@ -261,8 +263,8 @@ TEST_CASE("an event at the boundary comes when a value goes in and when it goes 
     REQUIRE(q.drive(9, 2s) == 1);
     // A report without the field says nothing about it.
     q.sent.clear();
-    q.events.changed(velocity, from_hex("00 00"), 3s, q.sent.sink());
-    q.events.changed(velocity, from_hex("01 00 ff"), 3s, q.sent.sink());
+    q.events.changed(velocity, from_hex("00 00"), instant{3s}, q.sent.sink());
+    q.events.changed(velocity, from_hex("01 00 ff"), instant{3s}, q.sent.sink());
     REQUIRE(q.sent.empty());
     REQUIRE(q.drive(8, 4s) == 0);
 }
@@ -274,7 +276,7 @@ TEST_CASE("with a limited field only its changes count") {
     REQUIRE(p.drive(5, 1s) == 0);
     REQUIRE(p.drive(6, 2s) == 1);
     const auto turned = body_of(jaus::report_velocity_state{.velocity_x = 6, .yaw_rate = 1});
-    p.events.changed(velocity, turned, 3s, p.sent.sink());
+    p.events.changed(velocity, turned, instant{3s}, p.sent.sink());
     REQUIRE(p.sent.size() == 1);
     REQUIRE(p.drive(5, 4s) == 1);
 }
@@ -349,7 +351,7 @@ TEST_CASE("changes faster than the rate are held back, and the newest is sent") 
     REQUIRE(p.sent.body<jaus::confirm_event_request>(0).confirmed_periodic_rate.has_value());
     REQUIRE(p.drive(1, 1s) == 1);
     for (int i = 1; i != 50; ++i) REQUIRE(p.drive(i, 1s + i * 1ms) == 0);
-    REQUIRE(p.events.next_event() > 1099ms);
+    REQUIRE(p.events.next_event() > instant{1099ms});
     REQUIRE(p.wait(2s) == 1);
     REQUIRE(std::ranges::equal(p.sent.body<jaus::event>(0).report_message_body, velocity_body(49)));
     REQUIRE(p.drive(50, 2s) == 1);
@@ -358,17 +360,17 @@ TEST_CASE("changes faster than the rate are held back, and the newest is sent") 
     provider q;
     q.create({.message_code = devices, .event_type = event_type::every_change});
     q.sent.clear();
-    for (int i = 0; i != 100; ++i) q.events.changed(devices, from_hex("00"), i * 1ms, q.sent.sink());
+    for (int i = 0; i != 100; ++i) q.events.changed(devices, from_hex("00"), instant{i * 1ms}, q.sent.sink());
     REQUIRE(q.sent.size() == 1);
 }
 
 TEST_CASE("a minimum rate has an event sent without a change") {
     provider p;
     p.create({.message_code = velocity, .event_type = event_type::every_change, .requested_minimum_periodic_rate = 1});
-    REQUIRE(p.events.next_event() > 999ms);
+    REQUIRE(p.events.next_event() > instant{999ms});
     REQUIRE(p.wait(3500ms) == 3);
     REQUIRE(p.drive(1, 3900ms) == 1);
-    REQUIRE(p.events.next_event() > 4899ms);
+    REQUIRE(p.events.next_event() > instant{4899ms});
     p.current.reset();
     REQUIRE(p.wait(6s) == 0);
     REQUIRE(p.events.skipped() == 2);
@@ -469,12 +471,13 @@ TEST_CASE("a judge rejects with its own reason, and malformed requests change no
     const std::array<std::byte, 3> junk{std::byte{1}};
     for (const std::uint16_t code : {std::uint16_t{0x1F0}, std::uint16_t{0x1F1}, std::uint16_t{0x1F2}})
         for (const std::size_t size : {0u, 1u, 3u})
-            REQUIRE(p.events.on_message({.command_code = code, .source = viewer}, std::span{junk}.first(size), 0s,
-                                        p.sent.sink()) == message_outcome::malformed);
-    REQUIRE(p.events.on_message({.command_code = 0x21F0}, {}, 0s, p.sent.sink()) == message_outcome::malformed);
-    REQUIRE(p.events.on_message({.command_code = 0x41F1}, {}, 0s, p.sent.sink()) == message_outcome::not_mine);
-    REQUIRE(p.events.on_message({.ack_nak = jaus::ack_nak::ack, .command_code = 0x1F0}, {}, 0s, p.sent.sink()) ==
-            message_outcome::not_mine);
+            REQUIRE(p.events.on_message({.command_code = code, .source = viewer}, std::span{junk}.first(size),
+                                        instant{0s}, p.sent.sink()) == message_outcome::malformed);
+    REQUIRE(p.events.on_message({.command_code = 0x21F0}, {}, instant{0s}, p.sent.sink()) ==
+            message_outcome::malformed);
+    REQUIRE(p.events.on_message({.command_code = 0x41F1}, {}, instant{0s}, p.sent.sink()) == message_outcome::not_mine);
+    REQUIRE(p.events.on_message({.ack_nak = jaus::ack_nak::ack, .command_code = 0x1F0}, {}, instant{0s},
+                                p.sent.sink()) == message_outcome::not_mine);
     REQUIRE(p.sent.size() == 1);
 }
 
@@ -536,17 +539,17 @@ TEST_CASE("a report without room is skipped") {
     p.events = {sensor, p.reports, p, memory};
     p.create({.message_code = velocity, .event_type = event_type::every_change});
     p.sent.clear();
-    p.events.changed(velocity, bytes(128), 1s, p.sent.sink());
+    p.events.changed(velocity, bytes(128), instant{1s}, p.sent.sink());
     REQUIRE(p.sent.size() == 1);
     REQUIRE(p.sent[0].size() == 24 + 128);
-    p.events.changed(velocity, bytes(200), 2s, p.sent.sink());
+    p.events.changed(velocity, bytes(200), instant{2s}, p.sent.sink());
     REQUIRE(p.sent.size() == 1);
     REQUIRE(p.events.skipped() == 1);
     jaus::events<1> none{sensor, p.reports, p, {}};
     const auto request = from_hex("00 05 04 44 01");
-    REQUIRE(none.on_message({.command_code = 0x1F0, .source = viewer}, request, 0s, p.sent.sink()) ==
+    REQUIRE(none.on_message({.command_code = 0x1F0, .source = viewer}, request, instant{0s}, p.sent.sink()) ==
             message_outcome::taken);
-    none.changed(velocity, {}, 1s, p.sent.sink());
+    none.changed(velocity, {}, instant{1s}, p.sent.sink());
     REQUIRE(p.sent.size() == 1);
 }
 
@@ -556,7 +559,7 @@ namespace {
 struct consumer {
     jaus::event_consumer<2> events{viewer};
     jauscat::test::sent_messages sent{};
-    jaus::event_outcome hear(const bytes& message, time_point now = 0s) {
+    jaus::event_outcome hear(const bytes& message, instant now = 0s) {
         const auto m = jaus::split(message);
         REQUIRE(m);
         return events.on_message(m.header, m.body, now, sent.sink());
@@ -574,15 +577,15 @@ bytes occurred(const std::string& number) {
 TEST_CASE("a consumer matches answers and events with what it asked for") {
     consumer c;
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
-    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == 0);
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()) == 0);
     REQUIRE(to_hex(c.sent[0]) == "06 02 f0 01 01 2a 01 02 01 28 01 01 05 00 00 00 00 01 04 44 01");
-    REQUIRE(c.events.next_event() == 1s);
-    c.events.on_time(1s, c.sent.sink());
+    REQUIRE(c.events.next_event() == instant{1s});
+    c.events.on_time(instant{1s}, c.sent.sink());
     REQUIRE(c.sent[1] == c.sent[0]);
     REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_news::unknown);
     REQUIRE(c.hear(occurred("00")).what == event_news::unknown);
     REQUIRE(c.hear(confirmed("00 01 04 44 07 00")).what == event_news::confirmed);
-    REQUIRE(c.events.next_event() == 5s); // the provider is asked whether it has the event
+    REQUIRE(c.events.next_event() == instant{5s}); // the provider is asked whether it has the event
 
     const auto message = occurred("fe");
     const auto heard = c.hear(message);
@@ -598,7 +601,7 @@ TEST_CASE("a consumer matches answers and events with what it asked for") {
     REQUIRE(c.first().lost == 3);
 
     c.sent.clear();
-    c.events.cancel(0, 5s, c.sent.sink());
+    c.events.cancel(0, instant{5s}, c.sent.sink());
     REQUIRE(to_hex(c.sent[0]) == "06 02 f2 01 01 2a 01 02 01 28 01 01 05 00 00 00 03 02 04 44 07");
     REQUIRE(c.hear(confirmed("00 01 04 44 07 00")).what == event_news::unknown); // of the creation, late
     REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_news::cancelled);
@@ -608,38 +611,38 @@ TEST_CASE("a consumer matches answers and events with what it asked for") {
 TEST_CASE("a consumer updates an event, which goes on meanwhile") {
     consumer c;
     jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
-    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()));
-    REQUIRE_FALSE(c.events.update(0, wanted, 0s, c.sent.sink())); // not active yet
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()));
+    REQUIRE_FALSE(c.events.update(0, wanted, instant{0s}, c.sent.sink())); // not active yet
     c.hear(confirmed("00 01 04 44 07 00"));
     c.sent.clear();
     wanted.requested_minimum_periodic_rate = 10;
-    REQUIRE(c.events.update(0, wanted, 1s, c.sent.sink()));
+    REQUIRE(c.events.update(0, wanted, instant{1s}, c.sent.sink()));
     REQUIRE(to_hex(c.sent[0]) == "06 02 f1 01 01 2a 01 02 01 28 01 01 08 00 00 00 20 02 04 44 01 58 02 07");
-    REQUIRE(c.events.next_event() == 2s);
-    c.events.on_time(2s, c.sent.sink());
+    REQUIRE(c.events.next_event() == instant{2s});
+    c.events.on_time(instant{2s}, c.sent.sink());
     REQUIRE(c.sent[1] == c.sent[0]);
     REQUIRE(c.hear(occurred("00")).what == event_news::event);
     REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_news::confirmed);
     REQUIRE(c.first().state == requested_state::active);
 
     // A rejection leaves it as it was, and so does silence.
-    REQUIRE(c.events.update(0, wanted, 3s, c.sent.sink()));
+    REQUIRE(c.events.update(0, wanted, instant{3s}, c.sent.sink()));
     REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 03 00 00 00 00 03 04")).what == event_news::rejected);
     REQUIRE(c.first().response == event_response::invalid_event_setup);
-    REQUIRE(c.events.update(0, wanted, 3s, c.sent.sink()));
+    REQUIRE(c.events.update(0, wanted, instant{3s}, c.sent.sink()));
     while (c.first().state == requested_state::updating) c.events.on_time(*c.events.next_event(), c.sent.sink());
     REQUIRE(c.first().state == requested_state::active);
     REQUIRE(c.first().requests == 5);
     REQUIRE(c.hear(occurred("01")).what == event_news::event);
     wanted.message_code = devices;
-    REQUIRE_FALSE(c.events.update(0, wanted, 3s, c.sent.sink()));
-    REQUIRE_FALSE(c.events.update(2, wanted, 3s, c.sent.sink()));
+    REQUIRE_FALSE(c.events.update(0, wanted, instant{3s}, c.sent.sink()));
+    REQUIRE_FALSE(c.events.update(2, wanted, instant{3s}, c.sent.sink()));
 
     // Update and events of a provider.
     provider p;
     wanted = {.message_code = velocity, .event_type = event_type::first_change};
     consumer d;
-    REQUIRE(d.events.create(sensor, wanted, 0s, d.sent.sink()));
+    REQUIRE(d.events.create(sensor, wanted, instant{0s}, d.sent.sink()));
     const auto exchange = [&] {
         for (const auto& m : d.sent.take()) p.hear(m);
         std::vector<event_news> news;
@@ -651,7 +654,7 @@ TEST_CASE("a consumer updates an event, which goes on meanwhile") {
     REQUIRE(exchange() == std::vector{event_news::event});
     p.drive(2, 2s);
     REQUIRE(exchange().empty());
-    REQUIRE(d.events.update(0, wanted, 3s, d.sent.sink()));
+    REQUIRE(d.events.update(0, wanted, instant{3s}, d.sent.sink()));
     REQUIRE(exchange() == std::vector{event_news::confirmed});
     p.drive(3, 4s);
     REQUIRE(exchange() == std::vector{event_news::event});
@@ -660,15 +663,15 @@ TEST_CASE("a consumer updates an event, which goes on meanwhile") {
 TEST_CASE("a consumer gives up what is rejected or never answered") {
     consumer c;
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
-    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()));
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()));
     REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 05 00 00 00 01 01 03 6e 6f")).what ==
             event_news::rejected);
     REQUIRE(c.first().response == event_response::connection_refused);
     REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 01 00 00 00 01")).what == event_news::malformed);
     c.sent.clear();
-    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == 0);
-    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == 1);
-    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == std::nullopt);
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()) == 0);
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()) == 1);
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()) == std::nullopt);
     while (c.events.next_event()) c.events.on_time(*c.events.next_event(), c.sent.sink());
     REQUIRE(c.sent.size() == 10);
     REQUIRE(c.first().state == requested_state::unanswered);
@@ -679,23 +682,23 @@ TEST_CASE("a consumer gives up what is rejected or never answered") {
     large.limit_data_field = std::uint8_t{2};
     large.requested_minimum_periodic_rate = large.requested_periodic_rate = 1;
     large.query_message_body = wire::blob{std::span<const std::byte>{query}};
-    REQUIRE(c.events.create(sensor, large, 0s, c.sent.sink()) == std::nullopt);
+    REQUIRE(c.events.create(sensor, large, instant{0s}, c.sent.sink()) == std::nullopt);
     large.query_message_body = wire::blob{std::span<const std::byte>{query}.first(24)};
-    REQUIRE(c.events.create(sensor, large, 0s, c.sent.sink()) == 0);
+    REQUIRE(c.events.create(sensor, large, instant{0s}, c.sent.sink()) == 0);
     REQUIRE(c.first().request.size() == jaus::max_create_event_size);
 }
 
 TEST_CASE("an event that is confirmed when it was given up is cancelled") {
     consumer c;
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
-    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()));
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()));
     while (c.events.next_event()) c.events.on_time(*c.events.next_event(), c.sent.sink());
     REQUIRE(c.first().state == requested_state::unanswered);
     c.sent.clear();
     c.hear(confirmed("00 01 04 44 07 00"), 10s);
     REQUIRE(to_hex(c.sent[0]) == "06 02 f2 01 01 2a 01 02 01 28 01 01 05 00 00 00 03 02 04 44 07");
     REQUIRE(c.hear(confirmed("00 01 04 44 07 00"), 10s).what == event_news::unknown); // twice
-    REQUIRE(c.events.next_event() == 11s);                                            // the cancel may get lost
+    REQUIRE(c.events.next_event() == instant{11s});                                   // the cancel may get lost
     REQUIRE(c.hear(confirmed("00 02 04 44 07 00"), 11s).what == event_news::cancelled);
     REQUIRE(c.first().state == requested_state::free);
 }
@@ -703,11 +706,11 @@ TEST_CASE("an event that is confirmed when it was given up is cancelled") {
 TEST_CASE("a consumer gives up the events of a provider that has disappeared") {
     consumer c;
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
-    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()));
-    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()));
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()));
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()));
     c.hear(confirmed("00 01 04 44 07 00"));
     c.hear(confirmed("00 02 04 44 08 00"));
-    c.events.cancel(1, 1s, c.sent.sink());
+    c.events.cancel(1, instant{1s}, c.sent.sink());
     REQUIRE(c.events.on_lost({255, 255, 1, 1}) == 0);
     REQUIRE(c.events.on_lost({255, 255, sensor.node, sensor.subsystem}) == 2);
     REQUIRE(c.first().state == requested_state::unanswered);
@@ -715,14 +718,14 @@ TEST_CASE("a consumer gives up the events of a provider that has disappeared") {
     REQUIRE(c.hear(occurred("00")).what == event_news::unknown);
     REQUIRE(c.events.on_lost(sensor) == 0);
     c.sent.clear();
-    REQUIRE(c.events.create(sensor, wanted, 2s, c.sent.sink()) == 0);
+    REQUIRE(c.events.create(sensor, wanted, instant{2s}, c.sent.sink()) == 0);
     REQUIRE(c.hear(confirmed("00 05 04 44 01 00")).what == event_news::confirmed); // 4 cancelled the unknown event
 }
 
 namespace {
 
 /// Hands on what provider and consumer have sent each other, until nothing is left; the events that came.
-std::size_t converse(provider& p, consumer& c, time_point now) {
+std::size_t converse(provider& p, consumer& c, instant now) {
     std::size_t count = 0;
     while (!p.sent.empty() || !c.sent.empty()) {
         for (const auto& m : c.sent.take()) p.hear(m, now);
@@ -732,7 +735,7 @@ std::size_t converse(provider& p, consumer& c, time_point now) {
 }
 
 /// Asks for events of the velocity, until the provider has answered.
-void subscribe(provider& p, consumer& c, event_type type, time_point now) {
+void subscribe(provider& p, consumer& c, event_type type, instant now) {
     REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = type}, now, c.sent.sink()));
     converse(p, c, now);
 }
@@ -753,7 +756,7 @@ TEST_CASE("a consumer that has started anew gets a first change as before") {
     provider p;
     for (int run = 0; run != 3; ++run) {
         consumer c;
-        const time_point now = run * 100s;
+        const time_point now = instant{run * 100s};
         REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::first_change}, now,
                                 c.sent.sink()));
         converse(p, c, now);
@@ -770,7 +773,7 @@ TEST_CASE("a consumer that starts anew again and again leaves no events behind")
     provider p;
     for (int run = 0; run != 20; ++run) {
         consumer c;
-        const time_point now = run * 10ms;
+        const time_point now = instant{run * 10ms};
         REQUIRE(c.events.create(
             sensor,
             {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 1.0 + run}, now,
@@ -807,8 +810,8 @@ TEST_CASE("an event that was not asked for is cancelled, once for each answer's 
 
     // Not while its confirmation may be under way.
     c.sent.clear();
-    REQUIRE(
-        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 5s, c.sent.sink()));
+    REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, instant{5s},
+                            c.sent.sink()));
     c.sent.clear();
     REQUIRE(c.hear(event_number(3), 5s).what == event_news::unknown);
     REQUIRE(c.sent.empty());
@@ -816,8 +819,8 @@ TEST_CASE("an event that was not asked for is cancelled, once for each answer's 
     // What an earlier life has left goes on until it is cancelled.
     provider p;
     consumer before, after;
-    REQUIRE(before.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s,
-                                 before.sent.sink()));
+    REQUIRE(before.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change},
+                                 instant{0s}, before.sent.sink()));
     converse(p, before, 0s);
     p.drive(1, 1s);
     converse(p, after, 1s);
@@ -826,8 +829,8 @@ TEST_CASE("an event that was not asked for is cancelled, once for each answer's 
 
 TEST_CASE("events go on after a gap that their numbers cannot count") {
     consumer c;
-    REQUIRE(
-        c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s, c.sent.sink()));
+    REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, instant{0s},
+                            c.sent.sink()));
     c.hear(confirmed("00 01 04 44 07 00"));
     REQUIRE(c.hear(event_number(9), 1s).what == event_news::event);
     // Late ones and copies of those before are dropped, at first.
@@ -844,15 +847,15 @@ TEST_CASE("a silent provider of periodic events is noticed, and asked again unti
     provider p;
     consumer c;
     REQUIRE(c.events.create(
-        sensor, {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 10}, 0s,
-        c.sent.sink()));
+        sensor, {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 10},
+        instant{0s}, c.sent.sink()));
     converse(p, c, 0s);
     const auto period = jaus::period_of(c.first().rate);
-    REQUIRE(c.events.next_event() == 3 * period);
+    REQUIRE(c.events.next_event() == instant{3 * period});
     p.wait(period);
     REQUIRE(converse(p, c, period) == 2);
-    REQUIRE(c.events.next_event() == 4 * period);
-    const auto count = [&](time_point end) {
+    REQUIRE(c.events.next_event() == instant{4 * period});
+    const auto count = [&](instant end) {
         c.sent.clear();
         while (*c.events.next_event() <= end) c.events.on_time(*c.events.next_event(), c.sent.sink());
         return c.sent.size();
@@ -895,14 +898,14 @@ TEST_CASE("a silent provider of events on change is noticed, and asked again unt
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
     provider p;
     consumer c;
-    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()));
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()));
     converse(p, c, 0s);
     p.drive(1, 2s);
     REQUIRE(converse(p, c, 2s) == 1);
 
     // Nothing changes for a minute: every 5 s the provider is asked, and says that it has the event.
     int queries = 0;
-    while (*c.events.next_event() <= 60s) {
+    while (*c.events.next_event() <= instant{60s}) {
         const time_point now = *c.events.next_event();
         c.events.on_time(now, c.sent.sink());
         REQUIRE(c.sent.size() == 1);
@@ -948,7 +951,7 @@ TEST_CASE("a provider that has started anew without an event is asked for it aga
     consumer c;
     subscribe(p, c, event_type::every_change, 0s);
     provider anew;
-    while (*c.events.next_event() <= 10s) {
+    while (*c.events.next_event() <= instant{10s}) {
         const time_point now = *c.events.next_event();
         c.events.on_time(now, c.sent.sink());
         converse(anew, c, now);
@@ -961,14 +964,14 @@ TEST_CASE("a first change that has come is not asked for any more") {
     provider p;
     consumer c;
     subscribe(p, c, event_type::first_change, 0s);
-    REQUIRE(c.events.next_event() == 5s);
+    REQUIRE(c.events.next_event() == instant{5s});
     p.drive(1, 1s);
     REQUIRE(converse(p, c, 1s) == 1);
     REQUIRE(c.first().state == requested_state::active);
     REQUIRE(c.events.next_event() == std::nullopt);
 
     // Nor is a provider asked that does not answer Query Events.
-    c.events = jaus::event_consumer<2>{viewer, {.interval = 1s, .attempts = 5}, time_point::max()};
+    c.events = jaus::event_consumer<2>{viewer, {.interval = 1s, .attempts = 5}, jauscat::duration::max()};
     subscribe(p, c, event_type::every_change, 2s);
     REQUIRE(c.first().state == requested_state::active);
     REQUIRE(c.events.next_event() == std::nullopt);
@@ -1001,11 +1004,11 @@ TEST_CASE("a rate that rounds to 0 is refused, and a low one is kept to") {
     consumer c;
     jaus::create_event wanted{
         .message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 1e-10};
-    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == std::nullopt);
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()) == std::nullopt);
     wanted.requested_periodic_rate = std::numeric_limits<double>::denorm_min();
-    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == std::nullopt);
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()) == std::nullopt);
     wanted.requested_periodic_rate = 0.1;
-    REQUIRE(c.events.create(sensor, wanted, 0s, c.sent.sink()) == 0);
+    REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()) == 0);
 
     // A report that changes often, and is sent once in 1000 seconds.
     provider p;
@@ -1026,7 +1029,7 @@ TEST_CASE("over a network that loses a third of all messages events come about, 
         provider p;
         consumer c;
         c.events = jaus::event_consumer<2>{viewer, {.interval = 100ms, .attempts = 100}};
-        const auto exchange = [&](time_point now) {
+        const auto exchange = [&](instant now) {
             for (int hop = 0; hop != 4; ++hop) {
                 for (const auto& m : c.sent.take())
                     if (random() % 3 != 0) p.hear(m, now);
@@ -1034,14 +1037,14 @@ TEST_CASE("over a network that loses a third of all messages events come about, 
                     if (random() % 3 != 0) REQUIRE(c.hear(m, now).what != event_news::malformed);
             }
         };
-        REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, 0s,
+        REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, instant{0s},
                                 c.sent.sink()));
         REQUIRE(c.events.create(
-            sensor, {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 20}, 0s,
-            c.sent.sink()));
-        if (round % 4 == 0) c.events.cancel(1, 0s, c.sent.sink()); // before its ID is known
-        for (time_point now = 0s; now != 40s; now += 5ms) {
-            if (now == 20s) {
+            sensor, {.message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 20},
+            instant{0s}, c.sent.sink()));
+        if (round % 4 == 0) c.events.cancel(1, instant{0s}, c.sent.sink()); // before its ID is known
+        for (time_point now{}; now != instant{40s}; now += 5ms) {
+            if (now == instant{20s}) {
                 REQUIRE(c.first().state == requested_state::active);
                 REQUIRE(c.first().received > 50);
                 received += c.first().received;
@@ -1050,7 +1053,8 @@ TEST_CASE("over a network that loses a third of all messages events come about, 
                 c.events.cancel(0, now, c.sent.sink());
                 c.events.cancel(1, now, c.sent.sink());
             }
-            if (now % 100ms == 0s && now < 20s) p.events.changed(velocity, velocity_body(1), now, p.sent.sink());
+            if (now.time_since_epoch() % 100ms == 0s && now < instant{20s})
+                p.events.changed(velocity, velocity_body(1), now, p.sent.sink());
             if (p.events.next_event() && *p.events.next_event() <= now) p.events.on_time(now, p.sent.sink());
             if (c.events.next_event() && *c.events.next_event() <= now) c.events.on_time(now, c.sent.sink());
             exchange(now);
@@ -1069,7 +1073,7 @@ TEST_CASE("random messages leave both sides of events within their bounds") {
     consumer c;
     std::array<int, 4> outcomes{};
     constexpr std::array<std::uint16_t, 8> codes{0x1F0, 0x1F1, 0x1F2, 0x1F3, 0x1F4, 0x21F0, 0x41F0, 0x41F1};
-    time_point now = 0s;
+    time_point now{};
     for (int i = 0; i != 100000; ++i) {
         now += std::chrono::milliseconds{random() % 50};
         // A request that is in order, and in most cases cut or changed.

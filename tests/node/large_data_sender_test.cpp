@@ -1,6 +1,7 @@
 // Large data sets cut into packets, and a sender and a receiver on a network that loses, repeats and reorders.
 #include "support/catch.hpp"
 #include "support/hex.hpp"
+#include "support/instant.hpp"
 #include <jauscat/jaus/large_data/large_data_sender.hpp>
 #include <jauscat/jaus/large_data/reassembler.hpp>
 
@@ -13,6 +14,7 @@ using namespace std::chrono_literals;
 using jauscat::jaus::data_flag;
 using jauscat::test::from_hex;
 using jauscat::test::to_hex;
+using support::instant;
 namespace jaus = jauscat::jaus;
 using octets = std::vector<std::byte>;
 
@@ -30,7 +32,7 @@ struct receiver {
     receiver(std::size_t at_a_time, std::size_t most_packets, std::size_t most_bytes)
         : places(at_a_time), packets(at_a_time * most_packets), memory(at_a_time * most_bytes) {}
 
-    void hear(std::span<const std::byte> packet, std::chrono::nanoseconds now, auto&& whole, auto&& lost) {
+    void hear(std::span<const std::byte> packet, instant now, auto&& whole, auto&& lost) {
         const auto message = jaus::split(packet);
         REQUIRE(message);
         sets.on_packet(message.header, message.body, now, whole, lost);
@@ -213,7 +215,7 @@ TEST_CASE("over a bad network each data set arrives as it was sent or is reporte
             for (std::size_t i = 0; i != sender.packets(); ++i) REQUIRE(sender.repeat(i, hear));
             REQUIRE(arrived);
         }
-        arriving.sets.on_time(now + 1s, [&](const jaus::partial_data_set&) { reported = true; });
+        arriving.sets.on_time(instant{now + 1s}, [&](const jaus::partial_data_set&) { reported = true; });
         REQUIRE(arrived != reported);
         whole += arrived;
         incomplete += reported;

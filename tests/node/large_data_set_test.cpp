@@ -1,6 +1,7 @@
 // Large data sets put together from their packets, in whatever order and number these come.
 #include "support/catch.hpp"
 #include "support/hex.hpp"
+#include "support/instant.hpp"
 #include <jauscat/jaus/large_data/reassembler.hpp>
 
 #include <random>
@@ -13,6 +14,7 @@ using jauscat::jaus::data_flag;
 using jauscat::jaus::reassembled;
 using jauscat::test::from_hex;
 using jauscat::test::to_hex;
+using support::instant;
 namespace jaus = jauscat::jaus;
 
 /// Two places of at most four packets and eight bytes, and what came out of them.
@@ -24,7 +26,7 @@ struct receiver {
     std::vector<std::string> whole{};
     std::vector<std::size_t> lost{}; ///< packets that each incomplete data set had
 
-    reassembled hear(data_flag flag, std::uint16_t number, const std::string& body, std::chrono::nanoseconds now = 0ms,
+    reassembled hear(data_flag flag, std::uint16_t number, const std::string& body, instant now = 0ms,
                      std::uint8_t sender = 1, std::uint16_t code = 0x4807, jaus::ack_nak wish = jaus::ack_nak::none) {
         const auto bytes = from_hex(body);
         const jaus::header head{.ack_nak = wish,
@@ -152,7 +154,7 @@ TEST_CASE("a flood of first packets from spoofed sources takes no place of a dat
 TEST_CASE("a data set that begins amid a flood of first packets is received") {
     receiver r;
     std::uint8_t spoofed = 2;
-    const auto flood = [&](std::chrono::nanoseconds now) {
+    const auto flood = [&](instant now) {
         r.hear(data_flag::first, 0, "ff", now, spoofed);
         if (++spoofed == 0) spoofed = 2;
     };
@@ -186,7 +188,7 @@ TEST_CASE("one source does not take the places of others with many command codes
                                 .source = {sender, 37, 1, 2},
                                 .data_flag = data_flag::middle,
                                 .sequence_number = number};
-        return sets.on_packet(head, from_hex("aa"), 0ms, [](const auto&...) {}, [](const auto&...) {});
+        return sets.on_packet(head, from_hex("aa"), instant{0ms}, [](const auto&...) {}, [](const auto&...) {});
     };
     for (std::uint16_t code = 0; code != 1000; ++code) {
         // Two packets of each: the first two sets go on, so their source has its share, half of four.
@@ -228,7 +230,7 @@ TEST_CASE("a straggler of a data set that was handed on is no part of the next o
 
 TEST_CASE("a last packet that is repeated for want of its acknowledgement begins no data set") {
     receiver r;
-    const auto hear = [&](data_flag flag, std::uint16_t number, const std::string& body, std::chrono::nanoseconds now) {
+    const auto hear = [&](data_flag flag, std::uint16_t number, const std::string& body, instant now) {
         return r.hear(flag, number, body, now, 1, 0x4807, jaus::ack_nak::request);
     };
     REQUIRE(hear(data_flag::first, 0, "01", 0ms) == reassembled::waiting);
@@ -249,7 +251,7 @@ TEST_CASE("what may be a late copy of an acknowledged data set is not to be ackn
     receiver r;
     r.sets = jaus::reassembler{
         r.places, r.packets, r.memory, 5s, {.places_per_source = 2, .linger_of_copies = 375ms, .longest_gap = 1s}};
-    const auto hear = [&](data_flag flag, std::uint16_t number, const std::string& body, std::chrono::nanoseconds now) {
+    const auto hear = [&](data_flag flag, std::uint16_t number, const std::string& body, instant now) {
         return r.hear(flag, number, body, now, 1, 0x4807, jaus::ack_nak::request);
     };
     REQUIRE(hear(data_flag::first, 0, "01", 0ms) == reassembled::waiting);
@@ -336,7 +338,7 @@ TEST_CASE("a silent data set gives its place to another") {
     REQUIRE(r.hear(data_flag::first, 0, "03", 1000ms, 3) == reassembled::waiting);
     REQUIRE(r.lost == std::vector<std::size_t>{2});
 
-    r.sets.on_time(1600ms, [&](const jaus::partial_data_set& set) {
+    r.sets.on_time(instant{1600ms}, [&](const jaus::partial_data_set& set) {
         REQUIRE(set.header.source.instance == 2);
         r.lost.push_back(set.packets);
     });
@@ -360,7 +362,7 @@ TEST_CASE("a data set with more bytes or packets than a place holds is given up,
 TEST_CASE("without places nothing is kept") {
     jaus::reassembler none{{}, {}, {}, 1s};
     const auto ignore = [](const auto&...) {};
-    REQUIRE(none.on_packet({.data_flag = data_flag::first}, {}, 0s, ignore, ignore) == reassembled::no_room);
+    REQUIRE(none.on_packet({.data_flag = data_flag::first}, {}, instant{0s}, ignore, ignore) == reassembled::no_room);
 }
 
 TEST_CASE("random packets neither leave the memory nor make a body that was not sent") {

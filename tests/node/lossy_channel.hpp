@@ -1,6 +1,7 @@
 // A channel in simulated time that loses, doubles and delays messages, and so changes their order.
 #pragma once
 #include "node/messages.hpp"
+#include "support/instant.hpp"
 
 #include <chrono>
 #include <functional>
@@ -20,14 +21,13 @@ struct channel_faults {
 /// Carries messages to those that listen, by the destination of their header.
 class lossy_channel {
   public:
-    using time = std::chrono::nanoseconds;
     using listener = std::function<void(const jaus::header&, std::span<const std::byte> body)>;
     /// Does what is due at `now`, and says when there is more to do.
-    using worker = std::function<std::optional<time>()>;
+    using worker = std::function<std::optional<time_point>()>;
 
     channel_faults faults{};
-    time now{};
-    time trip{std::chrono::milliseconds{1}}; ///< one way
+    time_point now{};
+    duration trip{std::chrono::milliseconds{1}}; ///< one way
 
     explicit lossy_channel(unsigned seed = 1) : random_{seed} {}
 
@@ -37,8 +37,8 @@ class lossy_channel {
     void send(std::span<const std::byte> message) {
         if (happens(faults.lose)) return;
         for (int copies = happens(faults.duplicate) ? 2 : 1; copies != 0; --copies) {
-            time at = now + trip;
-            if (happens(faults.delay)) at += time{random_() % static_cast<std::uint64_t>(faults.longest.count())};
+            time_point at = now + trip;
+            if (happens(faults.delay)) at += duration{random_() % static_cast<std::uint64_t>(faults.longest.count())};
             travelling_.emplace(at, bytes(message.begin(), message.end()));
         }
     }
@@ -47,9 +47,10 @@ class lossy_channel {
     }
 
     /// Until nothing travels and nobody has anything to do, or until `end`.
-    void run(time end) {
+    void run(support::instant until) {
+        const time_point end = until;
         for (;;) {
-            std::optional<time> next;
+            std::optional<time_point> next;
             if (!travelling_.empty()) next = travelling_.begin()->first;
             for (const auto& w : workers_)
                 if (const auto due = w(); due && (!next || *due < *next)) next = due;
@@ -75,7 +76,7 @@ class lossy_channel {
     std::mt19937_64 random_;
     std::vector<std::pair<jaus::address, listener>> listeners_{};
     std::vector<worker> workers_{};
-    std::multimap<time, bytes> travelling_{};
+    std::multimap<time_point, bytes> travelling_{};
 };
 
 } // namespace jauscat::test

@@ -1,6 +1,7 @@
 // Networks of nodes that route for each other: whatever they look like, every message arrives once at each addressee
 // and nowhere else, and none circulates.
 #include "support/catch.hpp"
+#include "support/instant.hpp"
 #include <jauscat/jaus/routing/node_manager.hpp>
 #include <jauscat/jaus/routing/router.hpp>
 
@@ -284,9 +285,9 @@ struct living_network {
         for (unsigned s = 1; s <= subsystems; ++s)
             for (unsigned n1 = 1; n1 <= nodes; ++n1) watchers.push_back(std::make_unique<watcher>(make(s, n1, 1, 1)));
     }
-    void run_until(std::chrono::nanoseconds end) {
+    void run_until(support::instant end) {
         const auto out = [this](std::span<const std::byte> m) { under_way.emplace_back(m.begin(), m.end()); };
-        for (; now < end; now += std::chrono::milliseconds{100}) {
+        for (; now < end.at; now += std::chrono::milliseconds{100}) {
             for (auto& w : watchers)
                 if (w->runs) w->manager.on_time(now, out);
             for (; !under_way.empty(); under_way.pop_front()) {
@@ -304,7 +305,7 @@ struct living_network {
     network net;
     std::vector<std::unique_ptr<watcher>> watchers{};
     std::deque<std::vector<std::byte>> under_way{};
-    std::chrono::nanoseconds now{};
+    jauscat::time_point now{};
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 // The node manager: heartbeats, who is there, and what it says of its node and of others.
 #include "support/catch.hpp"
+#include "support/instant.hpp"
 #include <jauscat/jaus/component/component.hpp>
 #include <jauscat/jaus/large_data/reassembler.hpp>
 #include <jauscat/jaus/routing/node_manager.hpp>
@@ -12,10 +13,12 @@
 namespace {
 
 using namespace std::chrono_literals;
+using support::instant;
 namespace jaus = jauscat::jaus;
 namespace wire = jauscat::wire;
 using jaus::message_outcome;
-using time_point = std::chrono::nanoseconds;
+using jauscat::time_point;
+
 using bytes = std::vector<std::byte>;
 
 /// All that a node manager takes.
@@ -91,7 +94,7 @@ struct node {
         make(1, 2), description, {places, list_memory, report}, {.appeared{appeared}, .disappeared{disappeared}}};
 
     template <class T>
-    message_outcome hear(const jaus::address& source, const T& body, time_point now = 0s,
+    message_outcome hear(const jaus::address& source, const T& body, instant now = 0s,
                          const jaus::address& to = make(1, 2)) {
         std::array<std::byte, 4096> message{};
         const auto made = jaus::make_message({.destination = to, .source = source}, body, message);
@@ -99,7 +102,7 @@ struct node {
         const auto split = jaus::split(*made);
         return manager.on_message(split.header, split.body, now, out);
     }
-    message_outcome beat(const jaus::address& source, time_point now) {
+    message_outcome beat(const jaus::address& source, instant now) {
         return hear(source, jaus::report_heartbeat_pulse{}, now, make(255, 255));
     }
     std::vector<std::string> configuration(jaus::query_field field) {
@@ -130,20 +133,20 @@ struct node {
 TEST_CASE("a node manager sends a heartbeat to all at once and then each second") {
     node n;
     for (int tenth = 0; tenth != 30; ++tenth) {
-        REQUIRE(n.manager.next_event().value() <= (tenth + 9) / 10 * 1s);
-        n.manager.on_time(tenth * 100ms, n.out);
+        REQUIRE(n.manager.next_event().value() <= instant{(tenth + 9) / 10 * 1s});
+        n.manager.on_time(instant{tenth * 100ms}, n.out);
         REQUIRE(n.out.take() == (tenth % 10 == 0 ? lines{"4202 1.2.1.1 to 255.255.1.1"} : lines{}));
     }
 }
 
 TEST_CASE("a late heartbeat is sent once, and those missed are not") {
     node n;
-    n.manager.on_time(0s, n.out);
-    n.manager.on_time(10s + 1ms, n.out);
-    n.manager.on_time(10s + 2ms, n.out);
+    n.manager.on_time(instant{0s}, n.out);
+    n.manager.on_time(instant{10s + 1ms}, n.out);
+    n.manager.on_time(instant{10s + 2ms}, n.out);
     REQUIRE(n.out.take().size() == 2);
-    REQUIRE(*n.manager.next_event() > 10s + 2ms);
-    REQUIRE(*n.manager.next_event() <= 11s + 1ms);
+    REQUIRE(*n.manager.next_event() > instant{10s + 2ms});
+    REQUIRE(*n.manager.next_event() <= instant{11s + 1ms});
 }
 
 TEST_CASE("a component sends its heartbeats to its node manager, or none") {
@@ -151,13 +154,13 @@ TEST_CASE("a component sends its heartbeats to its node manager, or none") {
     const jaus::component_description description{};
     const auto self = make(1, 2, 33);
     jaus::described_component component{self, description, jaus::heartbeat_to_node_manager(self), {}};
-    component.on_time(0s, out);
-    component.on_time(500ms, out);
-    component.on_time(1s, out);
+    component.on_time(instant{0s}, out);
+    component.on_time(instant{500ms}, out);
+    component.on_time(instant{1s}, out);
     REQUIRE(out.take() == lines{"4202 1.2.33.1 to 1.2.1.1", "4202 1.2.33.1 to 1.2.1.1"});
-    REQUIRE(component.next_event() == time_point{2s});
+    REQUIRE(component.next_event() == instant{2s});
     jaus::described_component silent{self, description, {.period = 0s}, {}};
-    silent.on_time(0s, out);
+    silent.on_time(instant{0s}, out);
     REQUIRE(out.take().empty());
     REQUIRE_FALSE(silent.next_event());
 }
@@ -202,7 +205,7 @@ TEST_CASE("a component identifies itself and leaves subsystem and node to the no
     jaus::described_component component{make(1, 2, 33), description, {}, {}};
     for (int level = 1; level != 5; ++level) {
         std::array<std::byte, 1> body{static_cast<std::byte>(level)};
-        const auto what = component.on_message({.command_code = 0x2B00, .source = make(3, 1)}, body, 0s, out);
+        const auto what = component.on_message({.command_code = 0x2B00, .source = make(3, 1)}, body, instant{0s}, out);
         REQUIRE(what == (level == 4 ? message_outcome::taken : message_outcome::refused));
     }
     REQUIRE(out.only<jaus::report_identification>(lists).identification == "driver");
@@ -211,15 +214,16 @@ TEST_CASE("a component identifies itself and leaves subsystem and node to the no
 
 TEST_CASE("a peer appears with its first heartbeat and is gone three periods after its last") {
     node n;
-    n.manager.on_time(0s, n.out);
+    n.manager.on_time(instant{0s}, n.out);
     REQUIRE(n.beat(make(2, 1), 0s) == message_outcome::taken);
     REQUIRE(n.beat(make(1, 2), 0s) == message_outcome::taken); // its own, heard from a multicast group
     for (int second = 1; second != 5; ++second) REQUIRE(n.beat(make(2, 1), second * 1s) == message_outcome::taken);
     REQUIRE(n.seen == lines{"+2.1.1.1"});
-    REQUIRE(n.manager.present().find(make(2, 1))->last_heard_at == 4s);
-    n.manager.on_time(6s + 999ms, n.out);
+    REQUIRE(n.manager.present().find(make(2, 1))->last_heard_at == instant{4s});
+    n.manager.on_time(instant{6s + 999ms}, n.out);
     REQUIRE(n.seen.size() == 1);
-    while (n.seen.size() == 1 && n.manager.next_event().value() < 8s) n.manager.on_time(*n.manager.next_event(), n.out);
+    while (n.seen.size() == 1 && n.manager.next_event().value() < instant{8s})
+        n.manager.on_time(*n.manager.next_event(), n.out);
     REQUIRE(n.seen == lines{"+2.1.1.1", "-2.1.1.1"});
     REQUIRE(n.manager.present().size() == 0);
     n.beat(make(2, 1), 9s);
@@ -228,13 +232,13 @@ TEST_CASE("a peer appears with its first heartbeat and is gone three periods aft
 
 TEST_CASE("a peer that disappears is noticed at the moment that next_event gave") {
     node n;
-    n.manager.on_time(0s, n.out);
+    n.manager.on_time(instant{0s}, n.out);
     for (int i = 0; i != 5; ++i) n.beat(make(2, static_cast<unsigned>(i + 1)), i * 10ms);
-    for (auto now = *n.manager.next_event(); now < 4s; now = *n.manager.next_event()) {
+    for (auto now = *n.manager.next_event(); now < instant{4s}; now = *n.manager.next_event()) {
         const auto before = n.seen.size();
         n.manager.on_time(now, n.out);
         for (auto i = before; i != n.seen.size(); ++i)
-            REQUIRE(n.seen[i] == "-2." + std::to_string(1 + (now - 3s) / 10ms) + ".1.1");
+            REQUIRE(n.seen[i] == "-2." + std::to_string(1 + (now - time_point{3s}) / 10ms) + ".1.1");
         REQUIRE(*n.manager.next_event() > now);
     }
     REQUIRE(n.seen.size() == 10);
@@ -251,7 +255,7 @@ TEST_CASE("a flood of peers takes what room there is, is counted, and displaces 
     REQUIRE(n.manager.not_remembered() == 10000 - 11);
     REQUIRE(n.manager.present().find(make(2, 1)) != nullptr);
     n.beat(make(2, 1), 2s);
-    n.manager.on_time(3s + 1ms, n.out);
+    n.manager.on_time(instant{3s + 1ms}, n.out);
     REQUIRE(n.manager.present().size() == 1);
     REQUIRE(n.beat(make(200, 1), 4s) == message_outcome::taken);
 }
@@ -261,7 +265,7 @@ TEST_CASE("who is to be kept stays without heartbeats") {
     REQUIRE(n.manager.keep(make(4, 1)));
     REQUIRE(n.manager.keep(make(4, 1)));
     n.beat(make(4, 1), 1s);
-    n.manager.on_time(std::chrono::hours{1000}, n.out);
+    n.manager.on_time(instant{std::chrono::hours{1000}}, n.out);
     REQUIRE(n.seen.empty());
     REQUIRE(n.subsystems() == lines{"1.2.1.1", "4.1.1.1"});
 }
@@ -291,13 +295,13 @@ TEST_CASE("of more than 255 components of one node 255 are reported, those of th
         for (const unsigned of : {2U, 3U})
             manager.on_message({.command_code = jaus::command_code_of<jaus::report_heartbeat_pulse>,
                                 .source = make(1, of, 2 + i % 200, 1 + i / 200)},
-                               {}, 0s, n.out);
+                               {}, instant{0s}, n.out);
     for (const auto field : {jaus::query_field::node_configuration, jaus::query_field::subsystem_configuration}) {
         n.out.take();
         const std::array query{static_cast<std::byte>(field)};
         REQUIRE(
             manager.on_message({.command_code = jaus::command_code_of<jaus::query_configuration>, .source = make(9, 9)},
-                               query, 0s, n.out) == message_outcome::taken);
+                               query, instant{0s}, n.out) == message_outcome::taken);
         n.lists.reset();
         const auto told = n.out.only<jaus::report_configuration>(n.lists);
         REQUIRE(told.node[0].component.size() == 255);
@@ -308,7 +312,7 @@ TEST_CASE("of more than 255 components of one node 255 are reported, those of th
 
 TEST_CASE("a node manager asks the other nodes of its subsystem for their components and forgets them with the node") {
     node n;
-    n.manager.on_time(0s, n.out);
+    n.manager.on_time(instant{0s}, n.out);
     n.out.take();
     n.beat(make(1, 5), 0s);
     n.beat(make(2, 5), 0s);
@@ -321,14 +325,14 @@ TEST_CASE("a node manager asks the other nodes of its subsystem for their compon
     REQUIRE(n.configuration(jaus::query_field::subsystem_configuration) == expected);
     for (int second = 1; second != 10; ++second) {
         n.beat(make(1, 5), second * 1s);
-        n.manager.on_time(second * 1s, n.out);
+        n.manager.on_time(instant{second * 1s}, n.out);
     }
     REQUIRE(std::ranges::count(n.out.take(), "2B01 1.2.1.1 to 1.5.1.1") == 0);
-    n.manager.on_time(10s, n.out);
+    n.manager.on_time(instant{10s}, n.out);
     REQUIRE(std::ranges::count(n.out.take(), "2B01 1.2.1.1 to 1.5.1.1") == 1);
     REQUIRE(n.configuration(jaus::query_field::subsystem_configuration) == expected);
     n.seen.clear();
-    n.manager.on_time(12s, n.out); // the node manager was last heard at 9 s
+    n.manager.on_time(instant{12s}, n.out); // the node manager was last heard at 9 s
     std::ranges::sort(n.seen);
     REQUIRE(n.seen == lines{"-1.5.1.1", "-1.5.33.1", "-1.5.40.1"});
     REQUIRE(n.configuration(jaus::query_field::subsystem_configuration) == lines{"2: 1.1 33.1 37.2"});
@@ -372,7 +376,7 @@ TEST_CASE("a component without services has the core service: others ask again u
     bytes memory(1000);
     outbox out;
     jaus::described_component component{make(1, 2, 33), {.services = {}}, {}, memory};
-    REQUIRE(component.on_message({.command_code = 0x2B03, .source = make(3, 1)}, {}, 0s, out) ==
+    REQUIRE(component.on_message({.command_code = 0x2B03, .source = make(3, 1)}, {}, instant{0s}, out) ==
             message_outcome::taken);
     bytes held(4000);
     wire::arena decoded{held};
@@ -390,7 +394,7 @@ TEST_CASE("a report beyond one packet comes as a large data set, or is refused f
         bytes memory(room);
         outbox out;
         jaus::described_component component{make(1, 2, 33), description, {}, memory};
-        const auto what = component.on_message({.command_code = 0x2B03, .source = make(3, 1)}, {}, 0s, out);
+        const auto what = component.on_message({.command_code = 0x2B03, .source = make(3, 1)}, {}, instant{0s}, out);
         if (room < 11000) { // a packet and 5 * 1204 + 1 bytes of body
             REQUIRE(what == message_outcome::refused);
             REQUIRE(out.messages.empty());
@@ -406,7 +410,7 @@ TEST_CASE("a report beyond one packet comes as a large data set, or is refused f
         for (const auto& message : out.messages) {
             const auto split = jaus::split(message);
             sets.on_packet(
-                split.header, split.body, 0s,
+                split.header, split.body, instant{0s},
                 [&](const jaus::header& head, std::span<const std::byte> body) {
                     bytes lists_memory(40000);
                     wire::arena lists{lists_memory};
@@ -429,13 +433,13 @@ TEST_CASE("what is malformed is said to be so, and random bodies do no harm") {
     const bytes excess(3);
     for (const std::uint16_t code : all_codes) {
         const jaus::header head{.command_code = code, .destination = make(1, 2), .source = make(1, 5)};
-        REQUIRE(n.manager.on_message(head, excess, 0s, n.out) == message_outcome::malformed);
+        REQUIRE(n.manager.on_message(head, excess, instant{0s}, n.out) == message_outcome::malformed);
         auto acknowledgement = head;
         acknowledgement.ack_nak = jaus::ack_nak::ack;
-        REQUIRE(n.manager.on_message(acknowledgement, {}, 0s, n.out) == message_outcome::not_mine);
+        REQUIRE(n.manager.on_message(acknowledgement, {}, instant{0s}, n.out) == message_outcome::not_mine);
     }
     REQUIRE(n.out.lines.empty());
-    REQUIRE(n.manager.on_message({.command_code = 0x0405, .source = make(1, 5)}, {}, 0s, n.out) ==
+    REQUIRE(n.manager.on_message({.command_code = 0x0405, .source = make(1, 5)}, {}, instant{0s}, n.out) ==
             message_outcome::not_mine);
 
     std::mt19937 random{5};
@@ -446,9 +450,9 @@ TEST_CASE("what is malformed is said to be so, and random bodies do no harm") {
         for (auto& b : body) b = static_cast<std::byte>(random() % (i % 2 == 0 ? 256 : 6));
         const auto what = n.manager.on_message(
             {.command_code = all_codes[random() % 7], .destination = make(1, 2), .source = make(1, below(6), below(2))},
-            body, i * 1ms, n.out);
+            body, instant{i * 1ms}, n.out);
         ++outcomes[static_cast<std::size_t>(what)];
-        if (i % 100 == 0) n.manager.on_time(i * 1ms, n.out);
+        if (i % 100 == 0) n.manager.on_time(instant{i * 1ms}, n.out);
         n.out.take();
     }
     for (const auto what : {message_outcome::taken, message_outcome::refused, message_outcome::malformed})
@@ -461,7 +465,7 @@ TEST_CASE("a list memory that is too small refuses the report") {
     for (const std::uint16_t code : {std::uint16_t{0x2B01}, std::uint16_t{0x2B02}}) {
         const std::array<std::byte, 1> field{std::byte{2}};
         const auto body = std::span{field}.first(code == 0x2B01 ? 1 : 0);
-        const auto what = small.on_message({.command_code = code, .source = make(3, 1)}, body, 0s, n.out);
+        const auto what = small.on_message({.command_code = code, .source = make(3, 1)}, body, instant{0s}, n.out);
         REQUIRE(what == message_outcome::refused);
     }
     REQUIRE(n.out.lines.empty());
@@ -479,7 +483,7 @@ TEST_CASE("a node manager is a part of a component, which acknowledges what it t
                                 .source = make(3, 1),
                                 .data_size = 1,
                                 .sequence_number = level};
-        core.on_message(head, body, 0s, n.out, [](const auto&...) { return message_outcome::not_mine; });
+        core.on_message(head, body, instant{0s}, n.out, [](const auto&...) { return message_outcome::not_mine; });
         REQUIRE_FALSE(n.out.messages.empty());
         const auto last = jaus::split(n.out.messages.back()).header;
         REQUIRE(last.command_code == 0x2B00);
@@ -489,6 +493,6 @@ TEST_CASE("a node manager is a part of a component, which acknowledges what it t
     REQUIRE(ask(3) == std::pair{std::size_t{1}, jaus::ack_nak::ack});
     REQUIRE(ask(9) == std::pair{std::size_t{0}, jaus::ack_nak::nak});
     REQUIRE(core.next_event() == n.manager.next_event());
-    core.on_time(0s, n.out);
+    core.on_time(instant{0s}, n.out);
     REQUIRE(n.out.take() == lines{"4202 1.2.1.1 to 255.255.1.1"});
 }

@@ -1,6 +1,7 @@
 // Service connections: the two sides by themselves with literal messages, and together on a network that loses some.
 #include "messages.hpp"
 #include "support/hex.hpp"
+#include "support/instant.hpp"
 #include <jauscat/jaus/events/service_connections.hpp>
 #include <jauscat/jaus/events/service_consumer.hpp>
 
@@ -16,8 +17,9 @@ using jauscat::jaus::message_outcome;
 using jauscat::test::bytes;
 using jauscat::test::from_hex;
 using jauscat::test::to_hex;
+using support::instant;
 using response = jauscat::jaus::service_connection_response;
-using time_point = std::chrono::nanoseconds;
+using jauscat::time_point;
 namespace jaus = jauscat::jaus;
 
 constexpr jaus::address sensor{1, 38, 1, 2}, viewer{1, 40, 1, 1}, other{2, 40, 1, 1};
@@ -36,16 +38,16 @@ struct provider {
     jaus::service_connections<3> connections{sensor, reports, *this, memory};
     jauscat::test::sent_messages sent{};
 
-    template <class Message> message_outcome hear(const jaus::address& from, const Message& body, time_point now = 0s) {
+    template <class Message> message_outcome hear(const jaus::address& from, const Message& body, instant now = 0s) {
         return hear(jauscat::test::message({.destination = sensor, .source = from}, body), now);
     }
-    message_outcome hear(const bytes& message, time_point now = 0s) {
+    message_outcome hear(const bytes& message, instant now = 0s) {
         const auto m = jaus::split(message);
         REQUIRE(m);
         return connections.on_message(m.header, m.body, now, sent.sink());
     }
     response ask(const jaus::address& from, std::uint16_t code, double rate, std::uint32_t fields = 0,
-                 time_point now = 0s) {
+                 instant now = 0s) {
         const auto outcome = hear(from, jaus::create_service_connection{code, rate, fields}, now);
         const auto confirmed = sent.body<jaus::confirm_service_connection>(sent.size() - 1);
         REQUIRE(confirmed.command_code == code);
@@ -58,7 +60,7 @@ struct provider {
 };
 
 /// Runs the provider's due reports until `end` and counts them.
-std::size_t run(provider& p, time_point end) {
+std::size_t run(provider& p, instant end) {
     p.sent.clear();
     while (p.connections.next_event() && *p.connections.next_event() <= end)
         p.connections.on_time(*p.connections.next_event(), p.sent.sink());
@@ -74,16 +76,16 @@ TEST_CASE("a connection is confirmed and its reports carry the flag and count") 
             message_outcome::taken);
     REQUIRE(p.sent.size() == 1);
     REQUIRE(to_hex(p.sent[0]) == "06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 58 02 00");
-    REQUIRE(p.connections.next_event() == 3s);
+    REQUIRE(p.connections.next_event() == instant{3s});
 
     p.sent.clear();
-    p.connections.on_time(3s - 1ns, p.sent.sink());
+    p.connections.on_time(instant{3s - 1ns}, p.sent.sink());
     REQUIRE(p.sent.empty());
-    p.connections.on_time(3s, p.sent.sink());
-    p.connections.on_time(3s, p.sent.sink());
+    p.connections.on_time(instant{3s}, p.sent.sink());
+    p.connections.on_time(instant{3s}, p.sent.sink());
     REQUIRE(p.sent.size() == 1);
     REQUIRE(to_hex(p.sent[0]) == "46 02 02 44 01 28 01 01 01 26 01 02 02 00 00 00 11 11");
-    p.connections.on_time(4s, p.sent.sink());
+    p.connections.on_time(instant{4s}, p.sent.sink());
     REQUIRE(to_hex(p.sent[1]) == "46 02 02 44 01 28 01 01 01 26 01 02 02 00 01 00 11 11");
 }
 
@@ -98,7 +100,7 @@ TEST_CASE("suspend, activate and terminate do what they say") {
     REQUIRE(p.connections.next_event() == std::nullopt);
     REQUIRE(run(p, 5s) == 0);
     REQUIRE(p.hear(activate, 5s) == message_outcome::taken);
-    REQUIRE(p.connections.next_event() == 5s);
+    REQUIRE(p.connections.next_event() == instant{5s});
     REQUIRE(p.hear(activate, 5050ms) == message_outcome::taken);
     REQUIRE(run(p, 6s) == 10);
     REQUIRE(p.sent.header(0).sequence_number == 10);
@@ -142,7 +144,8 @@ TEST_CASE("what cannot be connected is answered with the reason") {
     jaus::service_connections<1> none{sensor, {}, p, memory};
     jauscat::test::sent_messages sent;
     const auto body = from_hex("02 44 58 02 00 00 00 00");
-    REQUIRE(none.on_message({.command_code = 8, .source = viewer}, body, 0s, sent.sink()) == message_outcome::refused);
+    REQUIRE(none.on_message({.command_code = 8, .source = viewer}, body, instant{0s}, sent.sink()) ==
+            message_outcome::refused);
     REQUIRE(sent.body<jaus::confirm_service_connection>(0).response_code ==
             response::component_does_not_support_service_connections);
 }
@@ -168,7 +171,7 @@ TEST_CASE("a request that is repeated changes the connection and makes no second
     REQUIRE(p.ask(viewer, pose, 10, 0, 995ms) == response::connection_created);
     REQUIRE(p.connections.next_event() == due);
     REQUIRE(p.ask(viewer, pose, 20, 3, 996ms) == response::connection_created);
-    REQUIRE(p.connections.next_event() == 996ms);
+    REQUIRE(p.connections.next_event() == instant{996ms});
     run(p, 996ms);
     REQUIRE(p.sent.header(0).sequence_number == 10);
     REQUIRE(std::ranges::count(p.connections.connections(), pose, &jaus::service_connection::command_code) == 1);
@@ -193,13 +196,13 @@ TEST_CASE("malformed and foreign messages change nothing") {
     for (const std::uint16_t code : {std::uint16_t{8}, std::uint16_t{10}, std::uint16_t{11}, std::uint16_t{12}})
         for (const std::size_t size : {0u, 2u, 7u, 9u}) {
             const jaus::header head{.command_code = code, .source = viewer};
-            REQUIRE(p.connections.on_message(head, std::span{junk}.first(size), 0s, p.sent.sink()) ==
+            REQUIRE(p.connections.on_message(head, std::span{junk}.first(size), instant{0s}, p.sent.sink()) ==
                     message_outcome::malformed);
         }
-    REQUIRE(p.connections.on_message({.command_code = 0x0009}, std::span{junk}.first(6), 0s, p.sent.sink()) ==
+    REQUIRE(p.connections.on_message({.command_code = 0x0009}, std::span{junk}.first(6), instant{0s}, p.sent.sink()) ==
             message_outcome::not_mine);
-    REQUIRE(p.connections.on_message({.ack_nak = jaus::ack_nak::ack, .command_code = 8}, {}, 0s, p.sent.sink()) ==
-            message_outcome::not_mine);
+    REQUIRE(p.connections.on_message({.ack_nak = jaus::ack_nak::ack, .command_code = 8}, {}, instant{0s},
+                                     p.sent.sink()) == message_outcome::not_mine);
     REQUIRE(p.sent.empty());
     REQUIRE(p.connections.next_event() == std::nullopt);
 }
@@ -213,16 +216,16 @@ TEST_CASE("reports do not drift, and a late one is sent once") {
     // Always served 3 ms late.
     p.sent.clear();
     for (int i = 0; i != 100000; ++i) {
-        REQUIRE(p.connections.next_event() == i * period);
-        p.connections.on_time(i * period + 3ms, p.sent.sink());
+        REQUIRE(p.connections.next_event() == instant{i * period});
+        p.connections.on_time(instant{i * period + 3ms}, p.sent.sink());
     }
     REQUIRE(p.sent.size() == 100000);
     REQUIRE(p.sent.header(99999).sequence_number == 99999 - 65536);
     // An hour late: one report, and the instants stay where they were.
     p.sent.clear();
-    p.connections.on_time(100000 * period + 36000 * period + 1ms, p.sent.sink());
+    p.connections.on_time(instant{100000 * period + 36000 * period + 1ms}, p.sent.sink());
     REQUIRE(p.sent.size() == 1);
-    REQUIRE(p.connections.next_event() == 136001 * period);
+    REQUIRE(p.connections.next_event() == instant{136001 * period});
 }
 
 TEST_CASE("a report that cannot be made is skipped and not counted as sent") {
@@ -253,12 +256,12 @@ struct consumer {
     jaus::service_consumer<2> service{viewer, {}, *this};
     jauscat::test::sent_messages sent{};
 
-    jaus::consumer_outcome hear(const bytes& message, time_point now) {
+    jaus::consumer_outcome hear(const bytes& message, instant now) {
         const auto m = jaus::split(message);
         REQUIRE(m);
         return service.on_message(m.header, m.body, now, sent.sink());
     }
-    jaus::consumer_outcome report(std::uint16_t number, time_point now, std::uint16_t code = pose) {
+    jaus::consumer_outcome report(std::uint16_t number, instant now, std::uint16_t code = pose) {
         const jaus::header head{
             .service_connection = true, .command_code = code, .source = sensor, .sequence_number = number};
         return service.on_message(head, {}, now, sent.sink());
@@ -273,9 +276,9 @@ const auto confirmation = "06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44
 
 TEST_CASE("a consumer asks until it is answered, keeps what is confirmed and terminates it") {
     consumer c;
-    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()) == 0);
-    REQUIRE(c.service.next_event() == 1s);
-    c.service.on_time(1s, c.sent.sink());
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()) == 0);
+    REQUIRE(c.service.next_event() == instant{1s});
+    c.service.on_time(instant{1s}, c.sent.sink());
     REQUIRE(c.sent.size() == 2);
     REQUIRE(to_hex(c.sent[0]) == "06 02 08 00 01 26 01 02 01 28 01 01 08 00 00 00 02 44 58 02 0f 00 00 00");
     REQUIRE(c.sent[1] == c.sent[0]);
@@ -285,17 +288,17 @@ TEST_CASE("a consumer asks until it is answered, keeps what is confirmed and ter
     REQUIRE(c.first().rate < 10.01);
 
     c.sent.clear();
-    REQUIRE(c.service.suspend(0, 1200ms, c.sent.sink()));
-    REQUIRE_FALSE(c.service.suspend(0, 1200ms, c.sent.sink()));
+    REQUIRE(c.service.suspend(0, instant{1200ms}, c.sent.sink()));
+    REQUIRE_FALSE(c.service.suspend(0, instant{1200ms}, c.sent.sink()));
     REQUIRE(c.service.next_event() == std::nullopt);
-    REQUIRE(c.service.activate(0, 1300ms, c.sent.sink()));
-    REQUIRE_FALSE(c.service.activate(0, 1300ms, c.sent.sink()));
-    c.service.end(0, 1400ms, c.sent.sink());
+    REQUIRE(c.service.activate(0, instant{1300ms}, c.sent.sink()));
+    REQUIRE_FALSE(c.service.activate(0, instant{1300ms}, c.sent.sink()));
+    c.service.end(0, instant{1400ms}, c.sent.sink());
     REQUIRE(c.sent.size() == 3);
     REQUIRE(to_hex(c.sent[0]) == "06 02 0b 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 07");
     REQUIRE(to_hex(c.sent[1]) == "06 02 0a 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 07");
     REQUIRE(to_hex(c.sent[2]) == "06 02 0c 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 07");
-    c.service.on_time(2400ms, c.sent.sink());
+    c.service.on_time(instant{2400ms}, c.sent.sink());
     REQUIRE(c.states == states{consumed_state::asking, consumed_state::active, consumed_state::suspended,
                                consumed_state::active, consumed_state::ending, consumed_state::free});
     REQUIRE(c.service.next_event() == std::nullopt);
@@ -303,7 +306,7 @@ TEST_CASE("a consumer asks until it is answered, keeps what is confirmed and ter
 
 TEST_CASE("a consumer counts the reports that are missing, and drops old ones") {
     consumer c;
-    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     // The first overtakes the confirmation.
     REQUIRE(c.report(65533, 1ms) == jaus::consumer_outcome{consumer_news::report, 0, 0});
     c.hear(from_hex(confirmation), 2ms);
@@ -312,7 +315,7 @@ TEST_CASE("a consumer counts the reports that are missing, and drops old ones") 
     REQUIRE(c.report(2, 5ms) == jaus::consumer_outcome{consumer_news::report, 0, 3});
     REQUIRE(c.report(0, 6ms) == jaus::consumer_outcome{consumer_news::old_report, 0, 0});
     REQUIRE(c.report(3, 6ms, velocity).what == consumer_news::not_mine);
-    REQUIRE(c.service.on_message({.command_code = pose, .source = sensor}, {}, 7ms, c.sent.sink()).what ==
+    REQUIRE(c.service.on_message({.command_code = pose, .source = sensor}, {}, instant{7ms}, c.sent.sink()).what ==
             consumer_news::not_mine);
     REQUIRE(c.first().received == 3);
     REQUIRE(c.first().lost == 3);
@@ -321,12 +324,12 @@ TEST_CASE("a consumer counts the reports that are missing, and drops old ones") 
 
 TEST_CASE("a connection without a report for three periods is stale and asked for again") {
     consumer c;
-    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     c.hear(from_hex(confirmation), 0s);
     c.report(41, 100ms);
     const auto due = c.service.next_event();
-    REQUIRE(due > 399ms);
-    REQUIRE(due < 401ms);
+    REQUIRE(due > instant{399ms});
+    REQUIRE(due < instant{401ms});
     c.sent.clear();
     c.service.on_time(*due - 1ns, c.sent.sink());
     REQUIRE(c.first().state == consumed_state::active);
@@ -347,7 +350,7 @@ TEST_CASE("a connection without a report for three periods is stale and asked fo
 
 TEST_CASE("a consumer gives up what is refused or never answered") {
     consumer c;
-    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 00 00 04"), 0s).what ==
             consumer_news::refused);
     REQUIRE(c.first().response == response::connection_refused);
@@ -355,25 +358,25 @@ TEST_CASE("a consumer gives up what is refused or never answered") {
     REQUIRE(c.report(0, 1s).what == consumer_news::ignored);
 
     c.sent.clear();
-    REQUIRE(c.service.ask(sensor, velocity, 10, 15, 0s, c.sent.sink()) == 1);
+    REQUIRE(c.service.ask(sensor, velocity, 10, 15, instant{0s}, c.sent.sink()) == 1);
     while (c.service.next_event()) c.service.on_time(*c.service.next_event(), c.sent.sink());
     REQUIRE(c.sent.size() == 5);
     REQUIRE(c.service.connections()[1].state == consumed_state::unanswered);
     // Both places are wanted for others.
-    REQUIRE(c.service.ask(other, pose, 10, 15, 9s, c.sent.sink()) == 1);
-    REQUIRE(c.service.ask(other, velocity, 10, 15, 9s, c.sent.sink()) == 0);
-    REQUIRE(c.service.ask(other, 0x4403, 10, 15, 9s, c.sent.sink()) == std::nullopt);
-    REQUIRE(c.service.ask(other, velocity, 0, 15, 9s, c.sent.sink()) == std::nullopt);
-    REQUIRE(c.service.ask(other, velocity, 1093, 15, 9s, c.sent.sink()) == std::nullopt);
+    REQUIRE(c.service.ask(other, pose, 10, 15, instant{9s}, c.sent.sink()) == 1);
+    REQUIRE(c.service.ask(other, velocity, 10, 15, instant{9s}, c.sent.sink()) == 0);
+    REQUIRE(c.service.ask(other, 0x4403, 10, 15, instant{9s}, c.sent.sink()) == std::nullopt);
+    REQUIRE(c.service.ask(other, velocity, 0, 15, instant{9s}, c.sent.sink()) == std::nullopt);
+    REQUIRE(c.service.ask(other, velocity, 1093, 15, instant{9s}, c.sent.sink()) == std::nullopt);
 }
 
 TEST_CASE("a connection whose change is refused is terminated, also when that message is lost") {
     const auto refusal = from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 00 00 04");
     const auto termination = "06 02 0c 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 07";
     consumer c;
-    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     c.hear(from_hex(confirmation), 0s);
-    REQUIRE(c.service.ask(sensor, pose, 20, 15, 1s, c.sent.sink()) == 0);
+    REQUIRE(c.service.ask(sensor, pose, 20, 15, instant{1s}, c.sent.sink()) == 0);
     c.sent.clear();
     REQUIRE(c.hear(refusal, 1s) == jaus::consumer_outcome{consumer_news::refused, 0, 0});
     REQUIRE(c.first().state == consumed_state::refused);
@@ -388,20 +391,20 @@ TEST_CASE("a connection whose change is refused is terminated, also when that me
 
     // A change that is ended before there is an answer.
     consumer d;
-    REQUIRE(d.service.ask(sensor, pose, 10, 15, 0s, d.sent.sink()));
+    REQUIRE(d.service.ask(sensor, pose, 10, 15, instant{0s}, d.sent.sink()));
     d.hear(from_hex(confirmation), 0s);
-    REQUIRE(d.service.ask(sensor, pose, 20, 15, 1s, d.sent.sink()) == 0);
+    REQUIRE(d.service.ask(sensor, pose, 20, 15, instant{1s}, d.sent.sink()) == 0);
     d.sent.clear();
-    d.service.end(0, 1s, d.sent.sink());
+    d.service.end(0, instant{1s}, d.sent.sink());
     REQUIRE(d.sent.size() == 1);
     REQUIRE(to_hex(d.sent[0]) == termination);
 }
 
 TEST_CASE("a stale connection that is refused is not asked for again") {
     consumer c;
-    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     c.hear(from_hex(confirmation), 0s);
-    c.service.on_time(5s, c.sent.sink());
+    c.service.on_time(instant{5s}, c.sent.sink());
     REQUIRE(c.first().state == consumed_state::stale);
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 00 00 04"), 6s).what ==
             consumer_news::refused);
@@ -414,7 +417,7 @@ TEST_CASE("a stale connection that is refused is not asked for again") {
 
 TEST_CASE("a connection that is confirmed when it was given up is terminated") {
     consumer c;
-    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     while (c.service.next_event()) c.service.on_time(*c.service.next_event(), c.sent.sink());
     REQUIRE(c.first().state == consumed_state::unanswered);
     c.sent.clear();
@@ -428,7 +431,7 @@ TEST_CASE("a connection that is confirmed when it was given up is terminated") {
 
 TEST_CASE("a confirmation from elsewhere or of another report is none") {
     consumer c;
-    REQUIRE(c.service.ask(sensor, pose, 10, 15, 0s, c.sent.sink()));
+    REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 02 26 01 02 06 00 05 00 02 44 07 58 02 00"), 0s).what ==
             consumer_news::not_mine);
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 04 44 07 58 02 00"), 0s).what ==
@@ -449,7 +452,7 @@ TEST_CASE("over a network that loses a third of all messages connections come ab
         c.service = jaus::service_consumer<2>{viewer, {.retry = {.interval = 1s, .attempts = 100}}, c};
         std::vector<std::uint16_t> numbers;
         std::uint64_t lost_by_count = 0;
-        const auto exchange = [&](time_point now) {
+        const auto exchange = [&](instant now) {
             for (int hop = 0; hop != 4; ++hop) {
                 for (const auto& m : c.sent.take())
                     if (random() % 3 != 0) p.hear(m, now);
@@ -462,16 +465,16 @@ TEST_CASE("over a network that loses a third of all messages connections come ab
                 }
             }
         };
-        REQUIRE(c.service.ask(sensor, pose, 50, 7, 0s, c.sent.sink()));
+        REQUIRE(c.service.ask(sensor, pose, 50, 7, instant{0s}, c.sent.sink()));
         bool ended = false;
         int restarts = 0;
-        time_point now = 0s;
-        for (; now != 60s; now += 1ms) {
-            if (now == 20s) { // the provider starts anew and has forgotten all
+        time_point now{};
+        for (; now != instant{60s}; now += 1ms) {
+            if (now == instant{20s}) { // the provider starts anew and has forgotten all
                 p.connections.clear();
                 ++restarts;
             }
-            if (now == 40s) {
+            if (now == instant{40s}) {
                 // Nearly all reports of 40 s were sent: asking takes a few seconds at worst.
                 REQUIRE(c.first().confirmed);
                 REQUIRE(numbers.size() > 800);
@@ -500,7 +503,7 @@ TEST_CASE("random messages leave both sides of service connections within their 
     consumer c;
     std::array<int, 4> outcomes{};
     constexpr std::array<std::uint16_t, 8> codes{8, 9, 10, 11, 12, pose, velocity, 0};
-    time_point now = 0s;
+    time_point now{};
     for (int i = 0; i != 100000; ++i) {
         now += std::chrono::milliseconds{random() % 50};
         // Every other body has the size of its message.

@@ -24,8 +24,8 @@ void arm_unit::pass(std::span<std::byte> frame, time now, bool frozen) {
 void arm_unit::on_time(time now) {
     application_->set_station(slave_.station_address());
     slave_.work();
-    slave_.on_time(now);
-    watch_->look(slave_, now); // first: the inputs say what is in force then
+    slave_.on_time(jauscat::time_point{now});
+    watch_->look(slave_, jauscat::time_point{now}); // first: the inputs say what is in force then
     process_data_->work(slave_);
 }
 

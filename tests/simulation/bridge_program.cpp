@@ -108,7 +108,7 @@ void bridge_program::boot() {
         model_.starts(accounts_[i]);
         static_cast<void>(data_->bus->add(one.front));
         one.stuck_since = world_.now();
-        one.node.start(local());
+        one.node.start(now());
     }
     world_.in(world_.faults.pause(fault::bridge_ended, std::chrono::seconds{10}), *this, to_end, life());
 }
@@ -118,30 +118,30 @@ void bridge_program::kill() { data_.reset(); }
 void bridge_program::receive(const datagram& one) {
     auto& to = data_->units[one.to];
     to.current_message = one.message;
-    to.node.on_datagram(one.content(), endpoint_of(one.from), {}, false, local(), waited(one));
+    to.node.on_datagram(one.content(), endpoint_of(one.from), {}, false, now(), waited(one));
     to.current_message = 0;
     pump();
 }
 
 void bridge_program::run() {
-    const auto now = local();
+    const auto at = now();
     for (auto& one : data_->units)
-        if (const auto due = one.node.next_event(); due && *due <= now) one.node.on_time(now);
+        if (const auto due = one.node.next_event(); due && *due <= at) one.node.on_time(at);
     pump();
 }
 
 std::optional<time> bridge_program::next() {
-    std::optional<time> first = data_->bus->next_event();
+    auto first = data_->bus->next_event();
     for (auto& one : data_->units)
         if (const auto due = one.node.next_event(); due && (!first || *due < *first)) first = due;
-    if (first) first = std::max(*first, local()); // what is due at once has no time that can be counted with
-    return first;
+    if (first) first = std::max(*first, now()); // what is due at once has no time that can be counted with
+    return since_start(first);
 }
 
 void bridge_program::frame_returns(bytes frame) {
     if (!running()) return; // its socket is full of them when it goes on; a frame that old is of no use
     const auto out = [this](bytes message) { put(message); };
-    data_->bus->on_frame(frame, local(), out);
+    data_->bus->on_frame(frame, now(), out);
     send_frames();
     rearm();
 }
@@ -149,12 +149,12 @@ void bridge_program::frame_returns(bytes frame) {
 // What the ring makes of news.
 void bridge_program::pump() {
     const auto out = [this](bytes message) { put(message); };
-    data_->bus->on_time(local(), out);
+    data_->bus->on_time(now(), out);
     send_frames();
 }
 
 void bridge_program::send_frames() {
-    while (const auto size = data_->bus->next_frame(frame_, local())) wire_.send(bytes{frame_}.first(size));
+    while (const auto size = data_->bus->next_frame(frame_, now())) wire_.send(bytes{frame_}.first(size));
     if (data_->ends && data_->bus->at_rest() && world_.now() - data_->ends_since > milliseconds{50})
         world_.at(world_.now(), *this, to_kill, life());
 }
@@ -166,7 +166,7 @@ void bridge_program::put(bytes message) {
         auto& one = data_->units[i];
         if (one.component.self() != parts.header.source) continue;
         model_.answers(accounts_[i], message);
-        one.node.put(message, local());
+        one.node.put(message, now());
     }
 }
 
@@ -202,7 +202,7 @@ void bridge_program::own_event(std::uint8_t what, std::uint32_t argument) {
     data_->ends = true;
     data_->ends_since = world_.now();
     const auto out = [this](bytes message) { put(message); };
-    data_->bus->shut_down(local(), out);
+    data_->bus->shut_down(now(), out);
     pump();
     rearm();
     world_.in(std::chrono::seconds{1}, *this, to_kill, life());

@@ -1,12 +1,19 @@
 // Random numbers that depend on the seed alone: std's distributions differ from one library to another.
 #pragma once
 
+#include <jauscat/base/time.hpp>
+
 #include <chrono>
 #include <cstdint>
+#include <optional>
 
 namespace simulation {
 
-using time = std::chrono::nanoseconds;
+using time = std::chrono::nanoseconds; ///< since the start, or a duration
+
+[[nodiscard]] constexpr std::optional<time> since_start(std::optional<jauscat::time_point> at) noexcept {
+    return at ? std::optional{at->time_since_epoch()} : std::nullopt;
+}
 
 /// splitmix64: fast, and every seed is good.
 class generator {

@@ -25,8 +25,8 @@ template <class Component, class Application> class watched_component {
     std::function<void(const jaus::address&)> seen_lost{};
 
     [[nodiscard]] const jaus::address& self() const noexcept { return it_.self(); }
-    jaus::component_outcome on_message(const jaus::header& head, bytes body, time now, jaus::message_sink out,
-                                       auto&& rest) {
+    jaus::component_outcome on_message(const jaus::header& head, bytes body, jauscat::time_point now,
+                                       jaus::message_sink out, auto&& rest) {
         if (mute) return jaus::component_outcome::taken;
         if (seen_in) seen_in(head);
         const auto send = watching(out);
@@ -37,12 +37,14 @@ template <class Component, class Application> class watched_component {
         if (seen_done) seen_done();
         return what;
     }
-    void on_time(time now, jaus::message_sink out) {
+    void on_time(jauscat::time_point now, jaus::message_sink out) {
         if (mute) return;
         const auto send = watching(out);
         it_.on_time(now, send);
     }
-    [[nodiscard]] std::optional<time> next_event() const { return mute ? std::nullopt : it_.next_event(); }
+    [[nodiscard]] std::optional<jauscat::time_point> next_event() const {
+        return mute ? std::nullopt : it_.next_event();
+    }
     void on_lost(const jaus::address& who) {
         if (seen_lost) seen_lost(who);
         if (!mute) it_.on_lost(who);
@@ -91,7 +93,7 @@ class node_program : public process {
             [this](bytes message, const net::node_machine::endpoint& to, jaus::framing) { send(message, to); },
             random_.next());
         add_components(*node_);
-        node_->start(local());
+        node_->start(now());
     }
     void kill() override {
         node_.reset();
@@ -99,11 +101,11 @@ class node_program : public process {
     }
     void receive(const datagram& one) override {
         current_message_ = one.message;
-        node_->on_datagram(one.content(), endpoint_of(one.from), {}, false, local(), waited(one));
+        node_->on_datagram(one.content(), endpoint_of(one.from), {}, false, now(), waited(one));
         current_message_ = 0;
     }
-    void run() override { node_->on_time(local()); }
-    [[nodiscard]] std::optional<time> next() override { return node_->next_event(); }
+    void run() override { node_->on_time(now()); }
+    [[nodiscard]] std::optional<time> next() override { return since_start(node_->next_event()); }
 
     model& model_;
 

@@ -109,10 +109,10 @@ void operator_program::large_data_done(const jaus::header& head, jaus::delivered
 }
 
 template <class Message> void operator_program::command(const Message& message, bool acknowledged) {
-    const auto out = node().out(local());
+    const auto out = node().out(now());
     const jaus::header head{.destination = target_, .source = id_, .sequence_number = plain_number_++};
     if (acknowledged)
-        static_cast<void>(core_->send(head, message, local(), out));
+        static_cast<void>(core_->send(head, message, now(), out));
     else
         static_cast<void>(jaus::put(head, message, out));
 }
@@ -126,7 +126,7 @@ void operator_program::send_large() {
                             .command_code = large_code,
                             .destination = target_,
                             .source = id_};
-    if (node().send(head, large_, local())) model_.sends_large(account_, head, identity);
+    if (node().send(head, large_, now())) model_.sends_large(account_, head, identity);
 }
 
 // A request that nobody answers comes to an end.
@@ -147,7 +147,7 @@ void operator_program::act() {
     switch (next_intent(random_, has_control, holds_emergency_)) {
     case intent::ask_control:
         if (control_->state() == jaus::control_state::asking) return;
-        return control_->ask(static_cast<std::uint8_t>(1 + random_.below(200)), local(), node().out(local()));
+        return control_->ask(static_cast<std::uint8_t>(1 + random_.below(200)), now(), node().out(now()));
     case intent::move: return command(efforts_of<jaus::set_wrench_effort>(model_.new_command()), sure);
     case intent::stop_moving: return command(efforts_of<jaus::set_wrench_effort>(0), sure);
     case intent::standby: return command(jaus::standby{}, sure);
@@ -157,7 +157,7 @@ void operator_program::act() {
     case intent::reset: return command(jaus::reset{}, sure);
     case intent::shutdown: return command(jaus::shutdown{}, sure);
     case intent::release:
-        if (has_control) control_->release(node().out(local()));
+        if (has_control) control_->release(node().out(now()));
         return;
     case intent::query_status: return command(jaus::query_component_status{}, false);
     case intent::query_efforts: return command(jaus::query_wrench_effort{}, false);
@@ -171,7 +171,7 @@ void operator_program::own_event(std::uint8_t what, std::uint32_t argument) {
         watched_->mute = false;
         asks_since_ = run_time();
         model_.speaks(account_);
-        node().wake(local());
+        node().wake(now());
         if (running()) rearm();
         return;
     }

@@ -30,6 +30,8 @@ class process : public actor, public port_user {
     [[nodiscard]] time waited(const datagram& one) const noexcept { return world_.now() - one.arrived; }
     /// Its clock.
     [[nodiscard]] time local() const noexcept { return world_.now() + leapt_; }
+    /// The same, for the library.
+    [[nodiscard]] jauscat::time_point now() const noexcept { return jauscat::time_point{local()}; }
     /// Grows only while it runs.
     [[nodiscard]] time run_time() const noexcept { return (running() ? world_.now() : changed_at_) - idle_; }
     /// When it last ceased to run.

@@ -41,7 +41,7 @@ struct commander {
     /// By the sequence number of what waits for its acknowledgement.
     struct sent_effort {
         std::uint32_t number{};
-        nanoseconds at{};
+        jauscat::time_point at{};
     };
     std::vector<sent_effort> efforts = std::vector<sent_effort>(65536);
     std::optional<jaus::delivered> released{}; ///< what became of the last Release Component Control
@@ -104,13 +104,12 @@ class operator_end : public end {
         for (; due_ <= now; due_ += 1ms)
             if (!finishing_) command(now);
         play(now);
-        timer_.expires_at(boost::asio::steady_timer::time_point{
-            std::chrono::duration_cast<boost::asio::steady_timer::duration>(due_)});
+        timer_.expires_at(net::to_steady(due_));
         timer_.async_wait([this](boost::system::error_code error) {
             if (!error) tick();
         });
     }
-    void command(nanoseconds now) {
+    void command(jauscat::time_point now) {
         const bool hijacks = now < hijack_until_;
         auto& who = supervisor_.control.state() == state::held && !hijacks ? supervisor_ : operator_;
         const auto number = book_.next(hijacks);
@@ -138,7 +137,7 @@ class operator_end : public end {
         if (m.sent == 1) first_try.add(took);
     }
 
-    void play(nanoseconds now) {
+    void play(jauscat::time_point now) {
         if (waits_) {
             if (script_[next_ - 1].so()) {
                 steps.add(now - step_at_);
@@ -162,7 +161,7 @@ class operator_end : public end {
         waits_ = true;
         script_[next_++].act();
     }
-    void finish(nanoseconds now) {
+    void finish(jauscat::time_point now) {
         if (!finishing_) operator_.control.ask(5, now, node_.out());
         finishing_ = true;
         if (operator_.core.waiting() + supervisor_.core.waiting() == 0 && operator_.control.state() != state::asking)
@@ -203,7 +202,7 @@ class operator_end : public end {
     };
     std::size_t next_{};
     bool waits_{}, finishing_{};
-    nanoseconds started_{}, due_{}, step_at_{}, hijack_until_{};
+    jauscat::time_point started_{}, due_{}, step_at_{}, hijack_until_{};
     unsigned left_{};
     std::vector<std::string> failures_{};
 };

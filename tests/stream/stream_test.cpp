@@ -1,6 +1,7 @@
 // Messages found in a stream of bytes: whole, in pieces, and among noise.
 #include "support/catch.hpp"
 #include "support/hex.hpp"
+#include "support/instant.hpp"
 #include <jauscat/jaus/message/stream_framer.hpp>
 
 #include <random>
@@ -11,6 +12,7 @@ using namespace std::chrono_literals;
 using jauscat::jaus::stream_framer;
 using jauscat::test::from_hex;
 using jauscat::test::to_hex;
+using support::instant;
 using bytes = std::vector<std::byte>;
 
 // Set Wrench Effort, 50 % along x, from 1.1.1.1 to 2.2.33.1; Query Component Status, which has no body.
@@ -28,10 +30,10 @@ template <std::size_t MaxBody = 64> struct listener {
     stream_framer framer{buffer, 20ms};
     std::vector<std::string> messages{};
 
-    void hear(const bytes& received, std::chrono::nanoseconds now = 0ms) {
+    void hear(const bytes& received, instant now = 0ms) {
         framer.on_bytes(received, now, [&](auto message) { messages.push_back(to_hex(message)); });
     }
-    void wait(std::chrono::nanoseconds now) {
+    void wait(instant now) {
         framer.on_time(now, [&](auto message) { messages.push_back(to_hex(message)); });
     }
 };
@@ -206,7 +208,7 @@ TEST_CASE("the framer works at compile time") {
         stream_framer framer{buffer, 1ms};
         std::size_t found = 0;
         for (const std::byte byte : message)
-            framer.on_bytes({&byte, 1}, 0ms, [&](std::span<const std::byte> taken) { found += taken.size(); });
+            framer.on_bytes({&byte, 1}, instant{0ms}, [&](std::span<const std::byte> taken) { found += taken.size(); });
         return found == message.size();
     }());
 }

@@ -37,7 +37,7 @@ class simulated_link {
     using nanoseconds = std::chrono::nanoseconds;
 
     link_faults faults{};
-    nanoseconds now{};
+    jauscat::time_point now{};
     nanoseconds trip{std::chrono::microseconds{5}}; ///< one way
     std::function<void(bytes&)> on_way_back{};      ///< looks at a frame, may change or (by emptying it) lose it
     std::vector<bytes> seen{};                      ///< frames as the master sent them, if `record`
@@ -119,7 +119,7 @@ class simulated_link {
 
     std::function<void(std::span<std::byte>)> process_;
     std::mt19937 random_;
-    std::multimap<nanoseconds, passage> travelling_{};
+    std::multimap<jauscat::time_point, passage> travelling_{};
 };
 
 } // namespace jauscat::test

@@ -1,11 +1,13 @@
 // JAUS on the cyclic path: the outputs and inputs of one slave, and what the asker gets to hear.
 #include "image_samples.hpp"
+#include "support/instant.hpp"
 #include <jauscat/bridge/image_exchange.hpp>
 #include <jauscat/ethercat/slave/image_entries.hpp>
 
 using namespace jauscat;
 using namespace jauscat::test;
 using namespace std::chrono_literals;
+using support::instant;
 
 namespace {
 
@@ -27,12 +29,12 @@ struct robot {
         REQUIRE(wire::encode(in, inputs));
     }
     translate::errc commands(std::string_view body, jaus::ack_nak ack = jaus::ack_nak::none, std::uint16_t sequence = 1,
-                             ethercat::time_point now = {}) {
+                             instant now = 0s) {
         return mine.on_command(head(exchange::command_code, ack, sequence), from_hex(body), outputs, inputs, now)
             .error();
     }
     /// The next acknowledgement in short: "ack 5", or nothing.
-    std::string acknowledgement(ethercat::time_point now = {}) {
+    std::string acknowledgement(instant now = 0s) {
         std::array<std::byte, 16> out{};
         const auto size = mine.acknowledgement(inputs, now, out);
         if (size == 0) return {};

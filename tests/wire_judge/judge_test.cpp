@@ -11,6 +11,7 @@
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/net/link/raw_link.hpp>
 #include <jauscat/net/link/run_master.hpp>
+#include <jauscat/net/now.hpp>
 
 #include <optional>
 #include <sstream>
@@ -328,7 +329,7 @@ TEST_CASE("tshark reads the way of two slaves to OP, and their cycles") {
 
     ethercat::process_data cyclic{w.master.slaves()};
     std::array<std::byte, ethercat::max_frame_size> frame{};
-    const auto now = [] { return std::chrono::nanoseconds{std::chrono::steady_clock::now().time_since_epoch()}; };
+    const auto now = [] { return jauscat::net::now(); };
     // Gives what arrives to the one that waits for it.
     const auto exchange = [&](std::size_t size, auto on_frame) {
         if (size == 0) return;

@@ -76,7 +76,7 @@ class communicator {
             }
             net::run_until(context_, 10ms, [] { return example::stop_requested.load(); });
             std::erase_if(awaited_, [this](const awaited_report& report) {
-                if (now() < report.until) return false;
+                if (!report.until.is_reached(now())) return false;
                 wrong(events::no_answer, {{"code", report.command_code}, {"address", text::to_text(report.from)}},
                       "no " + text::message_name(report.command_code) + " from " + text::to_text(report.from));
                 return true;
@@ -88,11 +88,10 @@ class communicator {
     }
 
   private:
-    using time = std::chrono::nanoseconds;
     struct awaited_report {
         std::uint16_t command_code{};
         jaus::address from{};
-        time until{};
+        jauscat::deadline until{};
     };
     void on_state(jaus::primary_status_code from, jaus::primary_status_code to) {
         tell("state", events::state_changed,
@@ -164,7 +163,7 @@ class communicator {
         text.resize(std::max(text.size() + 1, width), ' ');
         return text;
     }
-    static time now() { return net::jaus_node::now(); }
+    static jauscat::time_point now() { return net::now(); }
     static std::string net_address(const net::system_entry& me) {
         return me.ip.to_string() + " port " + std::to_string(me.port);
     }
@@ -243,7 +242,8 @@ class communicator {
             char* end{};
             const double seconds = std::strtod(all[1].c_str(), &end);
             if (end != all[1].c_str() && *end == '\0' && seconds >= 0 && seconds <= 86400) {
-                next_line_at_ = now() + std::chrono::duration_cast<time>(std::chrono::duration<double>{seconds});
+                next_line_at_ =
+                    now() + std::chrono::duration_cast<jauscat::duration>(std::chrono::duration<double>{seconds});
                 return;
             }
         }
@@ -277,7 +277,7 @@ class communicator {
         else {
             show(events::message_sent, example::message_members(head, body),
                  "sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
-            if (report != 0 && to_one) awaited_.push_back({report, head.destination, now() + 2s});
+            if (report != 0 && to_one) awaited_.push_back({report, head.destination, jauscat::deadline{now(), 2s}});
         }
     }
     void send_acknowledged(const jaus::header& head, std::span<const std::byte> body) {
@@ -313,7 +313,7 @@ class communicator {
     example::repeated_lines log_lines_{};
     example::event_limit limit_{};
     bool log_{}, quitting_{}, any_wrong_{};
-    time next_line_at_{};
+    jauscat::time_point next_line_at_{};
     std::vector<awaited_report> awaited_{};
     std::uint16_t sequence_{};
     application_type application_{};

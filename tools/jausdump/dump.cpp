@@ -178,7 +178,7 @@ void dump::add_packet_of_data_set(record& message) {
         whole->bytes.insert(whole->bytes.end(), body.begin(), body.end());
     };
     const auto lost = [&](const jaus::partial_data_set&) { summary_.lose_data_set(); };
-    const auto now = message.origin.time.value_or(std::chrono::nanoseconds{});
+    const jauscat::time_point now{message.origin.time.value_or(jauscat::duration{})};
     const auto result = data_sets_.on_packet(*message.head, message.body(), now, take, lost);
     message.data_set = error_name(result);
     if (result == jaus::reassembled::no_room || result == jaus::reassembled::too_large) {

@@ -23,6 +23,10 @@ using time_point = clock::time_point;
     return at > time_point::max() - by ? time_point::max() : at + by;
 }
 
+[[nodiscard]] constexpr duration saturating_add(duration a, duration b) noexcept {
+    return a > duration::max() - b ? duration::max() : a + b;
+}
+
 /// The instant until which something is waited for.
 class deadline {
   public:

@@ -1,5 +1,6 @@
 // Options of a bridge for one link.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/ethercat/master/sdo_options.hpp>
@@ -22,28 +23,28 @@ struct bridge_options {
     ethercat::master_config master{};
     ethercat::download_options download{};
     /// Cycle time of the process data. 0: no cycles.
-    std::chrono::nanoseconds period{};
+    duration period{};
     /// A slave in OP without new outputs for so long stops by itself. Written to every cyclic slave, and read back.
-    std::chrono::nanoseconds watchdog{};
+    duration watchdog{};
     /// A slave whose state has not been seen for so long is lost; a cyclic one that has not taken part in the exchange,
     /// in OP.
-    std::chrono::nanoseconds longest_silence{};
+    duration longest_silence{};
     /// Interval between checks of the slaves' states, while no slave has process data.
-    std::chrono::nanoseconds check_interval{};
+    duration check_interval{};
     /// A Report Heartbeat Pulse is written to a slave by mailbox that has got no message for so long: it stops by
     /// itself when none comes. 0: never.
-    std::chrono::nanoseconds keep_alive{};
+    duration keep_alive{};
     /// For the components: a controller that has been silent for so long is lost; see jaus::control_options.
-    std::chrono::nanoseconds control_timeout{};
+    duration control_timeout{};
     /// Interval between attempts to bring a slave up.
-    std::chrono::nanoseconds bring_up_interval{std::chrono::milliseconds{500}};
+    duration bring_up_interval{std::chrono::milliseconds{500}};
     /// Interval between attempts of a stop order that the slave refuses; see stop_debt.
-    std::chrono::nanoseconds stop_interval{std::chrono::milliseconds{20}};
+    duration stop_interval{std::chrono::milliseconds{20}};
     /// A job of the master for another slave that stands in the way of a stop order for longer is given up. If it was a
     /// transfer, that slave is lost.
-    std::chrono::nanoseconds stop_timeout{std::chrono::milliseconds{50}};
+    duration stop_timeout{std::chrono::milliseconds{50}};
     /// A message that still waits for its slave after so long is refused.
-    std::chrono::nanoseconds order_timeout{std::chrono::milliseconds{500}};
+    duration order_timeout{std::chrono::milliseconds{500}};
 };
 
 /// Defaults of `limit` below.
@@ -53,16 +54,14 @@ inline constexpr std::chrono::milliseconds at_rest_in_cycles{100};
 /// Options that bring an actuator to rest within `limit` after its controller, the link, the slave's state or this
 /// program is lost; docs/safety.md says how the times add up. `period`: of the process data, 0 for none; `limit` is at
 /// least 4 of them.
-[[nodiscard]] constexpr bridge_options at_rest_within(std::chrono::nanoseconds limit,
-                                                      std::chrono::nanoseconds period = {}) noexcept {
-    constexpr auto second = std::chrono::nanoseconds{std::chrono::seconds{1}};
-    return {.master = {.state_timeout = second,
-                       .mailbox_timeout = std::max<std::chrono::nanoseconds>(limit / 2, second / 4)},
+[[nodiscard]] constexpr bridge_options at_rest_within(duration limit, duration period = {}) noexcept {
+    constexpr auto second = duration{std::chrono::seconds{1}};
+    return {.master = {.state_timeout = second, .mailbox_timeout = std::max<duration>(limit / 2, second / 4)},
             .period = period,
             .watchdog = limit * 9 / 10, // a slave takes time to notice that it has expired
             .longest_silence = limit * 4 / 5,
             .check_interval = limit / 5,
-            .keep_alive = std::min<std::chrono::nanoseconds>(limit / 5, second / 10),
+            .keep_alive = std::min<duration>(limit / 5, second / 10),
             .control_timeout = limit * 7 / 10};
 }
 

@@ -1,6 +1,7 @@
 // A JAUS component whose actuator is an EtherCAT slave: keeps state, control and acknowledgement, sends stop orders,
 // and forwards all other messages to the slave.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/bridge/slave_front.hpp>
 #include <jauscat/jaus/component/component.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
@@ -35,7 +36,6 @@ inline constexpr std::uint32_t clear_owed = 8;     ///< it has not confirmed the
 class component {
   public:
     using bytes = std::span<const std::byte>;
-    using time = time_point;
 
     /// The front must outlive it and have room: component_capacity.
     component(const jaus::address& self, slave_front& front, const jaus::component_options& options = {}) noexcept
@@ -61,7 +61,7 @@ class component {
     [[nodiscard]] const stop_debt& debt() const noexcept { return debt_; }
 
     /// `application` gets what the core leaves; what that leaves is the slave's.
-    jaus::component_outcome on_message(const jaus::header& head, bytes body, time now, jaus::message_sink out,
+    jaus::component_outcome on_message(const jaus::header& head, bytes body, time_point now, jaus::message_sink out,
                                        auto&& application) {
         jaus::require_application<std::remove_reference_t<decltype(application)>>();
         show_debt();
@@ -72,18 +72,18 @@ class component {
         follow_up(now, out);
         return what;
     }
-    void on_time(time now, jaus::message_sink out) {
+    void on_time(time_point now, jaus::message_sink out) {
         show_debt();
         core_.on_time(now, out);
         follow_up(now, out);
     }
-    [[nodiscard]] std::optional<time> next_event() const {
-        return motion_is_dropped_ || foreign_motion_is_dropped_ ? std::optional{time::min()} : core_.next_event();
+    [[nodiscard]] std::optional<time_point> next_event() const {
+        return motion_is_dropped_ || foreign_motion_is_dropped_ ? std::optional{time_point::min()} : core_.next_event();
     }
     void on_lost(const jaus::address& who) { core_.on_lost(who); }
 
     /// Brings the actuator to rest and refuses motion commands from now on. Call at the end of the program.
-    void shut_down(time now, jaus::message_sink out) {
+    void shut_down(time_point now, jaus::message_sink out) {
         ends_ = true;
         core_.change(jaus::state_event::shutdown);
         if (debt_.settled()) owe_rest(stop_cause::program_ends);
@@ -94,7 +94,7 @@ class component {
 
     /// Called when the slave answers again. Sends the pending stop orders at once.
     void on_slave_up() { owe_what_the_state_owes(stop_cause::slave_back); }
-    void on_slave_lost(time now, jaus::message_sink out) {
+    void on_slave_lost(time_point now, jaus::message_sink out) {
         using enum jaus::primary_status_code;
         was_at_rest_ = was_at_rest_ || core_.state() == standby || core_.state() == emergency;
         owe_what_the_state_owes(stop_cause::slave_away);
@@ -120,7 +120,7 @@ class component {
         return jaus::make_message(head, nothing, out)->size();
     }
     /// The actuator has confirmed it.
-    void on_confirmed(stop_order what, time now, jaus::message_sink out) {
+    void on_confirmed(stop_order what, time_point now, jaus::message_sink out) {
         debt_.confirmed(what);
         if (!debt_.owes_stop()) answer_waiting(false, true, now, out);
         if (!debt_.owes_clear()) answer_waiting(true, what == stop_order::clear_emergency, now, out);
@@ -128,7 +128,7 @@ class component {
         follow_up(now, out);
     }
     /// The actuator has refused it; `unknown`: it has no object for it.
-    void on_refused(stop_order what, bool unknown, const refusal_reason& why, time now, jaus::message_sink out) {
+    void on_refused(stop_order what, bool unknown, const refusal_reason& why, time_point now, jaus::message_sink out) {
         const bool goes_on = debt_.refused(what, unknown, now);
         front_.watcher().stop_refused(*this, what, why, debt_.refusals());
         if (!goes_on) answer_waiting(true, false, now, out);
@@ -136,29 +136,30 @@ class component {
         follow_up(now, out);
     }
     /// A message that `accept` has deferred was executed.
-    void on_executed(const jaus::header& head, time now, jaus::message_sink out) { core_.finish(head, true, now, out); }
+    void on_executed(const jaus::header& head, time_point now, jaus::message_sink out) {
+        core_.finish(head, true, now, out);
+    }
     /// It was not.
-    void on_not_executed(const jaus::header& head, const refusal_reason& why, time now, jaus::message_sink out) {
+    void on_not_executed(const jaus::header& head, const refusal_reason& why, time_point now, jaus::message_sink out) {
         front_.watcher().refused(*this, head, why);
         core_.finish(head, false, now, out);
     }
 
     /// A command stands in the slave's outputs, and the slave has not taken it in time: it must not take it later.
-    void on_not_taken(const jaus::header& head, time now, jaus::message_sink out) {
+    void on_not_taken(const jaus::header& head, time_point now, jaus::message_sink out) {
         on_not_executed(head, {.why = refusal::not_taken}, now, out);
         if (!debt_.owes_stop()) owe_rest(stop_cause::not_taken);
     }
 
   private:
     // Queues a message that the core did not take. It is acknowledged when it is delivered.
-    jaus::message_outcome accept(jaus::header head, bytes body, time now, jaus::message_sink out) {
+    jaus::message_outcome accept(jaus::header head, bytes body, time_point now, jaus::message_sink out) {
         const auto refuse = [&](refusal why) {
             front_.watcher().refused(*this, head, {.why = why});
             return jaus::message_outcome::refused;
         };
         if (!front_.up()) return refuse(refusal::slave_down);
-        const order message{
-            .header = head, .unit = this, .expires = jaus::saturating_add(now, front_.timing().order_timeout)};
+        const order message{.header = head, .unit = this, .expires = deadline{now, front_.timing().order_timeout}};
         switch (front_.orders().push(message, body, [&](const jaus::header& older) {
             on_not_executed(older, {.why = refusal::superseded}, now, out);
         })) {
@@ -191,7 +192,7 @@ class component {
         waiting_[waiting_count_++] = head;
         return deferred;
     }
-    void answer_waiting(bool clears, bool executed, time now, jaus::message_sink out) {
+    void answer_waiting(bool clears, bool executed, time_point now, jaus::message_sink out) {
         std::size_t left = 0;
         for (const jaus::header& each : std::span{waiting_}.first(waiting_count_))
             if ((each.command_code == jaus::command_code_of<jaus::clear_emergency>) == clears)
@@ -245,7 +246,7 @@ class component {
     }
 
     // Executes what the hooks of the core have requested and what needs `out`.
-    void follow_up(time now, jaus::message_sink out) {
+    void follow_up(time_point now, jaus::message_sink out) {
         if (std::exchange(foreign_motion_is_dropped_, false)) {
             const auto& controller = core_.control().controller();
             drop_motion(now, out, [&](const jaus::address& who) { return !controller || controller->address != who; });
@@ -260,7 +261,7 @@ class component {
         core_.change(jaus::state_event::initialized);
         if (std::exchange(was_at_rest_, false)) core_.change(jaus::state_event::standby);
     }
-    void drop_motion(time now, jaus::message_sink out, auto&& is_unwanted) {
+    void drop_motion(time_point now, jaus::message_sink out, auto&& is_unwanted) {
         front_.orders().remove_if(
             [&](const order& each) {
                 return each.unit == this && !is_query(each.header) && is_unwanted(each.header.source);

@@ -5,6 +5,7 @@
 // proof that a command has arrived: a frame that comes back says that the outputs were written, not that the slave has
 // looked at them. Until then the next command is merged with the one before.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/jaus/message/requested_fields.hpp>
@@ -38,7 +39,7 @@ class image_exchange {
 
     /// `timeout`: after which a command that the slave has not taken is answered with NAK.
     constexpr image_exchange(const slave_identity& slave, std::uint8_t component,
-                             std::chrono::nanoseconds timeout = std::chrono::seconds{1}) noexcept
+                             duration timeout = std::chrono::seconds{1}) noexcept
         : slave_{slave}, component_{component}, timeout_{timeout} {}
 
     /// Before the first command, and after the slave was away: commands are counted on from what it has taken, so that
@@ -66,12 +67,12 @@ class image_exchange {
     /// and too_large where `capacity` commands wait for their acknowledgement already; the outputs are then unchanged.
     [[nodiscard]] constexpr result<void, translate::errc>
     on_command(const jaus::header& head, std::span<const std::byte> body, std::span<std::byte> outputs,
-               std::span<const std::byte> inputs, ethercat::time_point now) noexcept {
+               std::span<const std::byte> inputs, time_point now) noexcept {
         const bool wanted = head.ack_nak == jaus::ack_nak::request;
         if (wanted && waiting_ == capacity) return translate::errc::too_large;
         const bool seen = given(outputs) == taken(inputs);
         const auto done = seen ? command::to_image(body, outputs) : command::merge(body, outputs);
-        if (wanted && done) wait_[waiting_++] = {head, now + timeout_, given(outputs)};
+        if (wanted && done) wait_[waiting_++] = {head, deadline{now, timeout_}, given(outputs)};
         return done;
     }
 
@@ -96,11 +97,13 @@ class image_exchange {
 
     /// After each cycle, until it returns 0: writes the next acknowledgement to `out`, which holds 16 bytes. ACK for a
     /// command that the slave says it has taken, NAK for one that it has not in time.
-    constexpr std::size_t acknowledgement(std::span<const std::byte> inputs, ethercat::time_point now,
+    constexpr std::size_t acknowledgement(std::span<const std::byte> inputs, time_point now,
                                           std::span<std::byte> out) noexcept {
         const auto last = taken(inputs);
         const auto waits = std::span{wait_}.first(waiting_);
-        const auto over = [&](const waiting& each) { return has_reached(each.count, last) || now >= each.deadline; };
+        const auto over = [&](const waiting& each) {
+            return has_reached(each.count, last) || each.until.is_reached(now);
+        };
         const auto first = std::ranges::find_if(waits, over);
         if (first == waits.end()) return 0;
         const auto how = has_reached(first->count, last) ? jaus::ack_nak::ack : jaus::ack_nak::nak;
@@ -134,7 +137,7 @@ class image_exchange {
 
     struct waiting {
         jaus::header head{};
-        ethercat::time_point deadline{};
+        deadline until{};
         counter count{};
     };
 
@@ -145,7 +148,7 @@ class image_exchange {
 
     slave_identity slave_;
     std::uint8_t component_;
-    std::chrono::nanoseconds timeout_;
+    duration timeout_;
     std::array<waiting, capacity> wait_{};
     std::size_t waiting_{};
 };

@@ -1,11 +1,11 @@
 // Reassembles large data sets before delivery to a slave, because an SDO carries a whole message.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/large_data/reassembler.hpp>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <span>
 
@@ -19,8 +19,7 @@ template <std::size_t MaxBody, std::size_t Places = 4> class message_assembly {
     static_assert(MaxBody <= jaus::max_body_size, "message_assembly: a header cannot state such a size");
 
     /// `timeout`: a data set that has been silent so long gives its place up to another.
-    explicit message_assembly(std::chrono::nanoseconds timeout) noexcept
-        : large_{places_, packets_, memory_, timeout} {}
+    explicit message_assembly(duration timeout) noexcept : large_{places_, packets_, memory_, timeout} {}
     message_assembly(const message_assembly&) = delete;
     message_assembly& operator=(const message_assembly&) = delete;
 
@@ -29,8 +28,8 @@ template <std::size_t MaxBody, std::size_t Places = 4> class message_assembly {
     /// header of a whole is that of packet 0, but sequence number and acknowledgement are those of the packet that
     /// completed it: its sender waits for an answer to that one. `too_large` and `no_room` mean that the data set
     /// cannot be delivered.
-    jaus::reassembled on_message(const jaus::header& head, std::span<const std::byte> message,
-                                 std::chrono::nanoseconds now, auto&& take) {
+    jaus::reassembled on_message(const jaus::header& head, std::span<const std::byte> message, time_point now,
+                                 auto&& take) {
         if (head.data_flag == jaus::data_flag::only) {
             take(message);
             return jaus::reassembled::only;

@@ -1,11 +1,11 @@
 // Queue of messages to a slave: FIFO; keeps only the newest motion command of each sender and code.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/bridge/supersede.hpp>
 #include <jauscat/jaus/message/message.hpp>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -13,16 +13,13 @@
 
 namespace jauscat::bridge {
 
-/// Time since any epoch, as the caller counts it.
-using time_point = std::chrono::nanoseconds;
-
 class component;
 
 /// A message that waits for its slave: a place in the memory of an order_queue.
 struct order {
     jaus::header header{};  ///< as it came
     component* unit{};      ///< the component that the message is for
-    time_point expires{};   ///< refused if it still waits then
+    deadline expires{};     ///< refused if it still waits then
     std::uint16_t size{};   ///< bytes of the body
     std::uint64_t number{}; ///< order of arrival; 0: the place is free
 };
@@ -104,7 +101,7 @@ class order_queue {
     /// When the first of the waiting messages expires.
     [[nodiscard]] constexpr std::optional<time_point> next_expiry() const noexcept {
         const order* const found = earliest();
-        return found == nullptr ? std::nullopt : std::optional{found->expires};
+        return found == nullptr ? std::nullopt : std::optional{found->expires.at()};
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept {
         return static_cast<std::size_t>(

@@ -1,6 +1,7 @@
 // The slaves of one link and the components in front of them: frames, messages and time in, frames and messages out. It
 // never blocks: messages are accepted during a transfer, and stop orders overtake them.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/bridge/component.hpp>
 #include <jauscat/bridge/image_path.hpp>
 #include <jauscat/ethercat/hilscher/packet_job.hpp>
@@ -25,7 +26,6 @@ namespace jauscat::bridge {
 template <class Image = wrench_effort_path> class basic_ring {
   public:
     using bytes = std::span<const std::byte>;
-    using time = time_point;
 
     /// The options must outlive it.
     explicit basic_ring(const bridge_options& options) noexcept : options_{options} {}
@@ -40,12 +40,12 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
 
     /// Takes a frame that arrived. False if it was not waited for: it may be another master's.
-    bool on_frame(bytes frame, time now, jaus::message_sink out) {
+    bool on_frame(bytes frame, time_point now, jaus::message_sink out) {
         const bool was_taken = data_.on_frame(frame) || master_.on_frame(frame, now);
         on_time(now, out);
         return was_taken;
     }
-    void on_time(time now, jaus::message_sink out) {
+    void on_time(time_point now, jaus::message_sink out) {
         last_turn_ = now;
         if (!has_begun_) begin(now);
         master_.on_time(now);
@@ -57,7 +57,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     /// Writes the next frame to `frame`, which holds 1514 bytes, and returns its size; 0 when there is nothing to send
     /// now.
-    std::size_t next_frame(std::span<std::byte> frame, time now) {
+    std::size_t next_frame(std::span<std::byte> frame, time_point now) {
         if (cycles() && now >= next_cycle_) {
             // Missed cycles are skipped.
             next_cycle_ = std::max(next_cycle_ + interval(), now + interval() / 2);
@@ -70,9 +70,9 @@ template <class Image = wrench_effort_path> class basic_ring {
     void not_sent() noexcept { master_.cancel(ethercat::master_errc::not_sent); }
 
     /// When `on_time` or `next_frame` will next have something to do, if nothing arrives first.
-    [[nodiscard]] std::optional<time> next_event() const {
-        std::optional<time> next;
-        const auto consider = [&](std::optional<time> other) {
+    [[nodiscard]] std::optional<time_point> next_event() const {
+        std::optional<time_point> next;
+        const auto consider = [&](std::optional<time_point> other) {
             if (other && (!next || *other < *next)) next = other;
         };
         if (!master_.idle()) {
@@ -86,7 +86,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (cycles()) consider(next_cycle_);
         for (const place& each : places()) {
             consider(each.front->orders().next_expiry());
-            if (each.at == phase::up) consider(jaus::saturating_add(each.last_seen, options_.longest_silence));
+            if (each.at == phase::up) consider(saturating_add(each.last_seen, options_.longest_silence));
             if (master_.idle()) consider(next_work_of(each));
         }
         return next;
@@ -100,7 +100,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         });
     }
     /// Shuts all components down, see component::shut_down. Keep driving the ring until `at_rest`.
-    void shut_down(time now, jaus::message_sink out) {
+    void shut_down(time_point now, jaus::message_sink out) {
         for (place& each : places())
             for (component* unit : each.front->components()) unit->shut_down(now, out);
     }
@@ -136,17 +136,17 @@ template <class Image = wrench_effort_path> class basic_ring {
         component* unit{};
         jaus::header header{};
         typename image_type::counter count{};
-        time deadline{};
+        deadline until{};
         bool is_stop{};
     };
     struct place {
         slave_front* front{};
         phase at{};
         ethercat::master_error bring_up{};
-        time next_try = time::min();
-        time next_keep_alive{};
-        time last_seen{}; // in a state in which it can be commanded
-        time settling_until{};
+        time_point next_try = time_point::min();
+        time_point next_keep_alive{};
+        time_point last_seen{}; // in a state in which it can be commanded
+        time_point settling_until{};
         bool takes_keep_alive{true};
         bool has_mail{};
         bool is_exchanged{};     // it is in data_
@@ -162,17 +162,17 @@ template <class Image = wrench_effort_path> class basic_ring {
     [[nodiscard]] std::span<place> places() noexcept { return std::span{places_}.first(place_count_); }
     [[nodiscard]] std::span<const place> places() const noexcept { return std::span{places_}.first(place_count_); }
     [[nodiscard]] bool cycles() const noexcept { return exchanged_ != 0; }
-    [[nodiscard]] time interval() const noexcept {
+    [[nodiscard]] duration interval() const noexcept {
         return has_process_data_ ? options_.period : options_.check_interval;
     }
-    [[nodiscard]] time reserve() const noexcept { return has_process_data_ ? options_.period / 4 : time{}; }
+    [[nodiscard]] duration reserve() const noexcept { return has_process_data_ ? options_.period / 4 : duration{}; }
 
     // A slave that was not reached when all were cleared may still run with the place in the process image that an
     // earlier life of this program gave it: each life has an image elsewhere, in one of 2^21 windows.
-    void begin(time now) {
+    void begin(time_point now) {
         constexpr unsigned window_bits = 11; // holds every image
         static_assert(ethercat::max_process_image <= 1U << window_bits);
-        const auto start = static_cast<std::uint64_t>(now / std::chrono::microseconds{1});
+        const auto start = static_cast<std::uint64_t>(now.time_since_epoch() / std::chrono::microseconds{1});
         const auto window = start * 0x9E37'79B9'7F4A'7C15U >> (32 + window_bits); // spreads starts that are close
         logical_base_ = static_cast<std::uint32_t>(window << window_bits);
         auto config = options_.master;
@@ -184,7 +184,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     // ---- The master's next job, in the order of urgency.
 
     // True where something was done and there may be more.
-    bool advance(time now, jaus::message_sink out) {
+    bool advance(time_point now, jaus::message_sink out) {
         if (work_ != work::none) {
             complete(now, out);
             return true;
@@ -201,7 +201,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         return false;
     }
 
-    bool begin_stop(place& at, time now, jaus::message_sink out) {
+    bool begin_stop(place& at, time_point now, jaus::message_sink out) {
         if (!at.front->up()) return false;
         for (component* unit : at.front->components()) {
             const auto what = unit->debt().next();
@@ -216,7 +216,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         return false;
     }
 
-    bool begin_other(place& at, time now, jaus::message_sink out) {
+    bool begin_other(place& at, time_point now, jaus::message_sink out) {
         switch (at.at) {
         case phase::absent: return now >= at.next_try && begin_bring_up(at);
         case phase::pre_op:
@@ -253,7 +253,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     [[nodiscard]] static bool may_go_by_mailbox(const place& at, const order& each) {
         return !is_held_back(each) && !goes_by_image(at, each);
     }
-    bool begin_order(place& at, time now, jaus::message_sink out) {
+    bool begin_order(place& at, time_point now, jaus::message_sink out) {
         auto& orders = at.front->orders();
         const order* const next = orders.first([&](const order& each) { return may_go_by_mailbox(at, each); });
         if (next == nullptr) return false;
@@ -266,8 +266,8 @@ template <class Image = wrench_effort_path> class basic_ring {
         begin_message(at, purpose::order, made ? made->size() : 0, now, out);
         return true;
     }
-    bool begin_keep_alive(place& at, time now, jaus::message_sink out) {
-        if (at.front->options().cyclic || options_.keep_alive == time{} || !at.takes_keep_alive ||
+    bool begin_keep_alive(place& at, time_point now, jaus::message_sink out) {
+        if (at.front->options().cyclic || options_.keep_alive == duration{} || !at.takes_keep_alive ||
             now < at.next_keep_alive || at.front->components().empty())
             return false;
         unit_ = at.front->components().front();
@@ -277,7 +277,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         return true;
     }
 
-    void begin_message(place& at, purpose what, std::size_t size, time now, jaus::message_sink out) {
+    void begin_message(place& at, purpose what, std::size_t size, time_point now, jaus::message_sink out) {
         served_ = &at;
         work_ = work::message;
         purpose_ = what;
@@ -285,14 +285,14 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     [[nodiscard]] any_exchange& exchange() const noexcept { return served_->front->exchange(); }
     // A request packet is executed by the master; any other step ends the exchange.
-    void take_step(const exchange_step& step, time now, jaus::message_sink out) {
+    void take_step(const exchange_step& step, time_point now, jaus::message_sink out) {
         if (step.what != exchange_progress::request) return end_message(step, now, out);
         const auto packet = std::span{packet_}.first(step.size);
         tell_packet(packet);
         job_.emplace(packet, confirmation_, ethercat::packet_options{.download = options_.download});
         if (!job_->start(master_)) confirm(now, out);
     }
-    void confirm(time now, jaus::message_sink out) {
+    void confirm(time_point now, jaus::message_sink out) {
         const auto size = job_->finish(master_);
         take_step(exchange().on_confirmation(std::span{confirmation_}.first(size), packet_), now, out);
     }
@@ -309,7 +309,7 @@ template <class Image = wrench_effort_path> class basic_ring {
 
     // ---- What its end means.
 
-    void complete(time now, jaus::message_sink out) {
+    void complete(time_point now, jaus::message_sink out) {
         if (work_ == work::message) {
             if (job_->next(master_)) return;
             return confirm(now, out);
@@ -333,9 +333,9 @@ template <class Image = wrench_effort_path> class basic_ring {
         static_cast<void>(begin_bring_up(at));
         is_cleared_ = slaves != 0;
     }
-    void brought_up(place& at, const ethercat::master_error& error, time now) {
+    void brought_up(place& at, const ethercat::master_error& error, time_point now) {
         at.bring_up = error;
-        at.next_try = jaus::saturating_add(now, options_.bring_up_interval);
+        at.next_try = saturating_add(now, options_.bring_up_interval);
         if (error != ethercat::master_error{}) return at.front->watcher().bring_up_failed(*at.front, error);
         is_cleared_ = true;
         at.takes_keep_alive = true;
@@ -344,16 +344,16 @@ template <class Image = wrench_effort_path> class basic_ring {
         at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), at.at == phase::up);
         if (at.at == phase::up) ready(at, now);
     }
-    void set_up(place& at, const ethercat::master_error& error, phase next, time now, jaus::message_sink out) {
+    void set_up(place& at, const ethercat::master_error& error, phase next, time_point now, jaus::message_sink out) {
         if (error != ethercat::master_error{}) {
             at.bring_up = error;
             return lose(at, loss::no_process_data, error, now, out);
         }
         at.at = next;
         if (next == phase::safe_op) rebuild_process_data(now);
-        if (next == phase::settling) at.settling_until = jaus::saturating_add(now, options_.master.state_timeout);
+        if (next == phase::settling) at.settling_until = saturating_add(now, options_.master.state_timeout);
     }
-    void ready(place& at, time now) {
+    void ready(place& at, time_point now) {
         at.at = phase::up;
         at.last_seen = now;
         if (!at.front->options().cyclic) rebuild_process_data(now);
@@ -367,7 +367,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         master_.clear_emergencies(at.front->station());
     }
 
-    void end_message(const exchange_step& step, time now, jaus::message_sink out) {
+    void end_message(const exchange_step& step, time_point now, jaus::message_sink out) {
         work_ = work::none;
         place& at = *served_;
         const bool was_executed = step.what == exchange_progress::done;
@@ -378,7 +378,7 @@ template <class Image = wrench_effort_path> class basic_ring {
                                  .status = exchange().status(),
                                  .of_master = error};
         const bool answers = was_executed || is_of_slave(error);
-        if (answers) at.next_keep_alive = jaus::saturating_add(now, options_.keep_alive);
+        if (answers) at.next_keep_alive = saturating_add(now, options_.keep_alive);
         const auto report = std::span{packet_}.first(was_executed ? step.size : 0);
         job_.reset();
         switch (purpose_) {
@@ -399,12 +399,12 @@ template <class Image = wrench_effort_path> class basic_ring {
         return error.code == ok || error.code == sdo_abort || error.code == clear_refused ||
                error.code == mailbox_error || error.code == data_too_long;
     }
-    void end_order(bool was_executed, bytes report, const refusal_reason& why, time now, jaus::message_sink out) {
+    void end_order(bool was_executed, bytes report, const refusal_reason& why, time_point now, jaus::message_sink out) {
         if (!was_executed) return unit_->on_not_executed(order_.header, why, now, out);
         if (!report.empty()) out(report);
         unit_->on_executed(order_.header, now, out);
     }
-    void end_stop(bool was_executed, const refusal_reason& why, time now, jaus::message_sink out) {
+    void end_stop(bool was_executed, const refusal_reason& why, time_point now, jaus::message_sink out) {
         // A confirmation from before the slave's loss does not count: the order is sent again when the slave is back.
         if (was_executed && !served_->front->up()) return;
         if (was_executed) return unit_->on_confirmed(stop_, now, out);
@@ -419,11 +419,11 @@ template <class Image = wrench_effort_path> class basic_ring {
     // ---- What ends by time.
 
     // A job that stands in the way of a stop order is given up; one that is itself a stop order is not.
-    [[nodiscard]] std::optional<time> hindered_until() const {
+    [[nodiscard]] std::optional<time_point> hindered_until() const {
         if (!hindered_since_) return std::nullopt;
-        return jaus::saturating_add(*hindered_since_, options_.stop_timeout);
+        return saturating_add(*hindered_since_, options_.stop_timeout);
     }
-    void stop_what_hinders(time now) {
+    void stop_what_hinders(time_point now) {
         if (!is_hindered(now)) return hindered_since_.reset();
         if (!hindered_since_) hindered_since_ = now;
         if (now - *hindered_since_ < options_.stop_timeout) return;
@@ -433,7 +433,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         master_.cancel(ethercat::master_errc::timeout);
     }
     // A slave waits for a stop order, and the master is busy with something else than a transfer to that slave.
-    [[nodiscard]] bool is_hindered(time now) const {
+    [[nodiscard]] bool is_hindered(time_point now) const {
         if (master_.idle() || (work_ == work::message && purpose_ == purpose::stop)) return false;
         return std::ranges::any_of(places(), [&](const place& each) {
             if (!each.front->up() || (work_ == work::message && &each == served_)) return false;
@@ -443,40 +443,40 @@ template <class Image = wrench_effort_path> class basic_ring {
             });
         });
     }
-    void refuse_expired(time now, jaus::message_sink out) {
+    void refuse_expired(time_point now, jaus::message_sink out) {
         for (place& each : places())
-            each.front->orders().remove_if([&](const order& waiting) { return waiting.expires <= now; },
+            each.front->orders().remove_if([&](const order& waiting) { return waiting.expires.is_reached(now); },
                                            [&](const order& late) {
                                                late.unit->on_not_executed(late.header, {.why = refusal::expired}, now,
                                                                           out);
                                            });
     }
-    [[nodiscard]] std::optional<time> next_work_of(const place& at) const {
+    [[nodiscard]] std::optional<time_point> next_work_of(const place& at) const {
         switch (at.at) {
         case phase::absent: return at.next_try;
         case phase::pre_op:
         case phase::configured:
-        case phase::safe_op: return time::min();
+        case phase::safe_op: return time_point::min();
         case phase::settling: return at.settling_until;
         case phase::up: break;
         }
         const auto may_go = [&](const order& each) { return may_go_by_mailbox(at, each); };
-        if (at.has_mail || at.front->orders().first(may_go) != nullptr) return time::min();
-        std::optional<time> next;
-        const auto consider = [&](time other) { next = next ? std::min(*next, other) : other; };
+        if (at.has_mail || at.front->orders().first(may_go) != nullptr) return time_point::min();
+        std::optional<time_point> next;
+        const auto consider = [&](time_point other) { next = next ? std::min(*next, other) : other; };
         for (const component* unit : at.front->components())
             if (const auto what = unit->debt().next(); what && !(*what == stop_order::rest && by_image(at, *unit)))
                 consider(unit->debt().next_attempt());
-        if (!at.front->options().cyclic && at.takes_keep_alive && options_.keep_alive != time{})
+        if (!at.front->options().cyclic && at.takes_keep_alive && options_.keep_alive != duration{})
             consider(at.next_keep_alive);
         return next;
     }
 
-    void lose(place& at, loss what, const ethercat::master_error& why, time now, jaus::message_sink out) {
+    void lose(place& at, loss what, const ethercat::master_error& why, time_point now, jaus::message_sink out) {
         if (at.at == phase::absent) return; // its last job has ended only now
         const bool was_up = at.front->up();
         at.at = phase::absent;
-        at.next_try = was_up ? now : jaus::saturating_add(now, options_.bring_up_interval);
+        at.next_try = was_up ? now : saturating_add(now, options_.bring_up_interval);
         at.front->set_up(false);
         at.image.reset();
         at.front->watcher().slave_lost(*at.front, what, why);
@@ -501,7 +501,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         return at.at >= (at.front->options().cyclic ? phase::safe_op : phase::up);
     }
     // Rebuilds the process image from the present slaves; keeps their outputs.
-    void rebuild_process_data(time now) {
+    void rebuild_process_data(time_point now) {
         std::array<ethercat::slave_record, ethercat::slave_capacity> records{};
         std::size_t count = 0;
         for (place& each : places()) {
@@ -516,7 +516,7 @@ template <class Image = wrench_effort_path> class basic_ring {
             if (stays && record != nullptr) std::ranges::copy(data_.outputs(*record), next.outputs(*record).begin());
         }
         has_process_data_ = next.image().size != 0;
-        if (exchanged_ == 0 || next_cycle_ > jaus::saturating_add(now, interval())) next_cycle_ = now;
+        if (exchanged_ == 0 || next_cycle_ > saturating_add(now, interval())) next_cycle_ = now;
         next.follow(data_);
         data_ = next;
         exchanged_ = count;
@@ -538,7 +538,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
 
     // Evaluates the status of each slave after a cycle.
-    void watch_cycles(time now, jaus::message_sink out) {
+    void watch_cycles(time_point now, jaus::message_sink out) {
         for (place& each : places()) {
             if (!is_exchanged(each)) continue;
             const auto seen = status(each);
@@ -569,12 +569,12 @@ template <class Image = wrench_effort_path> class basic_ring {
         using enum ethercat::al_state;
         return state == op || (!at.front->options().cyclic && (state == pre_op || state == safe_op));
     }
-    [[nodiscard]] static std::optional<time> last_working(const place& at,
-                                                          const ethercat::slave_status& seen) noexcept {
+    [[nodiscard]] static std::optional<time_point> last_working(const place& at,
+                                                                const ethercat::slave_status& seen) noexcept {
         if (at.front->options().cyclic) return seen.last_running;
         return works_in(at, seen.al.state) ? seen.last_frame : std::nullopt;
     }
-    void start_image(place& at, time now, jaus::message_sink out) {
+    void start_image(place& at, time_point now, jaus::message_sink out) {
         at.image.emplace(at.front->options().identity, Image::component);
         if (!at.image->start(outputs(at), inputs(at)))
             return lose(at, loss::no_process_data, {.code = ethercat::master_errc::size_mismatch}, now, out);
@@ -583,7 +583,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
 
     // Messages that go by process data, and the slave's confirmations of those that went.
-    void use_images(time now, jaus::message_sink out) {
+    void use_images(time_point now, jaus::message_sink out) {
         for (place& each : places()) {
             if (each.at != phase::up || !each.image) continue;
             take_confirmations(each, now, out);
@@ -593,7 +593,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         }
     }
     // An emergency is sent by mailbox; the outputs are set to rest as well.
-    void put_rest(place& at, component& unit, time now, jaus::message_sink out) {
+    void put_rest(place& at, component& unit, time_point now, jaus::message_sink out) {
         const auto& debt = unit.debt();
         if (!by_image(at, unit) || !debt.owes_stop()) return;
         const bool is_awaited = debt.next() == stop_order::rest && debt.next_attempt() <= now;
@@ -609,7 +609,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (!is_awaited) --at.waiting_count;
     }
     // Commands in the outputs that a stop order replaces: it is unknown whether the slave has taken them.
-    void drop_waiting(place& at, const component& unit, time now, jaus::message_sink out) {
+    void drop_waiting(place& at, const component& unit, time_point now, jaus::message_sink out) {
         const auto dropped = at.waiting;
         const std::size_t count = std::exchange(at.waiting_count, 0);
         for (std::size_t i = 0; i != count; ++i)
@@ -618,7 +618,7 @@ template <class Image = wrench_effort_path> class basic_ring {
             else
                 at.waiting[at.waiting_count++] = dropped[i];
     }
-    void put_orders(place& at, time now, jaus::message_sink out) {
+    void put_orders(place& at, time_point now, jaus::message_sink out) {
         auto& orders = at.front->orders();
         while (const order* const next =
                    orders.first([&](const order& each) { return goes_by_image(at, each) && !is_held_back(each); })) {
@@ -645,7 +645,7 @@ template <class Image = wrench_effort_path> class basic_ring {
 
     // Nothing where it is in the outputs; else why not.
     std::optional<refusal_reason> put_command(place& at, component& unit, const jaus::header& head, bytes body,
-                                              bool is_stop, time now) {
+                                              bool is_stop, time_point now) {
         if (at.waiting_count == at.waiting.size()) return refusal_reason{.why = refusal::queue_full};
         jaus::header plain = head;
         plain.ack_nak = jaus::ack_nak::none; // acknowledged by the component
@@ -653,12 +653,11 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (const auto done = at.image->on_command(plain, body, outputs(at), inputs(at), now); !done)
             return refusal_reason{.why = refusal::not_translated, .error = done.error()};
         const auto count = at.image->given(outputs(at));
-        at.waiting[at.waiting_count++] = {&unit, head, count, jaus::saturating_add(now, options_.longest_silence),
-                                          is_stop};
+        at.waiting[at.waiting_count++] = {&unit, head, count, deadline{now, options_.longest_silence}, is_stop};
         at.front->watcher().into_image(*at.front, count, outputs(at));
         return std::nullopt;
     }
-    void answer_from_inputs(place& at, component& unit, const order& query, bytes body, time now,
+    void answer_from_inputs(place& at, component& unit, const order& query, bytes body, time_point now,
                             jaus::message_sink out) {
         const auto seen = status(at);
         if (!seen.has_inputs_within(options_.longest_silence, now))
@@ -674,7 +673,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         out(bytes{report}.first(size));
         unit.on_executed(query.header, now, out);
     }
-    void take_confirmations(place& at, time now, jaus::message_sink out) {
+    void take_confirmations(place& at, time_point now, jaus::message_sink out) {
         const auto taken = at.image->taken(inputs(at));
         std::size_t left = 0;
         const std::size_t count = std::exchange(at.waiting_count, 0);
@@ -682,7 +681,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         std::size_t over_count = 0;
         for (std::size_t i = 0; i != count; ++i) {
             const image_wait each = at.waiting[i];
-            if (image_type::has_reached(each.count, taken) || now >= each.deadline)
+            if (image_type::has_reached(each.count, taken) || each.until.is_reached(now))
                 over[over_count++] = each;
             else
                 at.waiting[left++] = each;
@@ -720,8 +719,8 @@ template <class Image = wrench_effort_path> class basic_ring {
     bool is_cleared_{};       // the slaves, of what an earlier master has left in them
     bool has_begun_{};
     std::uint32_t logical_base_{};
-    time last_turn_{};
-    time next_cycle_{};
+    time_point last_turn_{};
+    time_point next_cycle_{};
 
     work work_{};
     place* served_{};
@@ -729,7 +728,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     component* unit_{};
     stop_order stop_{};
     order order_{};
-    std::optional<time> hindered_since_{};
+    std::optional<time_point> hindered_since_{};
     std::optional<ethercat::packet_job> job_{};
     std::array<std::byte, message_size> message_{};
     std::array<std::byte, std::max(any_exchange::buffer_size, message_size)> packet_{};

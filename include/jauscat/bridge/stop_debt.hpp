@@ -1,9 +1,8 @@
 // Orders that are repeated until the actuator confirms them: stop orders, and the end of an emergency.
 #pragma once
-#include <jauscat/jaus/message/saturating_add.hpp>
+#include <jauscat/base/time.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <optional>
 
@@ -22,10 +21,8 @@ enum class stop_order : std::uint8_t {
 /// emergency that was not set here.
 class stop_debt {
   public:
-    using time = std::chrono::nanoseconds;
-
     /// `interval`: from the first refusal to the next attempt; after more of them up to ten times as long.
-    constexpr explicit stop_debt(time interval) noexcept : interval_{interval} {}
+    constexpr explicit stop_debt(duration interval) noexcept : interval_{interval} {}
 
     constexpr void owe_rest() noexcept {
         rest_ = true;
@@ -59,7 +56,7 @@ class stop_debt {
         return std::nullopt;
     }
     /// Not before this.
-    [[nodiscard]] constexpr time next_attempt() const noexcept { return next_attempt_; }
+    [[nodiscard]] constexpr time_point next_attempt() const noexcept { return next_attempt_; }
     /// Number of consecutive refusals.
     [[nodiscard]] constexpr unsigned refusals() const noexcept { return refusals_; }
 
@@ -75,9 +72,9 @@ class stop_debt {
     }
     /// The actuator has refused `what`. `unknown`: it has no object for it. An actuator that does not know emergencies
     /// owes rest alone. False where the end of an emergency is given up.
-    constexpr bool refused(stop_order what, bool unknown, time now) noexcept {
+    constexpr bool refused(stop_order what, bool unknown, time_point now) noexcept {
         ++refusals_;
-        next_attempt_ = jaus::saturating_add(now, interval_ * std::min(refusals_, slowest));
+        next_attempt_ = saturating_add(now, interval_ * std::min(refusals_, slowest));
         if (what == stop_order::emergency && unknown) {
             emergency_is_unknown_ = true;
             if (!rest_) emergency_ = false;
@@ -89,7 +86,7 @@ class stop_debt {
     /// The slave is away, or back: the next attempt is the first.
     constexpr void begin() noexcept {
         refusals_ = 0;
-        next_attempt_ = time::min();
+        next_attempt_ = time_point::min();
     }
 
   private:
@@ -97,11 +94,11 @@ class stop_debt {
     static constexpr unsigned attempts_at_rest = 3;
     static constexpr unsigned attempts_at_clear = 3;
 
-    time interval_;
+    duration interval_;
     bool rest_{}, emergency_{}, clear_{};
     bool emergency_is_unknown_{};
     unsigned refusals_{};
-    time next_attempt_ = time::min();
+    time_point next_attempt_ = time_point::min();
 };
 
 } // namespace jauscat::bridge

@@ -1,6 +1,7 @@
 // Rate-limited log, so that unsolicited traffic cannot flood it.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/net/rate_limit.hpp>
 
 #include <cstdint>
@@ -19,14 +20,13 @@ class limited_log {
   public:
     /// Receives a line without its end.
     using handler = std::function<void(std::string_view line)>;
-    using time = token_bucket::time;
 
     /// `write` may be empty. `limit` applies to each cause.
     explicit limited_log(handler write, const rate& limit = {.per_second = 20, .burst = 100})
         : write_{std::move(write)}, limit_{limit} {}
 
     /// `text()` makes the line; it is not called for a suppressed line.
-    template <class Text> void operator()(time now, Text&& text) {
+    template <class Text> void operator()(time_point now, Text&& text) {
         if (!write_) return;
         auto& of_cause = causes_[std::type_index{typeid(Text)}];
         if (!of_cause.bucket.take(limit_, now)) {

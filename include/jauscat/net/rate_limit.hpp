@@ -1,6 +1,8 @@
 // Rate limits: token buckets, in a table of fixed size.
 #pragma once
 
+#include <jauscat/base/time.hpp>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -20,12 +22,10 @@ struct rate {
 /// are of a steady clock with any epoch.
 class token_bucket {
   public:
-    using time = std::chrono::nanoseconds;
-
     /// Takes a token for a message at `now`; false, without a change, if there is none.
-    constexpr bool take(const rate& limit, time now) noexcept {
+    constexpr bool take(const rate& limit, time_point now) noexcept {
         if (limit.per_second == 0) return true;
-        const auto interval = std::max(time{std::chrono::seconds{1}} / limit.per_second, time{1});
+        const auto interval = std::max(duration{std::chrono::seconds{1}} / limit.per_second, duration{1});
         const auto full_at = std::max(full_at_, now);
         if (full_at - now > interval * static_cast<std::int64_t>(std::max(limit.burst, 1U) - 1)) return false;
         full_at_ = full_at + interval;
@@ -33,10 +33,10 @@ class token_bucket {
     }
 
     /// Fills it.
-    [[nodiscard]] constexpr bool is_full(time now) const noexcept { return full_at_ <= now; }
+    [[nodiscard]] constexpr bool is_full(time_point now) const noexcept { return full_at_ <= now; }
 
   private:
-    time full_at_{time::min()}; ///< when it has all its tokens again
+    time_point full_at_{time_point::min()}; ///< when it has all its tokens again
 };
 
 /// Key of a bucket: 16 bytes, such as an IPv6 address.
@@ -50,13 +50,11 @@ template <std::size_t Places> class rate_limit {
     static_assert(Places >= 8 && (Places & (Places - 1)) == 0, "rate_limit: the places are a power of two, at least 8");
 
   public:
-    using time = token_bucket::time;
-
     /// `seed` is a random number, so that an attacker cannot choose senders that collide.
     constexpr explicit rate_limit(const rate& limit, std::uint64_t seed = 0) noexcept : limit_{limit}, seed_{seed} {}
 
     /// Whether a message of `sender` at `now` is within the limit; if so, it is counted.
-    constexpr bool take(const rate_key& sender, time now) noexcept {
+    constexpr bool take(const rate_key& sender, time_point now) noexcept {
         const auto first = places_.begin() + static_cast<std::ptrdiff_t>(set_of(sender) * ways);
         const auto last = first + ways;
         auto found = std::find_if(first, last, [&](const place& p) { return p.sender == sender && p.used; });

@@ -11,5 +11,5 @@ struct started {
 started object;
 } // namespace
 
-void firmware::on_bytes(std::span<const std::byte>, std::chrono::nanoseconds) noexcept {}
-void firmware::on_time(std::chrono::nanoseconds) noexcept {}
+void firmware::on_bytes(std::span<const std::byte>, jauscat::time_point) noexcept {}
+void firmware::on_time(jauscat::time_point) noexcept {}

@@ -7,7 +7,7 @@ namespace {
 constinit std::vector<std::byte> received;
 }
 
-void firmware::on_bytes(std::span<const std::byte> bytes, std::chrono::nanoseconds) noexcept {
+void firmware::on_bytes(std::span<const std::byte> bytes, jauscat::time_point) noexcept {
     received.insert(received.end(), bytes.begin(), bytes.end());
 }
-void firmware::on_time(std::chrono::nanoseconds) noexcept { send(line::jaus, received); }
+void firmware::on_time(jauscat::time_point) noexcept { send(line::jaus, received); }

@@ -1,6 +1,7 @@
 // Configuration of the master, results of a step of its state machines, timeouts.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/ethercat/master/master_errc.hpp>
 
@@ -11,8 +12,7 @@
 
 namespace jauscat::ethercat {
 
-/// Time since any epoch, as the caller counts it.
-using time_point = std::chrono::nanoseconds;
+using jauscat::time_point;
 
 /// Timeouts and retries of the master.
 struct master_config {

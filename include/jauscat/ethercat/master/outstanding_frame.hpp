@@ -80,7 +80,7 @@ template <std::size_t Capacity> class outstanding_frame {
         return std::uint32_t{sent.ado} << 16 | std::uint32_t{sent.length} << 5 | static_cast<std::uint32_t>(sent.cmd);
     }
 
-    static constexpr time_point longest_delay = std::chrono::seconds{10};
+    static constexpr std::chrono::nanoseconds longest_delay = std::chrono::seconds{10};
 
     std::array<std::uint32_t, 256> marks_{}; // 0, a command that does nothing, where an index was not used
     std::array<datagram_header, capacity> sent_{};

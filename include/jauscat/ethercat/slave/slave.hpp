@@ -2,6 +2,7 @@
 // data). Implements the standard, independent of the master.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/ethercat/slave/esc.hpp>
 #include <jauscat/ethercat/slave/object_dictionary.hpp>
 #include <jauscat/ethercat/slave/sii_image.hpp>
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -66,7 +66,7 @@ class slave {
     /// The SyncManager watchdog: a slave in OP that has a master's outputs no longer goes to SAFE-OP with an error
     /// (001Bh). To be called every few milliseconds; a host that never does has no watchdog. Time is any that does not
     /// go back.
-    void on_time(std::chrono::nanoseconds now) noexcept {
+    void on_time(time_point now) noexcept {
         if (state() != al_state::op || !process_data_.expired(esc_, now)) return;
         const al_status lost{.state = al_state::safe_op, .error = true, .code = al_status_code::sync_manager_watchdog};
         esc_.store(esc_registers::al_status, lost);

@@ -1,6 +1,7 @@
 // The process data of an emulated slave: required SyncManagers 2 and 3, validity of outputs, watchdog.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/ethercat/slave/esc_memory.hpp>
 #include <jauscat/ethercat/slave/slave_description.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -67,7 +67,7 @@ class slave_process_data {
     bool take_outputs() noexcept { return std::exchange(taken_over_, false); }
 
     /// Whether the outputs have not been written for the watchdog's time. Only in OP.
-    [[nodiscard]] bool expired(esc_memory& memory, std::chrono::nanoseconds now) noexcept {
+    [[nodiscard]] bool expired(esc_memory& memory, time_point now) noexcept {
         const auto manager = memory.manager(manager_numbers::outputs);
         const auto time = watchdog_time(memory.load(esc_registers::watchdog_divider).value,
                                         memory.load(esc_registers::process_data_watchdog).value);
@@ -102,7 +102,7 @@ class slave_process_data {
     std::array<std::byte, process_memory::max_outputs> in_force_{};
     bool taken_over_{}; // and the application has not looked yet
     bool fed_{};        // the watchdog, since it looked at the time
-    std::chrono::nanoseconds last_{};
+    time_point last_{};
 };
 
 } // namespace jauscat::ethercat

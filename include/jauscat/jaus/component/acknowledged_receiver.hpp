@@ -1,7 +1,7 @@
 // Acknowledges messages that request it, and filters repetitions. RA 3.3 part 2, ACK/NAK.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
-#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
 #include <algorithm>
@@ -12,12 +12,12 @@ namespace jauscat::jaus {
 /// A message that was acknowledged: a place in the memory of an acknowledged_receiver.
 struct acknowledged_message {
     address source{};
-    std::uint16_t command_code{};     ///< which message
-    std::uint16_t sequence_number{};  ///< by which a repeat is known
-    std::uint32_t digest{};           ///< of the body
-    ack_nak answer{};                 ///< the one that was given; request: still pending; none: the place is free
-    bool superseded{};                ///< the same message again is a new one
-    std::chrono::nanoseconds until{}; ///< when it is forgotten, unless it is pending
+    std::uint16_t command_code{};    ///< which message
+    std::uint16_t sequence_number{}; ///< by which a repeat is known
+    std::uint32_t digest{};          ///< of the body
+    ack_nak answer{};                ///< the one that was given; request: still pending; none: the place is free
+    bool superseded{};               ///< the same message again is a new one
+    time_point until{};              ///< when it is forgotten, unless it is pending
 };
 
 /// Result of a received message.
@@ -58,13 +58,13 @@ class acknowledged_receiver {
   public:
     /// `places` must outlive this.
     constexpr acknowledged_receiver(const address& self, std::span<acknowledged_message> places,
-                                    std::chrono::nanoseconds memory = std::chrono::seconds{2}) noexcept
+                                    duration memory = std::chrono::seconds{2}) noexcept
         : self_{self}, places_{places}, memory_{memory} {}
 
     /// A message, no acknowledgement itself. `handle()` does what it says and returns a message_outcome; the answer is
     /// sent after it.
-    constexpr received on_message(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds now,
-                                  message_sink out, auto&& handle) {
+    constexpr received on_message(const header& head, std::span<const std::byte> body, time_point now, message_sink out,
+                                  auto&& handle) {
         at_ = now;
         const bool wants_answer = is_acknowledged(head);
         const auto obey = [&] {
@@ -114,7 +114,7 @@ class acknowledged_receiver {
     /// Acknowledges a message that its handler deferred: ACK if it was executed, NAK if not. The answer is remembered
     /// for `memory` from now on. Several with the same header are finished in the order in which they came. False: the
     /// message is not pending, or asked for no acknowledgement; nothing is sent.
-    constexpr bool finish(const header& head, bool executed, std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr bool finish(const header& head, bool executed, time_point now, message_sink out) noexcept {
         if (!is_acknowledged(head)) return false;
         const ack_nak answer = executed ? ack_nak::ack : ack_nak::nak;
         if (may_be_repeated(head.command_code)) return acknowledge(head, self_, answer, out);
@@ -154,7 +154,7 @@ class acknowledged_receiver {
     [[nodiscard]] static constexpr bool is_pending(const acknowledged_message& m) noexcept {
         return m.answer == ack_nak::request;
     }
-    [[nodiscard]] static constexpr bool is_free(const acknowledged_message& m, std::chrono::nanoseconds now) noexcept {
+    [[nodiscard]] static constexpr bool is_free(const acknowledged_message& m, time_point now) noexcept {
         return !is_pending(m) && (m.answer == ack_nak::none || m.superseded || m.until <= now);
     }
     struct search {
@@ -163,7 +163,7 @@ class acknowledged_receiver {
         std::size_t of_source{}; // places that the source has
         bool may_be_done{};      // executed or pending, or it is new; its number does not tell
     };
-    [[nodiscard]] constexpr search find(const acknowledged_message& key, std::chrono::nanoseconds now) const noexcept {
+    [[nodiscard]] constexpr search find(const acknowledged_message& key, time_point now) const noexcept {
         search found{};
         bool is_used_again = false;
         const auto is_over = [&](const acknowledged_message& m) { return !is_pending(m) && m.until <= now; };
@@ -197,7 +197,7 @@ class acknowledged_receiver {
             if (m.sequence_number == 0 && concerns(m.source)) m.superseded = true;
     }
     // Ends the entries of sources for which `concerns` is true and that number all messages 0.
-    constexpr void end_unnumbered(std::chrono::nanoseconds now, auto&& concerns) noexcept {
+    constexpr void end_unnumbered(time_point now, auto&& concerns) noexcept {
         if (!knows_unnumbered_) return;
         const auto is_known = [&](const acknowledged_message& m) { return !is_free(m, now) && !m.superseded; };
         knows_unnumbered_ = false;
@@ -233,9 +233,9 @@ class acknowledged_receiver {
 
     address self_;
     std::span<acknowledged_message> places_;
-    std::chrono::nanoseconds memory_;
-    std::chrono::nanoseconds at_{}; // of the last message
-    bool knows_unnumbered_{};       // a message with the number 0 may be remembered
+    duration memory_;
+    time_point at_{};         // of the last message
+    bool knows_unnumbered_{}; // a message with the number 0 may be remembered
 };
 
 } // namespace jauscat::jaus

@@ -2,7 +2,6 @@
 #pragma once
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
-#include <jauscat/jaus/message/saturating_add.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -13,11 +12,11 @@ namespace jauscat::jaus {
 
 /// A message that waits for its acknowledgement: a place in the memory of an acknowledged_sender.
 struct awaited_message {
-    jaus::header header{};            ///< as sent
-    std::size_t size{};               ///< of the message, header included; 0: the place is free
-    std::uint32_t sent{};             ///< how often
-    std::chrono::nanoseconds due{};   ///< when it is sent again or given up
-    std::chrono::nanoseconds until{}; ///< from then on it is not sent again, however often it was
+    jaus::header header{}; ///< as sent
+    std::size_t size{};    ///< of the message, header included; 0: the place is free
+    std::uint32_t sent{};  ///< how often
+    time_point due{};      ///< when it is sent again or given up
+    deadline until{};      ///< from then on it is not sent again, however often it was
 };
 
 /// Outcome of a message that requested an acknowledgement.
@@ -99,15 +98,13 @@ class acknowledged_sender {
 
     /// Sends `body` with `head`, whose command code, sequence number and wish for an acknowledgement are filled in.
     template <coded_message T>
-    constexpr send_result send(const header& head, const T& body, std::chrono::nanoseconds now,
-                               message_sink out) noexcept {
+    constexpr send_result send(const header& head, const T& body, time_point now, message_sink out) noexcept {
         return send(head, command_code_of<T>, now, out, [&](const header& numbered, std::span<std::byte> copy) {
             return make_message(numbered, body, copy);
         });
     }
     /// The same for an encoded message; its header is rewritten. A message of several packets is too large.
-    constexpr send_result send(std::span<const std::byte> message, std::chrono::nanoseconds now,
-                               message_sink out) noexcept {
+    constexpr send_result send(std::span<const std::byte> message, time_point now, message_sink out) noexcept {
         header head{};
         if (!wire::decode_prefix(head, message) || message.size() != header_size + head.data_size)
             return {send_errc::invalid};
@@ -137,10 +134,10 @@ class acknowledged_sender {
     }
 
     /// Repeats messages that were not acknowledged within the interval; after the last attempt they time out.
-    constexpr void on_time(std::chrono::nanoseconds now, message_sink out, auto&& tell) {
+    constexpr void on_time(time_point now, message_sink out, auto&& tell) {
         for (awaited_message& place : places_) {
             if (place.size == 0 || now < place.due) continue;
-            if (options_.retry.allows_another(place.sent) && now < place.until) {
+            if (options_.retry.allows_another(place.sent) && !place.until.is_reached(now)) {
                 ++place.sent;
                 place.due = saturating_add(now, options_.retry.interval);
                 out(copy_of(place).first(place.size));
@@ -150,8 +147,8 @@ class acknowledged_sender {
             }
         }
     }
-    [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
-        std::optional<std::chrono::nanoseconds> first;
+    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
+        std::optional<time_point> first;
         for (const awaited_message& m : places_)
             if (m.size != 0 && (!first || m.due < *first)) first = m.due;
         return first;
@@ -162,7 +159,7 @@ class acknowledged_sender {
     }
 
   private:
-    constexpr send_result send(header head, std::uint16_t command_code, std::chrono::nanoseconds now, message_sink out,
+    constexpr send_result send(header head, std::uint16_t command_code, time_point now, message_sink out,
                                auto&& write) noexcept {
         if (!names_one_component(head.destination)) return {send_errc::not_one_address};
         const auto place = std::ranges::find(places_, std::size_t{0}, &awaited_message::size);
@@ -178,7 +175,7 @@ class acknowledged_sender {
         }
         head.data_size = static_cast<std::uint16_t>(message->size() - header_size);
         const auto& retry = options_.retry;
-        *place = {head, message->size(), 1, saturating_add(now, retry.interval), saturating_add(now, retry.total())};
+        *place = {head, message->size(), 1, saturating_add(now, retry.interval), deadline{now, retry.total()}};
         next_ = following(head.sequence_number);
         out(*message);
         return {send_errc::ok, head.sequence_number};

@@ -1,6 +1,7 @@
 // A component's core: state, control, acknowledgement and time, combined in the order in which they process a message.
 // With a dispatcher for its own messages it is a JAUS component.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/component_clock.hpp>
 #include <jauscat/jaus/component/component_hooks.hpp>
 #include <jauscat/jaus/component/component_options.hpp>
@@ -33,8 +34,6 @@ namespace jauscat::jaus {
 ///     core.on_message(head, body, now, out, own);
 template <class... Parts> class component {
   public:
-    using time = std::chrono::nanoseconds;
-
     /// The memory, the parts and the objects of the hooks must outlive the component.
     template <std::size_t Waiting, std::size_t Size, std::size_t Remembered>
     constexpr component(const address& self, component_memory<Waiting, Size, Remembered>& memory,
@@ -52,22 +51,22 @@ template <class... Parts> class component {
     }
 
     /// `application` gets what is not the core's: see component_application.
-    constexpr component_outcome on_message(const header& head, std::span<const std::byte> body, time now,
+    constexpr component_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
                                            message_sink out, auto&& application) {
         require_application<std::remove_reference_t<decltype(application)>>();
         const component_outcome what = take(head, body, now, out, application);
         ++counts_[static_cast<std::size_t>(what)];
         return what;
     }
-    constexpr void on_time(time now, message_sink out) {
+    constexpr void on_time(time_point now, message_sink out) {
         sender_.on_time(now, out, delivered_hook());
         control_.on_time(now, out);
         tell_own_changes();
         each_part([&](auto& part) { part.on_time(now, out); });
     }
-    [[nodiscard]] constexpr std::optional<time> next_event() const noexcept {
-        std::optional<time> first;
-        const auto consider = [&](std::optional<time> next) {
+    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
+        std::optional<time_point> first;
+        const auto consider = [&](std::optional<time_point> next) {
             if (next && (!first || *next < *first)) first = next;
         };
         consider(sender_.next_event());
@@ -78,18 +77,18 @@ template <class... Parts> class component {
 
     /// Acknowledges a message whose outcome was deferred: `request` is its header, `executed` makes an ACK, otherwise a
     /// NAK. False: no such message is pending, or no acknowledgement was asked for.
-    constexpr bool finish(const header& request, bool executed, time now, message_sink out) noexcept {
+    constexpr bool finish(const header& request, bool executed, time_point now, message_sink out) noexcept {
         return receiver_.finish(request, executed, now, out);
     }
     /// Sends a message of the component and repeats it until it is acknowledged; the hook on_delivered gets the
     /// outcome.
     template <coded_message T>
-    constexpr send_result send(header head, const T& body, time now, message_sink out) noexcept {
+    constexpr send_result send(header head, const T& body, time_point now, message_sink out) noexcept {
         head.source = self_;
         return sender_.send(head, body, now, out);
     }
     /// The same for a whole message, whose source is this component.
-    constexpr send_result send(std::span<const std::byte> message, time now, message_sink out) noexcept {
+    constexpr send_result send(std::span<const std::byte> message, time_point now, message_sink out) noexcept {
         header head{};
         if (!wire::decode_prefix(head, message) || head.source != self_) return {send_errc::invalid};
         return sender_.send(message, now, out);
@@ -142,8 +141,8 @@ template <class... Parts> class component {
     }
 
   private:
-    constexpr component_outcome take(const header& head, std::span<const std::byte> body, time now, message_sink out,
-                                     auto& application) {
+    constexpr component_outcome take(const header& head, std::span<const std::byte> body, time_point now,
+                                     message_sink out, auto& application) {
         // A large data set may have waited in the node of its sender: it is no sign of the component's life.
         if (body.size() <= max_body_size) control_.heard(head.source, now);
         if (is_acknowledgement(head)) {
@@ -165,8 +164,8 @@ template <class... Parts> class component {
         return what;
     }
     // Sets `what` to the detailed outcome.
-    constexpr message_outcome decide(const header& head, std::span<const std::byte> body, time now, message_sink out,
-                                     auto& application, component_outcome& what) {
+    constexpr message_outcome decide(const header& head, std::span<const std::byte> body, time_point now,
+                                     message_sink out, auto& application, component_outcome& what) {
         const bool clears_own = head.command_code == command_code_of<clear_emergency> &&
                                 state_.holds_emergency(head.source) && !control_.controls(head.source);
         if (!clears_own && !control_.admits(head)) {

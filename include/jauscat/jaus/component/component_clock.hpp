@@ -1,6 +1,7 @@
 // A component's clock: Set Time, Query Time, Report Time. It is an offset to the caller's time and needs no clock of
 // its own. RA 3.3 part 3, core subgroup and stamp formats.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/message/requested_fields.hpp>
 #include <jauscat/schema/jaus/core.hpp>
@@ -38,7 +39,7 @@ using civil_time = std::chrono::sys_time<std::chrono::nanoseconds>;
 }
 
 /// The stamp's time of day; empty where a value is outside its range. The day of the month is another matter.
-[[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> time_of_day(const time_stamp& s) noexcept {
+[[nodiscard]] constexpr std::optional<duration> time_of_day(const time_stamp& s) noexcept {
     using namespace std::chrono;
     if (s.milliseconds > 999 || s.seconds > 59 || s.minutes > 59 || s.hours > 23) return std::nullopt;
     return hours{s.hours} + minutes{s.minutes} + seconds{s.seconds} + milliseconds{s.milliseconds};
@@ -63,18 +64,18 @@ class component_clock {
     constexpr explicit component_clock(const address& self) noexcept : self_{self} {}
 
     /// Sets the clock at `now` of the caller's time. False, and no change, where date stamps cannot tell the date.
-    constexpr bool set(civil_time time, std::chrono::nanoseconds now) noexcept {
+    constexpr bool set(civil_time time, time_point now) noexcept {
         if (!has_date_stamp(time)) return false;
-        offset_ = time.time_since_epoch() - now;
+        offset_ = time.time_since_epoch() - now.time_since_epoch();
         has_time_ = has_date_ = true;
         return true;
     }
     /// The clock's time at `now`; empty while the time or the date has not been set.
-    [[nodiscard]] constexpr std::optional<civil_time> time_at(std::chrono::nanoseconds now) const noexcept {
+    [[nodiscard]] constexpr std::optional<civil_time> time_at(time_point now) const noexcept {
         return has_time_ && has_date_ ? std::optional{running(now)} : std::nullopt;
     }
     /// Report Time at `now`. A date after 2127 is left out.
-    [[nodiscard]] constexpr report_time report_at(std::chrono::nanoseconds now) const noexcept {
+    [[nodiscard]] constexpr report_time report_at(time_point now) const noexcept {
         const civil_time time = running(now);
         report_time report = stamps_of(time);
         if (!has_time_) report.time_stamp.reset();
@@ -84,8 +85,8 @@ class component_clock {
 
     /// Takes Set Time, and answers Query Time with the fields that it asks for. Refused: a Set Time with values outside
     /// their ranges, a day that there is not, or two days that contradict each other.
-    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body,
-                                         std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
+                                         message_sink out) noexcept {
         switch (head.command_code) {
         case command_code_of<set_time>:
             return decode_for<set_time>(body, [&](const set_time& m) {
@@ -102,11 +103,11 @@ class component_clock {
     }
 
   private:
-    [[nodiscard]] constexpr civil_time running(std::chrono::nanoseconds now) const noexcept {
-        return civil_time{now + offset_};
+    [[nodiscard]] constexpr civil_time running(time_point now) const noexcept {
+        return civil_time{now.time_since_epoch() + offset_};
     }
 
-    constexpr bool set_from(const set_time& m, std::chrono::nanoseconds now) noexcept {
+    constexpr bool set_from(const set_time& m, time_point now) noexcept {
         using namespace std::chrono;
         if (!m.time_stamp && !m.date_stamp) return true;
         const civil_time shown = has_time_ || has_date_ ? running(now) : civil_time{unset};
@@ -126,14 +127,14 @@ class component_clock {
                 if (!m.date_stamp) date = nearest(shown, time, day);
             }
         }
-        offset_ = civil_time{date} + time - civil_time{now};
+        offset_ = civil_time{date} + time - civil_time{now.time_since_epoch()};
         has_time_ |= m.time_stamp.has_value();
         has_date_ |= m.date_stamp.has_value();
         return true;
     }
     // The date with this day of the month that brings the clock nearest to what it shows. Of three months in a row one
     // has 31 days, so there is one.
-    [[nodiscard]] static constexpr std::chrono::sys_days nearest(civil_time shown, std::chrono::nanoseconds time,
+    [[nodiscard]] static constexpr std::chrono::sys_days nearest(civil_time shown, duration time,
                                                                  std::uint8_t day) noexcept {
         using namespace std::chrono;
         const year_month_day today{floor<days>(shown)};
@@ -150,7 +151,7 @@ class component_clock {
     static constexpr std::chrono::sys_days unset{std::chrono::year{2000} / 1 / 1};
 
     address self_;
-    std::chrono::nanoseconds offset_{};
+    duration offset_{};
     bool has_time_{};
     bool has_date_{};
 };

@@ -1,9 +1,9 @@
 // Control of a component: request, grant, takeover, release, loss; refusal of other senders' commands. RA 3.3 part 3,
 // core subgroup, and the notes on authority.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/component/command_rules.hpp>
-#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
@@ -36,7 +36,7 @@ struct control_options {
     std::span<const std::uint16_t> harmless{};
     /// Timeout: control is lost without a message of the controller for this time. After a quarter of it the controller
     /// is queried for its heartbeat pulse, so that an idle controller keeps control. 0: never.
-    std::chrono::nanoseconds timeout{std::chrono::milliseconds{500}};
+    duration timeout{std::chrono::milliseconds{500}};
 };
 
 /// Control of one component, component side. A request of higher authority than the controller's takes control over,
@@ -70,7 +70,7 @@ class component_control {
     }
     /// Call for every received message, also repetitions and acknowledgements: messages of the controller keep its
     /// control alive.
-    constexpr void heard(const address& who, std::chrono::nanoseconds now) noexcept {
+    constexpr void heard(const address& who, time_point now) noexcept {
         if (!controls(who)) return;
         heard_ = now;
         asked_ = 0;
@@ -88,8 +88,8 @@ class component_control {
 
     /// Takes Request and Release Component Control, Set Component Authority, and the queries of authority and control.
     /// Ask `admits` first. Confirm and Reject Component Control are for the other side: see held_control.
-    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body,
-                                         std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
+                                         message_sink out) noexcept {
         switch (head.command_code) {
         case command_code_of<set_component_authority>:
             return decode_for<set_component_authority>(body, [&](const auto& m) { authority_ = m.authority_code; });
@@ -123,7 +123,7 @@ class component_control {
         if (controller_ && gone(std::as_const(controller_->address))) end(control_change::lost);
     }
     /// Asks a silent controller for its pulse, and takes control from one that has been silent for the timeout.
-    constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void on_time(time_point now, message_sink out) noexcept {
         const auto due = next_event();
         if (!due || now < *due) return;
         if (now >= saturating_add(heard_, options_.timeout)) return take_back(control_change::lost, out);
@@ -131,14 +131,13 @@ class component_control {
         if (pulses_ != 255) ++pulses_;
         static_cast<void>(put({.destination = controller_->address, .source = self_}, query_heartbeat_pulse{}, out));
     }
-    [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
+    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
         if (!controller_ || options_.timeout == options_.timeout.zero()) return std::nullopt;
         return saturating_add(heard_, std::min((asked_ + 1) * quarter(), options_.timeout));
     }
 
   private:
-    constexpr void request(const header& head, std::uint8_t authority, std::chrono::nanoseconds now,
-                           message_sink out) noexcept {
+    constexpr void request(const header& head, std::uint8_t authority, time_point now, message_sink out) noexcept {
         using enum component_control_response;
         const bool is_controller = controls(head.source);
         if (controller_ && !is_controller && authority <= controller_->authority_code) {
@@ -154,9 +153,7 @@ class component_control {
         static_cast<void>(answer(head, self_, confirm_component_control{control_accepted}, out));
     }
 
-    [[nodiscard]] constexpr std::chrono::nanoseconds quarter() const noexcept {
-        return std::max(options_.timeout / 4, std::chrono::nanoseconds{1});
-    }
+    [[nodiscard]] constexpr duration quarter() const noexcept { return std::max(options_.timeout / 4, duration{1}); }
     constexpr void end(control_change why) noexcept {
         controller_.reset();
         last_change_ = why;
@@ -173,7 +170,7 @@ class component_control {
     control_options options_;
     std::optional<jaus::controller> controller_{};
     control_change last_change_{};
-    std::chrono::nanoseconds heard_{};
+    time_point heard_{};
     std::int64_t asked_{};  // quarters of the timeout that the controller has been silent for, when it was asked last
     std::uint8_t pulses_{}; // asked for and not yet come
     std::uint64_t refused_{};

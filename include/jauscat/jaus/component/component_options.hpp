@@ -1,5 +1,6 @@
 // Options and memory of a component.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/acknowledged_receiver.hpp>
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/jaus/component/component_control.hpp>
@@ -12,7 +13,7 @@ struct component_options {
     control_options control{};                 ///< authority, harmless codes, timeout
     acknowledgement_options acknowledgement{}; ///< of messages that it sends
     /// How long acknowledged messages are remembered; see acknowledged_receiver.
-    std::chrono::nanoseconds memory{std::chrono::seconds{2}};
+    duration memory{std::chrono::seconds{2}};
     /// Refuses motion commands unless Ready; see command_rules.
     bool obeys_only_when_ready{true};
 };

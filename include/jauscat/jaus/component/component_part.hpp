@@ -1,9 +1,9 @@
 // What a part of a component needs.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
 
-#include <chrono>
 #include <concepts>
 #include <optional>
 #include <span>
@@ -13,21 +13,19 @@ namespace jauscat::jaus {
 /// One concept for each operation of a part, so that a violation names the one that is missing.
 namespace operations {
 
-using time = std::chrono::nanoseconds;
-
 template <class Part>
-concept has_on_message = requires(Part& part, const header& head, std::span<const std::byte> body, time now,
+concept has_on_message = requires(Part& part, const header& head, std::span<const std::byte> body, time_point now,
                                   message_sink out) { part.on_message(head, body, now, out); };
 template <class Part>
 concept has_message_outcome =
-    requires(Part& part, const header& head, std::span<const std::byte> body, time now, message_sink out) {
+    requires(Part& part, const header& head, std::span<const std::byte> body, time_point now, message_sink out) {
         { part.on_message(head, body, now, out) } -> std::same_as<message_outcome>;
     };
 template <class Part>
-concept has_on_time = requires(Part& part, time now, message_sink out) { part.on_time(now, out); };
+concept has_on_time = requires(Part& part, time_point now, message_sink out) { part.on_time(now, out); };
 template <class Part>
 concept has_next_event = requires(const Part& part) {
-    { part.next_event() } -> std::same_as<std::optional<time>>;
+    { part.next_event() } -> std::same_as<std::optional<time_point>>;
 };
 template <class Part> concept has_on_lost = requires(Part& part, const address& who) { part.on_lost(who); };
 
@@ -46,10 +44,10 @@ concept has_useless_list = !lists_messages<Part> && (
 } // namespace operations
 
 /// A part of a component: a state machine that gets the messages that the core leaves, and the time. Needed:
-/// - `on_message(const header&, std::span<const std::byte> body, std::chrono::nanoseconds now, message_sink out)`
+/// - `on_message(const header&, std::span<const std::byte> body, time_point now, message_sink out)`
 ///   returns a message_outcome; `not_mine` hands the message to the next part, and at last to the application.
 /// - `on_time(now, out)` does what is due, at `next_event()` or later; it may be called earlier.
-/// - `next_event() const` returns when on_time has something to do, as std::optional<std::chrono::nanoseconds>.
+/// - `next_event() const` returns when on_time has something to do, as std::optional<time_point>.
 /// - `on_lost(const address& who)`: a component has disappeared, or all of a level for which an octet is 255; see
 ///   stands_for. Ends what depends on it.
 ///
@@ -64,13 +62,12 @@ concept component_part =
 template <class Part> consteval void require_part() noexcept {
     static_assert(operations::has_on_message<Part>,
                   "component: a part has no on_message(const header&, std::span<const std::byte>,"
-                  " std::chrono::nanoseconds, message_sink)");
+                  " time_point, message_sink)");
     static_assert(!operations::has_on_message<Part> || operations::has_message_outcome<Part>,
                   "component: on_message of a part does not return a message_outcome");
-    static_assert(operations::has_on_time<Part>,
-                  "component: a part has no on_time(std::chrono::nanoseconds, message_sink)");
+    static_assert(operations::has_on_time<Part>, "component: a part has no on_time(time_point, message_sink)");
     static_assert(operations::has_next_event<Part>, "component: a part has no next_event() const that returns a"
-                                                    " std::optional<std::chrono::nanoseconds>");
+                                                    " std::optional<time_point>");
     static_assert(operations::has_on_lost<Part>, "component: a part has no on_lost(const address&)");
     static_assert(!operations::has_useless_list<Part>,
                   "component: list_messages of a part is not const, or has other parameters than (takes, sends)");

@@ -1,11 +1,11 @@
 // State of a component, and who may change it: Shutdown, Standby, Resume, Reset, Set and Clear Emergency, Query
 // Component Status, and the application. RA 3.3 part 3, core subgroup.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
 namespace jauscat::jaus {
@@ -116,7 +116,7 @@ template <std::size_t Holders = 8> class component_state {
     /// Takes the messages above; answers Query Component Status. Set Emergency is taken whatever its body is. Refused:
     /// what the table refuses, and a Clear Emergency from one that holds nothing. A Clear Emergency without its bit is
     /// taken and changes nothing.
-    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds,
+    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point,
                                          message_sink out) noexcept {
         switch (head.command_code) {
         case command_code_of<shutdown>: return command<shutdown>(body, state_event::shutdown);

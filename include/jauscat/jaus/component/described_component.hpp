@@ -1,8 +1,8 @@
 // Heartbeats, identification and services of a component.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/component/core_messages.hpp>
-#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
 
@@ -26,8 +26,8 @@ struct component_description {
 
 /// Destination and period of heartbeats.
 struct heartbeat {
-    address to{};                                             ///< destination
-    std::chrono::nanoseconds period{std::chrono::seconds{1}}; ///< 0: none are sent
+    address to{};                             ///< destination
+    duration period{std::chrono::seconds{1}}; ///< 0: none are sent
 };
 
 /// Heartbeats to the own node manager, as for components.
@@ -44,8 +44,6 @@ struct heartbeat {
 /// subsystem or node is refused, since the node manager has those.
 class described_component {
   public:
-    using time = std::chrono::nanoseconds;
-
     /// `memory`, which must outlive this: room for Report Services, see answer.
     constexpr described_component(const address& self, const component_description& description, const heartbeat& beat,
                                   std::span<std::byte> memory) noexcept
@@ -55,7 +53,7 @@ class described_component {
     }
 
     /// Refused are also answers for which the memory is too small and texts of more than 80 characters.
-    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time,
+    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point,
                                          message_sink out) noexcept {
         if (is_acknowledgement(head)) return message_outcome::not_mine;
         const auto done = [](bool sent) { return sent ? message_outcome::taken : message_outcome::refused; };
@@ -77,14 +75,14 @@ class described_component {
     }
 
     /// Sends a heartbeat when it is time, the first at once. A late call sends one, not what has been missed.
-    constexpr void on_time(time now, message_sink out) noexcept {
-        if (beat_.period <= time{} || now < next_) return;
-        const time following = saturating_add(next_, beat_.period);
+    constexpr void on_time(time_point now, message_sink out) noexcept {
+        if (beat_.period <= duration{} || now < next_) return;
+        const time_point following = saturating_add(next_, beat_.period);
         next_ = following > now ? following : saturating_add(now, beat_.period);
         static_cast<void>(put({.destination = beat_.to, .source = self_}, report_heartbeat_pulse{}, out));
     }
-    [[nodiscard]] constexpr std::optional<time> next_event() const noexcept {
-        if (beat_.period <= time{}) return std::nullopt;
+    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
+        if (beat_.period <= duration{}) return std::nullopt;
         return next_;
     }
     /// No effect: nothing depends on another component.
@@ -100,7 +98,7 @@ class described_component {
     component_description description_;
     heartbeat beat_;
     std::span<std::byte> memory_;
-    time next_{time::min() / 2};
+    time_point next_{duration::min() / 2};
 };
 
 } // namespace jauscat::jaus

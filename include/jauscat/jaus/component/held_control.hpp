@@ -4,7 +4,6 @@
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/message/hook.hpp>
-#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/core.hpp>
@@ -28,7 +27,7 @@ enum class control_state : std::uint8_t {
 struct held_control_options {
     retry_policy retry{.interval = std::chrono::seconds{1}, .attempts = 3}; ///< of a request that is not answered
     /// Interval of renewing requests: keeps control alive at the component, and detects its loss. 0: never.
-    std::chrono::nanoseconds renewal{};
+    duration renewal{};
 };
 
 /// Control of the component `target` by the component `self`. After a refusal or a loss, call ask() to try again.
@@ -44,7 +43,7 @@ class held_control {
     [[nodiscard]] constexpr const address& target() const noexcept { return target_; }
 
     /// Asks for control, or for another authority if it is held already. `authority_code`: 0 lowest to 255 highest.
-    constexpr void ask(std::uint8_t authority_code, std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void ask(std::uint8_t authority_code, time_point now, message_sink out) noexcept {
         authority_ = authority_code;
         asked_ = 0;
         if (state_ != control_state::held) enter(control_state::asking);
@@ -61,8 +60,8 @@ class held_control {
     /// Handles Confirm and Reject Component Control from the target, and its Query Heartbeat Pulse while control is
     /// requested or held. A confirmation of control that was not requested is answered with a release, and so are the
     /// first Query Heartbeat Pulses after a release, which may have been lost.
-    constexpr message_outcome on_message(const header& from, std::span<const std::byte> body,
-                                         std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr message_outcome on_message(const header& from, std::span<const std::byte> body, time_point now,
+                                         message_sink out) noexcept {
         if (from.source != target_ || is_acknowledgement(from)) return message_outcome::not_mine;
         switch (from.command_code) {
         case command_code_of<confirm_component_control>:
@@ -92,7 +91,7 @@ class held_control {
         }
     }
     /// Repeats and renews requests.
-    constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void on_time(time_point now, message_sink out) noexcept {
         const auto due = next_event();
         if (!due || now < *due) return;
         if (!options_.retry.allows_another(asked_))
@@ -100,7 +99,7 @@ class held_control {
         else
             request(now, out);
     }
-    [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
+    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
         if (state_ == control_state::asking || (state_ == control_state::held && asked_ != 0))
             return saturating_add(at_, options_.retry.interval);
         if (state_ == control_state::held && options_.renewal != options_.renewal.zero())
@@ -119,12 +118,12 @@ class held_control {
         return state_ == control_state::held || state_ == control_state::asking;
     }
     [[nodiscard]] constexpr header head() const noexcept { return {.destination = target_, .source = self_}; }
-    constexpr void request(std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void request(time_point now, message_sink out) noexcept {
         ++asked_;
         at_ = now;
         static_cast<void>(put(head(), request_component_control{authority_}, out));
     }
-    constexpr void confirm(bool accepted, std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void confirm(bool accepted, time_point now, message_sink out) noexcept {
         if (!is_wanted()) {
             if (accepted) static_cast<void>(put(head(), release_component_control{}, out));
             return;
@@ -147,9 +146,9 @@ class held_control {
     hook<void(control_state)> changed_;
     control_state state_{};
     std::uint8_t authority_{};
-    std::uint32_t asked_{};         // requests since the last answer
-    unsigned releases_{};           // sent when the target still asks for the pulse
-    std::chrono::nanoseconds at_{}; // of the last request or answer
+    std::uint32_t asked_{}; // requests since the last answer
+    unsigned releases_{};   // sent when the target still asks for the pulse
+    time_point at_{};       // of the last request or answer
 };
 
 } // namespace jauscat::jaus

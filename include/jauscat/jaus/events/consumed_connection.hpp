@@ -30,8 +30,8 @@ struct consumed_connection {
     std::uint16_t sequence_number{};        ///< the highest so far
     create_service_connection request{};    ///< what was asked for
     double rate{};                          ///< hertz, as confirmed
-    std::chrono::nanoseconds due{};         ///< when to ask again, notice the silence, or be done
-    std::chrono::nanoseconds asked_at{};    ///< when a message was last sent to the provider
+    time_point due{};                       ///< when to ask again, notice the silence, or be done
+    time_point asked_at{};                  ///< when a message was last sent to the provider
     std::uint32_t requests{};               ///< that were not answered
     std::uint64_t received{};               ///< reports in order
     std::uint64_t lost{};                   ///< reports missing between those in order

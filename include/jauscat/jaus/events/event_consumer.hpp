@@ -4,7 +4,6 @@
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/requested_event.hpp>
-#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 
 namespace jauscat::jaus {
@@ -24,13 +23,13 @@ template <std::size_t Capacity> class event_consumer {
     /// that does not answer Query Events.
     constexpr explicit event_consumer(const address& self,
                                       const retry_policy& retry = {.interval = std::chrono::seconds{1}, .attempts = 5},
-                                      std::chrono::nanoseconds silence = std::chrono::seconds{5}) noexcept
+                                      duration silence = std::chrono::seconds{5}) noexcept
         : self_{self}, retry_{retry}, silence_{silence} {}
 
     /// Sends `wanted`, whose local request ID is replaced. Returns the event's place in requested(); none where all are
     /// taken, a rate rounds to 0 or the message cannot be made.
     [[nodiscard]] constexpr std::optional<std::size_t> create(const address& provider, create_event wanted,
-                                                              std::chrono::nanoseconds now, message_sink out) noexcept {
+                                                              time_point now, message_sink out) noexcept {
         const auto place = std::ranges::find_if(requested_, [](const requested_event& e) {
             return e.state == requested_state::free || e.state == requested_state::rejected ||
                    e.state == requested_state::unanswered;
@@ -46,7 +45,7 @@ template <std::size_t Capacity> class event_consumer {
     /// Has an active event set up anew, as `wanted` says, whose local request ID is replaced. A rejection leaves the
     /// event unchanged; without an answer its setup is unknown. False where the event is not active, and where `wanted`
     /// is of another report or cannot be sent.
-    [[nodiscard]] constexpr bool update(std::size_t place, create_event wanted, std::chrono::nanoseconds now,
+    [[nodiscard]] constexpr bool update(std::size_t place, create_event wanted, time_point now,
                                         message_sink out) noexcept {
         if (place >= Capacity || requested_[place].state != requested_state::active) return false;
         requested_event e = requested_[place];
@@ -57,7 +56,7 @@ template <std::size_t Capacity> class event_consumer {
         return true;
     }
     /// Cancels an event. Its place is free when the provider has answered, or has not often enough.
-    constexpr void cancel(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void cancel(std::size_t place, time_point now, message_sink out) noexcept {
         if (place >= Capacity || requested_[place].state == requested_state::free) return;
         requested_event& e = requested_[place];
         if (!e.confirmed && e.state != requested_state::asking) {
@@ -71,8 +70,8 @@ template <std::size_t Capacity> class event_consumer {
     }
 
     /// Takes Confirm and Reject Event Request, and Event. Looks at Report Events, which is not_mine all the same.
-    constexpr event_outcome on_message(const header& head, std::span<const std::byte> body,
-                                       std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr event_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
+                                       message_sink out) noexcept {
         event_outcome outcome{};
         if (is_acknowledgement(head)) return outcome;
         const auto decoded_by = [&]<class T>(T message, auto handle) {
@@ -114,7 +113,7 @@ template <std::size_t Capacity> class event_consumer {
     }
 
     /// Repeats requests and detects timeouts.
-    constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void on_time(time_point now, message_sink out) noexcept {
         for (requested_event& e : requested_) {
             if (!has_due(e) || e.due > now) continue;
             if (e.state == requested_state::active && !comes_at_rate(e) && retry_.allows_another(e.requests)) {
@@ -133,8 +132,8 @@ template <std::size_t Capacity> class event_consumer {
         }
     }
     /// When on_time has something to do.
-    [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
-        std::optional<std::chrono::nanoseconds> next;
+    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
+        std::optional<time_point> next;
         for (const requested_event& e : requested_)
             if (has_due(e) && (!next || e.due < *next)) next = e.due;
         return next;
@@ -162,7 +161,7 @@ template <std::size_t Capacity> class event_consumer {
         return e.state == requested_state::asking || e.state == requested_state::updating ||
                e.state == requested_state::cancelling || e.state == requested_state::stale;
     }
-    static constexpr auto never = std::chrono::nanoseconds::max();
+    static constexpr auto never = time_point::max();
 
     [[nodiscard]] static constexpr bool has_due(const requested_event& e) noexcept {
         return waits(e) || (e.state == requested_state::active && e.due != never);
@@ -170,7 +169,7 @@ template <std::size_t Capacity> class event_consumer {
     [[nodiscard]] static constexpr bool comes_at_rate(const requested_event& e) noexcept {
         return e.type == event_type::periodic && e.rate > 0;
     }
-    constexpr void activate(requested_event& e, std::chrono::nanoseconds now) const noexcept {
+    constexpr void activate(requested_event& e, time_point now) const noexcept {
         constexpr int silent_periods = 3;
         e.state = requested_state::active;
         e.due = saturating_add(now, comes_at_rate(e) ? silent_periods * period_of(e.rate) : silence_);
@@ -193,7 +192,7 @@ template <std::size_t Capacity> class event_consumer {
         return encoded && e.request.resize(encoded->size());
     }
     // A cancel before the ID is known repeats the request, whose answer has the ID.
-    constexpr void ask(requested_event& e, std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void ask(requested_event& e, time_point now, message_sink out) noexcept {
         create_event wanted{};
         static_cast<void>(wire::decode(wanted, std::span<const std::byte>{e.request.begin(), e.request.size()}));
         if (!e.confirmed || e.state == requested_state::stale)
@@ -208,14 +207,13 @@ template <std::size_t Capacity> class event_consumer {
         ++e.requests;
         e.due = saturating_add(now, retry_.interval);
     }
-    constexpr void query(requested_event& e, std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void query(requested_event& e, time_point now, message_sink out) noexcept {
         send(e, query_events{.message_code = e.message_code, .event_id = e.event_id}, out);
         ++e.requests;
         e.due = saturating_add(now, retry_.interval);
     }
     // A list without an event may be the answer about another, so it says nothing about this one.
-    constexpr void listed(const address& source, std::span<const std::byte> body,
-                          std::chrono::nanoseconds now) noexcept {
+    constexpr void listed(const address& source, std::span<const std::byte> body, time_point now) noexcept {
         const wire::view<report_events> report{body};
         if (!report) return;
         for (const auto reported : report.template get<&report_events::event>()) {
@@ -245,8 +243,7 @@ template <std::size_t Capacity> class event_consumer {
         outcome.place = static_cast<std::size_t>(e - requested_.begin());
         handle(*e);
     }
-    constexpr void confirmed(requested_event& e, event_outcome& outcome, std::chrono::nanoseconds now,
-                             message_sink out) noexcept {
+    constexpr void confirmed(requested_event& e, event_outcome& outcome, time_point now, message_sink out) noexcept {
         e.requests = 0;
         if (e.state != requested_state::cancelling && e.state != requested_state::unanswered) {
             e.confirmed = true;
@@ -263,7 +260,7 @@ template <std::size_t Capacity> class event_consumer {
             outcome.what = event_news::confirmed;
         }
     }
-    constexpr void heard(const address& source, const event& m, event_outcome& outcome, std::chrono::nanoseconds now,
+    constexpr void heard(const address& source, const event& m, event_outcome& outcome, time_point now,
                          message_sink out) noexcept {
         outcome.message_code = m.message_code;
         outcome.report = m.report_message_body;
@@ -302,8 +299,7 @@ template <std::size_t Capacity> class event_consumer {
     }
 
     // Not while an answer may tell of it, and not again until there was time for an answer.
-    constexpr void cancel_unknown(const address& source, const event& m, std::chrono::nanoseconds now,
-                                  message_sink out) noexcept {
+    constexpr void cancel_unknown(const address& source, const event& m, time_point now, message_sink out) noexcept {
         const bool may_become_known = std::ranges::any_of(requested_, [&](const requested_event& e) {
             return may_be_answered(e) && e.provider == source && e.message_code == m.message_code;
         });
@@ -321,7 +317,7 @@ template <std::size_t Capacity> class event_consumer {
 
     address self_;
     retry_policy retry_;
-    std::chrono::nanoseconds silence_;
+    duration silence_;
     std::array<requested_event, Capacity> requested_{};
     requested_event unwanted_{}; ///< cancelled last, without having been asked for
     std::uint8_t last_id_{};

@@ -9,32 +9,32 @@
 // is the newest report. A minimum periodic rate has them sent without a change too. Boundaries are ignored in the other
 // types.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/events/event_setup.hpp>
 
 namespace jauscat::jaus {
 
 /// An event of a provider.
 struct event_record {
-    address requester{};                     ///< the consumer
-    std::uint16_t message_code{};            ///< of the report; 0: no event
-    std::uint8_t event_id{};                 ///< 1 to 255
-    std::uint8_t local_request_id{};         ///< of the last request for it
-    std::uint8_t priority{};                 ///< of that request, and of the events
-    std::uint8_t sequence_number{};          ///< of the next one
-    std::uint32_t order{};                   ///< the higher, the later it was asked for
-    event_setup setup{};                     ///< what it was asked to be
-    bool pending{};                          ///< to be sent as soon as the rate allows
-    bool done{};                             ///< a first change that has been
-    bool inside{};                           ///< the boundary, by the last value
-    std::optional<field_value> last{};       ///< of the limited field
-    std::chrono::nanoseconds due{};          ///< of periodic ones the next instant, of others the earliest
-    std::chrono::nanoseconds gap{};          ///< between two that are sent on change, at least
-    std::chrono::nanoseconds silent_until{}; ///< with a minimum rate: when the next is sent without a change
+    address requester{};               ///< the consumer
+    std::uint16_t message_code{};      ///< of the report; 0: no event
+    std::uint8_t event_id{};           ///< 1 to 255
+    std::uint8_t local_request_id{};   ///< of the last request for it
+    std::uint8_t priority{};           ///< of that request, and of the events
+    std::uint8_t sequence_number{};    ///< of the next one
+    std::uint32_t order{};             ///< the higher, the later it was asked for
+    event_setup setup{};               ///< what it was asked to be
+    bool pending{};                    ///< to be sent as soon as the rate allows
+    bool done{};                       ///< a first change that has been
+    bool inside{};                     ///< the boundary, by the last value
+    std::optional<field_value> last{}; ///< of the limited field
+    time_point due{};                  ///< of periodic ones the next instant, of others the earliest
+    duration gap{};                    ///< between two that are sent on change, at least
+    time_point silent_until{};         ///< with a minimum rate: when the next is sent without a change
 };
 
 /// Restarts the event with `setup`; ID and sequence number are kept.
-constexpr void arm(event_record& e, const event_setup& setup, const eventful_report& report,
-                   std::chrono::nanoseconds now) noexcept {
+constexpr void arm(event_record& e, const event_setup& setup, const eventful_report& report, time_point now) noexcept {
     e.setup = setup;
     e.pending = is_periodic(setup.event_type);
     e.done = e.inside = false;
@@ -42,7 +42,7 @@ constexpr void arm(event_record& e, const event_setup& setup, const eventful_rep
     e.due = now;
     const double most = setup.rate != 0 ? setup.rate : report.max_rate;
     constexpr double lowest = 1e-9; // once in 31 years
-    e.gap = is_on_change(setup.event_type) && most > 0 ? period_of(std::max(most, lowest)) : std::chrono::nanoseconds{};
+    e.gap = is_on_change(setup.event_type) && most > 0 ? period_of(std::max(most, lowest)) : duration{};
     if (setup.min_rate != 0) e.silent_until = now + period_of(setup.min_rate);
 }
 
@@ -63,9 +63,9 @@ constexpr void arm(event_record& e, const event_setup& setup, const eventful_rep
 }
 
 /// When the event is due; none where it waits for a change.
-[[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> due_of(const event_record& e) noexcept {
+[[nodiscard]] constexpr std::optional<time_point> due_of(const event_record& e) noexcept {
     if (e.message_code == 0 || e.done) return std::nullopt;
-    std::optional<std::chrono::nanoseconds> due;
+    std::optional<time_point> due;
     if (e.setup.event_type == event_type::periodic ||
         (e.pending && e.setup.event_type != event_type::one_time_on_demand))
         due = e.due;
@@ -75,7 +75,7 @@ constexpr void arm(event_record& e, const event_setup& setup, const eventful_rep
 }
 
 /// Updates the event after it was `sent`, or skipped for lack of a report.
-constexpr void note_sent(event_record& e, bool sent, std::chrono::nanoseconds now) noexcept {
+constexpr void note_sent(event_record& e, bool sent, time_point now) noexcept {
     if (sent) {
         ++e.sequence_number;
         if (e.setup.event_type == event_type::one_time_on_demand) {

@@ -1,6 +1,7 @@
 // Events, provider side: requests, triggers, due times. RA 3.3 part 3, codes 01F0h to 01F4h, 21F0h, 41F0h and 41F1h.
 // The consumer side is event_consumer.hpp.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/event_record.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
@@ -34,8 +35,8 @@ template <std::size_t Capacity> class events {
 
     /// Takes Create, Update and Cancel Event (answered by Confirm or Reject Event Request; a cancel by a confirmation
     /// of each event that is gone) and Query Events (answered by Report Events).
-    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body,
-                                         std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
+                                         message_sink out) noexcept {
         if (is_acknowledgement(head)) return message_outcome::not_mine;
         switch (head.command_code) {
         case command_code_of<create_event>:
@@ -51,7 +52,7 @@ template <std::size_t Capacity> class events {
     }
 
     /// Call when report `code` has changed; `body` is the new one with all its fields.
-    constexpr void changed(std::uint16_t code, std::span<const std::byte> body, std::chrono::nanoseconds now,
+    constexpr void changed(std::uint16_t code, std::span<const std::byte> body, time_point now,
                            message_sink out) noexcept {
         for (event_record& e : events_) {
             if (e.message_code != code || code == 0 || !triggers(e, *report_of(code), body)) continue;
@@ -66,7 +67,7 @@ template <std::size_t Capacity> class events {
     }
 
     /// Sends what is due.
-    constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void on_time(time_point now, message_sink out) noexcept {
         for (event_record& e : events_) {
             if (const auto next = due_of(e); !next || *next > now) continue;
             if (is_periodic(e.setup.event_type)) e.due = instant_after(e.due, period_of(e.setup.rate), now);
@@ -74,8 +75,8 @@ template <std::size_t Capacity> class events {
         }
     }
     /// When on_time has something to send.
-    [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
-        std::optional<std::chrono::nanoseconds> first;
+    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
+        std::optional<time_point> first;
         for (const event_record& e : events_)
             if (const auto next = due_of(e); next && (!first || *next < *first)) first = next;
         return first;
@@ -135,7 +136,7 @@ template <std::size_t Capacity> class events {
         return found == reports_.end() || code == 0 ? nullptr : &*found;
     }
 
-    constexpr message_outcome create(const header& head, const create_event& m, std::chrono::nanoseconds now,
+    constexpr message_outcome create(const header& head, const create_event& m, time_point now,
                                      message_sink out) noexcept {
         judged_setup judged = judge_setup(m, report_of(m.message_code));
         if (judged.response == event_response::successful && judge_) {
@@ -167,7 +168,7 @@ template <std::size_t Capacity> class events {
         start(*place, now, out);
         return message_outcome::taken;
     }
-    constexpr message_outcome update(const header& head, const update_event& m, std::chrono::nanoseconds now,
+    constexpr message_outcome update(const header& head, const update_event& m, time_point now,
                                      message_sink out) noexcept {
         const auto e = std::ranges::find_if(events_, [&](const event_record& r) {
             return r.message_code != 0 && r.event_id == m.event_id && r.requester == head.source;
@@ -227,8 +228,7 @@ template <std::size_t Capacity> class events {
             events_, [&](const event_record& e) { return e.message_code != 0 && e.event_id == last_id_; }));
         return last_id_;
     }
-    constexpr const event_record& set_up(event_record& e, const event_setup& setup,
-                                         std::chrono::nanoseconds now) noexcept {
+    constexpr const event_record& set_up(event_record& e, const event_setup& setup, time_point now) noexcept {
         const eventful_report* const report = report_of(e.message_code);
         arm(e, setup, *report, now);
         // Changes are detected relative to the present report, if there is one.
@@ -237,11 +237,10 @@ template <std::size_t Capacity> class events {
             static_cast<void>(triggers(e, *report, report_.first(*size)));
         return e;
     }
-    constexpr void start(event_record& e, std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void start(event_record& e, time_point now, message_sink out) noexcept {
         if (e.setup.event_type == event_type::one_time_on_demand) send_filled(e, now, out);
     }
-    constexpr void send(event_record& e, std::span<const std::byte> body, std::chrono::nanoseconds now,
-                        message_sink out) noexcept {
+    constexpr void send(event_record& e, std::span<const std::byte> body, time_point now, message_sink out) noexcept {
         const header head{.priority = e.priority, .destination = e.requester, .source = self_};
         const bool sent = put_in(head,
                                  event{.event_id = e.event_id,
@@ -252,7 +251,7 @@ template <std::size_t Capacity> class events {
         skipped_ += !sent;
         note_sent(e, sent, now);
     }
-    constexpr void send_filled(event_record& e, std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void send_filled(event_record& e, time_point now, message_sink out) noexcept {
         const auto size = fill_(e.message_code, {e.setup.query.begin(), e.setup.query.size()}, report_);
         if (size && *size <= report_.size()) {
             send(e, report_.first(*size), now, out);

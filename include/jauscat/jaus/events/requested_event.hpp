@@ -1,8 +1,7 @@
 // Event of a consumer: states, results.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/events/event_setup.hpp>
-
-#include <chrono>
 
 namespace jauscat::jaus {
 
@@ -24,20 +23,20 @@ inline constexpr std::size_t max_create_event_size = 42 + max_event_query;
 struct requested_event {
     address provider{}; ///< who sends the events
     requested_state state{};
-    event_response response{};           ///< of the last answer
-    std::uint16_t message_code{};        ///< of the report
-    event_type type{};                   ///< what triggers it
-    bool confirmed{};                    ///< the event ID is known
-    bool heard{};                        ///< `sequence_number` is that of an event
-    std::uint8_t local_request_id{};     ///< of the request that waits for an answer
-    std::uint8_t event_id{};             ///< as confirmed
-    std::uint8_t sequence_number{};      ///< of the last event
-    double rate{};                       ///< hertz, as confirmed; 0: none was
-    std::chrono::nanoseconds due{};      ///< when to ask again, or notice the silence
-    std::chrono::nanoseconds heard_at{}; ///< when the last event came
-    std::uint32_t requests{};            ///< that were not answered
-    std::uint64_t received{};            ///< events
-    std::uint64_t lost{};                ///< events missing between those, as far as 8 bits can count
+    event_response response{};       ///< of the last answer
+    std::uint16_t message_code{};    ///< of the report
+    event_type type{};               ///< what triggers it
+    bool confirmed{};                ///< the event ID is known
+    bool heard{};                    ///< `sequence_number` is that of an event
+    std::uint8_t local_request_id{}; ///< of the request that waits for an answer
+    std::uint8_t event_id{};         ///< as confirmed
+    std::uint8_t sequence_number{};  ///< of the last event
+    double rate{};                   ///< hertz, as confirmed; 0: none was
+    time_point due{};                ///< when to ask again, or notice the silence
+    time_point heard_at{};           ///< when the last event came
+    std::uint32_t requests{};        ///< that were not answered
+    std::uint64_t received{};        ///< events
+    std::uint64_t lost{};            ///< events missing between those, as far as 8 bits can count
     wire::inline_list<std::byte, max_create_event_size>
         request{}; ///< the body of Create Event, or what Update Event has
 };

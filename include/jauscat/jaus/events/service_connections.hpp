@@ -1,6 +1,7 @@
 // Service connections, provider side: requests, rates, due times. RA 3.3 part 3, codes 0008h to 000Ch. The consumer
 // side is service_consumer.hpp.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/update_rate.hpp>
 #include <jauscat/jaus/message/hook.hpp>
@@ -35,7 +36,7 @@ struct service_connection {
     std::uint8_t priority{};         ///< of the request, and of its reports
     bool active{};                   ///< sends; false: suspended
     double rate{};                   ///< hertz, as confirmed
-    std::chrono::nanoseconds due{};  ///< when the next report is
+    time_point due{};                ///< when the next report is
     std::uint16_t sent{};            ///< reports, modulo 65536: the next one's sequence number
 };
 
@@ -67,8 +68,8 @@ template <std::size_t Capacity> class service_connections {
     /// Takes Create (answered by Confirm), Activate, Suspend and Terminate Service Connection. A request without a
     /// place left is answered with connection_refused, one without rate or with fields that the report does not have
     /// with invalid_service_connection_parameters, one for another report with command_not_supported.
-    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body,
-                                         std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
+                                         message_sink out) noexcept {
         if (is_acknowledgement(head)) return message_outcome::not_mine;
         switch (head.command_code) {
         case command_code_of<create_service_connection>:
@@ -88,7 +89,7 @@ template <std::size_t Capacity> class service_connections {
     }
 
     /// Sends the reports that are due.
-    constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void on_time(time_point now, message_sink out) noexcept {
         for (service_connection& c : connections_) {
             if (!sends(c) || c.due > now) continue;
             c.due = instant_after(c.due, period_of(c.rate), now);
@@ -96,8 +97,8 @@ template <std::size_t Capacity> class service_connections {
         }
     }
     /// When the next report is due; none without an active connection.
-    [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
-        std::optional<std::chrono::nanoseconds> next;
+    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
+        std::optional<time_point> next;
         for (const service_connection& c : connections_)
             if (sends(c) && (!next || c.due < *next)) next = c.due;
         return next;
@@ -138,8 +139,8 @@ template <std::size_t Capacity> class service_connections {
     [[nodiscard]] static constexpr bool sends(const service_connection& c) noexcept {
         return c.command_code != 0 && c.active;
     }
-    constexpr message_outcome create(const header& head, const create_service_connection& request,
-                                     std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr message_outcome create(const header& head, const create_service_connection& request, time_point now,
+                                     message_sink out) noexcept {
         confirm_service_connection confirmed{.command_code = request.command_code};
         const auto report = std::ranges::find(reports_, request.command_code, &connectable_report::command_code);
         service_connection* const place = place_for(head.source, request.command_code);

@@ -1,11 +1,11 @@
 // Service connections, consumer side: requests with retries, sequence numbers of reports, timeouts. RA 3.3 part 3,
 // codes 0008h to 000Ch. The provider side is service_connections.hpp.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/events/consumed_connection.hpp>
 #include <jauscat/jaus/events/update_rate.hpp>
 #include <jauscat/jaus/message/hook.hpp>
-#include <jauscat/jaus/message/saturating_add.hpp>
 
 #include <optional>
 
@@ -25,7 +25,7 @@ template <std::size_t Capacity> class service_consumer {
     /// there is a connection, to change it: if the provider refuses that, the connection ends. Returns its place in
     /// connections(); none where all are taken, or the rate cannot be said.
     [[nodiscard]] constexpr std::optional<std::size_t> ask(const address& provider, std::uint16_t code, double rate,
-                                                           std::uint32_t presence_vector, std::chrono::nanoseconds now,
+                                                           std::uint32_t presence_vector, time_point now,
                                                            message_sink out) noexcept {
         if (sayable_rate(rate, update_rate::max) == 0 || rate > update_rate::max) return std::nullopt;
         consumed_connection* c = find(provider, code);
@@ -43,14 +43,14 @@ template <std::size_t Capacity> class service_consumer {
         return static_cast<std::size_t>(c - connections_.data());
     }
     /// Pauses a confirmed connection; false where there is none.
-    [[nodiscard]] constexpr bool suspend(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
+    [[nodiscard]] constexpr bool suspend(std::size_t place, time_point now, message_sink out) noexcept {
         if (place >= Capacity || !going_on(connections_[place])) return false;
         tell<suspend_service_connection>(connections_[place], now, out);
         enter(connections_[place], consumed_state::suspended);
         return true;
     }
     /// Activates a suspended connection; false if it is not suspended.
-    [[nodiscard]] constexpr bool activate(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
+    [[nodiscard]] constexpr bool activate(std::size_t place, time_point now, message_sink out) noexcept {
         if (place >= Capacity || connections_[place].state != consumed_state::suspended) return false;
         consumed_connection& c = connections_[place];
         tell<activate_service_connection>(c, now, out);
@@ -60,7 +60,7 @@ template <std::size_t Capacity> class service_consumer {
     }
     /// Terminates a connection. Its place is free when the provider has been silent for three periods, and for the
     /// timeout: a report that still comes shows that the message was lost, and has it sent again.
-    constexpr void end(std::size_t place, std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void end(std::size_t place, time_point now, message_sink out) noexcept {
         if (place >= Capacity || connections_[place].state == consumed_state::free) return;
         consumed_connection& c = connections_[place];
         if (c.confirmed) tell<terminate_service_connection>(c, now, out);
@@ -69,8 +69,8 @@ template <std::size_t Capacity> class service_consumer {
     }
 
     /// Takes Confirm Service Connection, and the reports of connections, whose bodies are the caller's.
-    constexpr consumer_outcome on_message(const header& head, std::span<const std::byte> body,
-                                          std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr consumer_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
+                                          message_sink out) noexcept {
         if (is_acknowledgement(head)) return {};
         if (head.command_code == command_code_of<confirm_service_connection>) return confirm(head, body, now, out);
         consumed_connection* const c = head.service_connection ? find(head.source, head.command_code) : nullptr;
@@ -95,7 +95,7 @@ template <std::size_t Capacity> class service_consumer {
     }
 
     /// Repeats requests, detects timeouts, and frees ended connections.
-    constexpr void on_time(std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void on_time(time_point now, message_sink out) noexcept {
         for (consumed_connection& c : connections_) {
             if (!waits(c) || c.due > now) continue;
             if (c.state == consumed_state::ending) {
@@ -110,8 +110,8 @@ template <std::size_t Capacity> class service_consumer {
         }
     }
     /// When on_time has something to do.
-    [[nodiscard]] constexpr std::optional<std::chrono::nanoseconds> next_event() const noexcept {
-        std::optional<std::chrono::nanoseconds> next;
+    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
+        std::optional<time_point> next;
         for (const consumed_connection& c : connections_)
             if (waits(c) && (!next || c.due < *next)) next = c.due;
         return next;
@@ -142,7 +142,7 @@ template <std::size_t Capacity> class service_consumer {
         }
         return found;
     }
-    [[nodiscard]] constexpr std::chrono::nanoseconds silence(const consumed_connection& c) const noexcept {
+    [[nodiscard]] constexpr duration silence(const consumed_connection& c) const noexcept {
         const double rate = c.rate > 0 ? c.rate : c.request.requested_periodic_update_rate;
         return options_.silent_periods * period_of(rate);
     }
@@ -152,20 +152,19 @@ template <std::size_t Capacity> class service_consumer {
     [[nodiscard]] constexpr header head_to(const consumed_connection& c) const noexcept {
         return {.destination = c.provider, .source = self_};
     }
-    constexpr void request(consumed_connection& c, std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr void request(consumed_connection& c, time_point now, message_sink out) noexcept {
         static_cast<void>(put(head_to(c), c.request, out));
         ++c.requests;
         c.asked_at = now;
         c.due = saturating_add(now, options_.retry.interval);
     }
-    template <class Message>
-    constexpr void tell(consumed_connection& c, std::chrono::nanoseconds now, message_sink out) noexcept {
+    template <class Message> constexpr void tell(consumed_connection& c, time_point now, message_sink out) noexcept {
         static_cast<void>(
             put(head_to(c), Message{.command_code = c.request.command_code, .instance_id = c.instance_id}, out));
         c.asked_at = now;
     }
-    constexpr consumer_outcome confirm(const header& head, std::span<const std::byte> body,
-                                       std::chrono::nanoseconds now, message_sink out) noexcept {
+    constexpr consumer_outcome confirm(const header& head, std::span<const std::byte> body, time_point now,
+                                       message_sink out) noexcept {
         confirm_service_connection answered{};
         if (!wire::decode(answered, body)) return {.what = consumer_news::malformed};
         consumed_connection* const c = find(head.source, answered.command_code);
@@ -198,7 +197,7 @@ template <std::size_t Capacity> class service_consumer {
         return {consumer_news::confirmed, place};
     }
     constexpr consumer_outcome count(consumed_connection& c, std::uint16_t number, std::size_t place,
-                                     std::chrono::nanoseconds now) noexcept {
+                                     time_point now) noexcept {
         const auto ahead = static_cast<std::uint16_t>(number - c.sequence_number);
         const bool newer = !c.heard || (ahead != 0 && ahead < 0x8000);
         // A restarted provider counts from 0; after a timeout no late report is possible.

@@ -1,5 +1,6 @@
 // The rates of service connections and of periodic events, as their messages can say them.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/schema/jaus/types.hpp>
 #include <jauscat/wire/scaled.hpp>
 
@@ -22,13 +23,12 @@ using update_rate_codec = wire::scaled<wire::u16le, update_rate>;
 }
 
 /// The period of a rate above 0 Hz, to the nearest nanosecond.
-[[nodiscard]] constexpr std::chrono::nanoseconds period_of(double rate) noexcept {
-    return std::chrono::round<std::chrono::nanoseconds>(std::chrono::duration<double, std::nano>{1e9 / rate});
+[[nodiscard]] constexpr duration period_of(double rate) noexcept {
+    return std::chrono::round<duration>(std::chrono::duration<double, std::nano>{1e9 / rate});
 }
 
 /// The first instant after `now` of those that lie `period` apart and hold `due`, which is not after `now`.
-[[nodiscard]] constexpr std::chrono::nanoseconds
-instant_after(std::chrono::nanoseconds due, std::chrono::nanoseconds period, std::chrono::nanoseconds now) noexcept {
+[[nodiscard]] constexpr time_point instant_after(time_point due, duration period, time_point now) noexcept {
     return due + ((now - due) / period + 1) * period;
 }
 

@@ -1,5 +1,6 @@
 // Reassembles large data sets in memory of the caller. RA 3.3 part 2, large data sets.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/message/message.hpp>
 
 #include <algorithm>
@@ -39,16 +40,16 @@ enum class reassembled : std::uint8_t {
 
 /// A place for one data set of which packets are missing, and what is known of it.
 struct partial_data_set {
-    jaus::header header{};                    ///< of packet 0, or of the first that came
-    std::size_t packets{};                    ///< how many are held; 0: the place is free
-    std::size_t bytes{};                      ///< of body that are held
-    std::optional<std::uint16_t> last{};      ///< sequence number of the last packet, once that has come
-    bool last_is_doubtful{};                  ///< the last packet came once, and may have been a late copy
-    bool begun{};                             ///< packet 0 is held
-    std::chrono::nanoseconds begun_at{};      ///< when packet 0 last came; before it came, when the first other did
-    std::chrono::nanoseconds last_heard_at{}; ///< when a packet of it last came
-    std::uint64_t order{};                    ///< the higher the later, among packets of one time too
-    std::size_t handed_on{};                  ///< packets of the whole that was made here last; the place is free then
+    jaus::header header{};               ///< of packet 0, or of the first that came
+    std::size_t packets{};               ///< how many are held; 0: the place is free
+    std::size_t bytes{};                 ///< of body that are held
+    std::optional<std::uint16_t> last{}; ///< sequence number of the last packet, once that has come
+    bool last_is_doubtful{};             ///< the last packet came once, and may have been a late copy
+    bool begun{};                        ///< packet 0 is held
+    time_point begun_at{};               ///< when packet 0 last came; before it came, when the first other did
+    time_point last_heard_at{};          ///< when a packet of it last came
+    std::uint64_t order{};               ///< the higher the later, among packets of one time too
+    std::size_t handed_on{};             ///< packets of the whole that was made here last; the place is free then
 };
 
 /// A packet that is held: its sequence number, the bytes of its body, and where they begin among its place's.
@@ -64,18 +65,18 @@ struct reassembly_limits {
     /// So long after a data set is whole, packets equal to its own are taken for stragglers of it, not for parts of an
     /// equal or similar next one; and so long other packets may come before packet 0. As long as packets overtake each
     /// other, and shorter than senders pause.
-    std::chrono::nanoseconds linger{std::chrono::milliseconds{2}};
+    duration linger{std::chrono::milliseconds{2}};
     /// So long after a data set is whole, the first packet that asks for acknowledgement and is equal to that of its
     /// number is doubtful: the network may have made a copy, and to acknowledge that would tell the sender that a
     /// packet of its next data set is here. It is kept, but for a last one; the second such packet is acknowledged.
     /// Longer than the network holds packets back.
-    std::chrono::nanoseconds linger_of_copies{};
+    duration linger_of_copies{};
     /// The same for a last packet that asks for acknowledgement: its sender repeats it until it gets one, and that may
     /// be lost. As long as senders repeat.
-    std::chrono::nanoseconds linger_of_repeats{std::chrono::seconds{2}};
+    duration linger_of_repeats{std::chrono::seconds{2}};
     /// A data set whose packets ask for no acknowledgement is given up when the next one comes after so long a silence:
     /// it may be of another data set. Shorter than senders pause between two of them.
-    std::chrono::nanoseconds longest_gap{std::chrono::milliseconds{125}};
+    duration longest_gap{std::chrono::milliseconds{125}};
 };
 
 /// Puts data sets together by command code and source. Packets may come out of order and more than once.
@@ -108,8 +109,7 @@ class reassembler {
     /// comes late has what is held behind it moved: a place's share bounds what that costs. `timeout`: a data set that
     /// has been silent so long is given up when its place is wanted, or by on_time. All three must outlive this.
     constexpr reassembler(std::span<partial_data_set> places, std::span<held_packet> packets,
-                          std::span<std::byte> memory, std::chrono::nanoseconds timeout,
-                          reassembly_limits limits = {}) noexcept
+                          std::span<std::byte> memory, duration timeout, reassembly_limits limits = {}) noexcept
         : places_{places}, packets_{packets}, memory_{memory}, timeout_{timeout}, limits_{limits} {
         if (limits_.places_per_source == 0) limits_.places_per_source = (places.size() + 1) / 2;
     }
@@ -117,8 +117,8 @@ class reassembler {
     /// A packet that came at `now`. `take(const header&, std::span<const std::byte>)` gets a whole data set: the header
     /// of its packet 0, whose data size and flag are that packet's, and the whole body, valid during the call.
     /// `lost(const partial_data_set&)` hears of one that is given up.
-    constexpr reassembled on_packet(const header& head, std::span<const std::byte> body, std::chrono::nanoseconds now,
-                                    auto&& take, auto&& lost) {
+    constexpr reassembled on_packet(const header& head, std::span<const std::byte> body, time_point now, auto&& take,
+                                    auto&& lost) {
         // There are nodes that repeat the data flag when they acknowledge.
         if (head.data_flag == data_flag::only || is_acknowledgement(head)) return reassembled::only;
         partial_data_set* set = find(head);
@@ -173,7 +173,7 @@ class reassembler {
     }
 
     /// Drops data sets that have timed out. Optional: on_packet does so for the place that it needs.
-    constexpr void on_time(std::chrono::nanoseconds now, auto&& lost) {
+    constexpr void on_time(time_point now, auto&& lost) {
         for (partial_data_set& set : places_)
             if (set.packets != 0 && stale(set, now)) forget(set, lost);
     }
@@ -214,7 +214,7 @@ class reassembler {
     }
     // By the time alone: the packet may belong to a later data set than those that are held.
     [[nodiscard]] constexpr bool may_be_another(const partial_data_set& set, const header& head,
-                                                std::chrono::nanoseconds now) const noexcept {
+                                                time_point now) const noexcept {
         if (!set.begun) return now - set.begun_at > limits_.linger;
         if (is_requested(set.header) && is_requested(head)) return false;
         return now - set.last_heard_at > limits_.longest_gap ||
@@ -231,14 +231,13 @@ class reassembler {
         const auto* const packet = set == nullptr ? nullptr : packet_of(*set, head);
         return packet != nullptr && std::ranges::equal(body_of(*set, *packet), body);
     }
-    [[nodiscard]] constexpr std::chrono::nanoseconds linger_of(const header& head) const noexcept {
+    [[nodiscard]] constexpr duration linger_of(const header& head) const noexcept {
         const bool repeats = head.data_flag == data_flag::last && is_requested(head);
         return std::max(limits_.linger, repeats ? limits_.linger_of_repeats : limits_.linger);
     }
     // Its body still lies in the memory of its place.
-    [[nodiscard]] constexpr bool is_straggler(const header& head, std::span<const std::byte> body,
-                                              std::chrono::nanoseconds now,
-                                              std::chrono::nanoseconds linger) const noexcept {
+    [[nodiscard]] constexpr bool is_straggler(const header& head, std::span<const std::byte> body, time_point now,
+                                              duration linger) const noexcept {
         return std::ranges::any_of(places_, [&](const partial_data_set& set) {
             return set.handed_on > head.sequence_number && now - set.last_heard_at < linger &&
                    set.header.command_code == head.command_code && set.header.source == head.source &&
@@ -256,7 +255,7 @@ class reassembler {
     }
     // The place that a newcomer takes: a free one, the longest unused first, so that stragglers are known for long;
     // else that of a data set that went silent; else, for packet 0 alone, that of one with a single packet.
-    [[nodiscard]] constexpr partial_data_set* free_place(const header& head, std::chrono::nanoseconds now, auto& lost) {
+    [[nodiscard]] constexpr partial_data_set* free_place(const header& head, time_point now, auto& lost) {
         const auto of_source = [&](const partial_data_set& set) {
             return set.packets != 0 && set.header.source == head.source;
         };
@@ -276,7 +275,7 @@ class reassembler {
         if (best != nullptr && best->packets != 0) forget(*best, lost);
         return best;
     }
-    [[nodiscard]] constexpr bool stale(const partial_data_set& set, std::chrono::nanoseconds now) const noexcept {
+    [[nodiscard]] constexpr bool stale(const partial_data_set& set, time_point now) const noexcept {
         return now - set.last_heard_at >= timeout_;
     }
     static constexpr void forget(partial_data_set& set, auto& lost) {
@@ -300,7 +299,7 @@ class reassembler {
     std::span<partial_data_set> places_;
     std::span<held_packet> packets_;
     std::span<std::byte> memory_;
-    std::chrono::nanoseconds timeout_;
+    duration timeout_;
     reassembly_limits limits_;
     std::uint64_t order_{};
 };

@@ -1,11 +1,11 @@
 // Finds JAUS messages in a stream of bytes that has no marks between them, such as a serial line. A message's length
 // comes from its header; after noise the place is found again by an impossible header or by the line falling idle.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/message/message.hpp>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <span>
 
 namespace jauscat::jaus {
@@ -31,12 +31,12 @@ class stream_framer {
     /// is given up: senders must not pause that long inside a message.
     template <std::size_t Size>
     requires(Size >= header_size)
-    constexpr stream_framer(std::array<std::byte, Size>& buffer, std::chrono::nanoseconds idle) noexcept
+    constexpr stream_framer(std::array<std::byte, Size>& buffer, duration idle) noexcept
         : buffer_{buffer}, idle_{idle} {}
 
     /// Bytes that arrived at `now`. Calls `take(std::span<const std::byte>)` for each whole message, header first; the
     /// bytes are valid during the call.
-    constexpr void on_bytes(std::span<const std::byte> bytes, std::chrono::nanoseconds now, auto&& take) {
+    constexpr void on_bytes(std::span<const std::byte> bytes, time_point now, auto&& take) {
         on_time(now, take);
         if (!bytes.empty()) heard_ = now;
         while (!bytes.empty()) {
@@ -50,7 +50,7 @@ class stream_framer {
 
     /// Gives up an unfinished message once the line has been silent for the idle time. What only seemed to be its
     /// header was noise, so messages that follow in its bytes are found and handed to `take`.
-    constexpr void on_time(std::chrono::nanoseconds now, auto&& take) {
+    constexpr void on_time(time_point now, auto&& take) {
         if (size_ != 0 && now - heard_ >= idle_) search(true, take);
     }
 
@@ -82,8 +82,8 @@ class stream_framer {
     }
 
     std::span<std::byte> buffer_;
-    std::chrono::nanoseconds idle_;
-    std::chrono::nanoseconds heard_{};
+    duration idle_;
+    time_point heard_{};
     std::size_t size_{};              // bytes that wait
     std::size_t wanted_{header_size}; // bytes that must wait before there is something to decide
 };

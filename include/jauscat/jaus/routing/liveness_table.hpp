@@ -1,18 +1,17 @@
 // Liveness of components.
 #pragma once
-#include <jauscat/jaus/message/saturating_add.hpp>
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/routing/address_map.hpp>
 
-#include <chrono>
 #include <optional>
 #include <utility>
 
 namespace jauscat::jaus {
 
-/// When a component was heard of. Times are the caller's.
+/// When a component was heard of.
 struct presence {
-    std::chrono::nanoseconds last_heard_at{}; ///< on the caller's clock
-    std::chrono::nanoseconds gone_at{};       ///< when it is given up unless it is heard again; max: never
+    time_point last_heard_at{};
+    time_point gone_at{}; ///< when it is given up unless it is heard again; max: never
 };
 
 /// Result of a message from a component.
@@ -26,7 +25,6 @@ enum class heard : std::uint8_t {
 /// table but displaces no entry. Constant-time lookup.
 class liveness_table {
   public:
-    using time = std::chrono::nanoseconds;
     /// A place in the caller's memory.
     using place = address_place<presence>;
 
@@ -34,8 +32,8 @@ class liveness_table {
     constexpr explicit liveness_table(std::span<place> places) noexcept : map_{places} {}
 
     /// `who`, with an ID on each level, was heard at `now`. `timeout`: 0 or more.
-    constexpr heard on_heard(const address& who, time now, time timeout) noexcept {
-        const time gone_at = saturating_add(now, timeout);
+    constexpr heard on_heard(const address& who, time_point now, duration timeout) noexcept {
+        const time_point gone_at = saturating_add(now, timeout);
         if (place* const found = map_.exactly(who)) {
             found->value.last_heard_at = now;
             found->value.gone_at = std::max(found->value.gone_at, gone_at);
@@ -46,12 +44,14 @@ class liveness_table {
         return heard::appeared;
     }
     /// `who` is there for good, whether it is heard or not; false when the table is full.
-    constexpr bool keep(const address& who) noexcept { return on_heard(who, time{}, time::max()) != heard::no_room; }
+    constexpr bool keep(const address& who) noexcept {
+        return on_heard(who, time_point{}, duration::max()) != heard::no_room;
+    }
 
     /// Removes components whose timeout has expired; calls `gone(const address&)` for each.
-    constexpr void on_time(time now, auto&& gone) {
+    constexpr void on_time(time_point now, auto&& gone) {
         if (now < next_check_) return;
-        next_check_ = time::max();
+        next_check_ = time_point::max();
         remove_if(
             [&](const place& one) {
                 if (one.value.gone_at <= now) return true;
@@ -61,8 +61,8 @@ class liveness_table {
             gone);
     }
     /// Time of the next call of on_time, not later than the next timeout.
-    [[nodiscard]] constexpr std::optional<time> next_event() const noexcept {
-        if (next_check_ == time::max()) return std::nullopt;
+    [[nodiscard]] constexpr std::optional<time_point> next_event() const noexcept {
+        if (next_check_ == time_point::max()) return std::nullopt;
         return next_check_;
     }
 
@@ -96,7 +96,7 @@ class liveness_table {
 
   private:
     address_map<presence> map_;
-    time next_check_{time::max()};
+    time_point next_check_{time_point::max()};
 };
 
 } // namespace jauscat::jaus

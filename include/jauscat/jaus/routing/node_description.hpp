@@ -1,5 +1,6 @@
 // Description and options of a node manager.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/described_component.hpp>
 #include <jauscat/jaus/message/hook.hpp>
 #include <jauscat/jaus/routing/liveness_table.hpp>
@@ -27,9 +28,9 @@ struct node_description {
 struct node_manager_options {
     heartbeat beat = heartbeat_to_all(); ///< to whom, and how often
     /// A component that sends no heartbeat for so long is gone; with a node manager goes what it reported.
-    std::chrono::nanoseconds timeout{std::chrono::seconds{3}};
+    duration timeout{std::chrono::seconds{3}};
     /// Interval of queries to the other nodes of the subsystem for their components; 0: only when a node appears.
-    std::chrono::nanoseconds survey{std::chrono::seconds{10}};
+    duration survey{std::chrono::seconds{10}};
     hook<void(const address&)> appeared{};    ///< a component is new
     hook<void(const address&)> disappeared{}; ///< a component is gone
 };

@@ -1,6 +1,7 @@
 // The node manager, component 1 instance 1 of a node: heartbeats, liveness of other components, lists of subsystems,
 // nodes and components.
 #pragma once
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/routing/node_description.hpp>
 
 #include <bitset>
@@ -17,8 +18,6 @@ namespace jauscat::jaus {
 /// the memory does not suffice for. A heartbeat for which there is no room is refused and counted.
 class node_manager {
   public:
-    using time = std::chrono::nanoseconds;
-
     /// `description` and the memory must outlive this. `self`: with component 1 and instance 1.
     node_manager(const address& self, const node_description& description, const node_manager_memory& memory,
                  const node_manager_options& options = {}) noexcept
@@ -29,7 +28,7 @@ class node_manager {
           own_{self, {description.manager, description.services}, options.beat, memory.report},
           present_{memory.presences} {}
 
-    message_outcome on_message(const header& head, std::span<const std::byte> body, time now,
+    message_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
                                message_sink out) noexcept {
         if (is_acknowledgement(head)) return message_outcome::not_mine;
         switch (head.command_code) {
@@ -51,7 +50,7 @@ class node_manager {
         }
     }
 
-    void on_time(time now, message_sink out) noexcept {
+    void on_time(time_point now, message_sink out) noexcept {
         own_.on_time(now, out);
         std::bitset<256> lost; // nodes of the own subsystem
         present_.on_time(now, [&](const address& who) {
@@ -64,16 +63,16 @@ class node_manager {
                     return one.address.subsystem == self_.subsystem && lost[one.address.node];
                 },
                 [&](const address& who) { tell(options_.disappeared, who); });
-        if (options_.survey <= time{} || now < next_survey_) return;
+        if (options_.survey <= duration{} || now < next_survey_) return;
         next_survey_ = saturating_add(now, options_.survey);
         present_.for_each([&](const address& who) { ask(who, out); });
     }
     /// Never later than that on_time has something to do.
-    [[nodiscard]] std::optional<time> next_event() const noexcept {
-        std::optional<time> next = own_.next_event();
-        const auto earlier = [&](time other) { next = next ? std::min(*next, other) : other; };
+    [[nodiscard]] std::optional<time_point> next_event() const noexcept {
+        std::optional<time_point> next = own_.next_event();
+        const auto earlier = [&](time_point other) { next = next ? std::min(*next, other) : other; };
         if (const auto check = present_.next_event()) earlier(*check);
-        if (options_.survey > time{}) earlier(next_survey_);
+        if (options_.survey > duration{}) earlier(next_survey_);
         return next;
     }
     /// No effect: liveness comes from heartbeats alone.
@@ -101,14 +100,14 @@ class node_manager {
         if (whom) whom(who);
     }
     static message_outcome done(bool sent) noexcept { return sent ? message_outcome::taken : message_outcome::refused; }
-    heard remember(const address& who, time now, time timeout) noexcept {
+    heard remember(const address& who, time_point now, duration timeout) noexcept {
         const heard what = present_.on_heard(who, now, timeout);
         if (what == heard::no_room) ++not_remembered_;
         if (what == heard::appeared) tell(options_.appeared, who);
         return what;
     }
 
-    message_outcome on_heartbeat(const header& head, time now, message_sink out) noexcept {
+    message_outcome on_heartbeat(const header& head, time_point now, message_sink out) noexcept {
         if (head.source == self_) return message_outcome::taken; // our own to all
         const heard what = remember(head.source, now, options_.timeout);
         if (what == heard::appeared) ask(head.source, out);
@@ -121,7 +120,7 @@ class node_manager {
             put({.destination = who, .source = self_}, query_configuration{query_field::node_configuration}, out));
     }
     // Taken from those who are asked, about themselves.
-    message_outcome on_configuration(const header& head, std::span<const std::byte> body, time now) noexcept {
+    message_outcome on_configuration(const header& head, std::span<const std::byte> body, time_point now) noexcept {
         const auto& from = head.source;
         const bool is_asked = from.subsystem == self_.subsystem && from.node != self_.node && is_node_manager(from);
         if (!is_asked || present_.find(from) == nullptr) return message_outcome::refused;
@@ -130,9 +129,9 @@ class node_manager {
         const auto read = wire::decode(report, body, lists);
         if (!read)
             return read.error() == wire::errc::arena_full ? message_outcome::refused : message_outcome::malformed;
-        const time timeout = options_.survey > time{}
-                                 ? saturating_add(saturating_add(options_.survey, options_.survey), options_.survey)
-                                 : time::max();
+        const duration timeout = options_.survey > duration{}
+                                     ? saturating_add(saturating_add(options_.survey, options_.survey), options_.survey)
+                                     : duration::max();
         bool all = true;
         for (const configured_node& node : report.node)
             for (const auto& [component, instance] : node.component) {
@@ -233,7 +232,7 @@ class node_manager {
     node_manager_options options_;
     described_component own_;
     liveness_table present_;
-    time next_survey_{time::min()};
+    time_point next_survey_{time_point::min()};
     std::uint64_t not_remembered_{};
 };
 

@@ -33,20 +33,20 @@ struct jaus_node_options {
     jaus::heartbeat beat = jaus::heartbeat_to_all(); ///< of the node manager
     /// A component is lost after this time without a heartbeat. A peer that a local component depends on, and whose
     /// node sends no heartbeats, is lost after this time without any message. See detail::peer_watch.
-    std::chrono::nanoseconds timeout{std::chrono::seconds{3}};
+    duration timeout{std::chrono::seconds{3}};
 
     /// Large data sets that each component can receive at a time. They share the `largedata` bytes of the
     /// configuration: the node manager gets up to 64 KiB, the components equal parts of the rest.
     std::size_t large_data_sets{4};
     /// A large data set is discarded after this time without a packet.
-    std::chrono::nanoseconds large_data_timeout{std::chrono::seconds{5}};
+    duration large_data_timeout{std::chrono::seconds{5}};
     /// Sending rate of large data sets, in packets of 4 KiB per millisecond.
     unsigned large_data_pace{4};
     /// Pause between two large data sets of the same source and code to the same destination, unless the first one was
     /// acknowledged without a repeat. It must exceed the longest delay of a datagram in the network by a quarter of the
     /// pause, which is the time that a receiver waits for the next packet of a set without acknowledgement. Must be the
     /// same at both ends.
-    std::chrono::nanoseconds large_data_pause{std::chrono::milliseconds{500}};
+    duration large_data_pause{std::chrono::milliseconds{500}};
     /// Of each of their packets, if `ack_nak` of the header requests acknowledgement.
     retry_policy large_data_retry{.interval = std::chrono::milliseconds{50}, .attempts = 21};
     /// Limit of queued bytes: of large data sets to be sent, and of messages between components of the node.

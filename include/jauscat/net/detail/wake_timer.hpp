@@ -1,6 +1,7 @@
 // A timer that wakes a node at the earliest due time of its parts.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/net/detail/handler_memory.hpp>
 
 #include <boost/asio/steady_timer.hpp>
@@ -16,17 +17,15 @@ namespace jauscat::net::detail {
 /// Waking early is cheaper than moving a timer, so it is only moved to earlier times.
 class wake_timer {
   public:
-    using time = std::chrono::nanoseconds; ///< of the steady clock
-
     wake_timer(boost::asio::io_context& context, std::function<void()> wake)
         : timer_{context}, wake_{std::move(wake)} {}
 
     /// Wakes at `at`, or sooner.
-    void arm(time at) {
+    void arm(time_point at) {
         if (armed_at_ && *armed_at_ <= at) return;
         armed_at_ = at;
         using clock = boost::asio::steady_timer::clock_type;
-        timer_.expires_at(clock::time_point{std::chrono::duration_cast<clock::duration>(at)});
+        timer_.expires_at(clock::time_point{std::chrono::duration_cast<clock::duration>(at.time_since_epoch())});
         timer_.async_wait(
             remembered_handler{[this, turn = std::weak_ptr<char>{turn_}](boost::system::error_code error) {
                                    if (error || turn.expired()) return;
@@ -45,7 +44,7 @@ class wake_timer {
   private:
     boost::asio::steady_timer timer_;
     std::function<void()> wake_;
-    std::optional<time> armed_at_{};
+    std::optional<time_point> armed_at_{};
     std::shared_ptr<handler_memory> memory_{std::make_shared<handler_memory>()};
     std::shared_ptr<char> turn_{std::make_shared<char>()};
 };

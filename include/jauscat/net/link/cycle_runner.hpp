@@ -4,8 +4,8 @@
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
-#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/net/link/cycle_timer.hpp>
+#include <jauscat/net/now.hpp>
 
 #include <algorithm>
 #include <array>
@@ -17,17 +17,17 @@
 namespace jauscat::net {
 
 struct cycle_report {
-    std::chrono::nanoseconds late{};       ///< start of the cycle after its due time
-    std::chrono::nanoseconds round_trip{}; ///< from sending the process data to their return; only if `back`
-    bool sent{};                           ///< the link accepted the frame
-    bool back{};                           ///< the frame returned before the next one was due
+    duration late{};       ///< start of the cycle after its due time
+    duration round_trip{}; ///< from sending the process data to their return; only if `back`
+    bool sent{};           ///< the link accepted the frame
+    bool back{};           ///< the frame returned before the next one was due
 };
 
 /// Period and timing of the cycles.
 struct cycle_config {
-    std::chrono::nanoseconds period{std::chrono::milliseconds{1}}; ///< of one cycle
+    duration period{std::chrono::milliseconds{1}}; ///< of one cycle
     /// Part of each wait in which the thread polls the clock: see cycle_timer.
-    std::chrono::nanoseconds spin{};
+    duration spin{};
     /// In the last part of a cycle, 1 / `reserve` of it, the master sends no frame, because it would delay the next
     /// cycle's.
     unsigned reserve{4};
@@ -51,7 +51,7 @@ template <class Link> class cycle_runner {
     /// master sends when no process data are outstanding, or when they count as lost.
     template <class Prepare> cycle_report run(Prepare&& prepare) {
         cycle_report report{.late = timer_.wait()};
-        const auto start = to_time(timer_.due()), end = start + config_.period;
+        const auto start = timer_.due(), end = start + config_.period;
         const auto masters_turn = start + config_.period / std::max(config_.patience, 1u);
         prepare();
         const auto begun = now();
@@ -64,7 +64,7 @@ template <class Link> class cycle_runner {
             if (over && (!waits(report) || ++late_frames == max_late_frames)) break;
             const bool works = !waits(report) || (at >= masters_turn && !over);
             const auto wake = std::min(end, works ? work(at, end) : masters_turn);
-            const auto received = link_.receive(frame_, std::max(wake - now(), std::chrono::nanoseconds{}));
+            const auto received = link_.receive(frame_, std::max(wake - now(), duration{}));
             if (received == 0) {
                 if (over) break;
                 continue;
@@ -80,21 +80,21 @@ template <class Link> class cycle_runner {
         return report;
     }
 
-    /// Runs cycles until the master has done `job`, at most for `limit` (nanoseconds::max(): without limit).
+    /// Runs cycles until the master has done `job`, at most for `limit` (duration::max(): without limit).
     /// `each(report)` is called after every cycle. Returns the job's result; `busy` if another one runs, which is not
     /// affected.
     template <ethercat::master_job Job, class Prepare, class Each>
-    typename Job::result_type run_job(const Job& job, std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
+    typename Job::result_type run_job(const Job& job, duration limit, Prepare&& prepare, Each&& each) {
         if (const auto started = master_.start(job); !started) return started.error();
         static_cast<void>(run_job(limit, prepare, each));
         return master_.template result<Job>();
     }
     /// The same for the running job: ok, or why it has failed.
     template <class Prepare, class Each>
-    ethercat::master_result<> run_job(std::chrono::nanoseconds limit, Prepare&& prepare, Each&& each) {
-        const auto deadline = jaus::saturating_add(now(), limit);
+    ethercat::master_result<> run_job(duration limit, Prepare&& prepare, Each&& each) {
+        const deadline end{now(), limit};
         while (!master_.idle()) {
-            if (now() >= deadline) master_.cancel(ethercat::master_errc::timeout);
+            if (end.is_reached(now())) master_.cancel(ethercat::master_errc::timeout);
             each(run(prepare));
         }
         return master_.error();
@@ -105,17 +105,12 @@ template <class Link> class cycle_runner {
 
   private:
     static constexpr unsigned max_late_frames = 16;
-    using time = ethercat::time_point;
-    static time to_time(cycle_timer::clock::time_point instant) noexcept {
-        return std::chrono::duration_cast<time>(instant.time_since_epoch());
-    }
-    static time now() noexcept { return to_time(cycle_timer::clock::now()); }
 
     // Process data are outstanding.
     static bool waits(const cycle_report& report) noexcept { return report.sent && !report.back; }
 
     // Lets the master send or time out; returns the time of its next event.
-    time work(time at, time end) noexcept {
+    time_point work(time_point at, time_point end) noexcept {
         master_.on_time(at);
         if (end - at > config_.period / std::max(config_.reserve, 1u)) {
             const auto size = master_.next_frame(frame_, at);

@@ -2,6 +2,8 @@
 // of a cycle does not shift the next ones.
 #pragma once
 
+#include <jauscat/net/now.hpp>
+
 #include <chrono>
 #include <cstdint>
 #include <ctime>
@@ -13,39 +15,36 @@ namespace jauscat::net {
 /// one thread, whose timer slack it sets to the minimum: by default Linux lets a thread oversleep by 50 microseconds.
 class cycle_timer {
   public:
-    using clock = std::chrono::steady_clock;
-
     /// `period` is above 0. In the last `spin` of each wait the thread polls the clock, which uses processor time and
     /// avoids the wake-up latency; 0: it sleeps until the end.
-    explicit cycle_timer(std::chrono::nanoseconds period, std::chrono::nanoseconds spin = {}) noexcept
-        : period_{period}, spin_{spin}, due_{clock::now()} {
+    explicit cycle_timer(duration period, duration spin = {}) noexcept : period_{period}, spin_{spin}, due_{now()} {
         ::prctl(PR_SET_TIMERSLACK, 1UL); // 1 ns; 0 would be the default again
     }
 
     /// Waits for the next instant and returns the delay, 0 or more. An instant that has passed by less than half a
     /// period is still used, because a caller that waited until the end of a cycle is a little late. Instants that have
     /// passed by more are skipped and counted as overruns. The later ones do not shift.
-    std::chrono::nanoseconds wait() noexcept {
+    duration wait() noexcept {
         due_ += period_;
-        auto now = clock::now();
-        if (const auto missed = (now - due_ + period_ / 2) / period_; missed > 0) {
+        auto at = now();
+        if (const auto missed = (at - due_ + period_ / 2) / period_; missed > 0) {
             overruns_ += static_cast<std::uint64_t>(missed);
             due_ += missed * period_;
         }
-        if (now < due_ - spin_) sleep_until(due_ - spin_);
+        if (at < due_ - spin_) sleep_until(due_ - spin_);
         do {
-            now = clock::now();
-        } while (now < due_);
-        return now - due_;
+            at = now();
+        } while (at < due_);
+        return at - due_;
     }
 
     /// The instant of the last `wait`.
-    [[nodiscard]] clock::time_point due() const noexcept { return due_; }
+    [[nodiscard]] time_point due() const noexcept { return due_; }
     /// Number of skipped instants.
     [[nodiscard]] std::uint64_t overruns() const noexcept { return overruns_; }
 
   private:
-    static void sleep_until(clock::time_point instant) noexcept {
+    static void sleep_until(time_point instant) noexcept {
         const auto time = instant.time_since_epoch();
         const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
         const timespec until{.tv_sec = static_cast<std::time_t>(seconds.count()),
@@ -54,9 +53,9 @@ class cycle_timer {
         ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
     }
 
-    std::chrono::nanoseconds period_;
-    std::chrono::nanoseconds spin_;
-    clock::time_point due_;
+    duration period_;
+    duration spin_;
+    time_point due_;
     std::uint64_t overruns_{};
 };
 

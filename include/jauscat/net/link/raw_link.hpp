@@ -2,6 +2,7 @@
 // Needs the capability CAP_NET_RAW.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/net/link/detail/ethernet_interface.hpp>
 #include <jauscat/net/link/detail/file_descriptor.hpp>
 #include <jauscat/net/link/detail/frame_wait.hpp>
@@ -81,10 +82,10 @@ class raw_link {
 
     /// The next frame, padded to 60 bytes. `buffer` must have 60 bytes, or nothing is received; 1514 hold every frame.
     /// Without a frame, `problem()` reports whether the interface is the reason.
-    std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
+    std::size_t receive(std::span<std::byte> buffer, duration timeout) {
         problem_.clear();
         const auto size = wait_.receive(socket_.get(), buffer, timeout, [&](int flags) { return take(buffer, flags); });
-        if (size == 0 && problem_.empty() && timeout > std::chrono::nanoseconds{}) explain(0);
+        if (size == 0 && problem_.empty() && timeout > duration{}) explain(0);
         return size;
     }
 
@@ -98,7 +99,7 @@ class raw_link {
     const std::array<std::byte, 6>& mac() const noexcept { return mac_; }
 
     /// Time for which `receive` polls before it sleeps; default 50 microseconds.
-    void busy_poll(std::chrono::nanoseconds time) noexcept { wait_.busy_poll(time); }
+    void busy_poll(duration time) noexcept { wait_.busy_poll(time); }
 
   private:
     static constexpr std::size_t header_size = wire::max_size<ethercat::ethernet_header>;

@@ -4,6 +4,7 @@
 #include <jauscat/bridge/ring.hpp>
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/net/detail/wake_timer.hpp>
+#include <jauscat/net/now.hpp>
 
 #include <boost/asio/posix/stream_descriptor.hpp>
 
@@ -35,8 +36,6 @@ concept descriptor_link = ethercat::link<L> && requires(L& medium) {
 ///     runner.start();
 template <class Link> class ring_runner {
   public:
-    using time = std::chrono::nanoseconds;
-
     /// `out`: sink for the JAUS messages of the ring.
     ring_runner(boost::asio::io_context& context, Link& link, bridge::ring& ring, jaus::message_sink out)
         : link_{link}, ring_{ring}, out_{out}, frames_{context, handle_of(link)}, timer_{context, [this] {
@@ -61,7 +60,7 @@ template <class Link> class ring_runner {
         boost::system::error_code ignored;
         frames_.cancel(ignored);
     }
-    [[nodiscard]] static time now() noexcept { return std::chrono::steady_clock::now().time_since_epoch(); }
+    [[nodiscard]] static time_point now() noexcept { return net::now(); }
 
   private:
     static int handle_of(Link& link) {
@@ -81,7 +80,7 @@ template <class Link> class ring_runner {
     // Bounded, so that a flood of frames leaves time for messages.
     void receive() {
         for (unsigned i = 0; i != most_frames && runs_; ++i) {
-            const auto size = link_.receive(frame_, time{});
+            const auto size = link_.receive(frame_, duration{});
             if (size == 0) break;
             heard_ = now();
             ring_.on_frame(std::span{frame_}.first(size), heard_, out_);
@@ -110,7 +109,7 @@ template <class Link> class ring_runner {
     }
 
     static constexpr unsigned most_frames = 64;
-    static constexpr time silence = std::chrono::milliseconds{50};
+    static constexpr duration silence = std::chrono::milliseconds{50};
 
     Link& link_;
     bridge::ring& ring_;
@@ -119,7 +118,7 @@ template <class Link> class ring_runner {
     detail::wake_timer timer_;
     bool runs_{};
     std::shared_ptr<char> alive_{std::make_shared<char>()}; ///< a handler may be queued at destruction
-    time heard_{};
+    time_point heard_{};
     std::array<std::byte, ethercat::max_frame_size> frame_{};
     struct waker {
         ring_runner& mine;

@@ -2,6 +2,7 @@
 // EtherCAT header and datagrams, without Ethernet header. ETG.1000.4, clause 5.3; port 34980 = 88A4h.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/net/link/detail/bind_udp.hpp>
 #include <jauscat/net/link/detail/frame_wait.hpp>
 #include <jauscat/net/open_error.hpp>
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -86,7 +86,7 @@ class udp_link {
     }
 
     /// The next frame, padded to 60 bytes. `buffer` must have 60 bytes, or nothing is received; 1514 hold every frame.
-    std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
+    std::size_t receive(std::span<std::byte> buffer, duration timeout) {
         problem_.clear();
         return wait_.receive(socket_.native_handle(), buffer, timeout, [&](int flags) { return take(buffer, flags); });
     }
@@ -101,7 +101,7 @@ class udp_link {
     std::uint16_t port() const { return socket_.local_endpoint().port(); }
 
     /// Time for which `receive` polls before it sleeps; default 0, because both ends often share a processor.
-    void busy_poll(std::chrono::nanoseconds time) noexcept { wait_.busy_poll(time); }
+    void busy_poll(duration time) noexcept { wait_.busy_poll(time); }
 
   private:
     static constexpr std::size_t header_size = wire::max_size<ethercat::ethernet_header>;
@@ -138,7 +138,7 @@ class udp_link {
     std::unique_ptr<boost::asio::io_context> context_{std::make_unique<boost::asio::io_context>()};
     boost::asio::ip::udp::socket socket_{*context_};
     boost::asio::ip::udp::endpoint peer_{}; ///< of a serving end: port 0 until the first frame
-    detail::frame_wait wait_{std::chrono::nanoseconds{}};
+    detail::frame_wait wait_{duration{}};
     std::string problem_{};
 };
 

@@ -1,6 +1,7 @@
 // JAUS messages over UDP with Boost.Asio: one socket, one thread, no allocation for a message without errors.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/message/framing.hpp>
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/net/config/verdict.hpp>
@@ -19,7 +20,6 @@
 #include <boost/asio/ip/udp.hpp>
 
 #include <cerrno>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -121,7 +121,7 @@ class udp_transport {
 
     /// In a message handler: the time of the message in the socket. Too short at first if no other socket of the
     /// machine uses arrival times, because Linux enables them with a delay.
-    [[nodiscard]] std::chrono::nanoseconds waited() const noexcept { return waited_; }
+    [[nodiscard]] duration waited() const noexcept { return waited_; }
 
     /// Closes the socket and leaves its groups. Sent and posted messages go out; no handler is called afterwards.
     void stop() {
@@ -277,7 +277,7 @@ class udp_transport {
     filter filter_{};
     udp_counters counters_{};
     std::map<endpoint, std::error_code> unreachable_{}; ///< peers, and the last error of each
-    std::chrono::nanoseconds waited_{};
+    duration waited_{};
     std::uint32_t dropped_{}; ///< the kernel's count, modulo 2^32, at the last datagram
     std::shared_ptr<detail::handler_memory> memory_{std::make_shared<detail::handler_memory>()};
     std::shared_ptr<char> alive_{std::make_shared<char>()};

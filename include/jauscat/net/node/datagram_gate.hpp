@@ -1,6 +1,7 @@
 // Filters datagrams before a node: access list and rate limits.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/net/config/access_list.hpp>
 #include <jauscat/net/rate_limit.hpp>
@@ -19,12 +20,11 @@ namespace jauscat::net {
 ///
 ///     datagram_gate gate{config};
 ///     transport.set_filter([&](auto message, const auto& from) {
-///         return gate(message, from, std::chrono::steady_clock::now().time_since_epoch());
+///         return gate(message, from, net::now());
 ///     });
 class datagram_gate {
   public:
     using endpoint = access_list::endpoint;
-    using time = token_bucket::time;
 
     /// For the configuration's own system.
     explicit datagram_gate(const jaus_config& config, access how = access::closed)
@@ -36,7 +36,8 @@ class datagram_gate {
     }
 
     /// `message` is a datagram's content without the framing; it may be anything.
-    [[nodiscard]] verdict operator()(std::span<const std::byte> message, const endpoint& from, time now) noexcept {
+    [[nodiscard]] verdict operator()(std::span<const std::byte> message, const endpoint& from,
+                                     time_point now) noexcept {
         jaus::header head;
         if (!wire::decode_prefix(head, message) || !jaus::names_one_component(head.source)) return verdict::malformed;
         const auto found = list_.check(head.source, from);

@@ -4,6 +4,7 @@
 #include <jauscat/net/detail/wake_timer.hpp>
 #include <jauscat/net/node/detail/node_socket.hpp>
 #include <jauscat/net/node/node_machine.hpp>
+#include <jauscat/net/now.hpp>
 
 #include <random>
 #include <utility>
@@ -27,7 +28,6 @@ namespace jauscat::net {
 /// it. An exception that a component or a handler throws leaves `run`; then stop the node, and start it again.
 class jaus_node {
   public:
-    using time = node_machine::time;
     /// A message, or its body.
     using bytes = node_machine::bytes;
     using endpoint = node_machine::endpoint;
@@ -114,7 +114,7 @@ class jaus_node {
     }
 
     /// The time of the steady clock, as components get it.
-    [[nodiscard]] static time now() noexcept { return std::chrono::steady_clock::now().time_since_epoch(); }
+    [[nodiscard]] static time_point now() noexcept { return net::now(); }
     /// The node manager's address, also if it is in another program.
     [[nodiscard]] const jaus::address& manager() const noexcept { return machine_.manager(); }
     /// The components alive at the node manager; nullptr without a node manager or before the first start.
@@ -129,7 +129,7 @@ class jaus_node {
         received_at_ = now();
         return machine_.check(message, from, received_at_);
     }
-    void received(bytes message, const endpoint& from, jaus::framing how, bool by_group, time waited) {
+    void received(bytes message, const endpoint& from, jaus::framing how, bool by_group, duration waited) {
         if (socket_->is_own(from)) return;
         machine_.received(message, from, how, by_group, received_at_, waited);
         arm();
@@ -154,7 +154,7 @@ class jaus_node {
     detail::wake_timer timer_;
     component_output out_{*this};
     std::optional<detail::node_socket> socket_{};
-    time received_at_{}; ///< reading the clock costs as much as a component's work
+    time_point received_at_{}; ///< reading the clock costs as much as a component's work
 };
 
 } // namespace jauscat::net

@@ -1,6 +1,7 @@
 // What a component needs that is added to a node.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/component_application.hpp>
 #include <jauscat/jaus/component/component_outcome.hpp>
 #include <jauscat/jaus/component/component_part.hpp>
@@ -22,11 +23,10 @@ concept has_self = requires(const C& component) {
     { component.self() } -> std::convertible_to<const jaus::address&>;
 };
 template <class C>
-concept takes_component_message =
-    requires(C& component, const jaus::header& head, std::span<const std::byte> body, jaus::operations::time now,
-             jaus::message_sink out, any_application application) {
-        { component.on_message(head, body, now, out, application) } -> std::same_as<jaus::component_outcome>;
-    };
+concept takes_component_message = requires(C& component, const jaus::header& head, std::span<const std::byte> body,
+                                           time_point now, jaus::message_sink out, any_application application) {
+    { component.on_message(head, body, now, out, application) } -> std::same_as<jaus::component_outcome>;
+};
 
 } // namespace detail
 
@@ -47,12 +47,12 @@ template <class Component> consteval void require_component() noexcept {
     static_assert(detail::has_self<Component>, "node: the component has no self() const that returns a jaus::address");
     static_assert(detail::takes_component_message<Component>,
                   "node: the component has no on_message(const header&, std::span<const std::byte>,"
-                  " std::chrono::nanoseconds, message_sink, auto&& application) that returns a component_outcome");
+                  " time_point, message_sink, auto&& application) that returns a component_outcome");
     static_assert(jaus::operations::has_on_time<Component>,
-                  "node: the component has no on_time(std::chrono::nanoseconds, message_sink)");
+                  "node: the component has no on_time(time_point, message_sink)");
     static_assert(jaus::operations::has_next_event<Component>,
                   "node: the component has no next_event() const that returns a"
-                  " std::optional<std::chrono::nanoseconds>");
+                  " std::optional<time_point>");
     static_assert(jaus::operations::has_on_lost<Component>, "node: the component has no on_lost(const address&)");
     static_assert(!jaus::operations::has_useless_list<Component>,
                   "node: list_messages of the component is not const, or has other parameters than (takes, sends)");

@@ -2,6 +2,7 @@
 // sockets.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/net/error.hpp>
 #include <jauscat/net/limited_log.hpp>
 #include <jauscat/net/node/datagram_gate.hpp>
@@ -30,7 +31,6 @@ namespace jauscat::net {
 /// or `send` leaves the call that caused it, or the next one; then stop it, and start it again.
 class node_machine {
   public:
-    using time = std::chrono::nanoseconds;
     /// A message, or its body.
     using bytes = std::span<const std::byte>;
     using endpoint = access_list::endpoint;
@@ -73,7 +73,7 @@ class node_machine {
 
     /// A start after `stop` begins without known peers. Must not be called from a handler of this node. Throws
     /// `config_error`.
-    void start(time now) {
+    void start(time_point now) {
         if (running() || in_turn()) throw std::logic_error{"the node is running"};
         at_ = now;
         gate_.emplace(config_, options_.who, seed_);
@@ -108,7 +108,7 @@ class node_machine {
     [[nodiscard]] bool in_turn() const noexcept { return core_.in_turn(); }
 
     /// The gate's decision on a datagram's content without the framing. Pass accepted messages to `received`.
-    verdict check(bytes message, const endpoint& from, time now) {
+    verdict check(bytes message, const endpoint& from, time_point now) {
         at_ = now;
         const auto what = (*gate_)(message, from, now);
         if (what != verdict::taken)
@@ -120,7 +120,8 @@ class node_machine {
     }
     /// Processes a message that has passed `check`. `by_group`: it was sent to the multicast group. `waited`: time in
     /// the socket before this call, if known; it separates a packet of an old large data set from those of the next.
-    void received(bytes message, const endpoint& from, jaus::framing how, bool by_group, time now, time waited = {}) {
+    void received(bytes message, const endpoint& from, jaus::framing how, bool by_group, time_point now,
+                  duration waited = {}) {
         if (!running()) return;
         at_ = now;
         const auto m = jaus::split(message);
@@ -137,8 +138,8 @@ class node_machine {
         end_turn();
     }
     /// `check` and `received` for a datagram without framing. Not for datagrams that this node has sent to the group.
-    verdict on_datagram(bytes message, const endpoint& from, jaus::framing how, bool by_group, time now,
-                        time waited = {}) {
+    verdict on_datagram(bytes message, const endpoint& from, jaus::framing how, bool by_group, time_point now,
+                        duration waited = {}) {
         if (!running()) return verdict::taken;
         const auto what = check(message, from, now);
         if (what == verdict::taken) received(message, from, how, by_group, now, waited);
@@ -146,7 +147,7 @@ class node_machine {
     }
 
     /// Does what is due at `now`. A call before next_event has no effect.
-    void on_time(time now) {
+    void on_time(time_point now) {
         if (!running()) return;
         at_ = now;
         wake_at_.reset();
@@ -157,20 +158,20 @@ class node_machine {
         end_turn();
     }
     /// When on_time is due, unless another call comes before. Not within a turn.
-    [[nodiscard]] std::optional<time> next_event() {
+    [[nodiscard]] std::optional<time_point> next_event() {
         if (!running()) return std::nullopt;
         if (wake_at_) return wake_at_;
-        time next = core_.components.next_event().value_or(time::max());
+        time_point next = core_.components.next_event().value_or(time_point::max());
         next = std::min(next, core_.large.next_event().value_or(next));
         if (core_.has_more()) next = at_;
-        if (next == time::max()) return std::nullopt;
+        if (next == time_point::max()) return std::nullopt;
         return std::max(next, at_);
     }
 
     /// Sends a message of a component of this node. A body of more than 4080 bytes is sent as a large data set, paced;
     /// if `ack_nak` requests acknowledgement, its packets are repeated until they are acknowledged. `data_size` and
     /// `data_flag` of `head` are ignored, for a large data set also `sequence_number`.
-    result<void, error> send(jaus::header head, bytes body, time now) {
+    result<void, error> send(jaus::header head, bytes body, time_point now) {
         if (!running()) return error{.code = errc::not_running, .reason = {}, .message = "the node is not running"};
         head.data_flag = jaus::data_flag::only;
         if (body.size() > jaus::max_body_size) {
@@ -199,7 +200,7 @@ class node_machine {
         return {};
     }
     /// The same for a typed body. A value that does not encode gives errc::not_encodable, not an exception.
-    template <jaus::coded_message T> result<void, error> send(jaus::header head, const T& body, time now) {
+    template <jaus::coded_message T> result<void, error> send(jaus::header head, const T& body, time_point now) {
         std::array<std::byte, jaus::max_body_size> packet{};
         std::vector<std::byte> larger{};
         if (wire::encoded_size(body) > packet.size()) larger.resize(wire::encoded_size(body));
@@ -213,7 +214,7 @@ class node_machine {
         return send(head, *written, now);
     }
     /// Sends a whole message of a component, of at most 4096 bytes; an unroutable one is logged.
-    void put(bytes message, time now) noexcept {
+    void put(bytes message, time_point now) noexcept {
         if (!running()) return;
         if (in_turn()) now = at_;
         try {
@@ -224,16 +225,16 @@ class node_machine {
         wake_after_sending(now);
     }
     /// Sink for messages that components send on behalf of the application, until the next call with a time.
-    [[nodiscard]] jaus::message_sink out(time now) noexcept {
+    [[nodiscard]] jaus::message_sink out(time_point now) noexcept {
         if (!in_turn()) at_ = now;
         return own_out_;
     }
     /// Call after changing a component without sending: its next event may be earlier.
-    void wake(time now) noexcept {
+    void wake(time_point now) noexcept {
         if (running()) wake_at_ = now;
     }
     /// Logs a line, such as an error of its sockets.
-    void log(std::string_view line, time now) {
+    void log(std::string_view line, time_point now) {
         log_(now, [&] { return std::string{line}; });
     }
 
@@ -252,7 +253,7 @@ class node_machine {
         manager_.emplace(config_, self_, components, options_, changes_);
     }
     // Outside of a turn: a local component may have a message, or a message may have to be repeated.
-    void wake_after_sending(time now) noexcept {
+    void wake_after_sending(time_point now) noexcept {
         if (!in_turn()) wake(now);
     }
     void end_turn() {
@@ -282,9 +283,9 @@ class node_machine {
     std::optional<datagram_gate> gate_{};
     std::optional<detail::own_manager> manager_{};
     bool running_{};
-    std::exception_ptr thrown_{};   ///< by a handler that was called while a component sent
-    std::optional<time> wake_at_{}; ///< after a call outside of a turn
-    time at_{};                     ///< time of the last call
+    std::exception_ptr thrown_{};         ///< by a handler that was called while a component sent
+    std::optional<time_point> wake_at_{}; ///< after a call outside of a turn
+    time_point at_{};                     ///< time of the last call
 };
 
 } // namespace jauscat::net

@@ -1,6 +1,7 @@
 // Waits for a frame at a socket with minimal latency.
 #pragma once
 
+#include <jauscat/net/now.hpp>
 #include <jauscat/schema/ethercat/frame.hpp>
 
 #include <algorithm>
@@ -27,9 +28,9 @@ inline void limit_blocking(int socket) noexcept {
 /// sleep at once. docs/performance-notes.md has the measurements.
 class frame_wait {
   public:
-    explicit frame_wait(std::chrono::nanoseconds busy_poll) noexcept : busy_poll_{busy_poll} {}
+    explicit frame_wait(duration busy_poll) noexcept : busy_poll_{busy_poll} {}
 
-    void busy_poll(std::chrono::nanoseconds time) noexcept {
+    void busy_poll(duration time) noexcept {
         busy_poll_ = time;
         without_poll_ = 0;
     }
@@ -38,37 +39,35 @@ class frame_wait {
     /// size of a frame in `buffer`, nothing if there was none, or 0 if the medium failed. Returns the size, padded to
     /// 60 bytes, or 0 after `timeout`. A buffer below 60 bytes receives nothing.
     template <class Attempt>
-    std::size_t receive(int socket, std::span<std::byte> buffer, std::chrono::nanoseconds timeout, Attempt attempt) {
+    std::size_t receive(int socket, std::span<std::byte> buffer, duration timeout, Attempt attempt) {
         constexpr auto shortest = ethercat::min_frame_size;
         if (buffer.size() < shortest) return 0;
-        auto now = clock::now();
-        const auto longest = std::chrono::nanoseconds{clock::time_point::max() - now};
-        const auto deadline = now + std::min(timeout, longest);
-        const auto poll_end = without_poll_ == 0 ? now + std::min(timeout, busy_poll_) : now;
+        auto at = now();
+        const deadline end{at, std::max(timeout, duration{})};
+        const auto poll_end = without_poll_ == 0 ? at + std::min(timeout, busy_poll_) : at;
         if (without_poll_ != 0) --without_poll_;
-        const bool polls = now < poll_end;
+        const bool polls = at < poll_end;
         for (;;) {
-            const bool sleeps = now >= poll_end;
+            const bool sleeps = at >= poll_end;
             // A blocking receive needs one system call, ppoll and receive need two; but only ppoll is exact.
-            const bool blocks = sleeps && deadline - now > longest_block;
-            if (sleeps && !blocks && now < deadline) sleep(socket, deadline - now);
+            const bool blocks = sleeps && end.remaining(at) > longest_block;
+            if (sleeps && !blocks && !end.is_reached(at)) sleep(socket, end.remaining(at));
             if (const std::optional<std::size_t> size = attempt(blocks ? 0 : MSG_DONTWAIT)) {
                 if (polls && sleeps) without_poll_ = receives_without_poll;
                 if (*size == 0 || *size >= shortest) return *size;
                 std::ranges::fill(buffer.first(shortest).subspan(*size), std::byte{});
                 return shortest;
             }
-            now = clock::now();
-            if (now >= deadline) return 0;
+            at = now();
+            if (end.is_reached(at)) return 0;
         }
     }
 
   private:
-    using clock = std::chrono::steady_clock;
     static constexpr std::chrono::milliseconds longest_block{18}; // below the master's 20 ms
     static constexpr unsigned receives_without_poll = 200;
 
-    static void sleep(int socket, std::chrono::nanoseconds time) noexcept {
+    static void sleep(int socket, duration time) noexcept {
         const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
         const timespec wait{.tv_sec = static_cast<std::time_t>(seconds.count()),
                             .tv_nsec = static_cast<long>((time - seconds).count())};
@@ -76,7 +75,7 @@ class frame_wait {
         ::ppoll(&readable, 1, &wait, nullptr); // the next attempt finds the reason why it ended
     }
 
-    std::chrono::nanoseconds busy_poll_;
+    duration busy_poll_;
     unsigned without_poll_{};
 };
 

@@ -1,6 +1,7 @@
 // Events of a node manager: Report Configuration, sent when components of the subsystem appear or disappear.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/events/events.hpp>
 #include <jauscat/jaus/routing/node_manager.hpp>
 
@@ -37,7 +38,7 @@ class configuration_events {
     configuration_events& operator=(const configuration_events&) = delete;
 
     /// Call when a component of the subsystem has appeared or disappeared.
-    void changed(std::chrono::nanoseconds now, jaus::message_sink out) {
+    void changed(time_point now, jaus::message_sink out) {
         if (const auto size = fill_(code, {}, report_))
             part.changed(code, std::span<const std::byte>{report_}.first(*size), now, out);
     }

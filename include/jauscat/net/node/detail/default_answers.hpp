@@ -1,6 +1,7 @@
 // Default replies to queries that the application does not handle; peers repeat such queries until they are answered.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
 #include <jauscat/jaus/component/core_messages.hpp>
 #include <jauscat/jaus/component/described_component.hpp>
@@ -10,7 +11,6 @@
 #include <jauscat/schema/jaus/event.hpp>
 
 #include <array>
-#include <chrono>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,8 +43,8 @@ class default_answers {
     default_answers(const default_answers&) = delete;
     default_answers& operator=(const default_answers&) = delete;
 
-    jaus::message_outcome on_message(const jaus::header& head, std::span<const std::byte> body,
-                                     std::chrono::nanoseconds now, jaus::message_sink out) noexcept {
+    jaus::message_outcome on_message(const jaus::header& head, std::span<const std::byte> body, time_point now,
+                                     jaus::message_sink out) noexcept {
         using jaus::message_outcome;
         if (head.command_code == jaus::command_code_of<jaus::create_service_connection>)
             return jaus::decode_for<jaus::create_service_connection>(body, [&](const auto& request) {

@@ -1,10 +1,10 @@
 // Memory for the reassembly of a component's large data sets.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/large_data/reassembler.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <vector>
 
@@ -13,8 +13,7 @@ namespace jauscat::net::detail {
 /// A reassembler and its memory: `size` bytes of bodies, for `sets` at a time.
 class large_data_memory {
   public:
-    large_data_memory(std::size_t sets, std::size_t size, std::chrono::nanoseconds timeout,
-                      const jaus::reassembly_limits& limits)
+    large_data_memory(std::size_t sets, std::size_t size, duration timeout, const jaus::reassembly_limits& limits)
         : places_(std::max<std::size_t>(sets, 1)),
           packets_(places_.size() * (size / places_.size() / smallest_packet + 1)),
           bytes_(size),

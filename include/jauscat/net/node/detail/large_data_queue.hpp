@@ -4,7 +4,6 @@
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/jaus/large_data/large_data_sender.hpp>
-#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/net/node/detail/body_digest.hpp>
 
@@ -25,7 +24,7 @@ struct large_data_pacing {
     unsigned packets{4}; ///< each millisecond
     /// Pause between two data sets of the same source and code to the same destination, if packets of the first may
     /// still be in transit, or the receiver may have a part of it: see large_data_queue.
-    std::chrono::nanoseconds pause{std::chrono::milliseconds{500}};
+    duration pause{std::chrono::milliseconds{500}};
     retry_policy retry{.interval = std::chrono::milliseconds{50}, .attempts = 21}; ///< of a packet
 };
 
@@ -48,12 +47,11 @@ struct large_data_pacing {
 ///   treat the second as a repeat of the first.
 class large_data_queue {
   public:
-    using time = std::chrono::nanoseconds;
     /// Called once for each data set that requested an acknowledgement.
     using done_handler = std::function<void(const jaus::header&, jaus::delivered)>;
 
     /// Time for which a receiver remembers an acknowledged data set.
-    static constexpr time memory = std::chrono::seconds{2};
+    static constexpr duration memory = std::chrono::seconds{2};
 
     /// `most`: limit of queued bytes.
     large_data_queue(std::size_t most, const large_data_pacing& pacing) : most_{most}, pacing_{pacing} {
@@ -76,7 +74,7 @@ class large_data_queue {
         sets_.push_back(std::move(made));
         return jaus::errc::ok;
     }
-    void on_time(time now, jaus::message_sink out, const done_handler& done) {
+    void on_time(time_point now, jaus::message_sink out, const done_handler& done) {
         if (!current_ && !choose(now)) return;
         if (now < next_) return;
         const auto set = current_; // a handler may call clear() meanwhile
@@ -92,7 +90,7 @@ class large_data_queue {
         if (done) done(set->head, *set->outcome);
     }
     /// True if it was the ACK or NAK of a sent packet, also a late one.
-    bool on_acknowledgement(const jaus::header& head, time now) {
+    bool on_acknowledgement(const jaus::header& head, time_point now) {
         if (!current_ || current_->packets.empty()) return false;
         auto& set = *current_;
         if (head.command_code != set.head.command_code || head.source != set.head.destination ||
@@ -108,34 +106,34 @@ class large_data_queue {
         next_ = std::min(next_, now + beat); // the next packets may be sent, or it has ended
         return true;
     }
-    [[nodiscard]] std::optional<time> next_event() const noexcept {
+    [[nodiscard]] std::optional<time_point> next_event() const noexcept {
         return size() == 0 ? std::nullopt : std::optional{next_};
     }
     /// Number of data sets that are not yet sent.
     [[nodiscard]] std::size_t size() const noexcept { return sets_.size() + (current_ ? 1 : 0); }
     /// Clears the queue and sends nothing before the pause is over: packets from before a restart may still be in
     /// transit.
-    void start(time now) {
+    void start(time_point now) {
         clear();
         rests_.clear();
-        begins_at_ = jaus::saturating_add(now, pacing_.pause);
+        begins_at_ = saturating_add(now, pacing_.pause);
     }
     /// May be called from a handler.
     void clear() noexcept {
         sets_.clear();
         current_.reset();
         waiting_ = 0;
-        next_ = time::max();
+        next_ = time_point::max();
     }
 
   private:
-    static constexpr time beat = std::chrono::milliseconds{1};
-    static constexpr time short_pause = std::chrono::milliseconds{40}; ///< for copies made by the network
-    static constexpr time latest_resent = memory * 3 / 4; ///< after the first transmission of the last packet
+    static constexpr duration beat = std::chrono::milliseconds{1};
+    static constexpr duration short_pause = std::chrono::milliseconds{40}; ///< for copies made by the network
+    static constexpr duration latest_resent = memory * 3 / 4; ///< after the first transmission of the last packet
     static constexpr unsigned tries_until_restart = 4;
 
     struct sent_packet {
-        time due{};           ///< time of the next repeat
+        time_point due{};     ///< time of the next repeat
         std::uint32_t sent{}; ///< number of transmissions
         unsigned tries{};     ///< the same since the last start of the data set
         bool acknowledged{};
@@ -154,30 +152,30 @@ class large_data_queue {
         std::size_t acknowledged{};           ///< of the packets
         std::size_t first_open{};             ///< all before it are acknowledged
         unsigned restarts{};
-        bool is_sent_again{};               ///< all of it, after the last packet
-        std::optional<time> last_sent_at{}; ///< first transmission of the last packet
+        bool is_sent_again{};                     ///< all of it, after the last packet
+        std::optional<time_point> last_sent_at{}; ///< first transmission of the last packet
         std::optional<jaus::delivered> outcome{};
     };
     /// What went last from a source to a destination with a command code.
     struct rest {
         jaus::header head{};
-        time since{};
-        time pause{};                      ///< before the next data set
-        std::optional<time> known_since{}; ///< since then the receiver may remember this digest
+        time_point since{};
+        duration pause{};                        ///< before the next data set
+        std::optional<time_point> known_since{}; ///< since then the receiver may remember this digest
         std::uint64_t digest{};
         std::vector<std::uint64_t> digests{}; ///< of its packets
     };
 
-    [[nodiscard]] time ready_at(const entry& set) const noexcept {
-        time at = begins_at_;
+    [[nodiscard]] time_point ready_at(const entry& set) const noexcept {
+        time_point at = begins_at_;
         for (const rest& one : rests_) {
             const auto &to = set.head.destination, &before = one.head.destination;
             if (one.head.command_code != set.head.command_code || one.head.source != set.head.source ||
                 !(jaus::stands_for(to, before) || jaus::stands_for(before, to)))
                 continue;
-            at = std::max(at, jaus::saturating_add(one.since, one.pause));
+            at = std::max(at, saturating_add(one.since, one.pause));
             if (!set.packets.empty() && one.known_since && one.digest == set.digest)
-                at = std::max(at, jaus::saturating_add(*one.known_since, jaus::saturating_add(memory, pacing_.pause)));
+                at = std::max(at, saturating_add(*one.known_since, saturating_add(memory, pacing_.pause)));
         }
         return at;
     }
@@ -187,23 +185,23 @@ class large_data_queue {
             made.push_back(digest_of(body.first(std::min(body.size(), jaus::max_body_size))));
         return made;
     }
-    void note_alike(entry& set, time now) const noexcept {
+    void note_alike(entry& set, time_point now) const noexcept {
         for (const rest& one : rests_) {
             if (one.head.command_code != set.head.command_code || one.head.source != set.head.source ||
-                one.head.destination != set.head.destination || jaus::saturating_add(one.since, pacing_.pause) <= now)
+                one.head.destination != set.head.destination || saturating_add(one.since, pacing_.pause) <= now)
                 continue;
             for (std::size_t i = 0; i != std::min(set.digests.size(), one.digests.size()); ++i)
                 set.packets[i].is_alike = set.digests[i] == one.digests[i];
         }
     }
     // The first that is not in its pause becomes the current one.
-    bool choose(time now) {
+    bool choose(time_point now) {
         if (now < next_) return false;
-        next_ = time::max();
-        const auto longest = jaus::saturating_add(jaus::saturating_add(memory, pacing_.pause), pacing_.pause);
-        std::erase_if(rests_, [&](const rest& one) { return jaus::saturating_add(one.since, longest) <= now; });
+        next_ = time_point::max();
+        const auto longest = saturating_add(saturating_add(memory, pacing_.pause), pacing_.pause);
+        std::erase_if(rests_, [&](const rest& one) { return saturating_add(one.since, longest) <= now; });
         for (auto at = sets_.begin(); at != sets_.end(); ++at) {
-            const time ready = ready_at(**at);
+            const time_point ready = ready_at(**at);
             if (ready <= now) {
                 current_ = std::move(*at);
                 sets_.erase(at);
@@ -217,13 +215,13 @@ class large_data_queue {
     }
 
     /// False if all attempts of a packet are made.
-    bool send_acknowledged(entry& set, time now, jaus::message_sink out) {
+    bool send_acknowledged(entry& set, time_point now, jaus::message_sink out) {
         if (set.is_sent_again && !is_known_still(set, now)) return false;
         const auto last = set.packets.size() - 1;
         while (set.first_open != last && set.packets[set.first_open].acknowledged) ++set.first_open;
         const auto behind = set.first_open == 0 ? std::size_t{1} : set.first_open == last ? last + 1 : last;
         unsigned left = pacing_.packets;
-        next_ = jaus::saturating_add(now, pacing_.retry.interval);
+        next_ = saturating_add(now, pacing_.retry.interval);
         for (auto i = set.first_open; i != behind; ++i) {
             auto& packet = set.packets[i];
             if (packet.acknowledged) continue;
@@ -246,7 +244,7 @@ class large_data_queue {
                 ++packet.sent;
                 ++packet.tries;
                 const bool is_doubted = packet.is_alike && !again;
-                packet.due = jaus::saturating_add(now, is_doubted ? beat : pacing_.retry.interval);
+                packet.due = saturating_add(now, is_doubted ? beat : pacing_.retry.interval);
                 if (again && i != 0)
                     static_cast<void>(set.sender.repeat(i, out)); // the packet was sent before
                 else
@@ -257,10 +255,10 @@ class large_data_queue {
         }
         return true;
     }
-    [[nodiscard]] bool may_restart(const entry& set, time now) const noexcept {
+    [[nodiscard]] bool may_restart(const entry& set, time_point now) const noexcept {
         return set.restarts < (pacing_.retry.attempts - 1) / tries_until_restart && is_known_still(set, now);
     }
-    [[nodiscard]] static bool is_known_still(const entry& set, time now) noexcept {
+    [[nodiscard]] static bool is_known_still(const entry& set, time_point now) noexcept {
         return !set.last_sent_at || now - *set.last_sent_at < latest_resent;
     }
     static void restart(entry& set) noexcept {
@@ -269,7 +267,7 @@ class large_data_queue {
         set.acknowledged = set.first_open = 0;
         for (auto& packet : set.packets) packet.tries = 0, packet.acknowledged = false;
     }
-    void end(time now) {
+    void end(time_point now) {
         auto& set = *current_;
         note({.head = set.head,
               .since = now,
@@ -279,14 +277,14 @@ class large_data_queue {
               .digests = std::move(set.digests)});
         waiting_ -= set.body.size();
         current_.reset();
-        next_ = time::max();
+        next_ = time_point::max();
         for (const auto& waits : sets_) next_ = std::min(next_, ready_at(*waits));
     }
 
-    [[nodiscard]] time pause_after(const entry& set) const noexcept {
+    [[nodiscard]] duration pause_after(const entry& set) const noexcept {
         if (set.packets.empty()) return pacing_.pause;
         // Packets may be in transit, and afterwards their acknowledgements.
-        if (set.outcome == jaus::delivered::timed_out) return jaus::saturating_add(pacing_.pause, pacing_.pause);
+        if (set.outcome == jaus::delivered::timed_out) return saturating_add(pacing_.pause, pacing_.pause);
         const bool repeated =
             std::ranges::any_of(set.packets, [](const auto& p) { return p.sent > (p.is_alike ? 2U : 1U); });
         const bool is_clean = set.outcome == jaus::delivered::acknowledged && !repeated;
@@ -309,8 +307,8 @@ class large_data_queue {
     std::size_t most_;
     large_data_pacing pacing_;
     std::size_t waiting_{};
-    time next_{time::max()};
-    time begins_at_{time::min()};
+    time_point next_{time_point::max()};
+    time_point begins_at_{time_point::min()};
     std::deque<std::unique_ptr<entry>> sets_{};
     std::shared_ptr<entry> current_{}; ///< being sent
     std::vector<rest> rests_{};

@@ -1,8 +1,8 @@
 // The components of one program: delivers messages and large data sets, and calls due components.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
-#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/routing/liveness_table.hpp>
 #include <jauscat/net/config/jaus_node_options.hpp>
 #include <jauscat/net/config/jausip.hpp>
@@ -32,14 +32,13 @@ inline std::string in_text(const jaus::header& head) {
 
 /// Time of processing of a message, and its time in the queue before.
 struct arrival {
-    std::chrono::nanoseconds now{};
-    std::chrono::nanoseconds waited{};
+    time_point now{};
+    duration waited{};
 };
 
 /// A component's number is its position in the order of addition.
 class node_components {
   public:
-    using time = std::chrono::nanoseconds;
     using bytes = std::span<const std::byte>;
 
     node_components(const jaus_node_options& options, limited_log& log)
@@ -67,7 +66,7 @@ class node_components {
                 jaus::reassembly_limits{.linger_of_copies = options_.large_data_pause * 3 / 4,
                                         .linger_of_repeats = large_data_queue::memory,
                                         .longest_gap = longest_gap()});
-        stale_at_ = time::max();
+        stale_at_ = time_point::max();
         peers_.clear();
         present_ = present;
         going_ = true;
@@ -76,7 +75,7 @@ class node_components {
     void stop() noexcept { going_ = false; }
 
   private:
-    [[nodiscard]] auto tell_lost(time now, const jaus::address& self) {
+    [[nodiscard]] auto tell_lost(time_point now, const jaus::address& self) {
         return [this, now, &self](const jaus::partial_data_set& set) {
             log_(now, [&] {
                 return in_text(set.header) + ": at " + to_jausip(self) + ": a large data set is given up, of which " +
@@ -101,30 +100,29 @@ class node_components {
         hand_on_packet(all_[to], head, body, at, out);
     }
 
-    void on_time(time now, jaus::message_sink out) {
+    void on_time(time_point now, jaus::message_sink out) {
         for (auto& one : all_) {
             one.changed = true;
             if (going_) one.it.on_time(now, out);
         }
         if (going_) watch_peers(now, out);
         if (!going_ || now < stale_at_) return;
-        stale_at_ = time::max();
+        stale_at_ = time_point::max();
         for (auto& one : all_) {
             (*one.large)->on_time(now, tell_lost(now, one.it.self));
             for (const auto& set : (*one.large)->places())
                 if (set.packets != 0)
-                    stale_at_ =
-                        std::min(stale_at_, jaus::saturating_add(set.last_heard_at, options_.large_data_timeout));
+                    stale_at_ = std::min(stale_at_, saturating_add(set.last_heard_at, options_.large_data_timeout));
         }
     }
     /// Queries only components that were called or have sent: next_event searches all that a component waits for.
-    [[nodiscard]] std::optional<time> next_event() {
-        time next = std::min(stale_at_, peers_.next_event().value_or(time::max()));
+    [[nodiscard]] std::optional<time_point> next_event() {
+        time_point next = std::min(stale_at_, peers_.next_event().value_or(time_point::max()));
         for (auto& one : all_) {
-            if (std::exchange(one.changed, false)) one.next = one.it.next_event().value_or(time::max());
+            if (std::exchange(one.changed, false)) one.next = one.it.next_event().value_or(time_point::max());
             next = std::min(next, one.next);
         }
-        return next == time::max() ? std::nullopt : std::optional{next};
+        return next == time_point::max() ? std::nullopt : std::optional{next};
     }
     /// A component has sent: its next event may be earlier.
     void sends(const jaus::address& who) noexcept {
@@ -137,8 +135,10 @@ class node_components {
     }
 
   private:
-    [[nodiscard]] time longest_gap() const noexcept { return options_.large_data_pause / 4; }
-    [[nodiscard]] static std::string in_ms(time t) { return std::to_string(t / std::chrono::milliseconds{1}) + " ms"; }
+    [[nodiscard]] duration longest_gap() const noexcept { return options_.large_data_pause / 4; }
+    [[nodiscard]] static std::string in_ms(duration t) {
+        return std::to_string(t / std::chrono::milliseconds{1}) + " ms";
+    }
 
     /// A delivered large data set.
     struct whole_set {
@@ -146,14 +146,14 @@ class node_components {
         std::uint16_t command_code{};
         bool taken{};
         std::uint64_t digest{};
-        time until{};
+        time_point until{};
     };
     struct entry {
         attached_component it;
         std::unique_ptr<large_data_memory> large{};
         std::vector<whole_set> whole{}; ///< the last one of each source and code, for some time
         bool changed{true};             ///< since the last query of `next`
-        time next{};                    ///< its next event
+        time_point next{};              ///< its next event
     };
 
     void tell_components_lost(const jaus::address& who) {
@@ -162,7 +162,7 @@ class node_components {
             if (going_) one.it.on_lost(who);
         }
     }
-    void watch_peers(time now, jaus::message_sink out) {
+    void watch_peers(time_point now, jaus::message_sink out) {
         const auto is_known = [&](const jaus::address& peer) {
             bool any = false;
             if (present_ != nullptr)
@@ -184,7 +184,7 @@ class node_components {
     void hand_on_packet(entry& receiver, const jaus::header& head, bytes body, const arrival& at,
                         jaus::message_sink out) {
         using jaus::reassembled;
-        const time now = at.now;
+        const time_point now = at.now;
         std::erase_if(receiver.whole, [&](const whole_set& one) { return one.until <= now; });
         bool has_outcome = true;
         const auto whole = [&](const jaus::header& first, bytes complete) {
@@ -195,10 +195,10 @@ class node_components {
         if (what == reassembled::no_room || what == reassembled::too_large)
             log_(now, [&] { return in_text(head) + ": refused: " + std::string{describe(what)}; });
         if (what == reassembled::waiting || what == reassembled::doubtful)
-            stale_at_ = std::min(stale_at_, jaus::saturating_add(now, options_.large_data_timeout));
+            stale_at_ = std::min(stale_at_, saturating_add(now, options_.large_data_timeout));
         if (!is_acknowledged(head) || !has_outcome) return;
         if (const auto before = find_whole(receiver, head); before != receiver.whole.end())
-            before->until = jaus::saturating_add(now, large_data_queue::memory);
+            before->until = saturating_add(now, large_data_queue::memory);
         if (const auto answer = answer_to(receiver, head, what))
             static_cast<void>(jaus::acknowledge(head, receiver.it.self, *answer, out)); // its header was received
     }
@@ -206,7 +206,7 @@ class node_components {
         return head.ack_nak == jaus::ack_nak::request && jaus::names_one_component(head.destination);
     }
     /// False: not delivered, because a repeat could not be detected; the sender will repeat it.
-    bool hand_on_whole(entry& receiver, const jaus::header& last, jaus::header first, bytes complete, time now,
+    bool hand_on_whole(entry& receiver, const jaus::header& last, jaus::header first, bytes complete, time_point now,
                        jaus::message_sink out) {
         const auto before = find_whole(receiver, last);
         const auto digest = is_acknowledged(last) ? digest_of(complete) : 0;
@@ -220,7 +220,7 @@ class node_components {
         const bool taken = what == jaus::component_outcome::taken || what == jaus::component_outcome::deferred;
         if (is_acknowledged(last))
             receiver.whole.push_back(
-                {last.source, last.command_code, taken, digest, jaus::saturating_add(now, large_data_queue::memory)});
+                {last.source, last.command_code, taken, digest, saturating_add(now, large_data_queue::memory)});
         return true;
     }
     [[nodiscard]] static std::vector<whole_set>::iterator find_whole(entry& receiver, const jaus::header& head) {
@@ -243,7 +243,7 @@ class node_components {
         return one->taken ? jaus::ack_nak::ack : jaus::ack_nak::nak;
     }
 
-    jaus::component_outcome give(entry& receiver, const jaus::header& head, bytes body, time now,
+    jaus::component_outcome give(entry& receiver, const jaus::header& head, bytes body, time_point now,
                                  jaus::message_sink out) {
         using enum jaus::component_outcome;
         auto& to = receiver.it;
@@ -270,7 +270,7 @@ class node_components {
     std::vector<entry> all_{};
     peer_watch peers_;
     const jaus::liveness_table* present_{};
-    time stale_at_{time::max()}; ///< when a large data set may have to be discarded
+    time_point stale_at_{time_point::max()}; ///< when a large data set may have to be discarded
     bool going_{};
 };
 

@@ -1,6 +1,7 @@
 // Routing of messages to components and neighbours, without sockets.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/net/node/detail/large_data_queue.hpp>
 #include <jauscat/net/node/detail/local_queue.hpp>
 #include <jauscat/net/node/detail/node_components.hpp>
@@ -15,7 +16,6 @@ namespace jauscat::net::detail {
 /// called from within a call. A turn is the processing of a message from the network, or of the time.
 class node_core {
   public:
-    using time = std::chrono::nanoseconds;
     using bytes = std::span<const std::byte>;
     using send_handler = std::function<void(bytes message, const node_routes::endpoint& to, jaus::framing framing)>;
 
@@ -28,7 +28,7 @@ class node_core {
 
     /// `strangers`: see node_routes. Throws `config_error`.
     void start(const jaus_config& config, const jaus::address& manager, std::uint8_t primary,
-               std::optional<time> strangers) {
+               std::optional<duration> strangers) {
         local_.clear();
         routes_.emplace(config, components.addresses(), manager.subsystem, manager.node, strangers);
         router_.emplace(routes_->table(), primary);
@@ -40,18 +40,18 @@ class node_core {
     [[nodiscard]] bool has_more() const noexcept { return !local_.empty(); }
 
     /// A message of a local component.
-    jaus::routing send(bytes message, time now) {
+    jaus::routing send(bytes message, time_point now) {
         const auto m = jaus::split(message);
         return m ? send(message, m.header, now) : jaus::routing{.outcome = jaus::routed::invalid_source};
     }
     /// The same; unroutable messages are logged.
-    void send_or_tell(bytes message, time now) {
+    void send_or_tell(bytes message, time_point now) {
         if (const auto m = jaus::split(message))
             tell(m.header, send(message, m.header, now), now);
         else
             log_(now, [&] { return "a message of a component is not sent: " + std::string{describe(m.error)}; });
     }
-    jaus::routing send(bytes message, const jaus::header& head, time now) {
+    jaus::routing send(bytes message, const jaus::header& head, time_point now) {
         components.sends(head.source);
         return route(message, head, jaus::here, now, [&](std::uint16_t component) {
             if (!local_.push(component, message))
@@ -69,7 +69,7 @@ class node_core {
         return what;
     }
     /// Calls `work()` in a turn of its own, and then delivers the messages between components.
-    void turn(time now, jaus::message_sink out, auto&& work) {
+    void turn(time_point now, jaus::message_sink out, auto&& work) {
         struct guard {
             bool& flag;
             explicit guard(bool& f) : flag{f} { flag = true; }
@@ -82,7 +82,7 @@ class node_core {
                 hand_on(to, m.header, m.body, {now, {}}, out);
             });
     }
-    void tell(const jaus::header& head, const jaus::routing& what, time now) {
+    void tell(const jaus::header& head, const jaus::routing& what, time_point now) {
         if (what.outcome < jaus::routed::no_such_component) return;
         log_(now, [&] { return in_text(head) + ": " + std::string{describe(what.outcome)}; });
     }
@@ -95,7 +95,7 @@ class node_core {
         if (jaus::is_acknowledgement(head) && large.on_acknowledgement(head, at.now)) return;
         components.hand_on(to, head, body, at, out);
     }
-    jaus::routing route(bytes message, const jaus::header& head, jaus::hop from, time now, auto&& to_component) {
+    jaus::routing route(bytes message, const jaus::header& head, jaus::hop from, time_point now, auto&& to_component) {
         return router_->route(
             head, from, [&](std::uint16_t component, const jaus::address&) { to_component(component); },
             [&](jaus::hop by) {

@@ -1,7 +1,7 @@
 // Neighbours and routes of a configuration, numbered for the router.
 #pragma once
 
-#include <jauscat/jaus/message/saturating_add.hpp>
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/routing/router.hpp>
 #include <jauscat/net/config/access_list.hpp>
 #include <jauscat/net/config/jaus_config.hpp>
@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <map>
 #include <optional>
 #include <string>
@@ -39,19 +38,18 @@ inline jaus::address manager_of(const jaus_config& config, std::uint8_t node) {
 class node_routes {
   public:
     using endpoint = boost::asio::ip::udp::endpoint;
-    using time = std::chrono::nanoseconds;
 
     struct neighbour {
         endpoint to{};
         jaus::framing framing{};
-        time quiet_after{time::max()}; ///< afterwards it gets answers only
+        time_point quiet_after{time_point::max()}; ///< afterwards it gets answers only
     };
 
     /// `components` are those of this program, all of one node; the router identifies them by position. `strangers`:
     /// routes to subsystems that are not in the configuration are learned and kept for this time. Throws
     /// `config_error`.
     node_routes(const jaus_config& config, std::span<const jaus::address> components, std::uint8_t subsystem,
-                std::uint8_t node, std::optional<time> strangers)
+                std::uint8_t node, std::optional<duration> strangers)
         : config_{config},
           strangers_{strangers},
           ways_(std::bit_ceil((config.systems.size() + components.size() + most_strangers() + 2) * 3 / 2 + 2)),
@@ -76,8 +74,8 @@ class node_routes {
     /// The hop from which a message comes: the neighbour with this endpoint, or one with any source port that has the
     /// JAUS source; else the multicast group that has received it, or none.
     [[nodiscard]] jaus::hop origin(const jaus::address& source, const endpoint& from, jaus::framing framing,
-                                   bool by_group, const access_list& list, time now) {
-        if (strangers_) learn(source, {from, framing, jaus::saturating_add(now, *strangers_)}, by_group);
+                                   bool by_group, const access_list& list, time_point now) {
+        if (strangers_) learn(source, {from, framing, saturating_add(now, *strangers_)}, by_group);
         if (const auto found = by_endpoint_.find(from); found != by_endpoint_.end()) return found->second;
         if (const auto peer = list.check(source, from).peer) return hop_of_system_[*peer];
         return by_group ? group_.value_or(jaus::unknown_hop) : jaus::unknown_hop;
@@ -144,7 +142,7 @@ class node_routes {
     }
 
     const jaus_config& config_;
-    std::optional<time> strangers_;
+    std::optional<duration> strangers_;
     std::vector<jaus::address_place<jaus::way>> ways_;
     std::vector<jaus::hop_state> states_;
     std::vector<jaus::node_component> places_;

@@ -1,6 +1,7 @@
 // The node manager of a node, with its configuration and memory.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/component.hpp>
 #include <jauscat/jaus/routing/node_manager.hpp>
 #include <jauscat/net/config/jaus_node_options.hpp>
@@ -42,7 +43,7 @@ class own_manager {
 
     [[nodiscard]] const jaus::liveness_table& present() const noexcept { return manager_.present(); }
     /// Sends the events for the appearance or disappearance of `who`.
-    void tell_change(const jaus::address& who, std::chrono::nanoseconds now, jaus::message_sink out) {
+    void tell_change(const jaus::address& who, time_point now, jaus::message_sink out) {
         if (who.subsystem == core.self().subsystem) events_.changed(now, out);
     }
     /// The address range that is lost with `who`; 255 is all of a level: a node with its node manager, and another

@@ -1,8 +1,8 @@
 // Liveness of the components that local components depend on, if no node manager receives their heartbeats.
 #pragma once
 
+#include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
-#include <jauscat/jaus/message/saturating_add.hpp>
 #include <jauscat/jaus/message/stands_for.hpp>
 #include <jauscat/schema/jaus/communications.hpp>
 #include <jauscat/schema/jaus/core.hpp>
@@ -24,10 +24,9 @@ namespace jauscat::net::detail {
 /// watched peers is bounded.
 class peer_watch {
   public:
-    using time = std::chrono::nanoseconds;
     static constexpr std::size_t most = 4096;
 
-    explicit peer_watch(time timeout) : timeout_{std::max(timeout, 3 * shortest)} {}
+    explicit peer_watch(duration timeout) : timeout_{std::max(timeout, 3 * shortest)} {}
 
     /// Whether a component depends on the sender of a message that it has accepted.
     [[nodiscard]] static constexpr bool binds(std::uint16_t command_code) noexcept {
@@ -41,15 +40,15 @@ class peer_watch {
         }
     }
     /// `component` depends on `peer` from now on.
-    void bind(const jaus::address& peer, const jaus::address& component, time now) {
+    void bind(const jaus::address& peer, const jaus::address& component, time_point now) {
         if (peers_.size() == most && !peers_.contains(peer)) return;
         auto& bound = peers_.try_emplace(peer, entry{.component = component}).first->second;
         bound.heard_at = now;
-        bound.due = jaus::saturating_add(now, silence());
+        bound.due = saturating_add(now, silence());
         next_ = std::min(next_, bound.due);
     }
     /// Call for each received message. True if it is the answer to a query of this object.
-    bool heard(const jaus::header& head, time now) {
+    bool heard(const jaus::header& head, time_point now) {
         if (peers_.empty()) return false;
         const auto found = peers_.find(head.source);
         if (found == peers_.end()) return false;
@@ -65,14 +64,14 @@ class peer_watch {
     }
     void clear() noexcept {
         peers_.clear();
-        next_ = time::max();
+        next_ = time_point::max();
     }
 
     /// `is_known(peer)`: a local node manager receives the heartbeats of its node and detects its loss. `lost(peer)` is
     /// called for each lost peer.
-    void on_time(time now, auto&& is_known, jaus::message_sink out, auto&& lost) {
+    void on_time(time_point now, auto&& is_known, jaus::message_sink out, auto&& lost) {
         if (now < next_) return;
-        next_ = time::max();
+        next_ = time_point::max();
         for (auto at = peers_.begin(); at != peers_.end();) {
             auto& [who, peer] = *at;
             if (peer.due <= now && is_known(who)) peer.heard_at = now;
@@ -87,18 +86,18 @@ class peer_watch {
             ++at;
         }
     }
-    [[nodiscard]] std::optional<time> next_event() const noexcept {
-        return next_ == time::max() ? std::nullopt : std::optional{next_};
+    [[nodiscard]] std::optional<time_point> next_event() const noexcept {
+        return next_ == time_point::max() ? std::nullopt : std::optional{next_};
     }
 
   private:
-    static constexpr time shortest = std::chrono::milliseconds{1};
+    static constexpr duration shortest = std::chrono::milliseconds{1};
 
     struct entry {
         jaus::address component{}; ///< local, sends the query
-        time heard_at{};
-        time due{};   ///< time of the next check
-        bool asked{}; ///< without an answer
+        time_point heard_at{};
+        time_point due{}; ///< time of the next check
+        bool asked{};     ///< without an answer
     };
     struct by_number {
         static constexpr auto of(const jaus::address& a) noexcept {
@@ -109,22 +108,22 @@ class peer_watch {
         }
     };
 
-    [[nodiscard]] time silence() const noexcept { return timeout_ / 3; }
-    void ask(const jaus::address& who, entry& peer, time now, jaus::message_sink out) const {
-        const auto silent_at = jaus::saturating_add(peer.heard_at, silence());
+    [[nodiscard]] duration silence() const noexcept { return timeout_ / 3; }
+    void ask(const jaus::address& who, entry& peer, time_point now, jaus::message_sink out) const {
+        const auto silent_at = saturating_add(peer.heard_at, silence());
         if (silent_at > now) {
             peer.due = silent_at;
             return;
         }
         peer.asked = true;
-        peer.due = std::min(jaus::saturating_add(now, timeout_ / 12), jaus::saturating_add(peer.heard_at, timeout_));
+        peer.due = std::min(saturating_add(now, timeout_ / 12), saturating_add(peer.heard_at, timeout_));
         static_cast<void>(
             jaus::put({.destination = who, .source = peer.component}, jaus::query_heartbeat_pulse{}, out));
     }
 
-    time timeout_;
+    duration timeout_;
     std::map<jaus::address, entry, by_number> peers_{};
-    time next_{time::max()};
+    time_point next_{time_point::max()};
 };
 
 } // namespace jauscat::net::detail
