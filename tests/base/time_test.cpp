@@ -27,13 +27,13 @@ TEST_CASE("a deadline is reached at its instant") {
     STATIC_REQUIRE(until.remaining(time_point{20ms}) == 0ns);
 }
 
-TEST_CASE("a deadline that is not set, or lies beyond all instants, is never reached") {
+TEST_CASE("a deadline that is not set, or beyond the last instant, is never reached") {
     STATIC_REQUIRE(!deadline{}.is_reached(time_point::max() - 1ns));
     STATIC_REQUIRE(deadline{time_point{1h}, duration::max()} == deadline{});
     STATIC_REQUIRE(deadline{time_point{1h}} < deadline{});
 }
 
-TEST_CASE("a retry policy counts all attempts and waits after the last one too") {
+TEST_CASE("a retry policy counts all attempts and also waits after the last one") {
     constexpr retry_policy three{.interval = 100ms, .attempts = 3};
     STATIC_REQUIRE(three.total() == 300ms);
     STATIC_REQUIRE(three.allows_another(2));

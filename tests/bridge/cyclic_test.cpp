@@ -5,7 +5,7 @@ using namespace test;
 using jaus::ack_nak;
 using status = jaus::primary_status_code;
 
-TEST_CASE("a command by process data is acknowledged when the slave's inputs say that it has it") {
+TEST_CASE("a process-data command is acknowledged when the slave's inputs repeat its counter") {
     rig r{1, true};
     r.run_until_ready();
     const auto number = r.drive(50);
@@ -18,7 +18,7 @@ TEST_CASE("a command by process data is acknowledged when the slave's inputs say
     CHECK(std::ranges::count(r.motor().executed, jaus::command_code_of<jaus::set_wrench_effort>) == 0);
 }
 
-TEST_CASE("of two commands between two cycles only the one that the slave has taken is acknowledged") {
+TEST_CASE("of two commands between two cycles only the one that the slave accepted is acknowledged") {
     rig r{1, true};
     r.run_until_ready();
     r.run(1ms); // a cycle has just gone
@@ -30,7 +30,7 @@ TEST_CASE("of two commands between two cycles only the one that the slave has ta
     CHECK(r.motor().efforts.back() == Approx(20).margin(0.01));
 }
 
-TEST_CASE("a frame that is held back for the process data is asked for when they have gone") {
+TEST_CASE("a frame that is delayed by the process data is requested after them") {
     rig r{1, true};
     r.run_until_ready();
     r.run_until([&] { return r.bus.next_event().value_or(jauscat::time_point{}) > r.now + 5ms; });
@@ -41,7 +41,7 @@ TEST_CASE("a frame that is held back for the process data is asked for when they
     CHECK((r.bus.next_frame(frame, r.now) != 0 || *r.bus.next_event() > r.now));
 }
 
-TEST_CASE("a query is answered from fresh inputs, and refused when the cable is out") {
+TEST_CASE("a query is answered from fresh inputs, and refused without a link") {
     rig r{1, true};
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -57,7 +57,7 @@ TEST_CASE("a query is answered from fresh inputs, and refused when the cable is 
     CHECK(r.is_refused(number));
 }
 
-TEST_CASE("a silent slave is lost by the clock within the limit, and the bridge goes on taking messages") {
+TEST_CASE("a silent slave counts as lost within the time limit, and the bridge continues to accept messages") {
     rig r{1, true};
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -73,7 +73,7 @@ TEST_CASE("a silent slave is lost by the clock within the limit, and the bridge 
     r.run_until([&] { return r.is_acknowledged(number); });
 }
 
-TEST_CASE("a slave that is polled every 5 ms notices within the limit that no outputs come any more") {
+TEST_CASE("a slave that is polled every 5 ms detects missing outputs within the limit") {
     rig r{1, true};
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -83,7 +83,7 @@ TEST_CASE("a slave that is polled every 5 ms notices within the limit that no ou
     CHECK(r.motor().effort == 0);
 }
 
-TEST_CASE("a slave that falls out of OP is lost within two cycles") {
+TEST_CASE("a slave that leaves OP counts as lost within two cycles") {
     rig r{1, true};
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -101,7 +101,7 @@ TEST_CASE("a slave that falls out of OP is lost within two cycles") {
     CHECK(r.motor().effort == 0);
 }
 
-TEST_CASE("a slave that confirms an emergency and is lost before its answer arrives is told again") {
+TEST_CASE("a slave that is lost after confirming an emergency, before its answer arrives, gets the emergency again") {
     rig r{1, true};
     r.run_until_ready();
     bool is_answered = false;
@@ -133,7 +133,7 @@ TEST_CASE("a slave that confirms an emergency and is lost before its answer arri
     CHECK(r.motor().emergency);
 }
 
-TEST_CASE("a slave that has lost its station address is lost within two cycles") {
+TEST_CASE("a slave that loses its station address counts as lost within two cycles") {
     rig r{1, true};
     r.run_until_ready();
     std::array<std::byte, 64> frame{};
@@ -147,7 +147,7 @@ TEST_CASE("a slave that has lost its station address is lost within two cycles")
     CHECK(r.watcher.last_loss == bridge::loss::no_station);
 }
 
-TEST_CASE("standby by process data is acknowledged when the inputs say so") {
+TEST_CASE("Standby by process data is acknowledged when the inputs confirm it") {
     rig r{1, true};
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -158,7 +158,7 @@ TEST_CASE("standby by process data is acknowledged when the inputs say so") {
     CHECK(r.motor().effort == 0);
 }
 
-TEST_CASE("an emergency of a cyclic slave goes by mailbox, and its outputs are zero too") {
+TEST_CASE("an emergency of a cyclic slave is sent by mailbox, and its outputs are set to zero") {
     rig r{1, true};
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -175,7 +175,7 @@ TEST_CASE("an emergency of a cyclic slave goes by mailbox, and its outputs are z
     CHECK(r.motor().effort == Approx(20).margin(0.01));
 }
 
-TEST_CASE("messages without process data go by mailbox between cycles") {
+TEST_CASE("messages without process data are sent by mailbox between cycles") {
     rig r{1, true};
     r.run_until_ready();
     const auto number = r.tell(jaus::set_travel_speed{.desired_speed = 3});
@@ -183,7 +183,7 @@ TEST_CASE("messages without process data go by mailbox between cycles") {
     CHECK(r.bus.process_data().statistics().lost == 0);
 }
 
-TEST_CASE("a command that the slave does not take in time is taken out of its outputs") {
+TEST_CASE("a command that the slave does not accept in time is removed from its outputs") {
     rig r{1, true};
     r.run_until_ready();
     r.actuators[0].hangs = true; // its controller still answers
@@ -198,7 +198,7 @@ TEST_CASE("a command that the slave does not take in time is taken out of its ou
     CHECK(std::ranges::find_if(r.motor().efforts, [](double each) { return each > 1; }) == r.motor().efforts.end());
 }
 
-TEST_CASE("a slave that does not take zeros in time is lost") {
+TEST_CASE("a slave that does not accept zeros in time counts as lost") {
     rig r{1, true};
     r.run_until_ready();
     r.actuators[0].hangs = true;
@@ -208,7 +208,7 @@ TEST_CASE("a slave that does not take zeros in time is lost") {
     CHECK(r.watcher.last_loss == bridge::loss::no_process_data);
 }
 
-TEST_CASE("a query that is answered from the inputs leaves the bytes of a running transfer alone") {
+TEST_CASE("answering a query from the inputs does not change the bytes of a running transfer") {
     rig r{1, true};
     r.run_until_ready();
     r.actuators[0].hangs = true; // the download stays in the mailbox until it goes on
@@ -226,7 +226,7 @@ TEST_CASE("a query that is answered from the inputs leaves the bytes of a runnin
     CHECK(std::ranges::count(r.motor().executed, jaus::command_code_of<jaus::set_travel_speed>) == 1);
 }
 
-TEST_CASE("of two cyclic slaves one that is lost does not take the other's process data with it") {
+TEST_CASE("the loss of one cyclic slave does not stop the process data of another") {
     rig r{2, true};
     r.run_until_ready();
     r.run_until([&, number = r.drive(50, 0)] { return r.is_acknowledged(number); });
@@ -242,8 +242,7 @@ TEST_CASE("of two cyclic slaves one that is lost does not take the other's proce
     CHECK(r.bus.master().statistics().foreign == 0); // also the frames that were under way at the change
 }
 
-TEST_CASE(
-    "a command by process data that comes while a stop order is not confirmed waits, and does not go by mailbox") {
+TEST_CASE("a process-data command that arrives before a stop order is confirmed waits, and is not sent by mailbox") {
     rig r{1, true};
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -259,7 +258,7 @@ TEST_CASE(
     CHECK(r.motor().efforts.back() == Approx(20).margin(0.01));
 }
 
-TEST_CASE("a stop order goes into the outputs also when many commands wait for the slave to take them") {
+TEST_CASE("a stop order is written to the outputs even if many commands wait for the slave") {
     rig r{1, true};
     r.run_until_ready();
     std::vector<std::uint16_t> numbers;
@@ -271,7 +270,7 @@ TEST_CASE("a stop order goes into the outputs also when many commands wait for t
     for (const auto each : numbers) CHECK(r.is_refused(each));
 }
 
-TEST_CASE("lost process data frames are no loss of the slave, and the mailbox works on") {
+TEST_CASE("lost process data frames do not count as loss of the slave, and the mailbox continues to work") {
     rig r{1, true};
     r.run_until_ready();
     for (int i = 0; i != 20; ++i) {
@@ -284,7 +283,7 @@ TEST_CASE("lost process data frames are no loss of the slave, and the mailbox wo
     CHECK(r.watcher.lost == 0);
 }
 
-TEST_CASE("the end of the program brings a cyclic slave to rest") {
+TEST_CASE("the end of the program stops a cyclic slave") {
     rig r{1, true};
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -294,7 +293,7 @@ TEST_CASE("the end of the program brings a cyclic slave to rest") {
     CHECK(r.motor().effort == 0);
 }
 
-TEST_CASE("a bridge that is started anew gives the place of a slave that still runs to no other") {
+TEST_CASE("a restarted bridge does not reassign the image area of a slave that still runs") {
     rig before{2, true};
     before.actuators[0].hangs = true; // so that the other one comes first in the process image
     before.run_until([&] { return before.unit(1).state() == status::ready; });

@@ -5,7 +5,7 @@ using namespace test;
 using jaus::ack_nak;
 using status = jaus::primary_status_code;
 
-TEST_CASE("a command is acknowledged when the slave has executed it, and not before") {
+TEST_CASE("a command is acknowledged after the slave has executed it") {
     rig r;
     r.run_until_ready();
     const auto number = r.drive(50);
@@ -25,7 +25,7 @@ TEST_CASE("a query is answered with the slave's report") {
     CHECK(r.received<jaus::report_wrench_effort>().front().propulsive_linear_effort_x == Approx(25).margin(0.01));
 }
 
-TEST_CASE("the status says what the actuator has not confirmed") {
+TEST_CASE("the status lists stop orders that the actuator has not confirmed") {
     rig r;
     const auto asks = [&] {
         r.messages.clear();
@@ -61,7 +61,7 @@ TEST_CASE("a command that the slave aborts is refused") {
     CHECK(r.motor().effort == 0);
 }
 
-TEST_CASE("an emergency stop that the slave aborts is repeated until it is confirmed, and acknowledged then") {
+TEST_CASE("an emergency stop that the slave aborts is repeated until it is confirmed, then acknowledged") {
     rig r;
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -78,7 +78,7 @@ TEST_CASE("an emergency stop that the slave aborts is repeated until it is confi
     CHECK(r.unit().debt().settled());
 }
 
-TEST_CASE("while an emergency is refused the slave gets zeros") {
+TEST_CASE("a slave that refuses an emergency gets zeros") {
     rig r;
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -92,7 +92,7 @@ TEST_CASE("while an emergency is refused the slave gets zeros") {
     CHECK(r.unit().debt().owes_stop());
 }
 
-TEST_CASE("a slave that has no object for emergencies is at rest with zeros") {
+TEST_CASE("a slave without an object for emergencies is stopped by zeros") {
     rig r;
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -105,7 +105,7 @@ TEST_CASE("a slave that has no object for emergencies is at rest with zeros") {
     CHECK(r.motor().aborted == 1);
 }
 
-TEST_CASE("stop orders go before commands that wait, and those are refused") {
+TEST_CASE("stop orders are executed before waiting commands, which are refused") {
     rig r;
     r.round_trip = 8ms;
     r.run_until_ready();
@@ -123,7 +123,7 @@ TEST_CASE("stop orders go before commands that wait, and those are refused") {
     for (const auto each : numbers) CHECK(r.answer(each).has_value());
 }
 
-TEST_CASE("of commands that wait only the newest of a sender and code is kept, with the fields of the older ones") {
+TEST_CASE("of waiting commands with one sender and code only the newest is kept, with the fields of the older ones") {
     rig r;
     r.round_trip = 8ms;
     r.run_until_ready();
@@ -140,8 +140,8 @@ TEST_CASE("of commands that wait only the newest of a sender and code is kept, w
     CHECK(r.motor().efforts.back() == Approx(30).margin(0.01));
 }
 
-TEST_CASE(
-    "a slave that is lost makes its component fail, tells the controller, and is brought to rest when it is back") {
+TEST_CASE("the loss of a slave sets its component to Failure and notifies the controller, and the slave is stopped "
+          "when it returns") {
     rig r;
     r.run_until_ready();
     r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
@@ -160,7 +160,7 @@ TEST_CASE(
     CHECK(r.watcher.lost == 1);
 }
 
-TEST_CASE("a slave that was reset is noticed, and an emergency is told to it again") {
+TEST_CASE("a slave reset is detected, and the emergency is sent again") {
     rig r;
     r.run_until_ready();
     const auto number = r.tell(rig::stop());
@@ -172,7 +172,7 @@ TEST_CASE("a slave that was reset is noticed, and an emergency is told to it aga
     CHECK(r.unit().state() == status::emergency);
 }
 
-TEST_CASE("an emergency stop while the slave is away is acknowledged when the slave is back and has obeyed") {
+TEST_CASE("an emergency stop for an absent slave is acknowledged after the slave has returned and executed it") {
     rig r;
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -187,7 +187,7 @@ TEST_CASE("an emergency stop while the slave is away is acknowledged when the sl
     r.run_until([&] { return r.is_acknowledged(number); }, 100ms);
 }
 
-TEST_CASE("an emergency that is in force already is not acknowledged while the slave is away") {
+TEST_CASE("an emergency already in force is not acknowledged while the slave is absent") {
     rig r;
     r.run_until_ready();
     r.run_until([&, number = r.tell(rig::stop())] { return r.is_acknowledged(number); });
@@ -202,7 +202,7 @@ TEST_CASE("an emergency that is in force already is not acknowledged while the s
     CHECK(r.motor().emergency);
 }
 
-TEST_CASE("a clear emergency while the slave is away is acknowledged when the slave has obeyed") {
+TEST_CASE("a Clear Emergency for an absent slave is acknowledged after the slave has executed it") {
     rig r;
     r.run_until_ready();
     r.run_until([&, number = r.tell(rig::stop())] { return r.is_acknowledged(number); });
@@ -223,7 +223,7 @@ TEST_CASE("a clear emergency while the slave is away is acknowledged when the sl
     CHECK(r.motor().effort == Approx(10).margin(0.01));
 }
 
-TEST_CASE("a clear emergency that the slave refuses is refused") {
+TEST_CASE("a Clear Emergency that the slave refuses is refused") {
     rig r;
     r.run_until_ready();
     r.run_until([&, number = r.tell(rig::stop())] { return r.is_acknowledged(number); });
@@ -235,7 +235,7 @@ TEST_CASE("a clear emergency that the slave refuses is refused") {
     CHECK(r.motor().emergency);
 }
 
-TEST_CASE("an emergency that nobody here knows of is brought to rest by another one") {
+TEST_CASE("a slave in an emergency unknown to the bridge is stopped by another emergency") {
     rig r;
     r.motor().emergency = true; // left over from an earlier controller
     r.run_until_ready();
@@ -250,7 +250,7 @@ TEST_CASE("an emergency that nobody here knows of is brought to rest by another 
     CHECK(!r.motor().emergency);
 }
 
-TEST_CASE("a controller that is lost brings the slave to rest, one that releases control does not") {
+TEST_CASE("loss of the controller stops the slave, release of control does not") {
     rig r;
     r.run_until_ready();
     r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
@@ -263,7 +263,7 @@ TEST_CASE("a controller that is lost brings the slave to rest, one that releases
     r.run_until([&] { return r.motor().effort == 0; }, 100ms);
 }
 
-TEST_CASE("a command that comes while the slave refuses zeros is not executed before they are confirmed") {
+TEST_CASE("a command that arrives while the slave refuses zeros is not executed before they are confirmed") {
     rig r;
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -279,7 +279,7 @@ TEST_CASE("a command that comes while the slave refuses zeros is not executed be
     CHECK(*(r.motor().efforts.end() - 2) == 0);
 }
 
-TEST_CASE("who takes control over does not inherit the commands that wait") {
+TEST_CASE("a component that takes control over does not inherit waiting commands") {
     rig r;
     r.round_trip = 8ms;
     r.run_until_ready();
@@ -292,7 +292,7 @@ TEST_CASE("who takes control over does not inherit the commands that wait") {
     CHECK(r.motor().effort == 0);
 }
 
-TEST_CASE("who gets control that nobody had does not inherit the commands of others that wait") {
+TEST_CASE("a component that gets free control does not inherit waiting commands of others") {
     rig r;
     r.round_trip = 8ms;
     r.run_until_ready();
@@ -306,7 +306,7 @@ TEST_CASE("who gets control that nobody had does not inherit the commands of oth
     CHECK(std::ranges::max(r.motor().efforts) < 21);
 }
 
-TEST_CASE("standby is acknowledged when the slave is at rest, and nothing that waited moves it afterwards") {
+TEST_CASE("Standby is acknowledged when the slave is stopped, and no waiting message moves it afterwards") {
     rig r;
     r.round_trip = 4ms;
     r.run_until_ready();
@@ -347,7 +347,7 @@ TEST_CASE("each Standby numbered 0 that comes while the first one is pending is 
     CHECK(acknowledged() == 3);
 }
 
-TEST_CASE("a repeat of a message that is not executed yet is not executed twice") {
+TEST_CASE("a copy of a message that is not executed yet is not executed twice") {
     rig r;
     r.round_trip = 8ms;
     r.run_until_ready();
@@ -362,7 +362,7 @@ TEST_CASE("a repeat of a message that is not executed yet is not executed twice"
     CHECK(std::ranges::count(r.motor().executed, jaus::command_code_of<jaus::set_travel_speed>) == 1);
 }
 
-TEST_CASE("an emergency of a slave is told also when no message goes to it") {
+TEST_CASE("an emergency of a slave is detected without a message to that slave") {
     rig r;
     r.options.keep_alive = 0s;
     r.run_until_ready();
@@ -391,7 +391,7 @@ TEST_CASE("an emergency of a slave is told also when no message goes to it") {
     CHECK(r.watcher.lost == 0);
 }
 
-TEST_CASE("a slave that gets no message gets heartbeats") {
+TEST_CASE("a slave without messages gets heartbeats") {
     rig r;
     r.run_until_ready();
     r.motor().executed.clear();
@@ -401,7 +401,7 @@ TEST_CASE("a slave that gets no message gets heartbeats") {
     CHECK(beats <= 11);
 }
 
-TEST_CASE("the end of the program brings every slave to rest") {
+TEST_CASE("the end of the program stops every slave") {
     rig r{3};
     r.run_until_ready();
     for (std::size_t i = 0; i != 3; ++i)
@@ -414,7 +414,7 @@ TEST_CASE("the end of the program brings every slave to rest") {
     for (std::size_t i = 0; i != 3; ++i) CHECK(r.motor(i).effort == 0);
 }
 
-TEST_CASE("a slave that is away holds up nobody else") {
+TEST_CASE("an absent slave does not delay messages to other slaves") {
     rig r{2};
     r.run_until_ready();
     r.dead_from = 1;
@@ -427,7 +427,8 @@ TEST_CASE("a slave that is away holds up nobody else") {
     }
 }
 
-TEST_CASE("a transfer to a slave that hangs gives way to another's stop order, and its answer is taken for no other") {
+TEST_CASE(
+    "a transfer to an unresponsive slave is abandoned for a stop order to another, and its late answer is dropped") {
     rig r{2};
     r.run_until_ready();
     r.run_until([&, number = r.drive(50, 0)] { return r.is_acknowledged(number); });
@@ -456,7 +457,7 @@ TEST_CASE("a message waits for its slave for a bounded time") {
     CHECK(r.is_refused(later));
 }
 
-TEST_CASE("a program that was suspended asks no slave for what was under way before") {
+TEST_CASE("a program that was suspended does not continue requests from before") {
     rig r;
     r.run_until_ready();
     r.cable_is_out = true;
@@ -474,7 +475,7 @@ TEST_CASE("a program that was suspended asks no slave for what was under way bef
     CHECK(r.is_refused(number));
 }
 
-TEST_CASE("the end of the program waits for a slave that is away to come back") {
+TEST_CASE("the end of the program waits for an absent slave to return") {
     rig r;
     r.run_until_ready();
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
@@ -487,7 +488,7 @@ TEST_CASE("the end of the program waits for a slave that is away to come back") 
     CHECK(r.motor().effort == 0);
 }
 
-TEST_CASE("slaves that have station addresses of an earlier master are brought up") {
+TEST_CASE("slaves with station addresses of an earlier master are brought up") {
     rig r{2};
     for (auto& each : r.actuators) { // both have the one that the second is to get
         std::array<std::byte, ethercat::max_frame_size> frame{};
@@ -499,7 +500,7 @@ TEST_CASE("slaves that have station addresses of an earlier master are brought u
     CHECK(r.watcher.failed_bring_ups == 0);
 }
 
-TEST_CASE("a slave whose state nobody knows is lost, also while the master waits for another slave") {
+TEST_CASE("a slave of unknown state counts as lost, also while the master waits for another slave") {
     rig r{2};
     r.run_until_ready();
     r.run_until([&, number = r.drive(50, 1)] { return r.is_acknowledged(number); });
@@ -519,7 +520,7 @@ TEST_CASE("a slave whose state nobody knows is lost, also while the master waits
     CHECK(r.unit(1).state() == status::failure);
 }
 
-TEST_CASE("the look at the states takes no reply that the master waits for") {
+TEST_CASE("polling the states does not consume a reply for which the master waits") {
     rig r;
     r.run_until_ready();
     r.run(30s); // every index was used

@@ -28,7 +28,7 @@ constexpr auto any = [](const bridge::order&) { return true; };
 
 } // namespace
 
-TEST_CASE("messages leave in the order in which they came, and places are used again") {
+TEST_CASE("messages leave in order of arrival, and places are reused") {
     bridge::order_memory<4, 64> memory;
     bridge::order_queue queue{memory};
     std::uint16_t in = 0, out = 0;
@@ -46,7 +46,7 @@ TEST_CASE("messages leave in the order in which they came, and places are used a
     CHECK(out == in);
 }
 
-TEST_CASE("a full queue and a body without room are refused") {
+TEST_CASE("a full queue, and a body that exceeds its place, are refused") {
     bridge::order_memory<2, 8> memory;
     bridge::order_queue queue{memory};
     const std::array<std::byte, 9> large{};
@@ -57,7 +57,7 @@ TEST_CASE("a full queue and a body without room are refused") {
     CHECK(queue.push(order_of(2, 3), small, nobody) == bridge::queued::full);
 }
 
-TEST_CASE("a newer command of the same sender takes the place of the older one and keeps its other fields") {
+TEST_CASE("a newer command of the same sender replaces the older one and keeps its other fields") {
     bridge::order_memory<4, 64> memory;
     bridge::order_queue queue{memory};
     const auto code = jaus::command_code_of<jaus::set_wrench_effort>;
@@ -81,7 +81,7 @@ TEST_CASE("a newer command of the same sender takes the place of the older one a
                                                                                  .propulsive_linear_effort_y = 20})));
 }
 
-TEST_CASE("waypoints are never merged: each counts") {
+TEST_CASE("waypoints are never merged") {
     bridge::order_memory<4, 64> memory;
     bridge::order_queue queue{memory};
     const auto body = body_of(jaus::set_global_waypoint{});
@@ -91,7 +91,7 @@ TEST_CASE("waypoints are never merged: each counts") {
     CHECK(queue.size() == 3);
 }
 
-TEST_CASE("a command that does not decode is queued as it is: the slave refuses it") {
+TEST_CASE("a command that does not decode is queued unchanged, for the slave to refuse") {
     bridge::order_memory<4, 64> memory;
     bridge::order_queue queue{memory};
     const std::array<std::byte, 3> bad{std::byte{0xFF}, std::byte{0xFF}, std::byte{0xFF}};

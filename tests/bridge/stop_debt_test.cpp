@@ -8,7 +8,7 @@ using jauscat::bridge::stop_debt;
 using jauscat::bridge::stop_order;
 using support::instant;
 
-TEST_CASE("an emergency goes first, and its confirmation covers rest") {
+TEST_CASE("an emergency is sent first, and its confirmation also settles the stop by zeros") {
     stop_debt debt{20ms};
     CHECK(debt.settled());
     debt.owe_rest();
@@ -18,7 +18,7 @@ TEST_CASE("an emergency goes first, and its confirmation covers rest") {
     CHECK(debt.settled());
 }
 
-TEST_CASE("a refused order is tried again after a growing interval, without end") {
+TEST_CASE("a refused stop order is retried after a growing interval, without limit") {
     stop_debt debt{20ms};
     debt.owe_emergency();
     for (unsigned i = 1; i != 1000; ++i) {
@@ -29,7 +29,7 @@ TEST_CASE("a refused order is tried again after a growing interval, without end"
     }
 }
 
-TEST_CASE("zeros that are refused three times alternate with an emergency") {
+TEST_CASE("zeros refused three times alternate with an emergency") {
     stop_debt debt{20ms};
     debt.owe_rest();
     for (int i = 0; i != 3; ++i) {
@@ -41,7 +41,8 @@ TEST_CASE("zeros that are refused three times alternate with an emergency") {
     CHECK(debt.settled());
 }
 
-TEST_CASE("the end of an emergency comes last, is given up after three refusals, and ends with a new emergency") {
+TEST_CASE(
+    "the end of an emergency is sent last, is dropped after three refusals, and is cancelled by a new emergency") {
     stop_debt debt{20ms};
     debt.owe_clear();
     debt.owe_rest();
@@ -57,7 +58,7 @@ TEST_CASE("the end of an emergency comes last, is given up after three refusals,
     CHECK(!debt.owes_clear());
 }
 
-TEST_CASE("an actuator that did not know emergencies is told of the next one all the same") {
+TEST_CASE("an actuator that lacked emergencies gets the next one nevertheless") {
     stop_debt debt{20ms};
     debt.owe_emergency();
     debt.refused(stop_order::emergency, true, instant{0s});

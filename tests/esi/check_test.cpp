@@ -31,7 +31,7 @@ pugi::xml_node element_at(const pugi::xml_document& document, std::string_view p
 
 } // namespace
 
-TEST_CASE("everything that tools require is in the file that is written") {
+TEST_CASE("a written file has everything that tools require") {
     const auto findings = esi::check_esi_text(sample_esi(), "sample.xml");
     CHECK(findings.size() > esi::requirements.size());
     for (const auto& each : findings) {
@@ -41,7 +41,7 @@ TEST_CASE("everything that tools require is in the file that is written") {
     }
 }
 
-TEST_CASE("each required element or attribute that is taken away is named") {
+TEST_CASE("each missing required element or attribute is reported by name") {
     for (const auto& wanted : esi::requirements) {
         INFO(wanted.path);
         pugi::xml_document document;
@@ -61,7 +61,7 @@ TEST_CASE("each required element or attribute that is taken away is named") {
     }
 }
 
-TEST_CASE("each required text or number that is spoilt is named") {
+TEST_CASE("each invalid required text or number is reported by name") {
     for (const auto& wanted : esi::requirements) {
         if (wanted.holds == esi::content::element) continue;
         INFO(wanted.path);
@@ -80,7 +80,7 @@ TEST_CASE("each required text or number that is spoilt is named") {
     }
 }
 
-TEST_CASE("a problem names line and element") {
+TEST_CASE("a problem is reported with line and element") {
     const auto xml = sample_esi();
     CHECK(problem(replaced(xml, "    <Id>#x000006A5</Id>\n", ""), "Vendor/Id") == "line 3: <Vendor>: has no <Id>");
     CHECK(problem(replaced(xml, "#x000006A5", "0x6A5"), "Vendor/Id") ==
@@ -96,7 +96,7 @@ TEST_CASE("a problem names line and element") {
         CHECK(problem("<EtherCATInfo/>", rule) == "its parent is missing");
 }
 
-TEST_CASE("the mailbox is the first two SyncManagers") {
+TEST_CASE("the mailbox must be the first two SyncManagers") {
     const std::string rule = "SyncManagers 0 and 1 are the mailbox";
     const auto xml = sample_esi();
     CHECK(problem(xml, rule) == "");
@@ -107,7 +107,7 @@ TEST_CASE("the mailbox is the first two SyncManagers") {
     CHECK(problem(replaced(xml, "DefaultSize=\"256\"", "DefaultSize=\"24\""), rule) == "");
 }
 
-TEST_CASE("the memory and the mandatory objects are looked at") {
+TEST_CASE("memory and mandatory objects are checked") {
     const auto xml = sample_esi();
     CHECK(problem(replaced(xml, "<ByteSize>512<", "<ByteSize>127<"), "ByteSize holds the SII's fixed part")
               .ends_with("expected 128 or more in <ByteSize>"));
@@ -119,7 +119,7 @@ TEST_CASE("the memory and the mandatory objects are looked at") {
     CHECK(problem(replaced(xml, "<Index>#x1018<", "<Index>4120<"), "object #x1018, identity") == "");
 }
 
-TEST_CASE("elements out of order and elements that the schema does not know are named") {
+TEST_CASE("misplaced elements and elements unknown to the schema are reported") {
     const std::string rule = "elements stand in the schema's order";
     const auto xml = sample_esi();
     pugi::xml_document document;
@@ -134,7 +134,7 @@ TEST_CASE("elements out of order and elements that the schema does not know are 
     CHECK(problem(replaced(xml, "<Vendor>", "<!-- a comment --><Vendor>"), rule) == "");
 }
 
-TEST_CASE("types and sizes that do not agree are found") {
+TEST_CASE("contradictory types and sizes are reported") {
     const std::string rule = "types, sizes and references agree";
     const auto xml = sample_esi();
     CHECK(problem(xml, rule) == "");
@@ -142,7 +142,7 @@ TEST_CASE("types and sizes that do not agree are found") {
           std::string::npos);
 }
 
-TEST_CASE("text that is no ESI document is an error") {
+TEST_CASE("text that is not an ESI document is an error") {
     CHECK_THROWS_AS(esi::check_esi_text("<EtherCATInfo>", "a.xml"), esi::esi_error);
     CHECK_THROWS_AS(esi::check_esi_text("<EtherCATConfig/>", "a.xml"), esi::esi_error);
     CHECK_THROWS_AS(esi::check_esi("/no/such/file.xml"), esi::esi_error);

@@ -32,7 +32,7 @@ std::string complaint_about(const std::string& from, const std::string& to) {
 
 } // namespace
 
-TEST_CASE("a device that is written and read is the same") {
+TEST_CASE("reading a written device restores it") {
     CHECK(parse(sample_esi()) == test::sample_device());
 
     auto device = test::sample_device();
@@ -53,7 +53,7 @@ TEST_CASE("a device that is written and read is the same") {
     CHECK(parse(esi::write_esi(device)) == device);
 }
 
-TEST_CASE("what other tools write in other ways is taken") {
+TEST_CASE("variants written by other tools are accepted") {
     const auto sample = test::sample_device();
     CHECK(parse(replaced(sample_esi(), "#x000006A5", "1701")) == sample);
     CHECK(parse(replaced(sample_esi(), "#x000006A5", "#x6a5")) == sample);
@@ -74,7 +74,7 @@ TEST_CASE("what other tools write in other ways is taken") {
     CHECK(octets.objects[4].entries[1].bit_size == 224);
 }
 
-TEST_CASE("text that is not an ESI document says what it is") {
+TEST_CASE("text that is not an ESI document is reported as such") {
     CHECK(complaint("") == "not well-formed XML: No document element found");
     CHECK(complaint("<EtherCATInfo><Vendor></EtherCATInfo>").starts_with("not well-formed XML: "));
     CHECK(complaint("<EtherCATConfig/>") == "<EtherCATConfig>: the root element, expected <EtherCATInfo>");
@@ -84,7 +84,7 @@ TEST_CASE("text that is not an ESI document says what it is") {
     CHECK_THROWS_WITH(esi::read_esi("/"), "/: cannot be read: Is a directory");
 }
 
-TEST_CASE("an error says the line") {
+TEST_CASE("an error states its line") {
     try {
         parse(replaced(sample_esi(), "#x000006A5", "much"));
         FAIL("accepted");
@@ -95,7 +95,7 @@ TEST_CASE("an error says the line") {
     }
 }
 
-TEST_CASE("a missing or wrong value is named with its element") {
+TEST_CASE("a missing or wrong value is reported with its element") {
     CHECK(complaint_about(" Physics=\"YY\"", "") == "<Device>: expected an attribute Physics");
     CHECK(complaint_about(" ProductCode=\"#x00000021\"", "") == "<Type>: expected an attribute ProductCode");
     CHECK(complaint_about("RevisionNo=\"#x00010002\"", "RevisionNo=\"0x2\"") ==
@@ -112,7 +112,7 @@ TEST_CASE("a missing or wrong value is named with its element") {
     CHECK(complaint_about("</Devices>", "<Device/></Devices>") == "<Device>: a second device, expected one in a file");
 }
 
-TEST_CASE("objects that do not fit their types are named") {
+TEST_CASE("objects that do not fit their types are reported") {
     CHECK(complaint_about("<Type>DT1018</Type>", "<Type>DT1019</Type>") ==
           "<Object>: its type \"DT1019\" is no base type; expected a <DataType> of that name in <DataTypes>");
     CHECK(complaint_about("<Type>DT1018</Type>\n                <BitSize>144<",
@@ -143,7 +143,7 @@ TEST_CASE("objects that do not fit their types are named") {
           "<SubItem>: more items than the object's type has");
 }
 
-TEST_CASE("an object has the elements of one array, right behind subindex 0") {
+TEST_CASE("the elements of an object are one array, directly after subindex 0") {
     const std::string xml = sample_esi(), name = "<Name>Elements</Name>";
     const auto at = xml.find(name);
     REQUIRE(at != xml.npos);
@@ -157,7 +157,7 @@ TEST_CASE("an object has the elements of one array, right behind subindex 0") {
           "<SubItem>: the elements of an array behind a record's items, expected them behind subindex 0 alone");
 }
 
-TEST_CASE("a device has at most as many SyncManagers as a slave") {
+TEST_CASE("a device has no more SyncManagers than a slave") {
     auto device = test::sample_device();
     device.sync_managers.resize(16, device.sync_managers.back());
     CHECK(parse(esi::write_esi(device)) == device);

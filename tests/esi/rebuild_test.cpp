@@ -163,16 +163,16 @@ using fixed_table =
 
 } // namespace
 
-TEST_CASE("a slave rebuilt from its ESI file answers as the original") {
+TEST_CASE("a slave rebuilt from its ESI file answers like the original") {
     compare_machines<translation::seed_table>(28);
 }
 
-TEST_CASE("a slave of exact sizes rebuilt from its ESI file answers as the original") {
+TEST_CASE("a slave of exact sizes rebuilt from its ESI file answers like the original") {
     compare_machines<fixed_table>(30);
 }
 
 TEST_CASE(
-    "a slave whose objects need segments, or are too large for it, rebuilt from its ESI file answers as the original") {
+    "a slave whose objects need segments, or exceed its memory, rebuilt from its ESI file answers like the original") {
     auto small = sample_slave;
     small.mailbox_out_size = 32; // room for 16 bytes of an object
     small.mailbox_in_offset = 0x1400;
@@ -181,7 +181,7 @@ TEST_CASE(
     compare_machines<translation::seed_table>(0, small);
 }
 
-TEST_CASE("a slave with process data is rebuilt from its file with its PDOs and the objects that they map") {
+TEST_CASE("a slave with process data is rebuilt from its file with its PDOs and mapped objects") {
     static constexpr std::array outputs{pdo_entry{0x7000, 1, 16, data_types::unsigned16, "left"},
                                         pdo_entry{0x7000, 2, 1, data_types::boolean, "on"}, pdo_entry{.bits = 5},
                                         pdo_entry{0x7000, 3, 2, data_types::bit1 + 1, "mode"},
@@ -223,7 +223,7 @@ TEST_CASE("a slave with process data is rebuilt from its file with its PDOs and 
     }
 }
 
-TEST_CASE("the rebuilt slave answers for its standard objects with what its SII says") {
+TEST_CASE("the standard objects of a rebuilt slave have the values of its SII") {
     const esi::emulated_device device{esi::parse_esi(test::sample_esi(), "sample.xml")};
     machine rebuilt{device.description(), device.components(), device.transfer_size()};
     const auto hex = [&](std::uint16_t index, std::uint8_t subindex) {
@@ -247,7 +247,7 @@ TEST_CASE("the rebuilt slave answers for its standard objects with what its SII 
     CHECK(sii_checksum(std::span{sii}.first(14)) == std::to_integer<std::uint8_t>(sii[14]));
 }
 
-TEST_CASE("the rebuilt objects say sizes, access and command codes") {
+TEST_CASE("rebuilt objects have sizes, access and command codes") {
     const esi::emulated_device device{esi::parse_esi(test::sample_esi<fixed_table>(), "sample.xml")};
     REQUIRE(device.components().size() == 2);
     const auto& own = device.components()[0];
@@ -262,7 +262,7 @@ TEST_CASE("the rebuilt objects say sizes, access and command codes") {
     CHECK(device.components()[1].index == 0x1BF3);
 }
 
-TEST_CASE("what an emulated slave cannot be is refused by name") {
+TEST_CASE("features that an emulated slave lacks are refused by name") {
     const auto complaint = [](auto change) -> std::string {
         auto device = test::sample_device();
         change(device);

@@ -4,7 +4,7 @@
 
 using namespace jauscat;
 
-TEST_CASE("the document of a slave with one component is what is typed here") {
+TEST_CASE("the document of a slave with one component equals the expected text") {
     constexpr std::array components{bridge::object_list<translation::seed_table, 33, jaus::report_wrench_effort,
                                                         jaus::set_wrench_effort>::description};
     const auto device = esi::make_device(test::sample_slave, test::sample_texts, components, false);
@@ -352,7 +352,7 @@ TEST_CASE("the sizes of base types are those of ETG.1020") {
         CHECK(!esi::bits_of(wrong));
 }
 
-TEST_CASE("optional things are written when they are there") {
+TEST_CASE("optional elements are written if present") {
     auto device = test::sample_device<>();
     device.serial = 7;
     device.fmmus = {"Outputs", "Inputs"};

@@ -142,11 +142,12 @@ template <class Table> void every_message_arrives(auto expected) {
 
 } // namespace
 
-TEST_CASE("under the self-contained table every message arrives at its slave byte for byte") {
+TEST_CASE("under the self-contained table every message reaches its slave byte for byte") {
     every_message_arrives<self_contained_table>([](const jaus::header& sent) { return sent; });
 }
 
-TEST_CASE("under the seed table every message arrives with the slave's own subsystem and instance, else as it was") {
+TEST_CASE("under the seed table every message reaches its slave with that slave's subsystem and instance, otherwise "
+          "unchanged") {
     every_message_arrives<seed_table>([](jaus::header sent) {
         sent.destination.subsystem = robot<seed_table>::subsystem;
         sent.destination.instance = robot<seed_table>::instance;
@@ -154,8 +155,8 @@ TEST_CASE("under the seed table every message arrives with the slave's own subsy
     });
 }
 
-TEMPLATE_TEST_CASE("parts of a large data set and broadcasts that name no slave are refused before they reach the wire",
-                   "", seed_table, self_contained_table) {
+TEMPLATE_TEST_CASE("parts of a large data set and broadcasts that name no slave are refused before they are sent", "",
+                   seed_table, self_contained_table) {
     support::generator g{11};
     bridge::packet_exchange<TestType> exchange{{}};
     bytes buffer(exchange.buffer_size);
@@ -180,8 +181,8 @@ TEMPLATE_TEST_CASE("parts of a large data set and broadcasts that name no slave 
     }
 }
 
-TEMPLATE_TEST_CASE("every query's report comes up the wire with the asker's address and the query's number", "",
-                   seed_table, self_contained_table) {
+TEMPLATE_TEST_CASE("the report of every query returns with the asker's address and the query's number", "", seed_table,
+                   self_contained_table) {
     robot<TestType> r;
     support::generator g{0x2000};
     const auto all = messages::all();

@@ -92,7 +92,7 @@ void put_before_answers(bench& b, std::string_view hex) {
 
 } // namespace
 
-TEST_CASE("an empty ring has no slave, and a cut one no replies") {
+TEST_CASE("an empty ring has no slave, and a cut ring no replies") {
     master m;
     simulated_link ring{std::span<slave>{}};
     REQUIRE(m.start(bring_up{0, 1}));
@@ -105,7 +105,7 @@ TEST_CASE("an empty ring has no slave, and a cut one no replies") {
     CHECK(cut.now == instant{10 * 20ms});
 }
 
-TEST_CASE("a slave that loses its address during bring-up is noticed wherever it happens") {
+TEST_CASE("loss of a slave's address during bring-up is detected at every step") {
     for (int when = 1; when != 24; ++when) {
         bench b;
         int frames = 0;
@@ -124,7 +124,7 @@ TEST_CASE("a slave that loses its address during bring-up is noticed wherever it
     }
 }
 
-TEST_CASE("another slave's alias that equals the address is noticed") {
+TEST_CASE("the alias of another slave equal to the address is detected") {
     bench b{{.station_alias = 0x1001}};
     int frames = 0;
     b.link.on_way_back = [&](bytes&) {
@@ -139,7 +139,7 @@ TEST_CASE("another slave's alias that equals the address is noticed") {
     CHECK(b.bring_up().error() == master_error{.code = master_errc::wrong_station, .station = 0x1001});
 }
 
-TEST_CASE("an SII that stays busy or fails is reported, and one that is slow is waited for") {
+TEST_CASE("an SII that stays busy or fails is reported, and a slow one is waited for") {
     bench busy;
     busy.on_way_back(0x0500, [&](const auto&) {
         busy.works = false;
@@ -167,7 +167,7 @@ TEST_CASE("an SII that stays busy or fails is reported, and one that is slow is 
     CHECK(failing.bring_up().error() == master_error{.code = master_errc::sii_error, .sii_word = 8});
 }
 
-TEST_CASE("a slave with an unusable mailbox is refused, and one without CoE takes no SDO") {
+TEST_CASE("a slave with an unusable mailbox is refused, and one without CoE gets no SDO") {
     CHECK(bench{{.mailbox_out_size = 0}}.bring_up().error() == master_error{.code = master_errc::no_mailbox});
     CHECK(bench{{.mailbox_in_size = 1487}}.bring_up().error() == master_error{.code = master_errc::no_mailbox});
     bench b;
@@ -186,7 +186,7 @@ TEST_CASE("a refused state is reported with the slave's reason") {
     CHECK(describe_reason(result.error()) == "invalid mailbox configuration for PRE-OP");
 }
 
-TEST_CASE("a slave that never leaves a state is given up after the time for it") {
+TEST_CASE("a slave that does not leave a state is abandoned after the state's timeout") {
     bench b{{}, {.state_timeout = 300ms}};
     int frames = 0;
     b.link.on_way_back = [&](bytes&) { b.works = ++frames < 22; };
@@ -203,7 +203,7 @@ TEST_CASE("a slave that never leaves a state is given up after the time for it")
           master_error{.code = master_errc::al_error, .al_status = al_status_code{0x51}});
 }
 
-TEST_CASE("a slave that does not serve its mailbox is given up, and says which way it hangs") {
+TEST_CASE("a slave that does not serve its mailbox is abandoned, with the direction that failed") {
     bench b;
     REQUIRE(b.bring_up());
     b.works = false;
@@ -218,7 +218,7 @@ TEST_CASE("a slave that does not serve its mailbox is given up, and says which w
     CHECK(b.objects.writes == 2);
 }
 
-TEST_CASE("a late answer to an abandoned request is not taken for the next one's") {
+TEST_CASE("a late answer to an abandoned request is not used for the next request") {
     bench b;
     REQUIRE(b.bring_up());
     b.works = false;
@@ -233,7 +233,7 @@ TEST_CASE("a late answer to an abandoned request is not taken for the next one's
     CHECK(b.download().error().code == master_errc::sdo_abort);
 }
 
-TEST_CASE("a late answer is not taken for the next one's either where the slave numbers its messages in its own way") {
+TEST_CASE("a late answer is not used for the next request either if the slave numbers its messages independently") {
     for (unsigned wake_up = 1; wake_up != 8; ++wake_up)
         for (unsigned shift = 1; shift != 7; ++shift) {
             bench b;
@@ -259,7 +259,7 @@ TEST_CASE("a late answer is not taken for the next one's either where the slave 
         }
 }
 
-TEST_CASE("a full mailbox is polled and the request sent when there is room") {
+TEST_CASE("a full mailbox is polled, and the request is sent when it is empty") {
     bench b;
     REQUIRE(b.bring_up());
     REQUIRE(b.download());
@@ -280,7 +280,7 @@ TEST_CASE("a full mailbox is polled and the request sent when there is room") {
     CHECK(b.objects.writes == 2);
 }
 
-TEST_CASE("a slave that needs time is polled with the read itself") {
+TEST_CASE("a slow slave is polled by the mailbox read itself") {
     bench b;
     REQUIRE(b.bring_up());
     REQUIRE(b.download());
@@ -309,7 +309,7 @@ TEST_CASE("a mailbox error ends the request with its code") {
     CHECK(b.download());
 }
 
-TEST_CASE("an abort is known by its specifier alone, whatever else the slave leaves in the command") {
+TEST_CASE("an abort is recognised by its specifier, whatever the other bits of the command") {
     for (const char* command : {"80", "83", "81", "9f"}) {
         bench b;
         REQUIRE(b.bring_up());
@@ -321,7 +321,7 @@ TEST_CASE("an abort is known by its specifier alone, whatever else the slave lea
     }
 }
 
-TEST_CASE("an abort without a code, or cut off, is an abort") {
+TEST_CASE("an abort without a code, or truncated, is an abort") {
     for (const char* abort : {"0a00 0000 00 53 0020 80 2669 01 00000000", "0800 0000 00 53 0020 80 2669 01 0000",
                               "0600 0000 00 53 0020 80 2669 01", "0300 0000 00 53 0020 80"}) {
         bench b;
@@ -338,7 +338,7 @@ TEST_CASE("an abort without a code, or cut off, is an abort") {
     }
 }
 
-TEST_CASE("answers that are no answers are passed over") {
+TEST_CASE("messages that are not answers are ignored") {
     // Each comes before the real answer: another object's, another subindex's, an old upload's, too short, too long for
     // the mailbox, another protocol, SDO information.
     for (const char* hex : {"0a00 0000 00 53 0030 60 2769 01 00000000", "0a00 0000 00 53 0030 60 2669 02 00000000",
@@ -354,7 +354,7 @@ TEST_CASE("answers that are no answers are passed over") {
     }
 }
 
-TEST_CASE("an emergency in between is kept and does not disturb the transfer") {
+TEST_CASE("an emergency during a transfer is kept and does not disturb the transfer") {
     bench b;
     REQUIRE(b.bring_up());
     put_before_answers(b, "0a00 0000 00 33 0010 3042 08 0102030405");
@@ -371,7 +371,7 @@ TEST_CASE("an emergency in between is kept and does not disturb the transfer") {
     CHECK(b.master.slaves()[0].emergencies.kept().empty());
 }
 
-TEST_CASE("a slave that answers something else for good is told apart from one that is silent") {
+TEST_CASE("a slave that keeps answering something else is distinguished from a silent one") {
     bench b;
     REQUIRE(b.bring_up());
     b.on_way_back(mailbox_in, [&](const auto& d) {
@@ -401,7 +401,7 @@ TEST_CASE("an upload whose size and data differ is refused") {
     CHECK(upload_announced_as("1c000000"));
 }
 
-TEST_CASE("a lost frame is repeated, whichever it is, and the object is written once") {
+TEST_CASE("any lost frame is repeated, and the object is written once") {
     // Frames 1 to 24 are the bring-up, then drain, write and read.
     for (int lost = 1; lost != 28; ++lost) {
         for (const bool on_way_out : {true, false}) {
@@ -426,7 +426,7 @@ TEST_CASE("a lost frame is repeated, whichever it is, and the object is written 
     }
 }
 
-TEST_CASE("replies that are late, doubled or somebody else's change nothing") {
+TEST_CASE("late, duplicate and foreign replies change nothing") {
     bench b;
     REQUIRE(b.bring_up());
     bytes out(max_frame_size);
@@ -460,7 +460,7 @@ TEST_CASE("replies that are late, doubled or somebody else's change nothing") {
     CHECK_FALSE(b.master.on_frame(late, b.link.now));
 }
 
-TEST_CASE("a VLAN tag that a switch put on a reply does no harm") {
+TEST_CASE("a VLAN tag added by a switch is accepted") {
     bench b;
     b.link.on_way_back = [](bytes& frame) {
         const auto tag = from_hex("8100 2005");
@@ -470,7 +470,7 @@ TEST_CASE("a VLAN tag that a switch put on a reply does no harm") {
     CHECK(b.download());
 }
 
-TEST_CASE("a slave that was reset is noticed and can be brought up again") {
+TEST_CASE("a slave reset is detected, and the slave can be brought up again") {
     bench b;
     REQUIRE(b.bring_up());
     REQUIRE(b.download());
@@ -481,7 +481,7 @@ TEST_CASE("a slave that was reset is noticed and can be brought up again") {
     CHECK(b.objects.writes == 2);
 }
 
-TEST_CASE("a slave that counts its own messages is understood") {
+TEST_CASE("a slave that numbers its own messages is supported") {
     bench b;
     REQUIRE(b.bring_up());
     unsigned own = 3;
@@ -495,7 +495,7 @@ TEST_CASE("a slave that counts its own messages is understood") {
     CHECK(b.objects.writes == 20);
 }
 
-TEST_CASE("one answer that does not come costs a slave that counts its own messages at most one more") {
+TEST_CASE("a missing answer costs a slave that numbers its own messages at most one more answer") {
     for (unsigned ahead = 0; ahead != 7; ++ahead) {
         bench b;
         REQUIRE(b.bring_up());
@@ -522,7 +522,7 @@ TEST_CASE("one answer that does not come costs a slave that counts its own messa
     }
 }
 
-TEST_CASE("a cancelled job leaves the master ready for the next") {
+TEST_CASE("the master accepts a job after a cancelled one") {
     bench b;
     REQUIRE(b.bring_up());
     REQUIRE(b.master.start(download{0x1001, 0x6926, 1, b.data}));
@@ -563,7 +563,7 @@ tally try_downloads(bench& b, unsigned count) {
 
 } // namespace
 
-TEST_CASE("a hundred thousand downloads over a bad wire are each done right or end in an error") {
+TEST_CASE("each of 100000 downloads over a bad link succeeds or ends in an error") {
     // A frame is given up after a third of the time that it may be under way.
     bench b{{}, {.frame_timeout = 1ms, .frame_lifetime = 3ms}};
     b.link.faults = {.lose = 10, .duplicate = 10, .delay = 20};
@@ -575,7 +575,7 @@ TEST_CASE("a hundred thousand downloads over a bad wire are each done right or e
     CHECK(b.master.statistics().foreign == 0);
 }
 
-TEST_CASE("a network that copies what a master sends needs each frame's lifetime to be waited for") {
+TEST_CASE("a network that duplicates frames requires waiting for each frame's lifetime") {
     bench b{{}, {.frame_timeout = 1ms, .frame_lifetime = 3ms, .frames_may_be_copied = true}};
     b.link.faults = {.lose = 10, .duplicate = 10, .copy = 10, .delay = 20};
     const auto result = try_downloads(b, 10'000);
@@ -594,7 +594,7 @@ TEST_CASE("a network that copies what a master sends needs each frame's lifetime
     CHECK(more > 0); // a late copy of a message that is no longer the last one
 }
 
-TEST_CASE("an empty copy of a mailbox read that comes back first does not cost the answer") {
+TEST_CASE("an empty copy of a mailbox read that returns first does not lose the answer") {
     bench b{{}, {.frames_may_be_copied = true}};
     REQUIRE(b.bring_up());
     bytes out(max_frame_size);
@@ -618,7 +618,7 @@ TEST_CASE("an empty copy of a mailbox read that comes back first does not cost t
     CHECK(b.objects.writes == 3);
 }
 
-TEST_CASE("a refused copy of a mailbox write that comes back first, or alone, does not cost the answer") {
+TEST_CASE("a refused copy of a mailbox write that returns first, or alone, does not lose the answer") {
     for (const bool alone : {false, true}) {
         bench b{{}, {.frames_may_be_copied = true}};
         REQUIRE(b.bring_up());
@@ -648,7 +648,7 @@ TEST_CASE("a refused copy of a mailbox write that comes back first, or alone, do
     }
 }
 
-TEST_CASE("a repeat goes at once, and what follows it waits until the lost frame cannot arrive") {
+TEST_CASE("a retry is sent at once, and the next request waits until the lost frame cannot arrive") {
     bench b{{}, {.frame_timeout = 1ms, .frame_lifetime = 5ms}};
     REQUIRE(b.bring_up());
     REQUIRE(b.download());
@@ -662,7 +662,7 @@ TEST_CASE("a repeat goes at once, and what follows it waits until the lost frame
     CHECK(b.objects.writes == 2);
 }
 
-TEST_CASE("a broken ring is noticed by the mark that its frames bring back") {
+TEST_CASE("a broken ring is detected by the mark in returning frames") {
     bench b;
     REQUIRE(b.bring_up());
     CHECK(b.master.statistics().circulated == 0);
@@ -679,7 +679,7 @@ TEST_CASE("a broken ring is noticed by the mark that its frames bring back") {
     CHECK(b.master.statistics().circulated == 3);
 }
 
-TEST_CASE("a second master on the wire is noticed, and a late reply is not taken for one") {
+TEST_CASE("a second master on the link is detected, and a late reply does not count as one") {
     bench b;
     REQUIRE(b.bring_up());
     CHECK(b.master.statistics().foreign == 0);
@@ -695,7 +695,7 @@ TEST_CASE("a second master on the wire is noticed, and a late reply is not taken
     CHECK(b.master.statistics().foreign > 0);
 }
 
-TEST_CASE("a frame that comes back after hundreds of others is not taken for another master's") {
+TEST_CASE("a frame that returns after hundreds of others does not count as another master's") {
     for (const bool soon : {true, false}) {
         bench b;
         REQUIRE(b.bring_up());
@@ -714,7 +714,7 @@ TEST_CASE("a frame that comes back after hundreds of others is not taken for ano
     }
 }
 
-TEST_CASE("a hundred thousand corrupted frames never break the master") {
+TEST_CASE("the master survives 100000 corrupted frames") {
     bench b{{}, {.mailbox_timeout = 20ms}};
     b.link.faults = {.lose = 1, .duplicate = 5, .corrupt = 100};
     std::size_t jobs = 0, good = 0;

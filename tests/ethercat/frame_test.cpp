@@ -38,7 +38,7 @@ std::vector<std::byte> two_datagrams() {
 
 } // namespace
 
-TEST_CASE("a frame of two datagrams has its more bit, its length and its padding") {
+TEST_CASE("a frame of two datagrams has its more bit, length and padding") {
     CHECK(to_hex(two_datagrams()) == to_hex(from_hex("ffffffffffff 000000000000 88a4 2010"
                                                      "08 42 0000 2001 0280 0000 1100 0000"
                                                      "04 42 0110 3001 0600 0000 000000000000 0000"
@@ -57,7 +57,7 @@ TEST_CASE("a frame is built in a constant expression") {
     STATIC_REQUIRE(length.second == std::byte{13});
 }
 
-TEST_CASE("a parsed frame gives its datagrams back") {
+TEST_CASE("parsing a frame restores its datagrams") {
     const auto frame = two_datagrams();
     frame_view view;
     const auto used = view.parse(frame);
@@ -78,7 +78,7 @@ TEST_CASE("a parsed frame gives its datagrams back") {
     CHECK(seen[1].working_counter == 0);
 }
 
-TEST_CASE("the working counter and the event bits are read from where they stand") {
+TEST_CASE("working counter and event bits are read from their positions") {
     const auto frame = from_hex("ffffffffffff 020000000000 88a4 0e10 07 05 0100 3001 0200 0810 0201 0300");
     frame_view view;
     REQUIRE(view.parse(frame));
@@ -89,7 +89,7 @@ TEST_CASE("the working counter and the event bits are read from where they stand
     CHECK(to_hex(datagram.data) == "02 01");
 }
 
-TEST_CASE("a VLAN tag before the EtherType is stepped over") {
+TEST_CASE("a VLAN tag before the EtherType is skipped") {
     const auto frame = from_hex("ffffffffffff 020000000000 8100 2005 88a4 0d10 07 05 0100 0000 0100 0000 04 0100");
     frame_view view;
     REQUIRE(*view.parse(frame) == frame.size());
@@ -116,7 +116,7 @@ TEST_CASE("each fault of a frame has its own error") {
         CHECK(describe(static_cast<frame_errc>(code)) != "unknown error");
 }
 
-TEST_CASE("a frame takes 1486 bytes of data in one datagram and not one more") {
+TEST_CASE("one datagram holds up to 1486 bytes of data") {
     std::array<std::byte, 2000> out{};
     frame_builder full{out};
     CHECK(full.add(command::fpwr, 1, 0x1000, max_datagram_data).size() == max_datagram_data);
@@ -133,7 +133,7 @@ TEST_CASE("a frame takes 1486 bytes of data in one datagram and not one more") {
     CHECK(huge.finish().error() == frame_errc::no_space);
 }
 
-TEST_CASE("a frame that cannot be built says why") {
+TEST_CASE("a frame that cannot be built has an error") {
     std::array<std::byte, 59> small{};
     frame_builder unpadded{small};
     unpadded.add(command::brd, 0, 0, 1);
@@ -201,7 +201,7 @@ TEST_CASE("registers have the standard's bits") {
           "00 10 80 00 00 14 80 00 04 00");
 }
 
-TEST_CASE("a hundred thousand random mutations of a frame never break the parser") {
+TEST_CASE("the parser survives 100000 random mutations of a frame") {
     std::mt19937 random{2024};
     const auto original = two_datagrams();
     std::size_t accepted = 0;

@@ -67,7 +67,7 @@ template <class Table = translation::seed_table> struct dictionary {
 
 } // namespace
 
-TEST_CASE("objects and subobjects that are not in the list are aborted before the application sees them") {
+TEST_CASE("objects and subobjects that are not listed are aborted before the application sees them") {
     dictionary<> d;
     CHECK(d.write(6934, 26, 28) == abort_code::no_object);
     CHECK(d.write(6933, 27, 28) == abort_code::no_subindex);
@@ -81,7 +81,7 @@ TEST_CASE("objects and subobjects that are not in the list are aborted before th
     CHECK(d.behind.writes == 2);
 }
 
-TEST_CASE("commands are written only, reports are read and written") {
+TEST_CASE("command objects are write-only, report objects readable and writable") {
     dictionary<> d;
     CHECK(d.read(6933, 26, 10) == abort_code::write_only);
     CHECK(d.behind.reads == 0);
@@ -96,7 +96,7 @@ TEST_CASE("commands are written only, reports are read and written") {
     CHECK(behind.writes == 0);
 }
 
-TEST_CASE("subindex 0 is the highest subindex and cannot be written") {
+TEST_CASE("subindex 0 holds the highest subindex and is read-only") {
     dictionary<> d;
     std::array<std::byte, 4> out{};
     const auto got = d.objects.read(6933, 0, out);
@@ -110,7 +110,7 @@ TEST_CASE("subindex 0 is the highest subindex and cannot be written") {
     CHECK(d.behind.reads + d.behind.writes == 0);
 }
 
-TEST_CASE("a message may be shorter than the largest, and no longer") {
+TEST_CASE("a message may be shorter, but not longer, than the largest") {
     dictionary<> d;
     CHECK(d.write(6933, 26, 28) == abort_code::none);
     CHECK(d.write(6933, 26, 10) == abort_code::none);
@@ -121,7 +121,7 @@ TEST_CASE("a message may be shorter than the largest, and no longer") {
     CHECK(d.behind.writes == 2);
 }
 
-TEST_CASE("a strict slave takes and gives exact sizes only") {
+TEST_CASE("a strict slave reads and writes exact sizes only") {
     dictionary<> d{bridge::size_rule::exact};
     CHECK(d.write(6933, 26, 28) == abort_code::none);
     for (const std::size_t size : {0u, 10u, 27u, 29u, 30u})
@@ -131,7 +131,7 @@ TEST_CASE("a strict slave takes and gives exact sizes only") {
     CHECK(d.behind.writes == 1);
 }
 
-TEST_CASE("objects of a table with fixed lengths are exact whether the slave is strict or not") {
+TEST_CASE("objects of a table with fixed lengths have exact sizes, whether the slave is strict or not") {
     for (const auto rule : {bridge::size_rule::up_to_largest, bridge::size_rule::exact}) {
         dictionary<fixed_table> d{rule};
         CHECK(d.write(6933, 26, 30) == abort_code::none);
@@ -180,7 +180,7 @@ const auto one_effort = from_hex("0602 0504 05210201 02200304 0400 2200 0100 ff7
 
 } // namespace
 
-TEST_CASE("a strict slave aborts a shorter message, and the reason names the option that helps") {
+TEST_CASE("a strict slave aborts a shorter message, and the reason names the option to use") {
     strict_robot<translation::seed_table> robot;
     const auto result = robot.deliver(one_effort);
     CHECK(result.error().code == ethercat::master_errc::sdo_abort);
@@ -189,14 +189,14 @@ TEST_CASE("a strict slave aborts a shorter message, and the reason names the opt
     CHECK(robot.behind.writes == 0);
 }
 
-TEST_CASE("a strict slave takes a shorter message under a table with fixed lengths") {
+TEST_CASE("a strict slave accepts a shorter message under a table with fixed lengths") {
     strict_robot<fixed_table> robot;
     CHECK(robot.deliver(one_effort));
     CHECK(to_hex(robot.behind.held) == hex_of("0c00 0602 02200304 2200 0100 ff7f"
                                               "0000000000000000 0000000000000000"));
 }
 
-TEST_CASE("a strict slave gives a shorter report under a table with fixed lengths") {
+TEST_CASE("a strict slave returns a shorter report under a table with fixed lengths") {
     strict_robot<fixed_table> robot;
     robot.behind.held = from_hex("0e00 0602 02200304 2200 0300 ff7f 0180"
                                  "0000000000000000 000000000000");

@@ -56,7 +56,7 @@ std::string front_of(const bytes& frame, std::size_t size) { return to_hex(std::
 
 } // namespace
 
-TEST_CASE("a slave is brought to PRE-OP in 24 frames, and in 18 where a read of the SII gives 8 bytes") {
+TEST_CASE("bring-up to PRE-OP takes 24 frames, or 18 with SII reads of 8 bytes") {
     bench four;
     REQUIRE(four.bring_up());
     CHECK(four.devices[0].state() == al_state::pre_op);
@@ -77,7 +77,7 @@ TEST_CASE("a slave is brought to PRE-OP in 24 frames, and in 18 where a read of 
     CHECK(eight.master.slaves()[0].mailbox.send_offset == 0x1600);
 }
 
-TEST_CASE("a slave is brought up again from PRE-OP and from an old error") {
+TEST_CASE("a slave is brought up again from PRE-OP and after an old error") {
     bench b;
     REQUIRE(b.bring_up());
     REQUIRE(b.download(0x2002, 0, counting(1)));
@@ -96,7 +96,7 @@ TEST_CASE("a slave is brought up again from PRE-OP and from an old error") {
     CHECK(b.bring_up());
 }
 
-TEST_CASE("a download of 28 bytes takes two frames and so does an upload") {
+TEST_CASE("a download of 28 bytes takes two frames, as does an upload") {
     bench b;
     REQUIRE(b.bring_up());
     const auto data = counting(28);
@@ -115,7 +115,7 @@ TEST_CASE("a download of 28 bytes takes two frames and so does an upload") {
     CHECK(b.master.statistics().sent - before == 202);
 }
 
-TEST_CASE("the frames of a download are the standard's byte for byte") {
+TEST_CASE("the frames of a download equal the standard's byte for byte") {
     bench b;
     REQUIRE(b.bring_up());
     b.link.record = true;
@@ -147,7 +147,7 @@ TEST_CASE("the frames of a download are the standard's byte for byte") {
     }
 }
 
-TEST_CASE("the mailbox counter runs from 1 to 7 and begins again at 1") {
+TEST_CASE("the mailbox counter runs from 1 to 7 and restarts at 1") {
     bench b;
     REQUIRE(b.bring_up());
     REQUIRE(b.download(0x2002, 0, counting(1)));
@@ -158,7 +158,7 @@ TEST_CASE("the mailbox counter runs from 1 to 7 and begins again at 1") {
     CHECK(counters == "23 33 43 53 63 73 13 23 ");
 }
 
-TEST_CASE("data fill a mailbox to the last byte, and one more needs segments, which a slave without them aborts") {
+TEST_CASE("data can fill a mailbox, and one byte more needs segments, which a slave without them aborts") {
     bench b{{.mailbox_out_size = 44, .mailbox_in_size = 24}};
     REQUIRE(b.bring_up());
     CHECK(b.download(0x1AF5, 26, counting(28)));
@@ -174,7 +174,7 @@ TEST_CASE("data fill a mailbox to the last byte, and one more needs segments, wh
     CHECK(describe_reason(too_large.error()) == "the object is larger than the mailbox");
 }
 
-TEST_CASE("an upload that does not fit the caller's buffer says so") {
+TEST_CASE("an upload that exceeds the caller's buffer is an error") {
     bench b;
     REQUIRE(b.bring_up());
     bytes small(27);
@@ -183,7 +183,7 @@ TEST_CASE("an upload that does not fit the caller's buffer says so") {
     CHECK(b.upload(0x2002, 0, none).error() == master_error{.code = master_errc::data_too_long, .bytes = 0});
 }
 
-TEST_CASE("an abort is reported with its code and its text, and the next transfer works") {
+TEST_CASE("an abort is reported with code and text, and the next transfer works") {
     bench b;
     REQUIRE(b.bring_up());
     const auto result = b.download(0x1AF6, 1, counting(28));
@@ -193,7 +193,7 @@ TEST_CASE("an abort is reported with its code and its text, and the next transfe
     CHECK(b.download(0x1AF5, 26, counting(28)));
 }
 
-TEST_CASE("two slaves in a ring are brought up side by side and keep their objects apart") {
+TEST_CASE("two slaves in a ring are brought up with separate objects") {
     test::objects first, second;
     first.add(0x2002, 0, 1);
     second.add(0x2002, 0, 1);
@@ -219,7 +219,7 @@ TEST_CASE("two slaves in a ring are brought up side by side and keep their objec
           master_error{.code = master_errc::duplicate_station, .working_counter = 2});
 }
 
-TEST_CASE("a station nobody was brought up with is refused before anything is sent") {
+TEST_CASE("a request to an unknown station is refused before a frame is sent") {
     bench b;
     REQUIRE(b.bring_up());
     const auto sent = b.master.statistics().sent;
@@ -239,7 +239,7 @@ TEST_CASE("a second job is refused while one runs") {
     CHECK(b.link.run(b.master));
 }
 
-TEST_CASE("a master has room for sixteen slaves") {
+TEST_CASE("a master supports sixteen slaves") {
     test::objects objects;
     std::vector<slave> devices(17, slave{{.mailbox_out_size = 24, .mailbox_in_size = 24}, objects});
     simulated_link link{devices};
@@ -250,7 +250,7 @@ TEST_CASE("a master has room for sixteen slaves") {
     CHECK(link.run(m, bring_up{16, 17}).error().code == master_errc::too_many_slaves);
 }
 
-TEST_CASE("a master whose frame buffer is too small gives up with a reason") {
+TEST_CASE("a master with too small a frame buffer reports the error") {
     bench b;
     bytes small(59);
     REQUIRE(b.master.start(bring_up{0, 1}));
@@ -273,7 +273,7 @@ TEST_CASE("the blocking driver runs a job over the loopback link") {
     CHECK(jauscat::net::run(link, m));
 }
 
-TEST_CASE("a job that could not start is not taken for the one that runs") {
+TEST_CASE("a job that could not start does not return the running job's result") {
     test::objects objects;
     std::array devices{slave{{}, objects}};
     loopback_link link{devices};
@@ -288,7 +288,7 @@ TEST_CASE("a job that could not start is not taken for the one that runs") {
     CHECK(m.slaves().size() == 1);
 }
 
-TEST_CASE("a check says what state a slave is in and whether mail waits") {
+TEST_CASE("a check reports the state of a slave and whether its mailbox has a message") {
     test::objects objects;
     std::array devices{slave{{}, objects}};
     loopback_link link{devices};
@@ -314,7 +314,7 @@ TEST_CASE("a check says what state a slave is in and whether mail waits") {
     CHECK(jauscat::net::run(link, m, check{8}).error().code == master_errc::wrong_station);
 }
 
-TEST_CASE("the blocking driver reports a link that takes no frames and a deadline that passes") {
+TEST_CASE("the blocking driver reports a link that accepts no frames, and a passed deadline") {
     struct dead_link {
         bool takes{};
         bool send(std::span<const std::byte>) { return takes; }

@@ -70,7 +70,7 @@ TEST_CASE("objects of fixed length are created without variable size") {
     CHECK(to_hex(packet_of(creation, 1)) == to_hex(expected));
 }
 
-TEST_CASE("what is the caller's own stands in every creation packet, and packet numbers count up") {
+TEST_CASE("the caller's fields are in every creation packet, and packet numbers increase") {
     const object_creation creation{arm,
                                    {.ul_dest = 0x01020304, .ul_src = 0x05060708, .ul_src_id = 0x0A0B0C0D, .ul_id = 7}};
     auto expected = from_hex(command_packet);
@@ -79,14 +79,14 @@ TEST_CASE("what is the caller's own stands in every creation packet, and packet 
     CHECK(to_hex(packet_of(creation, 1)) == to_hex(expected));
 }
 
-TEST_CASE("a creation packet is not cut to the buffer") {
+TEST_CASE("a creation packet is not truncated to the buffer") {
     const object_creation creation{arm};
     std::vector<std::byte> out(78);
     CHECK(creation.packet(1, out)->size() == 78);
     CHECK(creation.packet(1, std::span{out}.first(77)).error() == wire::errc::no_space);
 }
 
-TEST_CASE("confirmations say whether the object and its subobjects were created") {
+TEST_CASE("confirmations report whether the object and its subobjects were created") {
     const object_creation creation{arm};
     const auto object = from_hex("20000000 00000000 00000000 00000000 02000000 00000000 00000000 816a0000"
                                  "00000000 00000000 151b");
@@ -109,7 +109,7 @@ TEST_CASE("confirmations say whether the object and its subobjects were created"
     CHECK(creation.answer(0, other).error == creation_errc::not_an_answer);
 }
 
-TEST_CASE("a refused object says why, with and without the fields behind the status") {
+TEST_CASE("a refused object has a reason, with and without the fields after the status") {
     const object_creation creation{arm};
     const auto refusal = from_hex("20000000 00000000 00000000 00000000 00000000 00000000 13809bc0 816a0000"
                                   "00000000 00000000");
@@ -120,7 +120,7 @@ TEST_CASE("a refused object says why, with and without the fields behind the sta
     CHECK(describe(static_cast<hilscher::od_status>(1)) == "unknown status");
 }
 
-TEST_CASE("all parts of a subobject stand in the order of the manual, announced by bValueInfo") {
+TEST_CASE("all parts of a subobject are in the manual's order and announced by bValueInfo") {
     const auto one = from_hex("01"), two = from_hex("02 03"), three = from_hex("04"), four = from_hex("05");
     hilscher::od_create_subobject_request request{.us_index = 0x2000,
                                                   .b_sub_index = 1,

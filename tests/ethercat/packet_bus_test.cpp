@@ -50,7 +50,7 @@ constexpr const char* set_pre_op = "20000000 00000000 00000000 00000000 02000000
 
 } // namespace
 
-TEST_CASE("set and get state are confirmed to the byte") {
+TEST_CASE("set state and get state are confirmed byte for byte") {
     bus b;
     CHECK(b.answer(set_pre_op) == hex_of("20000000 00000000 00000000 00000000 00000000 08000000 00000000 49006500"
                                          " 00000000 00000000"));
@@ -58,7 +58,7 @@ TEST_CASE("set and get state are confirmed to the byte") {
                                         " 00000000 00000000 0200"));
 }
 
-TEST_CASE("set state takes the slaves of the configuration up and down together") {
+TEST_CASE("set state changes the state of all configured slaves together") {
     bus b;
     CHECK(b.state() == "01 00");
     for (const auto& [state, reached] : {std::pair{bus_state::op, al_state::op},
@@ -82,7 +82,7 @@ TEST_CASE("set state takes the slaves of the configuration up and down together"
     }
 }
 
-TEST_CASE("the state of the bus is that of its lowest slave, and 0 without slaves") {
+TEST_CASE("the state of the bus is that of its lowest slave, or 0 without slaves") {
     bus b;
     REQUIRE(b.set(bus_state::op) == 0);
     REQUIRE(b.link.run(b.master, change_state{0x200, al_state::pre_op}));
@@ -95,7 +95,7 @@ TEST_CASE("the state of the bus is that of its lowest slave, and 0 without slave
     CHECK(b.state() == "00 00");
 }
 
-TEST_CASE("a slave that was reset is brought up again on the way to a state") {
+TEST_CASE("a slave that was reset is brought up again on a state change") {
     bus b;
     REQUIRE(b.set(bus_state::op) == 0);
     b.devices[1].slave.power_on();
@@ -105,7 +105,7 @@ TEST_CASE("a slave that was reset is brought up again on the way to a state") {
     CHECK(b.read(0x200) == 0);
 }
 
-TEST_CASE("states that cannot be set are confirmed with the reason") {
+TEST_CASE("states that cannot be set are confirmed with an error") {
     bus b;
     CHECK(b.set(bus_state::unknown) == 0xC0650076);
     CHECK(b.set(bus_state::boot) == 0xC0650076);
@@ -147,7 +147,7 @@ TEST_CASE("a slave that refuses a state fails the service") {
     CHECK(b.set(bus_state::safe_op) == 0xC0000001);
 }
 
-TEST_CASE("a bus scan counts the slaves, brings them up at stations 1, 2, 3 and says who they are") {
+TEST_CASE("a bus scan counts the slaves, brings them up at stations 1, 2, 3 and reports their identities") {
     bus b;
     b.options.slaves = {};
     CHECK(b.answer("20000000 00000000 00000000 00000000 04000000 00000000 00000000 20006500 00000000 00000000"
@@ -165,7 +165,7 @@ TEST_CASE("a bus scan counts the slaves, brings them up at stations 1, 2, 3 and 
     b.expect(al_state::op);
 }
 
-TEST_CASE("a scan gives the configured stations, goes on after a slave that refuses, and may come without a timeout") {
+TEST_CASE("a scan assigns the configured stations, continues after a refusal, and works without a timeout") {
     bus b;
     b.add({.vendor = 11, .mailbox_out_size = 0, .mailbox_in_size = 256}); // no usable mailbox
     b.add({.vendor = 12});
@@ -182,7 +182,7 @@ TEST_CASE("a scan gives the configured stations, goes on after a slave that refu
     CHECK(b.ask(get_bus_scan_info_request{}).status == 0xC0650014);
 }
 
-TEST_CASE("what was not scanned is brought up when it is asked about") {
+TEST_CASE("a slave that was not scanned is brought up when it is queried") {
     bus b;
     CHECK(b.ask(get_bus_scan_info_request{.us_auto_inc_addr = 0xFFFE}).body.substr(0, 11) == "09 00 00 00");
     CHECK(b.read(33) == 0);
@@ -206,7 +206,7 @@ TEST_CASE("handles are station addresses of configured, active and faulted slave
     CHECK(handles(handle_list::configured).body == hex_of("01000000 00010000 00020000 21000000"));
 }
 
-TEST_CASE("emergencies are read and forgotten, and those that wait in the mailbox count") {
+TEST_CASE("emergencies are cleared when read, and those waiting in the mailbox count") {
     bus b;
     REQUIRE(b.set(bus_state::pre_op) == 0);
     constexpr std::uint16_t mailbox = 0x1600;
@@ -242,7 +242,7 @@ TEST_CASE("emergencies are read and forgotten, and those that wait in the mailbo
     CHECK(emergencies(0x100, 0).status == 0xC0650014);
 }
 
-TEST_CASE("a slave in INIT, one that is gone and one without CoE are told apart") {
+TEST_CASE("a slave in INIT, an absent one and one without CoE are distinguished") {
     bus b;
     REQUIRE(b.set(bus_state::pre_op) == 0);
     REQUIRE(b.link.run(b.master, change_state{0x200, al_state::init}));
@@ -253,7 +253,7 @@ TEST_CASE("a slave in INIT, one that is gone and one without CoE are told apart"
     CHECK(b.read(0x100) == 0);
 }
 
-TEST_CASE("what the link and the mailbox say against a packet has a status") {
+TEST_CASE("errors of link and mailbox have packet statuses") {
     bus b;
     REQUIRE(b.set(bus_state::pre_op) == 0);
     b.link.on_way_back = [](bytes& frame) {
@@ -283,7 +283,7 @@ TEST_CASE("what the link and the mailbox say against a packet has a status") {
     CHECK(given_up(master_errc::timeout) == 0xC0650015);
 }
 
-TEST_CASE("a service that could not be started for another reason is confirmed with that") {
+TEST_CASE("a service that could not be started for another reason is confirmed with that reason") {
     bytes request(40), confirmation(packet_job::confirmation_size);
     REQUIRE(jauscat::wire::encode(get_state_request{}, request));
     packet_job job{request, confirmation};
@@ -293,7 +293,7 @@ TEST_CASE("a service that could not be started for another reason is confirmed w
     CHECK(static_cast<std::uint32_t>(head.ul_sta) == 0xC0650014);
 }
 
-TEST_CASE("over a wire that loses, doubles and delays frames a state is reached or refused with a reason") {
+TEST_CASE("over a link that loses, duplicates and delays frames a state is reached or refused with a reason") {
     bus b;
     b.link.faults = {.lose = 10, .duplicate = 5, .delay = 20};
     constexpr std::array states{std::pair{bus_state::op, al_state::op}, std::pair{bus_state::init, al_state::init},

@@ -34,7 +34,7 @@ constexpr const char* part_1 = "00010000 00300000 01000000 07000000 05000000 030
 
 } // namespace
 
-TEST_CASE("a slave's dictionary comes in packets, whatever the size of its mailbox") {
+TEST_CASE("a slave's dictionary is read in packets at every mailbox size") {
     for (const auto mailbox : std::initializer_list<std::uint16_t>{24, 48, 256, 1486}) {
         CAPTURE(mailbox);
         bench b{mailbox};
@@ -51,7 +51,7 @@ TEST_CASE("a slave's dictionary comes in packets, whatever the size of its mailb
     }
 }
 
-TEST_CASE("over a wire that loses, doubles and delays frames a description is right or an error") {
+TEST_CASE("over a link that loses, duplicates and delays frames a description is correct or an error") {
     bench b{48};
     b.link.faults = {.lose = 10, .duplicate = 5, .delay = 20};
     unsigned right = 0;

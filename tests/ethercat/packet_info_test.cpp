@@ -138,7 +138,7 @@ TEST_CASE("an entry description is confirmed with unit, values and name") {
         CHECK(b.answer_with(too_short, entry) == confirmation(12, 0xC0650029, 0x65001B, "00010000 18100000 02000000"));
 }
 
-TEST_CASE("an entry description asks for what the mask of seven bits names") {
+TEST_CASE("an entry description requests what its mask of seven bits names") {
     bench b;
     const auto status = [&](std::uint32_t mask) {
         b.replies = {from_hex("0080 06 00 0000 1810 02 00 0700 2000 0700")};
@@ -155,7 +155,7 @@ TEST_CASE("an entry description asks for what the mask of seven bits names") {
     CHECK(status(0x101) == 0xC0650019);
 }
 
-TEST_CASE("an answer fills the packet, and a longer one is too big") {
+TEST_CASE("an answer can fill the packet, and a longer one is too big") {
     bench b;
     // Two fragments: 700 indices, then the rest.
     const auto list_of = [&](std::size_t indices) {
@@ -200,7 +200,7 @@ TEST_CASE("an answer fills the packet, and a longer one is too big") {
     }
 }
 
-TEST_CASE("what the slave refuses is confirmed with the abort's status and the request's fields") {
+TEST_CASE("a refusal by the slave is confirmed with the abort's status and the request's fields") {
     bench b;
     CHECK(b.answer_with("0080 07 00 0000 00000206", object) ==
           confirmation(8, 0xC0650031, 0x650019, "00010000 18100000"));
@@ -212,7 +212,7 @@ TEST_CASE("what the slave refuses is confirmed with the abort's status and the r
     CHECK(b.answer(list) == confirmation(8, 0xC0650015, 0x65000B, "00010000 01000000")); // nothing comes
 }
 
-TEST_CASE("a description of nothing possible is not asked for") {
+TEST_CASE("an impossible description is not requested") {
     bench b;
     const auto sent = b.master.statistics().sent;
     const auto object_status = [&](std::uint32_t node, std::uint32_t index) {

@@ -71,7 +71,7 @@ TEST_CASE("a download is confirmed by 40 bytes: the request's header with comman
     CHECK(to_hex(b.objects.entries.at({0x2000, 1}).value) == "44 33 22 11");
 }
 
-TEST_CASE("a download to an object that is missing is confirmed with ulSta C0650031h") {
+TEST_CASE("a download to a missing object is confirmed with ulSta C0650031h") {
     bench b;
     b.objects.entries.clear();
     CHECK(b.answer(download_request) == hex_of("20000000 00000000 00000000 00000000 00000000 01000000 310065c0 09006500"
@@ -90,7 +90,7 @@ TEST_CASE("an upload is confirmed with the data, and after an error by 52 bytes"
                                      " 00000000 00000000 00010000 00200000 01000000"));
 }
 
-TEST_CASE("every abort that has a status of its own is confirmed with it") {
+TEST_CASE("every abort with a status of its own is confirmed with that status") {
     bench b;
     for (std::uint32_t status = 0xC0650027; status != 0xC0650044; ++status) {
         CAPTURE(status);
@@ -103,7 +103,7 @@ TEST_CASE("every abort that has a status of its own is confirmed with it") {
     CHECK(status_of(b.execute(from_hex(download_request))) == 0xC0650044);
 }
 
-TEST_CASE("a packet that asks for nothing possible is confirmed with the reason, and nothing is sent") {
+TEST_CASE("an impossible request is confirmed with the reason, and nothing is sent") {
     bench b;
     const auto sent = b.m.statistics().sent;
     const auto request = from_hex(download_request);
@@ -124,7 +124,7 @@ TEST_CASE("a packet that asks for nothing possible is confirmed with the reason,
     CHECK(status_of(b.execute(request)) == 0xC065001B); // the master is at work
 }
 
-TEST_CASE("a packet may be longer than its data count says, and the count decides") {
+TEST_CASE("a packet may be longer than its data count, which decides") {
     bench b;
     auto request = with(from_hex(download_request), 16, 1556);
     request.resize(1596);
@@ -132,7 +132,7 @@ TEST_CASE("a packet may be longer than its data count says, and the count decide
     CHECK(b.objects.entries.at({0x2000, 1}).value.size() == 4);
 }
 
-TEST_CASE("a download clears subindex 0 first where the caller wants it") {
+TEST_CASE("a download clears subindex 0 first on request") {
     bench b;
     b.objects.add(0x2000, 0, 1);
     b.objects.entries.at({0x2000, 0}).value = {std::byte{5}};
@@ -153,7 +153,7 @@ TEST_CASE("a download clears subindex 0 first where the caller wants it") {
     CHECK(status({.clear_subindex_0 = true}) == 0xC0650030);
 }
 
-TEST_CASE("what does not fit the confirmation is not read, and a confirmation without room for 40 bytes is none") {
+TEST_CASE("data that exceed the confirmation are not read, and a confirmation needs at least 40 bytes") {
     bench b;
     const auto upload = from_hex("20000000 00000000 00000000 00000000 0c000000 00000000 00000000 06006500"
                                  " 00000000 00000000 00010000 00300000 00000000");
@@ -170,7 +170,7 @@ TEST_CASE("what does not fit the confirmation is not read, and a confirmation wi
     CHECK(size_in(51) == std::pair{std::size_t{0}, 0u});
 }
 
-TEST_CASE("the master's own errors have statuses") {
+TEST_CASE("the master's own errors have packet statuses") {
     const auto status = [](master_errc error) {
         return static_cast<std::uint32_t>(hilscher::status_of(master_error{.code = error}));
     };

@@ -115,7 +115,7 @@ TEST_CASE("packets about the bus have the manual's layout") {
                0x65001D, 52) == hex_of("07000000 01000000 01000000"));
 }
 
-TEST_CASE("what a packet says is read back") {
+TEST_CASE("packets decode to the encoded values") {
     CHECK(read<get_od_list_request>("00010000 02000000").ul_list_type == packet_list_type::rx_pdo);
     const auto object =
         read<get_object_description_confirmation>("00010000 18100000 23000000 09000000 01000000 04000000 08000000");

@@ -62,7 +62,7 @@ std::uint32_t least(packet_command command) {
 
 } // namespace
 
-TEST_CASE("random packets are confirmed or are no requests") {
+TEST_CASE("random packets are confirmed or are not requests") {
     bench b;
     support::generator g{20261121};
     constexpr std::array<bus_slave, 2> stations{bus_slave{0, 1}, bus_slave{1, 2}};
@@ -118,7 +118,7 @@ TEST_CASE("random packets are confirmed or are no requests") {
     CHECK(succeeded > 1000);
 }
 
-TEST_CASE("a packet of a command that is not known, or that is an answer, is told apart") {
+TEST_CASE("a packet with an unknown command, or that is an answer, is recognised") {
     bench b;
     for (const std::uint32_t command : {0u, 0x65001Eu, 0x650040u, 0x9A00u, 0x2F30u, 0xFFFFFFFEu})
         CHECK(b.status({.ul_dest = 0x20, .ul_cmd = static_cast<packet_command>(command)}, 0) == 0xC0000004);
@@ -130,7 +130,7 @@ TEST_CASE("a packet of a command that is not known, or that is an answer, is tol
     }
 }
 
-TEST_CASE("a packet is as long as its fields, and not longer than it says") {
+TEST_CASE("the size of a packet is that of its fields, and its length field may not be larger") {
     bench b;
     const auto sent = b.master.statistics().sent;
     for (const auto command : requests) {
@@ -147,7 +147,7 @@ TEST_CASE("a packet is as long as its fields, and not longer than it says") {
     CHECK(b.status({.ul_len = 8, .ul_cmd = packet_command::get_state_req}, 8) == 0); // more is passed over
 }
 
-TEST_CASE("headers that a card would not take are refused where the caller wants it") {
+TEST_CASE("headers that a card refuses are refused on request") {
     bench b;
     const auto status = [&](packet_header head) {
         head.ul_cmd = packet_command::get_state_req;
@@ -165,7 +165,7 @@ TEST_CASE("headers that a card would not take are refused where the caller wants
     }
 }
 
-TEST_CASE("a confirmation that has no room for its fields is refused before anything is done") {
+TEST_CASE("a confirmation buffer without space for the fields is refused before anything is sent") {
     bench b;
     for (const auto command : requests) {
         CAPTURE(static_cast<std::uint32_t>(command));
@@ -183,7 +183,7 @@ TEST_CASE("a confirmation that has no room for its fields is refused before anyt
     CHECK(b.master.statistics().sent == sent);
 }
 
-TEST_CASE("a service of several jobs that is not driven to its end has failed") {
+TEST_CASE("a service of several jobs that is not driven to its end fails") {
     bench b;
     bytes request(44), confirmation(packet_job::confirmation_size);
     REQUIRE(wire::encode(packet_header{.ul_len = 4, .ul_cmd = packet_command::start_bus_scan_req}, request));

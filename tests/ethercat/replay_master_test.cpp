@@ -149,7 +149,7 @@ master_result<> aborted(abort_code code) { return master_error{.code = master_er
 
 } // namespace
 
-TEST_CASE("our master comes to the same results with SOES as SOEM did") {
+TEST_CASE("our master gets the same results with SOES as SOEM did") {
     bench b{"ethercat_soem_soes.pcap", 0x1001};
     const auto& slave = b.master.slaves().front();
     CHECK(slave.identity.vendor == 0x6A5);
@@ -175,7 +175,7 @@ TEST_CASE("our master comes to the same results with SOES as SOEM did") {
     CHECK(b.master.statistics().sent == 24 + 1 + 13 * 2);
 }
 
-TEST_CASE("our master comes to the same results with KickCAT's slave as its own master did") {
+TEST_CASE("our master gets the same results with KickCAT's slave as KickCAT's master did") {
     bench b{"ethercat_kickcat.pcap", 1001};
     CHECK(b.master.slaves().front().mailbox.receive_size == 512);
     const auto payload = from_hex("000000001d242b323940474e555c636a71787f868d949ba2a9b0b7be");

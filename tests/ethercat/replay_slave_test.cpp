@@ -95,7 +95,7 @@ constexpr std::string_view payload = "05048ba2e81c7e8c98c80abef712b37565f567f3fe
 
 } // namespace
 
-TEST_CASE("SOEM brings our slave up and gets the answers SOES gave it") {
+TEST_CASE("SOEM brings our slave up and gets the same answers as from SOES") {
     test::objects objects;
     objects.sub_0_rule = true;
     objects.add(0x1B1A, 0, 1);
@@ -146,7 +146,7 @@ TEST_CASE("KickCAT brings our slave up and reads back what it wrote") {
 }
 
 // How SOEM finds a category: the words of each header from 0x40 on, 4 bytes at a time.
-TEST_CASE("a walk over the categories of the SII finds what the recorded slaves have and the end") {
+TEST_CASE("a walk over the SII categories finds those of the recorded slaves and the end") {
     constexpr std::array outputs{pdo_entry{0x7000, 0, 8, 5, "Out"}};
     constexpr std::array inputs{pdo_entry{0x6000, 0, 16, 3, "In"}};
     const auto image = make_sii_image({.mailbox_out_size = 128,

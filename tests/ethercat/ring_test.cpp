@@ -98,7 +98,7 @@ const slave_description plain{.vendor = 1, .product = 0x44};
 
 } // namespace
 
-TEST_CASE("a scan counts the slaves and takes away what an earlier master has left") {
+TEST_CASE("a scan counts the slaves and clears settings of an earlier master") {
     bench b{motors, lamps, plain};
     REQUIRE(b.up(0, 7));
     REQUIRE(b.up(1, 8));
@@ -125,7 +125,7 @@ TEST_CASE("a scan counts the slaves and takes away what an earlier master has le
     CHECK(stubborn.run(scan{}).error() == master_error{.code = master_errc::state_timeout, .state = al_state{2}});
 }
 
-TEST_CASE("a station address that an earlier master has left at another slave is taken away from it") {
+TEST_CASE("a station address of an earlier master at another slave is cleared") {
     bench b{motors, lamps, {.product = 0x55, .station_alias = 1}};
     write_register(b.at(1), command::apwr, 0, 0x0010, "0100");
     REQUIRE(b.up(2, 3));
@@ -141,7 +141,7 @@ TEST_CASE("a station address that an earlier master has left at another slave is
     CHECK(b.master.slaves().size() == 3);
 }
 
-TEST_CASE("a slave that is not the expected one is refused before it is configured") {
+TEST_CASE("a slave with an unexpected identity is refused before it is configured") {
     bench b{motors};
     CHECK(b.run(bring_up{0, 1, {.vendor = 1, .product = 0x11, .serial = 7}}));
     CHECK(b.run(bring_up{0, 1, {.vendor = 2}}).error() ==
@@ -153,7 +153,7 @@ TEST_CASE("a slave that is not the expected one is refused before it is configur
     CHECK(b.at(0).state() == al_state::init);
 }
 
-TEST_CASE("a slave goes up step by step and down at once") {
+TEST_CASE("a slave goes up one state at a time and down at once") {
     bench b{motors};
     REQUIRE(b.up(0, 1));
     REQUIRE(b.run(configure{1}));
@@ -168,7 +168,7 @@ TEST_CASE("a slave goes up step by step and down at once") {
     CHECK(b.at(0).state() == al_state::safe_op);
 }
 
-TEST_CASE("a refused state is explained, and the error does not stand in the way of the next try") {
+TEST_CASE("a refused state is explained, and its error does not block the next attempt") {
     bench b{motors};
     REQUIRE(b.up(0, 1));
     const auto result = b.run(change_state{1, al_state::safe_op}); // nothing is configured
@@ -182,7 +182,7 @@ TEST_CASE("a refused state is explained, and the error does not stand in the way
           master_error{.code = master_errc::wrong_station, .station = 2});
 }
 
-TEST_CASE("a state that is not known leads to INIT, never upwards") {
+TEST_CASE("an unknown state leads to INIT, never upwards") {
     for (const unsigned raw : {0u, 5u, 6u, 7u, 9u, 0xCu, 0xFu}) {
         bench b{motors};
         std::string asked;
@@ -214,7 +214,7 @@ TEST_CASE("a state that is not known leads to INIT, never upwards") {
     }
 }
 
-TEST_CASE("an error in a state that is not known is acknowledged with INIT") {
+TEST_CASE("an error in an unknown state is acknowledged with INIT") {
     bench b{motors};
     REQUIRE(b.up(0, 1));
     std::string asked;
@@ -231,7 +231,7 @@ TEST_CASE("an error in a state that is not known is acknowledged with INIT") {
     CHECK(asked == "11 02 ");
 }
 
-TEST_CASE("configure sets the watchdog, whatever an earlier tool has left in its registers") {
+TEST_CASE("configure sets the watchdog, whatever its registers held before") {
     bench b{motors};
     REQUIRE(b.up(0, 1));
     const auto registers = [&] {
@@ -261,7 +261,7 @@ TEST_CASE("configure sets the watchdog, whatever an earlier tool has left in its
     CHECK(registers() == "c2 09 ff ff ");
 }
 
-TEST_CASE("a slave that does not keep its watchdog's settings does not get to OP") {
+TEST_CASE("a slave that does not keep its watchdog settings does not reach OP") {
     const auto spoil = [](bench& b, std::uint16_t ado, std::string_view hex) {
         b.link.on_way_back = [ado, value = from_hex(hex)](bytes& frame) {
             mutable_frame_view view;
@@ -308,7 +308,7 @@ TEST_CASE("a slave that does not keep its watchdog's settings does not get to OP
     REQUIRE(without.run(change_state{1, al_state::op}));
 }
 
-TEST_CASE("writes of the outputs trigger the watchdog even if the SII says otherwise") {
+TEST_CASE("writing the outputs triggers the watchdog even if the SII says otherwise") {
     bench b{motors};
     unsigned changed = 0;
     b.link.on_way_back = [&](bytes& frame) {
@@ -332,7 +332,7 @@ TEST_CASE("writes of the outputs trigger the watchdog even if the SII says other
     CHECK(b.at(0).state() == al_state::safe_op);
 }
 
-TEST_CASE("each slave gets a place for its process data, and keeps it when it comes back") {
+TEST_CASE("each slave has an image area for its process data, and keeps it after its return") {
     bench b{motors, lamps, plain, sensor};
     b.safe_op();
     const auto place = [&](std::uint16_t station) { return b.master.find(station)->process_data; };
@@ -358,7 +358,7 @@ TEST_CASE("each slave gets a place for its process data, and keeps it when it co
     CHECK(process_image::of(b.master.slaves()).size == 8);
 }
 
-TEST_CASE("a cycle carries outputs to every slave and inputs back, byte for byte") {
+TEST_CASE("a cycle carries outputs to and inputs from every slave, byte for byte") {
     bench b{motors, lamps, plain, sensor};
     b.op();
     process_data data{b.master.slaves()};
@@ -381,7 +381,7 @@ TEST_CASE("a cycle carries outputs to every slave and inputs back, byte for byte
     CHECK(data.statistics().complete == 1);
 }
 
-TEST_CASE("a slave that drops out is seen in the working counter, and its old inputs stand") {
+TEST_CASE("loss of a slave shows in the working counter, and its old inputs are kept") {
     bench b{motors, sensor};
     b.op();
     process_data data{b.master.slaves()};
@@ -397,7 +397,7 @@ TEST_CASE("a slave that drops out is seen in the working counter, and its old in
     CHECK(to_hex(data.inputs(*b.master.find(1))) == "01");
 }
 
-TEST_CASE("a cycle that does not come back is lost, and a late one is not taken for the next") {
+TEST_CASE("a cycle that does not return is lost, and a late one is not used for the next") {
     bench b{motors};
     b.op();
     process_data data{b.master.slaves()};
@@ -421,7 +421,7 @@ TEST_CASE("a cycle that does not come back is lost, and a late one is not taken 
     CHECK(b.master.on_frame(frame, instant{2ms}));
 }
 
-TEST_CASE("each cycle of watched slaves says of each one whether it is there and in OP") {
+TEST_CASE("each cycle reports for each watched slave whether it is present and in OP") {
     bench b{motors, sensor};
     b.op();
     process_data data{b.master.slaves(), {.watch_slaves = true}};
@@ -479,7 +479,7 @@ TEST_CASE("each cycle of watched slaves says of each one whether it is there and
     CHECK(to_hex(data.inputs(*b.master.find(2))) == "67");
 }
 
-TEST_CASE("a watched slave says why it left OP") {
+TEST_CASE("a watched slave reports why it left OP") {
     bench b{motors};
     b.op();
     process_data data{b.master.slaves(), {.watch_slaves = true}};
@@ -495,7 +495,7 @@ TEST_CASE("a watched slave says why it left OP") {
     CHECK_FALSE(describe(status.condition).empty());
 }
 
-TEST_CASE("a slave whose station address is gone does not run, though its process data are exchanged") {
+TEST_CASE("a slave without its station address does not count as running, although its process data are exchanged") {
     bench b{motors};
     b.op();
     process_data data{b.master.slaves(), {.watch_slaves = true}};
@@ -524,7 +524,7 @@ TEST_CASE("a slave whose station address is gone does not run, though its proces
     CHECK(both.status(*two.master.find(2)).condition == slave_condition::absent);
 }
 
-TEST_CASE("a state that is not known does not count as running") {
+TEST_CASE("an unknown state does not count as running") {
     bench b{motors};
     b.op();
     process_data data{b.master.slaves(), {.watch_slaves = true}};
@@ -543,7 +543,7 @@ TEST_CASE("a state that is not known does not count as running") {
     }
 }
 
-TEST_CASE("silence of a watched slave is measured by the clock, from when the last good frame was sent") {
+TEST_CASE("silence of a watched slave is measured in time, from when the last good frame was sent") {
     bench b{motors};
     b.op();
     process_data data{b.master.slaves(), {.watch_slaves = true}};
@@ -569,7 +569,7 @@ TEST_CASE("silence of a watched slave is measured by the clock, from when the la
     CHECK(status.condition_within(100ms, instant{340ms}) == slave_condition::absent);
 }
 
-TEST_CASE("a slave that could not be brought up again keeps its place in the image: it may still run with it") {
+TEST_CASE("a slave that could not be brought up again keeps its image area, since it may still run") {
     bench b{motors, motors, motors};
     for (std::uint16_t i = 0; i != 2; ++i) {
         REQUIRE(b.up(i, static_cast<std::uint16_t>(i + 1)));
@@ -589,7 +589,7 @@ TEST_CASE("a slave that could not be brought up again keeps its place in the ima
     CHECK(b.master.find(2)->process_data.output_address == place.output_address);
 }
 
-TEST_CASE("slaves without process data are watched too, and a full reply mailbox is seen") {
+TEST_CASE("slaves without process data are watched too, and a full reply mailbox is detected") {
     bench b{plain};
     b.devices[0]->objects.add(0x2002, 0, 4);
     REQUIRE(b.up(0, 1));
@@ -610,7 +610,7 @@ TEST_CASE("slaves without process data are watched too, and a full reply mailbox
     CHECK_FALSE(status.mail_waits);
 }
 
-TEST_CASE("as many slaves as a master has are watched in one frame; what does not fit is refused beforehand") {
+TEST_CASE("one frame watches as many slaves as a master supports, and more are refused beforehand") {
     bench b{};
     for (std::size_t i = 0; i != slave_capacity; ++i) b.devices.push_back(std::make_unique<device>(motors));
     b.op();
@@ -641,7 +641,7 @@ TEST_CASE("as many slaves as a master has are watched in one frame; what does no
     CHECK(too_much.next_frame(frame, instant{0ms}) == 0);
 }
 
-TEST_CASE("a reply of 256 cycles ago is not taken for that of the present cycle") {
+TEST_CASE("a reply from 256 cycles ago is not used for the present cycle") {
     for (const bool watches : {false, true}) {
         bench b{motors};
         b.op();
@@ -664,7 +664,7 @@ TEST_CASE("a reply of 256 cycles ago is not taken for that of the present cycle"
     }
 }
 
-TEST_CASE("a late frame of a cycle before is nobody else's, however late, and whatever is exchanged since") {
+TEST_CASE("a late frame of an earlier cycle is not used for a later exchange") {
     bench b{motors, sensor};
     b.op();
     process_data before{b.master.slaves()};
@@ -677,7 +677,7 @@ TEST_CASE("a late frame of a cycle before is nobody else's, however late, and wh
     CHECK_FALSE(data.on_frame(late)); // one frame is missing, not two
 }
 
-TEST_CASE("mail goes on between the cycles") {
+TEST_CASE("mailbox transfers continue between the cycles") {
     bench b{motors};
     b.devices[0]->objects.add(0x2002, 0, 28);
     b.op();
@@ -699,7 +699,7 @@ TEST_CASE("mail goes on between the cycles") {
     CHECK(b.devices[0]->objects.writes >= 45);
 }
 
-TEST_CASE("where a slave cannot read and write in one datagram, a cycle has two") {
+TEST_CASE("a slave that cannot read and write in one datagram makes a cycle have two") {
     bench b{motors, sensor};
     b.link.on_way_back = [](bytes& frame) {
         mutable_frame_view view;
@@ -759,7 +759,7 @@ TEST_CASE("PDOs of more than 65,535 bytes are refused") {
     CHECK(b.run(configure{1}).error() == master_error{.code = master_errc::image_full, .bytes = 65'567 + 1});
 }
 
-TEST_CASE("an SII that lists more SyncManagers than there are registers for is refused") {
+TEST_CASE("an SII with more SyncManagers than registers is refused") {
     bench b{motors};
     const auto listed = [](unsigned word) -> std::string {
         if (word == 0x40) return "2900 a000"; // SyncM: 40 of them
@@ -777,7 +777,7 @@ TEST_CASE("an SII that lists more SyncManagers than there are registers for is r
     CHECK(b.run(configure{1}).error() == master_error{.code = master_errc::sii_malformed, .sii_word = 0x42 + 32 * 4});
 }
 
-TEST_CASE("without mapping objects, and without a mailbox, the SII says what process data there are") {
+TEST_CASE("without mapping objects, and without a mailbox, the SII determines the process data") {
     bench b{motors};
     b.link.on_way_back = [](bytes& frame) { // as if no object were known
         mutable_frame_view view;
@@ -793,7 +793,7 @@ TEST_CASE("without mapping objects, and without a mailbox, the SII says what pro
     CHECK(b.master.find(1)->process_data.input_size == 1);
 }
 
-TEST_CASE("a ring is brought to OP and its process data exchanged over a bad wire") {
+TEST_CASE("a ring reaches OP and exchanges process data over a bad link") {
     bench b{motors, lamps, sensor};
     b.master = jauscat::ethercat::master{{.frame_timeout = 1ms, .frame_lifetime = 3ms}};
     b.link.faults = {.lose = 10, .duplicate = 10, .delay = 20};

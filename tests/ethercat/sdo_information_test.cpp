@@ -30,14 +30,14 @@ reply_kind take(auto& protocol, const char* hex) {
 
 } // namespace
 
-TEST_CASE("questions about objects are the standard's byte for byte") {
+TEST_CASE("object queries equal the standard's byte for byte") {
     CHECK(encoded(sdo_information::list(object_list_type::all, {})) == "00 80 01 00 00 00 01 00");
     CHECK(encoded(sdo_information::list(object_list_type::tx_pdo, {})) == "00 80 01 00 00 00 03 00");
     CHECK(encoded(sdo_information::object(0x1018, {})) == "00 80 03 00 00 00 18 10");
     CHECK(encoded(sdo_information::entry({0x1018, 2, 7}, {})) == "00 80 05 00 00 00 18 10 02 07");
 }
 
-TEST_CASE("a list comes in one message or in fragments, and its type is left out") {
+TEST_CASE("a list arrives in one message or in fragments, without its type") {
     bytes into(8);
     auto whole = sdo_information::list(object_list_type::all, into);
     REQUIRE(take(whole, "0080 02 00 0000 0100 0010 1810") == reply_kind::complete);
@@ -52,7 +52,7 @@ TEST_CASE("a list comes in one message or in fragments, and its type is left out
     CHECK(to_hex(into) == "00 10 08 10 09 10 18 10");
 }
 
-TEST_CASE("a fragment that is missing or comes twice is noticed") {
+TEST_CASE("a missing or duplicate fragment is detected") {
     bytes into(20);
     auto missing = sdo_information::list(object_list_type::all, into);
     REQUIRE(take(missing, "0080 82 00 0200 0100 0010") == reply_kind::fragment);
@@ -65,7 +65,7 @@ TEST_CASE("a fragment that is missing or comes twice is noticed") {
     CHECK(twice.result().error().code == master_errc::fragment_missing);
 }
 
-TEST_CASE("descriptions are taken for the object that was asked for, and for no other") {
+TEST_CASE("a description counts only for the object that was requested") {
     bytes into(40);
     auto object = sdo_information::object(0x1018, into);
     CHECK(take(object, "0080 04 00 0000 0010 0700 00 07 41") == reply_kind::unrelated);
@@ -85,7 +85,7 @@ TEST_CASE("descriptions are taken for the object that was asked for, and for no 
     CHECK_FALSE(answer.access.write_pre_op);
 }
 
-TEST_CASE("a refusal ends the question with the slave's abort code, and short answers are passed over") {
+TEST_CASE("a refusal ends the query with the slave's abort code, and short answers are ignored") {
     bytes into(4);
     auto object = sdo_information::object(0x7000, into);
     CHECK(take(object, "") == reply_kind::unrelated);
@@ -100,7 +100,7 @@ TEST_CASE("a refusal ends the question with the slave's abort code, and short an
     CHECK(large.result().error() == master_error{.code = master_errc::data_too_long, .bytes = 4});
 }
 
-TEST_CASE("complete access is a bit of the request, and its answer may name any subindex") {
+TEST_CASE("complete access is a bit of the request, and its answer may have any subindex") {
     const auto data = from_hex("0100 1100 0016");
     auto download = sdo_transfer::download(0x1C12, 0, data, {.complete_access = true});
     CHECK(encoded(download) == "00 20 31 12 1c 00 06 00 00 00 01 00 11 00 00 16");
@@ -142,7 +142,7 @@ struct bench {
 
 } // namespace
 
-TEST_CASE("a master asks a slave what it has, whatever the size of the mailbox") {
+TEST_CASE("a master reads a slave's object list at every mailbox size") {
     for (const auto mailbox : std::to_array<std::uint16_t>({24, 30, 64, 128, 1486})) {
         INFO("mailbox of " << mailbox);
         bench b{mailbox};
@@ -169,7 +169,7 @@ TEST_CASE("a master asks a slave what it has, whatever the size of the mailbox")
     }
 }
 
-TEST_CASE("a whole object goes both ways in one transfer") {
+TEST_CASE("a whole object is read or written in one transfer") {
     for (const auto mailbox : std::to_array<std::uint16_t>({24, 128})) {
         bench b{mailbox};
         bytes into(100);
@@ -187,7 +187,7 @@ TEST_CASE("a whole object goes both ways in one transfer") {
     }
 }
 
-TEST_CASE("over a bad wire a list is right or not there") {
+TEST_CASE("over a bad link a list is correct or absent") {
     bench b{24};
     b.link.faults = {.lose = 10, .duplicate = 10, .delay = 20};
     bytes into(100);

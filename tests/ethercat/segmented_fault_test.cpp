@@ -30,7 +30,7 @@ auto instead_of(std::byte command, std::string_view hex) {
 
 } // namespace
 
-TEST_CASE("an answer with the wrong toggle bit ends a transfer, and the slave is told") {
+TEST_CASE("an answer with the wrong toggle bit ends a transfer, and the slave gets an abort") {
     segmented_bench b{24};
     b.set(bytes(28));
     b.before_read = instead_of(std::byte{0x30}, "20"); // the answer to the second segment
@@ -71,7 +71,7 @@ TEST_CASE("a slave's abort between segments is reported and not answered") {
     CHECK(b.stored() == bytes(28));
 }
 
-TEST_CASE("an upload whose segments are not the size announced is refused") {
+TEST_CASE("an upload whose segments do not have the announced size is refused") {
     segmented_bench b{24};
     b.set(counting(28));
     const auto upload_with = [&](std::byte command, std::string_view hex) {
@@ -95,7 +95,7 @@ TEST_CASE("an upload whose segments are not the size announced is refused") {
           master_error{.code = master_errc::size_mismatch, .bytes = 27});
 }
 
-TEST_CASE("an upload in segments that the buffer cannot hold is read to its end, and one without end aborted") {
+TEST_CASE("a segmented upload beyond the buffer is read to its end, and an endless one is aborted") {
     segmented_bench b{24};
     b.set(counting(28));
     bytes small(27);
@@ -119,7 +119,7 @@ TEST_CASE("an upload in segments that the buffer cannot hold is read to its end,
     CHECK(b.upload(into) == master_result<std::size_t>{28});
 }
 
-TEST_CASE("an upload of another size than the caller knows is refused") {
+TEST_CASE("an upload of another size than expected is refused") {
     for (const std::size_t size : {std::size_t{1}, std::size_t{8}, std::size_t{28}}) {
         segmented_bench b{24};
         b.set(counting(size));
@@ -136,7 +136,7 @@ TEST_CASE("an upload of another size than the caller knows is refused") {
     }
 }
 
-TEST_CASE("answers to segments may end after the command") {
+TEST_CASE("answers to segments may end after the command byte") {
     segmented_bench b{24};
     b.set(bytes(28));
     b.before_read = [](const datagram& d) {
@@ -147,7 +147,7 @@ TEST_CASE("answers to segments may end after the command") {
     CHECK(b.stored() == counting(28));
 }
 
-TEST_CASE("a slave that falls silent between segments is given up and hears of it when it is back") {
+TEST_CASE("a slave that is silent between segments is abandoned, and gets an abort on its return") {
     segmented_bench b{24};
     b.set(bytes(40));
     b.before_read = [&](const datagram& d) { b.works = d.data[8] != std::byte{0x20}; };
@@ -164,7 +164,7 @@ TEST_CASE("a slave that falls silent between segments is given up and hears of i
     CHECK(into == counting(40, 5));
 }
 
-TEST_CASE("a transfer that was cancelled between segments is aborted before the next one") {
+TEST_CASE("a transfer cancelled between segments is aborted before the next one") {
     segmented_bench b{24};
     b.set(bytes(40));
     const auto data = counting(40);
@@ -196,7 +196,7 @@ TEST_CASE("a transfer that was cancelled between segments is aborted before the 
     CHECK(c.mail.size() == 6); // once is enough
 }
 
-TEST_CASE("a slave reset between segments is noticed and takes the next transfer after it is brought up") {
+TEST_CASE("a slave reset between segments is detected, and the next transfer works after bring-up") {
     segmented_bench b{24};
     b.set(bytes(28));
     b.before_read = [&](const datagram& d) {
@@ -212,7 +212,7 @@ TEST_CASE("a slave reset between segments is noticed and takes the next transfer
     CHECK(b.mail.size() == 1 + 6);
 }
 
-TEST_CASE("a frame lost anywhere in a transfer in segments is repeated and the value is right") {
+TEST_CASE("any lost frame of a segmented transfer is repeated, and the value is correct") {
     // 40 bytes through a mailbox of 24 are 4 messages: 8 frames, and one more for the drain before the first.
     for (int lost = 1; lost <= 9 + 8; ++lost) {
         for (const bool on_way_out : {true, false}) {
@@ -240,7 +240,7 @@ TEST_CASE("a frame lost anywhere in a transfer in segments is repeated and the v
     }
 }
 
-TEST_CASE("transfers in segments over a bad wire are each done right or end in an error") {
+TEST_CASE("each segmented transfer over a bad link succeeds or ends in an error") {
     segmented_bench b{24};
     b.set(bytes(60));
     b.link.faults = {.lose = 10, .duplicate = 10, .delay = 20};

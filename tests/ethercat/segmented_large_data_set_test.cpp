@@ -102,12 +102,12 @@ template <class Table> void delivers(std::size_t largest) {
 
 } // namespace
 
-TEST_CASE("a large data set of as many bytes as an SDO packet holds reaches the slave whole and one more is refused") {
+TEST_CASE("a large data set that fills an SDO packet reaches the slave, and one byte more is refused") {
     delivers<translation::seed_table>(1532);
     delivers<translation::self_contained_table>(1528);
 }
 
-TEST_CASE("a message that came in one packet passes the assembly as it came") {
+TEST_CASE("a message in one packet passes the assembly unchanged") {
     assembled<translation::seed_table> a;
     const auto single = message(head, counting(20));
     CHECK(a.give(single) == reassembled::only);
@@ -116,7 +116,7 @@ TEST_CASE("a message that came in one packet passes the assembly as it came") {
     CHECK(a.give(message(head, counting(2000))) == reassembled::only); // whose size is for the translator to judge
 }
 
-TEST_CASE("four large data sets are assembled at a time, and a silent one makes room for a fifth") {
+TEST_CASE("four large data sets are assembled at a time, and a silent one is replaced by a fifth") {
     assembled<translation::seed_table> a;
     const auto part_from = [](std::uint8_t subsystem, std::uint16_t number = 0) {
         auto h = head;

@@ -46,7 +46,7 @@ const std::string twelve = "01 02 03 04 05 06 07 08 09 0a 0b 0c";
 
 } // namespace
 
-TEST_CASE("a download in segments starts with data, without, and with the size bit clear") {
+TEST_CASE("a segmented download starts with data, without data, and with the size bit clear") {
     bench with;
     CHECK(with.ask("0020 21 0020 01 0c000000 0102030405060708") == started);
     CHECK(with.ask("0020 07 090a0b0c000000") == "00 30 20 00 00 00 00 00 00 00");
@@ -63,7 +63,7 @@ TEST_CASE("a download in segments starts with data, without, and with the size b
     }
 }
 
-TEST_CASE("a last segment may be short without zeros behind it, or empty") {
+TEST_CASE("a last segment may be short without padding, or empty") {
     bench short_one;
     CHECK(short_one.ask("0020 21 0020 01 0c000000 0102030405060708") == started);
     CHECK(short_one.ask("0020 07 090a0b0c") == "00 30 20 00 00 00 00 00 00 00");
@@ -92,7 +92,7 @@ TEST_CASE("a segment with the wrong toggle bit ends a transfer") {
     CHECK(b.ask("0020 60 0020 01 00000000") == command_specifier);
 }
 
-TEST_CASE("a total that is not the size announced writes nothing") {
+TEST_CASE("a total that differs from the announced size writes nothing") {
     bench b;
     CHECK(b.ask("0020 21 0020 01 0c000000 0102030405060708") == started);
     CHECK(b.ask("0020 05 090a0b0c0d0000") == too_high); // thirteen
@@ -104,7 +104,7 @@ TEST_CASE("a total that is not the size announced writes nothing") {
     CHECK(b.stored() == nothing);
 }
 
-TEST_CASE("an object that the memory cannot hold is aborted at the start") {
+TEST_CASE("an object that exceeds the memory is aborted at the start") {
     bench b{32};
     CHECK(b.ask("0020 21 0020 01 21000000 0102030405060708") == exceeds_mailbox);
     CHECK(b.ask("0020 21 0020 01 ffffffff") == exceeds_mailbox);
@@ -119,7 +119,7 @@ TEST_CASE("an object that the memory cannot hold is aborted at the start") {
     CHECK(none.ask("0020 40 0020 01 00000000") == "00 30 41 00 20 01 08 00 00 00 00 00 00 00 00 00 00 00");
 }
 
-TEST_CASE("a master's abort, whatever else is in its command, ends a transfer without an answer") {
+TEST_CASE("a master's abort ends a transfer without an answer, whatever the other bits of its command") {
     for (const char* abort : {"0020 80 0020 01 00000405", "0020 9f 0020 01 00000405"}) {
         bench b;
         CHECK(b.ask("0020 21 0020 01 0c000000 0102030405060708") == started);
@@ -132,7 +132,7 @@ TEST_CASE("a master's abort, whatever else is in its command, ends a transfer wi
     }
 }
 
-TEST_CASE("a new request ends a transfer that was left") {
+TEST_CASE("a new request ends an abandoned transfer") {
     bench b;
     b.objects.add(0x2001, 0, 1);
     CHECK(b.ask("0020 21 0020 01 0c000000 0102030405060708") == started);
@@ -154,7 +154,7 @@ TEST_CASE("a segment of the other direction ends a transfer") {
     CHECK(b.objects.writes == 0);
 }
 
-TEST_CASE("an object that refuses what came in segments says so after the last one") {
+TEST_CASE("an object that refuses segmented data aborts after the last segment") {
     bench b;
     b.objects.entries.at({0x2000, 1}).write_abort = abort_code::value_range;
     CHECK(b.ask("0020 21 0020 01 0c000000 0102030405060708") == started);
@@ -162,7 +162,7 @@ TEST_CASE("an object that refuses what came in segments says so after the last o
     CHECK(b.stored() == nothing);
 }
 
-TEST_CASE("what is left of a transfer is forgotten on request and at power-on") {
+TEST_CASE("the rest of a transfer is dropped on request and at power-on") {
     bench b;
     CHECK(b.ask("0020 21 0020 01 0c000000 0102030405060708") == started);
     b.server.forget_transfer();

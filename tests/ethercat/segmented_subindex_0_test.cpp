@@ -20,7 +20,7 @@ constexpr master_error not_zero{.code = master_errc::sdo_abort, .abort = abort_c
 
 } // namespace
 
-TEST_CASE("a download that clears subindex 0 first is taken by a slave that demands it") {
+TEST_CASE("a slave that requires subindex 0 to be cleared accepts a download that does so") {
     strict_bench b;
     const auto refused = b.download(0x1AF5, 26, counting(28));
     CHECK(refused == not_zero);
@@ -45,7 +45,7 @@ TEST_CASE("a download that clears subindex 0 first is taken by a slave that dema
     CHECK(b.download(0x1AF6, 1, counting(28)) == not_zero);
 }
 
-TEST_CASE("clearing and segments go together") {
+TEST_CASE("clearing and segments can be combined") {
     strict_bench b{24};
     CHECK(b.download(0x1AF5, 26, counting(28)) == not_zero);
     CHECK(b.mail.size() == 2); // at the start, not after the last segment
@@ -54,7 +54,7 @@ TEST_CASE("clearing and segments go together") {
     CHECK(b.objects.entries.at({0x1AF5, 26}).value == counting(28));
 }
 
-TEST_CASE("a slave makes its entries fixed again by a number in subindex 0 and at power-on") {
+TEST_CASE("a number in subindex 0, or power-on, makes a slave's entries fixed again") {
     strict_bench b;
     REQUIRE(b.download(0x1AF5, 0, bytes(1)));
     REQUIRE(b.download(0x1AF5, 26, counting(28)));
@@ -68,7 +68,7 @@ TEST_CASE("a slave makes its entries fixed again by a number in subindex 0 and a
     CHECK(b.download(0x1AF5, 26, counting(28)) == not_zero);
 }
 
-TEST_CASE("the rule is about mapping and assignment objects and nothing else") {
+TEST_CASE("the rule applies to mapping and assignment objects only") {
     strict_bench b;
     CHECK(b.download(0x2000, 26, counting(28)));
     for (const unsigned covered : {0x1600u, 0x17FFu, 0x1A00u, 0x1BFFu, 0x1C10u, 0x1C2Fu})
@@ -84,7 +84,7 @@ TEST_CASE("the rule is about mapping and assignment objects and nothing else") {
     CHECK(rule.refusal(0x2000, 1) == abort_code::none);
 }
 
-TEST_CASE("a slave that has no subindex 0 to clear is told apart from one that refuses the data") {
+TEST_CASE("a slave without a subindex 0 to clear is distinguished from one that refuses the data") {
     segmented_bench b{256};
     b.objects.add(0x1AF5, 26, 28);
     const auto result = b.download(0x1AF5, 26, counting(28), {.clear_subindex_0 = true});
@@ -95,7 +95,7 @@ TEST_CASE("a slave that has no subindex 0 to clear is told apart from one that r
     CHECK(b.download(0x1AF5, 26, counting(28)));
 }
 
-TEST_CASE("a download to subindex 0 itself has nothing to clear") {
+TEST_CASE("a download to subindex 0 itself clears nothing") {
     strict_bench b;
     REQUIRE(b.download(0x1AF5, 0, counting(1), {.clear_subindex_0 = true}));
     CHECK(b.mail.size() == 2);

@@ -54,7 +54,7 @@ void transfers_whole(std::uint16_t out, std::uint16_t in, bool empty_start, bool
 
 } // namespace
 
-TEST_CASE("data of 1 to 2000 bytes pass mailboxes of every size whole") {
+TEST_CASE("data of 1 to 2000 bytes pass mailboxes of every size unchanged") {
     for (const auto mailbox : std::initializer_list<std::uint16_t>{24, 25, 32, 48, 128, 1024}) {
         transfers_whole(mailbox, mailbox, false, mailbox >= 48); // a small one takes many frames
         transfers_whole(mailbox, mailbox, true);
@@ -63,7 +63,7 @@ TEST_CASE("data of 1 to 2000 bytes pass mailboxes of every size whole") {
     transfers_whole(128, 25, false);
 }
 
-TEST_CASE("a download and an upload in segments are the standard's message for message") {
+TEST_CASE("a segmented download and upload equal the standard's message for message") {
     segmented_bench b{24};
     b.set(bytes(28));
     REQUIRE(b.download(counting(28)));
@@ -91,7 +91,7 @@ TEST_CASE("a download and an upload in segments are the standard's message for m
     CHECK(into == counting(28));
 }
 
-TEST_CASE("the first message of a transfer in segments may have no data") {
+TEST_CASE("the first message of a segmented transfer may have no data") {
     segmented_bench b{24, {.empty_start = true}};
     b.set(bytes(17));
     REQUIRE(b.download(counting(17), {.empty_start = true}));
@@ -111,7 +111,7 @@ TEST_CASE("the first message of a transfer in segments may have no data") {
     CHECK(b.mail.at(5) == "0a 00 00 00 00 63 00 30 1b 10 11 00 00 00 00 00");
 }
 
-TEST_CASE("an object is written when all of it has come and uploaded as it was at the start") {
+TEST_CASE("an object is written after its last segment, and uploaded as it was at the start") {
     segmented_bench b{24};
     b.set(counting(40));
     int reads = 0;

@@ -67,7 +67,7 @@ TEST_CASE("a slave describes objects and entries") {
     CHECK(b.ask("0700 0000 00 33 0080 01 00 0000 01") == "04 00 00 00 00 30 01 00 06 00");
 }
 
-TEST_CASE("a list goes in fragments through a small mailbox") {
+TEST_CASE("a list is sent in fragments through a small mailbox") {
     bench b{24};
     REQUIRE(b.put("0800 0000 00 13 0080 01 00 0000 0100"));
     CHECK(b.take() == "12 00 00 00 00 13 00 80 82 00 02 00 01 00 00 10 08 10 18 10 00 16 00 1c");
@@ -85,7 +85,7 @@ TEST_CASE("a list goes in fragments through a small mailbox") {
     CHECK(b.ask("0a00 0000 00 43 0020 40 0010 00 00000000") == "0a 00 00 00 00 53 00 30 43 00 10 00 00 00 00 00");
 }
 
-TEST_CASE("a new request ends an answer in fragments") {
+TEST_CASE("a new request ends a fragmented answer") {
     bench b{24};
     REQUIRE(b.put("0800 0000 00 13 0080 01 00 0000 0100"));
     REQUIRE(b.put("0a00 0000 00 23 0020 40 0010 00 00000000"));
@@ -94,7 +94,7 @@ TEST_CASE("a new request ends an answer in fragments") {
     CHECK(b.take().empty());
 }
 
-TEST_CASE("a fragment that got lost is given again and the next one after it") {
+TEST_CASE("a lost fragment is sent again, then the next one") {
     bench b{24};
     const std::string first = "12 00 00 00 00 13 00 80 82 00 02 00 01 00 00 10 08 10 18 10 00 16 00 1c",
                       second = "12 00 00 00 00 23 00 80 82 00 01 00 12 1c 13 1c 00 20 01 20 02 20 03 20",
@@ -116,7 +116,7 @@ TEST_CASE("a fragment that got lost is given again and the next one after it") {
     CHECK(b.take() == "0a 00 00 00 00 23 00 30 43 00 10 00 00 00 00 00");
 }
 
-TEST_CASE("a slave that does not describe all of its objects gives no SDO information") {
+TEST_CASE("a slave that does not describe all of its objects has no SDO information") {
     test::objects undescribed;
     standard_objects dictionary{{}, undescribed};
     slave device{{}, dictionary};
@@ -125,7 +125,7 @@ TEST_CASE("a slave that does not describe all of its objects gives no SDO inform
     CHECK(b.ask("0800 0000 00 13 0080 01 00 0000 0100") == "04 00 00 00 00 10 01 00 04 00");
 }
 
-TEST_CASE("the SII says what the slave can do with its objects") {
+TEST_CASE("the SII states which object services the slave has") {
     // Category general, after its header 1e 00 10 00: the sixth byte has SDO, SDO information and complete access.
     const auto general = [](const sii_image& image) {
         const auto bytes = to_hex(image);
@@ -176,7 +176,7 @@ TEST_CASE("complete access writes all entries of an object") {
     CHECK(value(1) == "07");
 }
 
-TEST_CASE("a variable is not accessed as a whole, whatever it says of itself") {
+TEST_CASE("a variable has no complete access, whatever its description states") {
     // 2000h:0 is a text of 32 bytes, more than a small mailbox has room for.
     struct variable {
         object_read read(std::uint16_t, std::uint8_t, std::span<std::byte> out) noexcept {
@@ -207,7 +207,7 @@ TEST_CASE("a variable is not accessed as a whole, whatever it says of itself") {
     }
 }
 
-TEST_CASE("complete access goes in segments through a small mailbox") {
+TEST_CASE("complete access uses segments through a small mailbox") {
     std::vector<std::byte> memory(64);
     bench b{24, {.transfer_memory = memory}};
     CHECK(b.ask("0a00 0000 00 13 0020 50 1810 00 00000000") ==
@@ -221,7 +221,7 @@ TEST_CASE("complete access goes in segments through a small mailbox") {
     CHECK(to_hex(b.objects.values.at({0x3000, 3})) == "34 12");
 }
 
-TEST_CASE("objects of JAUS messages describe themselves as a record of octet strings") {
+TEST_CASE("objects of JAUS messages are described as a record of octet strings") {
     using jauscat::bridge::sub_object;
     constexpr std::array entries{sub_object{26, 0x0405, "set_wrench_effort", 28, false, true},
                                  sub_object{121, 0x4405, "report_wrench_effort", 28, true, true}};

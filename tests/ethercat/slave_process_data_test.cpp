@@ -123,7 +123,7 @@ TEST_CASE("five slaves in a chain answer one LRW through byte and bit FMMUs") {
     CHECK(ring.lrw(0x00020000, "0000") == reply{0, "00 00"}); // nobody is there
 }
 
-TEST_CASE("an FMMU maps bits of outputs and leaves their neighbours alone") {
+TEST_CASE("an FMMU maps bits of outputs without changing adjacent bits") {
     constexpr std::array bits{pdo_entry{0x7000, 1, 3, 5, "low"}, pdo_entry{0x7000, 2, 5, 5, "high"}};
     chain one{{.outputs = bits}};
     one.mailbox();
@@ -155,7 +155,7 @@ TEST_CASE("an FMMU maps the state of a mailbox to a bit") {
     CHECK(one.lrd(0, 1) == reply{1, "01"});
 }
 
-TEST_CASE("process data are shut below SAFE-OP and outputs count in OP only") {
+TEST_CASE("process data are closed below SAFE-OP, and outputs apply in OP only") {
     chain one{two_ways};
     one.mailbox();
     one.state("0200");
@@ -235,7 +235,7 @@ TEST_CASE("SAFE-OP and OP need the SyncManagers that the slave describes") {
     CHECK(inputs_only.state("0800") == "08 00 00 00 00 00");
 }
 
-TEST_CASE("a slave whose outputs are not written for the watchdog's time goes to SAFE-OP with an error") {
+TEST_CASE("a slave without outputs for the watchdog time goes to SAFE-OP with an error") {
     chain one{two_ways};
     CHECK(one.read(0x0400, 2).data == "c2 09");
     CHECK(one.read(0x0410, 2).data == "e8 03");
@@ -300,7 +300,7 @@ TEST_CASE("the SII describes process data") {
     CHECK(to_hex(std::span{large}.last(2)) == "ff ff");
 }
 
-TEST_CASE("a large SII says that its addresses are of two bytes") {
+TEST_CASE("a large SII announces two-byte addresses") {
     const std::vector<pdo_entry> many(128, pdo_entry{0x7000, 1, 40, 0, ""});
     chain one{{.vendor = 0x11223344, .outputs = many}};
     one.write(0x0502, "0001 08000000");
@@ -310,7 +310,7 @@ TEST_CASE("a large SII says that its addresses are of two bytes") {
     CHECK(both.read(0x0502, 10).data == "80 00 08 00 00 00 44 33 22 11");
 }
 
-TEST_CASE("standard objects tell assignment and mapping") {
+TEST_CASE("standard objects hold assignment and mapping") {
     test::objects application;
     standard_objects objects{two_ways, application};
     const auto read = [&](std::uint16_t index, std::uint8_t subindex) {
@@ -343,7 +343,7 @@ TEST_CASE("standard objects tell assignment and mapping") {
     CHECK(none.read(0x1600, 0, value).error == abort_code::no_object);
 }
 
-TEST_CASE("a master that looks at the wiring sees which slaves have others behind them") {
+TEST_CASE("the port status shows a master which slaves have others behind them") {
     chain two{{}, 2};
     two.slaves[0].set_downstream(true);
     CHECK(two.read(0x0110, 2, 0).data == "30 5a");
@@ -352,7 +352,7 @@ TEST_CASE("a master that looks at the wiring sees which slaves have others behin
     CHECK(two.read(0x0110, 2, 0).data == "30 5a");
 }
 
-TEST_CASE("registers that a master reads or clears at start-up are there") {
+TEST_CASE("registers that a master reads or clears at start-up exist") {
     chain one{{}};
     CHECK(one.read(0x0000, 10) == reply{1, "11 01 01 00 08 08 08 0f 00 00"}); // bits in FMMUs, LRW, no clock
     CHECK(one.write(0x0300, "0000000000000000").working_counter == 1);

@@ -54,7 +54,7 @@ TEST_CASE("an entry is written only in states that its description allows") {
     CHECK(free.ask("0a00 0000 00 13 0020 23 0320 00 44332211") == written);
 }
 
-TEST_CASE("mapping objects are written in PRE-OP only by the rule of states") {
+TEST_CASE("by the rule of states mapping objects are written in PRE-OP only") {
     bench<test::objects> b{{.state_rule = true}};
     b.objects.add(0x1AF5, 26, 4);
     b.objects.add(0x2000, 1, 4);
@@ -66,7 +66,7 @@ TEST_CASE("mapping objects are written in PRE-OP only by the rule of states") {
     CHECK(b.objects.writes == 2);
 }
 
-TEST_CASE("a slow slave answers after as many frames as it was told") {
+TEST_CASE("a slow slave answers after the configured number of frames") {
     bench<test::objects> b{{.answer_delay = 3}};
     b.objects.add(0x2000, 1, 4);
     for (const char* counter : {"13", "23"}) {
@@ -82,7 +82,7 @@ TEST_CASE("a slow slave answers after as many frames as it was told") {
     for (int i = 0; i != 5; ++i) CHECK(b.take().empty());
 }
 
-TEST_CASE("chosen objects are aborted with chosen codes, up and down") {
+TEST_CASE("selected objects are aborted with selected codes, in both directions") {
     constexpr std::array refused{refused_object{0x2000, 1, abort_code::hardware},
                                  refused_object{0x2001, {}, abort_code::local_control},
                                  refused_object{0x3000, 2, abort_code::resource}};
@@ -122,7 +122,7 @@ TEST_CASE("the rule of subindex 0 leaves read-only mapping objects as they are")
     CHECK(behind.writes == 1);
 }
 
-TEST_CASE("complete access sets a mapping object as the rule of subindex 0 wants it") {
+TEST_CASE("complete access sets a mapping object in compliance with the rule of subindex 0") {
     // 1601h can be written: two entries of 4 bytes.
     struct mapping {
         std::array<std::byte, 8> entries{};

@@ -60,7 +60,7 @@ struct bench {
 
 } // namespace
 
-TEST_CASE("each command reads, writes and counts as the standard says") {
+TEST_CASE("each command reads, writes and counts as in the standard") {
     bench b;
     b.write(0x0010, "0110");
     const auto at = [&](command cmd, std::uint16_t adp) { return b.send(cmd, adp, 0x1000, from_hex("f0")); };
@@ -115,7 +115,7 @@ TEST_CASE("a slave answers to its alias only while the alias is enabled") {
     CHECK(b.send(command::fprd, 0x55, 0, from_hex("00")).working_counter == 1);
 }
 
-TEST_CASE("a slave marks the source address and leaves frames of other protocols alone") {
+TEST_CASE("a slave marks the source address and does not change frames of other protocols") {
     bench b;
     auto frame = from_hex("ffffffffffff 00aa00000000 88a4 0d10 07 05 0000 0000 0100 0000 00 0000");
     b.device.process(frame);
@@ -126,7 +126,7 @@ TEST_CASE("a slave marks the source address and leaves frames of other protocols
     CHECK(other == before);
 }
 
-TEST_CASE("what a slave controller is cannot be overwritten") {
+TEST_CASE("read-only registers of a slave controller cannot be overwritten") {
     bench b;
     const auto before = b.read(0x0000, 16).data;
     CHECK(b.write(0x0000, "ffffffffffffffffffffffffffffffff").working_counter == 1);
@@ -137,7 +137,7 @@ TEST_CASE("what a slave controller is cannot be overwritten") {
     CHECK(b.read(0x0805, 3).data == "00 00 00");
 }
 
-TEST_CASE("an access beyond the memory or of no bytes does not count") {
+TEST_CASE("an access beyond the memory, or of no bytes, does not count") {
     bench b;
     CHECK(b.read(0x2FFF, 1).working_counter == 1);
     CHECK(b.read(0x2FFF, 2).working_counter == 0);
@@ -197,7 +197,7 @@ TEST_CASE("the SII describes the slave and its checksum is right") {
     CHECK(sii_checksum(from_hex("8002006eff00ff00000000000000")) == 0xB6);
 }
 
-TEST_CASE("states go up one step at a time and every refusal has its code") {
+TEST_CASE("states go up one at a time, and every refusal has its code") {
     bench b;
     const auto ask = [&](std::string_view control) {
         b.write(0x0120, control);
@@ -261,7 +261,7 @@ TEST_CASE("SDO requests are answered byte for byte") {
     CHECK(ask("0a00 0000 00 53 0020 80 0220 00 00000405").empty()); // an abort needs no answer
 }
 
-TEST_CASE("a mailbox is served in PRE-OP, opens at its first byte and changes hands at its last") {
+TEST_CASE("a mailbox works in PRE-OP, opens at its first byte and is handed over at its last") {
     bench b;
     b.objects.add(0x2002, 0, 1);
     b.write(0x0800, "0010 0001 26 00 01 00 0016 0001 22 00 01 00");
@@ -282,7 +282,7 @@ TEST_CASE("a mailbox is served in PRE-OP, opens at its first byte and changes ha
     CHECK(b.send(command::apwr, 0, 0x1600, std::vector<std::byte>(256)).working_counter == 0);
 }
 
-TEST_CASE("a full reply mailbox holds the next request back") {
+TEST_CASE("a full reply mailbox delays the next request") {
     bench b;
     b.objects.add(0x2002, 0, 1);
     b.to_pre_op();
@@ -296,7 +296,7 @@ TEST_CASE("a full reply mailbox holds the next request back") {
     CHECK(b.take_mail().empty());
 }
 
-TEST_CASE("a repeated request is not executed twice and a lost reply is given again") {
+TEST_CASE("a repeated request is not executed twice, and a lost reply is sent again") {
     bench b;
     b.objects.add(0x2002, 0, 1);
     b.to_pre_op();
@@ -320,7 +320,7 @@ TEST_CASE("a repeated request is not executed twice and a lost reply is given ag
     CHECK(b.objects.writes == 2);
 }
 
-TEST_CASE("a slave with the smallest mailbox answers within it") {
+TEST_CASE("a slave with the smallest mailbox keeps its answers within it") {
     bench b{{.mailbox_out_size = 24, .mailbox_in_size = 24}};
     b.objects.add(0x2002, 0, 8);
     b.write(0x0800, "0010 1800 26 00 01 00 0016 1800 22 00 01 00");
@@ -342,7 +342,7 @@ TEST_CASE("a slave described with an impossible mailbox refuses PRE-OP") {
     CHECK(outside.read(0x0130, 6).data == "11 00 00 00 16 00");
 }
 
-TEST_CASE("a hundred thousand random frames never break a slave") {
+TEST_CASE("a slave survives 100000 random frames") {
     bench b;
     b.objects.add(0x2002, 0, 1);
     b.objects.add(0x2003, 1, 28);

@@ -59,21 +59,21 @@ std::string each_image() {
 
 } // namespace
 
-TEST_CASE("Set Wrench Effort comes out as its SDO download packet, byte for byte") {
+TEST_CASE("Set Wrench Effort becomes its SDO download packet, byte for byte") {
     emulated_board board{each_image()};
     const auto said = converse(board, all_efforts + one_effort);
     CHECK(to_hex(said.card) == to_hex(all_efforts_packet + one_effort_packet));
     CHECK(to_hex(said.jaus) == "");
 }
 
-TEST_CASE("Query Wrench Effort is answered with just the fields that are asked for") {
+TEST_CASE("Query Wrench Effort is answered with the requested fields only") {
     emulated_board board{each_image()};
     const auto said = converse(board, all_efforts + from_hex("0802 0524 01210202 05040302 0200 2400 4508"));
     CHECK(to_hex(said.jaus) == to_hex(from_hex("0802 0544 05040302 01210202 0800 2400 4508 ff7f 0000 ff 7f")));
     CHECK(to_hex(said.card) == to_hex(all_efforts_packet));
 }
 
-TEST_CASE("a command changes the efforts that it carries and leaves the others, and only known ones are reported") {
+TEST_CASE("a command changes only the efforts that it contains, and only known efforts are reported") {
     emulated_board board{each_image()};
     CHECK(to_hex(converse(board, query_all_efforts).jaus) ==
           to_hex(from_hex("0602 0544 01010101 01210202 0200 2400 0000")));
@@ -82,7 +82,7 @@ TEST_CASE("a command changes the efforts that it carries and leaves the others, 
           to_hex(from_hex("0602 0544 01010101 01210202 0500 2400 0108 3412 80")));
 }
 
-TEST_CASE("every message of RA 3.3 without a handler becomes its packet, and so does the experimental 0404h") {
+TEST_CASE("every message of RA 3.3 without a handler becomes its packet, as does the experimental 0404h") {
     emulated_board board{each_image()};
     const auto travel_speed = from_hex("0602 0a04 01210202 01010101 0200 0100 3412");
     const auto velocity_state = from_hex("8602 0404 01210202 01010101 0000 0100");
@@ -93,7 +93,7 @@ TEST_CASE("every message of RA 3.3 without a handler becomes its packet, and so 
                           "02000000 151b0000 9e000000 08000000 8602 01010101 0100")));
 }
 
-TEST_CASE("what is obeyed is acknowledged where that is asked for") {
+TEST_CASE("an executed command is acknowledged on request") {
     emulated_board board{each_image()};
     auto asking = one_effort;
     asking[0] = std::byte{0x16};
@@ -106,7 +106,7 @@ TEST_CASE("what is obeyed is acknowledged where that is asked for") {
     CHECK(to_hex(said.card) == to_hex(packet));
 }
 
-TEST_CASE("what cannot be obeyed changes nothing, is counted, and refused where an answer is asked for") {
+TEST_CASE("a command that cannot be executed changes nothing, is counted, and gets NAK on request") {
     emulated_board board{each_image()};
     const auto truncated = from_hex("1602 0504 01210202 01010101 0300 0100 0100 34");
     const auto trailing = from_hex("1602 0504 01210202 01010101 0500 0200 0100 3412 00");
@@ -130,7 +130,7 @@ TEST_CASE("what cannot be obeyed changes nothing, is counted, and refused where 
           to_hex(from_hex("0602 0544 01010101 01210202 0200 2400 0000")));
 }
 
-TEST_CASE("a raw value that stands for no percentage is refused where percentages are used") {
+TEST_CASE("a raw value without a percentage is refused where percentages are used") {
     emulated_board board{"real_m3"};
     const auto said = converse(board, from_hex("1602 0504 01210202 01010101 0400 2200 0100 0080"), 1);
     CHECK(to_hex(said.jaus) == to_hex(from_hex("2602 0504 01010101 01210202 0000 2200")));
@@ -152,7 +152,7 @@ TEST_CASE("messages to others and acknowledgements have no effect") {
     CHECK(to_hex(said.card) == "");
 }
 
-TEST_CASE("noise before, inside and after a message costs no other message") {
+TEST_CASE("noise before, inside and after a message loses no other message") {
     emulated_board board{each_image()};
     const auto noise = from_hex("ff00 5a5a 0100 0000 ffff ffff ffff ffff ffff ffff ff");
     const auto said = converse(board, noise + all_efforts + noise + first_of(one_effort, 6) + noise +
@@ -161,7 +161,7 @@ TEST_CASE("noise before, inside and after a message costs no other message") {
     CHECK(to_hex(said.jaus) == "");
 }
 
-TEST_CASE("a message that breaks off is given up when the line falls idle, and what it swallowed comes out") {
+TEST_CASE("an incomplete message is dropped when the line is idle, and messages inside it are delivered") {
     emulated_board board{each_image()};
     auto promise = first_of(one_effort, 16); // announces 256 bytes of body
     promise[12] = std::byte{0x00};
@@ -175,7 +175,7 @@ TEST_CASE("a message that breaks off is given up when the line falls idle, and w
     CHECK(to_hex(converse(board, one_effort).card) == to_hex(one_effort_packet));
 }
 
-TEST_CASE("a burst of messages is worked on without loss") {
+TEST_CASE("a burst of messages is processed without loss") {
     emulated_board board{each_image()};
     bytes sent, expected;
     for (int i = 0; i != 100; ++i) {
@@ -185,7 +185,7 @@ TEST_CASE("a burst of messages is worked on without loss") {
     CHECK(to_hex(converse(board, sent).card) == to_hex(expected));
 }
 
-TEST_CASE("a message of 256 bytes of body is taken, one byte more is noise") {
+TEST_CASE("a message of 256 bytes of body is accepted, one byte more is noise") {
     emulated_board board{each_image()};
     // Set Payload Data Element (0D01h), rank 51, whose body is passed on as it is.
     const auto largest = from_hex("0602 010d 01210202 01010101 0001 2200") + bytes(256, std::byte{0xEE});

@@ -280,7 +280,7 @@ class comparison {
 
 } // namespace
 
-TEST_CASE("codes, names and classes are those of the standard's catalogue") {
+TEST_CASE("codes, names and classes equal those of the standard's catalogue") {
     std::size_t count = 0;
     for (const xml_node message : standard().child("messages").children()) {
         INFO(message.attribute("name").value());
@@ -296,7 +296,7 @@ TEST_CASE("codes, names and classes are those of the standard's catalogue") {
     CHECK(count == jaus::catalog.size());
 }
 
-TEST_CASE("every field of every message is that of the standard") {
+TEST_CASE("every field of every message equals the standard's") {
     comparison all;
     for (const auto& message : messages::all()) {
         std::string code = text::hex_number(message.code, 4).substr(2);

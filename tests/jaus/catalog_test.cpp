@@ -41,14 +41,14 @@ TEST_CASE("codes and names of the catalogue are distinct") {
     }
 }
 
-TEST_CASE("ranks are those of the translation table") {
+TEST_CASE("ranks equal those of the translation table") {
     STATIC_REQUIRE(rank("Set Wrench Effort") == 26);
     STATIC_REQUIRE(rank("Query Wrench Effort") == 72);
     STATIC_REQUIRE(rank("Report Wrench Effort") == 121);
     STATIC_REQUIRE(rank("Set Velocity State") == 158);
 }
 
-TEST_CASE("the catalogue gives each class its codes") {
+TEST_CASE("the catalogue has the codes of each class") {
     const auto in = [](std::uint16_t low, std::uint16_t high) {
         return std::ranges::count_if(jaus::catalog,
                                      [=](auto& e) { return e.command_code >= low && e.command_code <= high; });
@@ -67,7 +67,7 @@ TEST_CASE("a message's type has the code and the name of the catalogue") {
     }
 }
 
-TEST_CASE("command codes are those of the standard") {
+TEST_CASE("command codes equal those of the standard") {
     STATIC_REQUIRE(code("Set Component Authority") == 0x0001);
     STATIC_REQUIRE(code("Set Emergency") == 0x0006);
     STATIC_REQUIRE(code("Set Travel Speed") == 0x040A);

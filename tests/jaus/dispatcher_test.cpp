@@ -111,7 +111,7 @@ TEST_CASE("the handler of unknown messages gets header and body") {
     CHECK(body == "05 00");
 }
 
-TEST_CASE("a body that does not decode goes to the handler of malformed ones, and never to its type's") {
+TEST_CASE("a body that does not decode is passed to the handler of malformed messages, never to that of its type") {
     record r{};
     auto dispatch = recording(r);
     CHECK(dispatch(header_of(0x0006), half_an_emergency) == dispatched::malformed);
@@ -139,7 +139,7 @@ TEST_CASE("the handler of malformed messages gets header, body and the reason") 
                                  wire::errc::unknown_presence_bit});
 }
 
-TEST_CASE("acknowledgements of any code go to their handler, and neither to the type's nor to the unknown one") {
+TEST_CASE("acknowledgements of any code are passed to their handler, not to that of the type or of unknown codes") {
     for (const auto kind : {jaus::ack_nak::ack, jaus::ack_nak::nak}) {
         record r{};
         auto dispatch = recording(r);
@@ -152,7 +152,7 @@ TEST_CASE("acknowledgements of any code go to their handler, and neither to the 
     }
 }
 
-TEST_CASE("a message that asks for an acknowledgement is a message") {
+TEST_CASE("a message that requests acknowledgement is dispatched as a message") {
     record r{};
     auto dispatch = recording(r);
     auto head = header_of(0x0006);
@@ -162,7 +162,7 @@ TEST_CASE("a message that asks for an acknowledgement is a message") {
     CHECK(r == record{.typed = 1, .malformed = 1});
 }
 
-TEST_CASE("what has a body is a message, even under the bits of an acknowledgement") {
+TEST_CASE("a message with a body is a message, also with the bits of an acknowledgement") {
     record r{};
     auto dispatch = recording(r);
     auto head = header_of(0x0006);
@@ -171,7 +171,7 @@ TEST_CASE("what has a body is a message, even under the bits of an acknowledgeme
     CHECK(r == record{.typed = 1});
 }
 
-TEST_CASE("without handlers everything is still told apart") {
+TEST_CASE("a dispatcher without handlers still distinguishes all outcomes") {
     jaus::dispatcher<> none{};
     CHECK(none(header_of(0x0006), emergency) == dispatched::unknown);
     auto head = header_of(0x0006);
@@ -197,7 +197,7 @@ TEST_CASE("handlers may be move-only") {
     CHECK(seen == 2);
 }
 
-TEST_CASE("handlers may keep a state of their own") {
+TEST_CASE("handlers may have state") {
     std::vector<int> seen;
     jaus::dispatcher dispatch{
         jaus::on<jaus::set_emergency>([&seen, n = 0](const auto&, const auto&) mutable { seen.push_back(++n); })};

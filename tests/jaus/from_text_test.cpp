@@ -34,7 +34,7 @@ std::string body_of(std::string_view line) {
 
 } // namespace
 
-TEST_CASE("stamps are read as they are written, and nothing else") {
+TEST_CASE("stamps are read in the form in which they are written only") {
     for (const char* const line : {"12:34:56.789, day 5", "00:00:00.000, day 31", "23:59:59.999, day 1"}) {
         jaus::time_stamp time{};
         REQUIRE(text::from_text(time, line));
@@ -72,7 +72,7 @@ TEST_CASE("a line of names and values becomes a message") {
     CHECK(body_of("report_component_status primary_status_code=standby secondary_status_code=258") == "0202010000");
 }
 
-TEST_CASE("a message is named as its schema, as the standard or by its code") {
+TEST_CASE("a message is named by its schema's name, the standard's name or its code") {
     for (const char* const name :
          {"set_wrench_effort", "\"Set Wrench Effort\"", "\"set wrench effort\"", "0405", "0405h", "0x0405", "0X405"}) {
         INFO(name);
@@ -85,7 +85,7 @@ TEST_CASE("a message is named as its schema, as the standard or by its code") {
     CHECK(body_of(" ") == "the name of a message is missing");
 }
 
-TEST_CASE("real values carry their unit if wanted, and the integer on the wire is reached by raw") {
+TEST_CASE("real values may have their unit, and the word raw sets the integer on the wire") {
     for (const char* const value : {"12.5", "12.5%", "\"12.5 %\"", "+12.5", "1.25e1", "raw:32", "raw:0x20"}) {
         INFO(value);
         CHECK(body_of("set_wrench_effort resistive_linear_effort_x=" + std::string{value}) == "400020");
@@ -105,7 +105,7 @@ TEST_CASE("real values carry their unit if wanted, and the integer on the wire i
           "propulsive_linear_effort_x is '12m', which is no number");
 }
 
-TEST_CASE("a name that does not exist is answered with one that does") {
+TEST_CASE("an unknown name is answered with a similar one that exists") {
     CHECK(body_of("set_wrench_effort propulsive_linear_efort_x=50") ==
           "there is no field 'propulsive_linear_efort_x'; did you mean propulsive_linear_effort_x?");
     CHECK(body_of("set_wrench_effort linear_effort_y=50") ==
@@ -115,7 +115,7 @@ TEST_CASE("a name that does not exist is answered with one that does") {
     CHECK(body_of("set_joint_motion pose[0].pose_tim=1") == "pose[0] has no field 'pose_tim'; did you mean pose_time?");
 }
 
-TEST_CASE("enumerators and flags are named or numbered") {
+TEST_CASE("enumerators and flags are given by name or number") {
     CHECK(body_of("report_component_status primary_status_code=200 secondary_status_code=0") == "c800000000");
     CHECK(body_of("report_component_status primary_status_code=redy secondary_status_code=0") ==
           "primary_status_code is 'redy', which is no value of it; did you mean ready?");
@@ -135,7 +135,7 @@ TEST_CASE("enumerators and flags are named or numbered") {
                                                                     "angular_y_is_a_rate and angular_z_is_a_rate");
 }
 
-TEST_CASE("what is required is not guessed") {
+TEST_CASE("missing required fields are errors") {
     CHECK(body_of("report_component_status primary_status_code=ready") == "secondary_status_code is missing");
     CHECK(body_of("set_camera_pose mode_indicator=none") == "camera_id is missing");
     CHECK(body_of("report_identification query_type=1 authority_code=1 type=1") == "identification is missing");
@@ -143,7 +143,7 @@ TEST_CASE("what is required is not guessed") {
           "lower_limit.data_type is missing");
 }
 
-TEST_CASE("lists are filled by numbers from 0, and their counts follow") {
+TEST_CASE("lists are filled by indices from 0, and their counts are derived") {
     CHECK(body_of("set_joint_efforts joint[1].joint_effort=100 joint[0].joint_effort=-100") == "020000ffff");
     CHECK(body_of("set_joint_efforts joint[0]=100") == "01ffff");
     CHECK(body_of("set_joint_efforts") == "00");
@@ -159,7 +159,7 @@ TEST_CASE("lists are filled by numbers from 0, and their counts follow") {
     CHECK(body_of("set_joint_efforts joint[65536]=1") == "'joint[65536]' is beyond the 65536 elements a list may have");
 }
 
-TEST_CASE("a count that stands elsewhere follows from the lists it counts") {
+TEST_CASE("a count outside of the list is derived from the lists that it counts") {
     const std::string joint = ".joint_position=0 pose[0].joint[0].joint_maximum_velocity=0 "
                               "pose[0].joint[0].joint_maximum_acceleration=0 "
                               "pose[0].joint[0].joint_maximum_deceleration=0";
@@ -171,7 +171,7 @@ TEST_CASE("a count that stands elsewhere follows from the lists it counts") {
     CHECK(body_of("set_joint_motion") == "number_of_joints is missing");
 }
 
-TEST_CASE("a flag that announces members of elements follows from them") {
+TEST_CASE("a flag that announces members of elements is derived from them") {
     const std::string line = "create_vector_knowledge_store_objects local_request_id=7 message_properties=none ";
     CHECK(body_of(line + "object[0].object_type=line") == "0000070100"
                                                           "01000000");
@@ -187,13 +187,13 @@ TEST_CASE("a flag that announces members of elements follows from them") {
     CHECK(body_of(line + "presence_vector=1") == "0100070000");
 }
 
-TEST_CASE("a presence vector that is given must be the one of the fields") {
+TEST_CASE("a given presence vector must match the fields") {
     CHECK(body_of("set_wrench_effort presence_vector=0x0001 propulsive_linear_effort_x=50") == "01000040");
     CHECK(body_of("set_wrench_effort presence_vector=3 propulsive_linear_effort_x=50") ==
           "presence_vector is 0x0003, but the fields that are there make 0x0001");
 }
 
-TEST_CASE("the type code says what a value is") {
+TEST_CASE("the type code determines the type of a value") {
     const std::string line = "create_event local_request_id=1 message_code=0x4405 event_type=periodic ";
     CHECK(body_of(line + "lower_limit.data_type=short_integer lower_limit.value=-2") == "0401054400"
                                                                                         "01feff");
@@ -212,7 +212,7 @@ TEST_CASE("the type code says what a value is") {
           "lower_limit.value is '1e39', must be -3.4028235e+38 to 3.4028235e+38");
 }
 
-TEST_CASE("times and dates are written as people write them, or as their integer") {
+TEST_CASE("times and dates are written in readable form or as their integer") {
     CHECK(body_of("report_time time_stamp=\"12:34:56.789, day 5\"") == "01"
                                                                        "15e3222b");
     CHECK(body_of("report_time time_stamp=0x2b22e315") == "01"
@@ -230,7 +230,7 @@ TEST_CASE("times and dates are written as people write them, or as their integer
     CHECK(body_of("report_time time_stamp.hours=32") == "time_stamp.hours is '32', must be 0 to 31");
 }
 
-TEST_CASE("text stands between quotes where it has spaces") {
+TEST_CASE("text with spaces is quoted") {
     CHECK(body_of("report_camera_pose camera_id=1 camera_name=\"left \\\"eye\\\" \\x07\"") == "010001"
                                                                                               "6c65667420226579652220"
                                                                                               "07000000");
@@ -263,7 +263,7 @@ TEST_CASE("bytes and messages inside messages are hex") {
           "mission_tree.message[0].mission_message.message is a whole message in hex: pairs of digits");
 }
 
-TEST_CASE("a tree is written as it branches") {
+TEST_CASE("a tree is written with the indices of its branches") {
     const std::string root = "spool_mission mission_id=1 append_flag=0 mission_tree.task_id=2 ";
     CHECK(body_of(root + "mission_tree.child_offset[0]=13 mission_tree.child[0].task_id=3") == "010000"
                                                                                                "020001000d0000000000"
@@ -278,7 +278,7 @@ TEST_CASE("a tree is written as it branches") {
     CHECK(body_of("spool_mission mission_id=1 append_flag=0") == "mission_tree is missing");
 }
 
-TEST_CASE("words that are no assignments are told") {
+TEST_CASE("words that are not assignments are reported") {
     CHECK(body_of("set_wrench_effort fast") == "'fast' is not of the form field=value");
     CHECK(body_of("set_wrench_effort =1") == "'=1' is not of the form field=value");
     CHECK(body_of("set_joint_motion pose[0].pose_time=1 pose[0].pose_time=2") == "'pose[0].pose_time' is given twice");
@@ -292,7 +292,7 @@ TEST_CASE("words that are no assignments are told") {
     CHECK(body_of("report_component_status primary_status_code.x=1") == "primary_status_code is a single value");
 }
 
-TEST_CASE("lists that exceed the memory given for them are told") {
+TEST_CASE("lists that exceed their memory are reported") {
     std::array<std::byte, 8> little{};
     wire::arena memory{little};
     jaus::set_joint_motion message{};

@@ -34,7 +34,7 @@ TEST_CASE("a header takes 16 bytes") {
     STATIC_REQUIRE(bytes_of(nothing) == hex_literal<16>("00000000000000000000000000000000"));
 }
 
-TEST_CASE("byte 0 holds priority, ack/nak, service connection and experimental at their shifts") {
+TEST_CASE("byte 0 has priority, ack/nak, service connection and experimental at their bits") {
     using jaus::header;
     STATIC_REQUIRE(byte_0(with(&header::priority, std::uint8_t{11})) == std::byte{11});
     STATIC_REQUIRE(byte_0(with(&header::priority, std::uint8_t{15})) == std::byte{15});
@@ -48,13 +48,13 @@ TEST_CASE("byte 0 holds priority, ack/nak, service connection and experimental a
         std::byte{9 | 2 << 4 | 1 << 6 | 1 << 7});
 }
 
-TEST_CASE("byte 1 holds the version below the reserved bits") {
+TEST_CASE("byte 1 has the version below the reserved bits") {
     STATIC_REQUIRE(bytes_of({.version = 2})[1] == std::byte{2});
     STATIC_REQUIRE(bytes_of({.version = 63})[1] == std::byte{63});
     STATIC_REQUIRE(bytes_of({.version = 2, .reserved = 3})[1] == std::byte{2 | 3 << 6});
 }
 
-TEST_CASE("each field of a header stands at its bytes, little endian") {
+TEST_CASE("each field of a header is at its offset, little endian") {
     constexpr jaus::header header{.priority = 6,
                                   .ack_nak = jaus::ack_nak::request,
                                   .version = 2,
@@ -90,7 +90,7 @@ TEST_CASE("header values wider than their bits do not encode") {
     REQUIRE(error({.data_size = 4095}) == wire::errc::ok);
 }
 
-TEST_CASE("Set Emergency with code 5 has the bytes derived by hand") {
+TEST_CASE("Set Emergency with code 5 encodes to the bytes derived by hand") {
     // Priority 15, version 2: 0F 02. Code 0006h. Destination and source. Two bytes of body, only packet. Sequence 34.
     constexpr jaus::header header{.priority = 15,
                                   .version = 2,
@@ -108,7 +108,7 @@ TEST_CASE("Set Emergency with code 5 has the bytes derived by hand") {
     REQUIRE(out == hex_literal<2>("0500"));
 }
 
-TEST_CASE("every octet of an address decodes at its place") {
+TEST_CASE("every octet of an address is decoded from its offset") {
     jaus::address id{};
     REQUIRE(wire::decode(id, support::bytes(1, 33, 254, 255)));
     REQUIRE(id == jaus::address{.instance = 1, .component = 33, .node = 254, .subsystem = 255});

@@ -69,7 +69,7 @@ TEST_CASE("an array is annotated element by element") {
           "truncated: the bytes end before the last field: counts[2] at byte 4 needs 2 bytes, 1 left");
 }
 
-TEST_CASE("an array in JSON is an array of values or of objects, and comes back") {
+TEST_CASE("an array in JSON is an array of values or of objects, and is restored") {
     const json fields = text::to_json(raised);
     CHECK(fields.dump() == R"({"counts":[1,2,3],"effort":[{"value":0.0,"raw":0},{"value":100.0,"raw":255}],)"
                            R"("corner":[{"x":{"value":-100.0,"raw":-32767},"y":{"value":0.0,"raw":0}},)"
@@ -81,7 +81,7 @@ TEST_CASE("an array in JSON is an array of values or of objects, and comes back"
     CHECK(made<hand>(json::object()) == hand{});
 }
 
-TEST_CASE("an array is read from text, and all its elements must be there") {
+TEST_CASE("an array is read from text, with all elements") {
     std::vector<std::byte> lists(4096);
     wire::arena memory{lists};
     hand found{};

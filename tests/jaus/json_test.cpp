@@ -27,7 +27,7 @@ template <class T> std::string wrong(const char* fields) {
 
 } // namespace
 
-TEST_CASE("fields stand in wire order, scaled ones with value and raw integer") {
+TEST_CASE("fields are in wire order, scaled ones with value and raw integer") {
     const jaus::set_wrench_effort message{.propulsive_linear_effort_x = 50, .resistive_linear_effort_x = 0};
     CHECK(text::to_json(message).dump() == R"({"propulsive_linear_effort_x":{"value":50.0,"raw":16384},)"
                                            R"("resistive_linear_effort_x":{"value":0.0,"raw":0}})");
@@ -45,7 +45,7 @@ TEST_CASE("enumerations, flags and stamps are integers") {
           R"({"date_stamp":3803})");
 }
 
-TEST_CASE("groups are arrays behind their counts, single values in them stand under their field's name") {
+TEST_CASE("groups are arrays after their counts, with single values under their field's name") {
     CHECK(text::to_json(jaus::set_joint_efforts{.joint_effort = {100}}).dump() ==
           R"({"number_of_joints":1,"joint":[{"joint_effort":{"value":100.0,"raw":65535}}]})");
     const std::array components{jaus::configured_component{.component_id = 33, .instance_id = 1}};
@@ -55,8 +55,7 @@ TEST_CASE("groups are arrays behind their counts, single values in them stand un
           R"("component":[{"component_id":33,"instance_id":1}]}]})");
 }
 
-TEST_CASE(
-    "records with a presence vector of their own have it among their fields, values of a type code in an object") {
+TEST_CASE("a record's own presence vector is among its fields, and values with a type code are objects") {
     const std::array events{
         jaus::reported_event{.upper_limit = jaus::typed_value{jaus::data_type::rgb, jaus::rgb{1, 2, 3}}, .event_id = 9},
         jaus::reported_event{.lower_limit = jaus::typed_value{jaus::data_type::integer, std::int32_t{-5}}}};
@@ -68,7 +67,7 @@ TEST_CASE(
           R"("lower_limit":{"data_type":2,"value":{"value":-5}}}]})");
 }
 
-TEST_CASE("a tree is nested under child, bytes and messages inside messages are hex") {
+TEST_CASE("a tree is nested under child, and bytes and embedded messages are hex") {
     const auto body = support::bytes(0xAB);
     const std::array commands{jaus::mission_command{
         .message_uid = 3,
@@ -84,7 +83,7 @@ TEST_CASE("a tree is nested under child, bytes and messages inside messages are 
           R"(0000ab","blocking_flag":0}}],"child":[]}]})");
 }
 
-TEST_CASE("text that is not UTF-8 and numbers that are none survive JSON") {
+TEST_CASE("text that is not UTF-8, and NaN and infinity, survive JSON") {
     using namespace std::string_view_literals;
     memory m;
     for (const auto name : {"Gerät"sv, "Ger\xE4t"sv, "\xFF"sv, "a\0b\x1F"sv, ""sv}) {
@@ -128,7 +127,7 @@ TEST_CASE("integers of 64 bits survive JSON") {
     }
 }
 
-TEST_CASE("JSON of any depth is refused without harm") {
+TEST_CASE("deeply nested JSON is refused without harm") {
     std::string deep, end;
     for (int i = 0; i != 100000; ++i) {
         deep += R"({"mission_tree":{"child":[)";

@@ -25,7 +25,7 @@ std::string wrong_with(const char* line) {
 
 } // namespace
 
-TEST_CASE("text has decimal points where the locale has commas") {
+TEST_CASE("text has decimal points where the locale uses commas") {
     const support::decimal_comma locale;
     if (!locale) {
         std::cout << "SKIPPED: no locale with a decimal comma, and no localedef (package locales)\n";

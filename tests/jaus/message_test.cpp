@@ -58,7 +58,7 @@ errc split_with(std::size_t at, int value) {
 
 } // namespace
 
-TEST_CASE("Set Emergency with code 5 is made to the byte") {
+TEST_CASE("Set Emergency with code 5 is built byte for byte") {
     CHECK(made(emergency_header, emergency_code_5) == to_hex(set_emergency));
     STATIC_REQUIRE([] {
         std::array<std::byte, 18> out{};
@@ -66,18 +66,18 @@ TEST_CASE("Set Emergency with code 5 is made to the byte") {
     }());
 }
 
-TEST_CASE("Report Wrench Effort is made to the byte, with the fields that are there") {
+TEST_CASE("Report Wrench Effort is built byte for byte, with the present fields") {
     CHECK(made(report_header, reported) == to_hex(report_wrench_effort));
 }
 
-TEST_CASE("command code and data size come from the body, whatever the header says") {
+TEST_CASE("command code and data size are those of the body, whatever the header has") {
     auto head = emergency_header;
     head.command_code = 0x1234;
     head.data_size = 99;
     CHECK(made(head, emergency_code_5) == to_hex(set_emergency));
 }
 
-TEST_CASE("a message is taken apart into header and body") {
+TEST_CASE("a message is split into header and body") {
     const auto emergency = jaus::split(set_emergency);
     REQUIRE(emergency);
     CHECK(emergency.header.priority == 15);
@@ -109,7 +109,7 @@ TEST_CASE("a message shorter than its header is truncated") {
     }
 }
 
-TEST_CASE("a message with less or more behind its header than that says has the wrong size") {
+TEST_CASE("a message with less or more data than its header states has the wrong size") {
     CHECK(jaus::split(std::span{set_emergency}.first(16)).error == errc::wrong_size);
     CHECK(jaus::split(std::span{set_emergency}.first(17)).error == errc::wrong_size);
     CHECK(jaus::split(set_emergency).error == errc::ok);
@@ -119,7 +119,7 @@ TEST_CASE("a message with less or more behind its header than that says has the 
     CHECK(split_with(13, 1) == errc::wrong_size); // 258 bytes
 }
 
-TEST_CASE("a message of another version than 2 has the wrong version") {
+TEST_CASE("a message of a version other than 2 has the wrong version") {
     CHECK(split_with(1, 0) == errc::wrong_version);
     CHECK(split_with(1, 1) == errc::wrong_version);
     CHECK(split_with(1, 2) == errc::ok);
@@ -142,7 +142,7 @@ TEST_CASE("a source with an octet of 0 or 255 is invalid, a destination is not")
     }
 }
 
-TEST_CASE("header and body that were taken apart join to the same message") {
+TEST_CASE("header and body join to the message from which they were split") {
     constexpr auto joined = [] {
         const auto parts = jaus::split(report_wrench_effort);
         std::array<std::byte, report_wrench_effort.size()> out{};
@@ -164,7 +164,7 @@ TEST_CASE("header and body that were taken apart join to the same message") {
     CHECK(jaus::join(wrong, body, out).error() == errc::invalid_header);
 }
 
-TEST_CASE("a message that does not fit its buffer says no space") {
+TEST_CASE("a message that exceeds its buffer gives no_space") {
     std::array<std::byte, 21> out{};
     for (std::size_t size = 0; size != 18; ++size)
         CHECK(jaus::make_message(emergency_header, emergency_code_5, std::span{out}.first(size)).error() ==
@@ -197,7 +197,7 @@ TEST_CASE("a body of 4080 bytes fits a message, and one of 4081 is too large") {
     CHECK(jaus::make_message(emergency_header, bulk<4081>{}, out).error() == errc::body_too_large);
 }
 
-TEST_CASE("a received body of 4080 bytes is taken, and one of 4081 to 4095 is too large") {
+TEST_CASE("a received body of 4080 bytes is accepted, and one of 4081 to 4095 is too large") {
     for (const std::size_t size : {4080U, 4081U, 4095U}) {
         CAPTURE(size);
         auto head = emergency_header;
@@ -208,7 +208,7 @@ TEST_CASE("a received body of 4080 bytes is taken, and one of 4081 to 4095 is to
     }
 }
 
-TEST_CASE("an answer goes back to the sender under the same sequence number and is no acknowledgement") {
+TEST_CASE("an answer has the sender as destination and the same sequence number, and is not an acknowledgement") {
     const jaus::header request{.priority = 11,
                                .ack_nak = jaus::ack_nak::request,
                                .service_connection = true,
@@ -245,7 +245,7 @@ TEST_CASE("an acknowledgement has no body, whatever its command code") {
     CHECK(!jaus::is_acknowledgement(unasked.header));
 }
 
-TEST_CASE("every error of messages has a line of its own") {
+TEST_CASE("every message error has a distinct text") {
     std::set<std::string_view> lines;
     for (int i = 0; i <= static_cast<int>(errc::body_too_large); ++i)
         lines.insert(jaus::describe(static_cast<errc>(i)));

@@ -11,7 +11,7 @@
 namespace jaus = jauscat::jaus;
 namespace text = jauscat::text;
 
-TEST_CASE("a message is printed a field a line, with units, raw integers and names") {
+TEST_CASE("a message is printed one field a line, with units, raw integers and names") {
     CHECK(text::to_text(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50}) ==
           "  presence_vector = 0x0001\n"
           "  propulsive_linear_effort_x = 50 % (raw 16384)\n");
@@ -35,7 +35,7 @@ TEST_CASE("a value that does not encode is printed without a raw integer") {
     CHECK(text::to_text(jaus::set_travel_speed{.desired_speed = -1}) == "  desired_speed = -1 m/s\n");
 }
 
-TEST_CASE("lists are printed with the numbers of their elements, structures below their name") {
+TEST_CASE("lists are printed with their indices, structures below their name") {
     const std::array joints{jaus::joint_motion{.joint_position = 1}};
     const std::array poses{jaus::joint_motion_pose{.pose_time = 6000, .joint = joints}, jaus::joint_motion_pose{}};
     CHECK(text::to_text(jaus::set_joint_motion{.number_of_joints = 1, .pose = poses}, 0) ==
@@ -57,7 +57,7 @@ TEST_CASE("lists are printed with the numbers of their elements, structures belo
           "joint[1].joint_effort = 100 % (raw 65535)\n");
 }
 
-TEST_CASE("flags are printed by name, times and dates as people write them") {
+TEST_CASE("flags are printed by name, times and dates in readable form") {
     CHECK(text::to_text(jaus::set_camera_pose{
               .camera_id = 1, .mode_indicator = {jaus::mode_indicator::linear_y_is_a_rate, jaus::mode_indicator{7}}}) ==
           "  presence_vector = 0x00\n"
@@ -73,7 +73,7 @@ TEST_CASE("flags are printed by name, times and dates as people write them") {
                     "date_stamp = 2007-06-27 (raw 3803)\n");
 }
 
-TEST_CASE("text is printed in quotes, safe for a terminal, and bytes with their number") {
+TEST_CASE("text is printed quoted and safe for a terminal, bytes with their count") {
     using namespace std::string_view_literals;
     CHECK(text::quoted("left \"arm\" \\") == R"("left \"arm\" \\")");
     CHECK(text::quoted("\x1B[31m\0"sv) == R"("\x1b[31m\x00")");
@@ -93,7 +93,7 @@ TEST_CASE("text is printed in quotes, safe for a terminal, and bytes with their 
     CHECK(text::to_text(jaus::report_image{.image_data = std::span{large}}, 0).ends_with(" 00 ...\n"));
 }
 
-TEST_CASE("a value whose type code says something else is told so") {
+TEST_CASE("a value that contradicts its type code is reported") {
     CHECK(text::to_text(jaus::typed_value{.data_type = jaus::data_type::byte, .value = std::int16_t{1}}, 0) ==
           "data_type = byte (0)\nvalue = of another type\n");
     CHECK(text::to_text(jaus::typed_value{.data_type = jaus::data_type::none, .value = std::monostate{}}, 0) ==

@@ -54,7 +54,7 @@ bool has_tail(const messages::message& message, std::span<const std::byte> body)
 
 } // namespace
 
-TEST_CASE("the messages under test are those of the catalogue") {
+TEST_CASE("the tested messages equal those of the catalogue") {
     std::set<std::uint16_t> tested, listed;
     for (const auto& message : messages::all()) REQUIRE(tested.insert(message.code).second);
     for (const auto& entry : jaus::catalog) listed.insert(entry.command_code);
@@ -62,7 +62,7 @@ TEST_CASE("the messages under test are those of the catalogue") {
     CHECK(tested == listed);
 }
 
-TEST_CASE("every random message encodes and decodes to itself") {
+TEST_CASE("every random message decodes to itself after encoding") {
     for_random_bodies(1, 100, {.exact = true}, [](const messages::message& message, const messages::encoded& sample) {
         REQUIRE(sample.decodes_to_itself);
         REQUIRE(sample.bytes.size() >= message.min_size);
@@ -75,7 +75,7 @@ TEST_CASE("every message of the standard is sent by its type") {
     for_random_bodies(4, 20, {}, [](const auto&, const messages::encoded& sample) { REQUIRE(sample.is_put); });
 }
 
-TEST_CASE("what was decoded encodes to the same bytes, from real values and from raw ones") {
+TEST_CASE("decoded messages encode to the same bytes, from real and from raw values") {
     for_random_bodies(2, 100, {}, [](const messages::message& message, const messages::encoded& sample) {
         const auto seen = message.decode(sample.bytes);
         REQUIRE(seen.error == errc::ok);
@@ -86,7 +86,7 @@ TEST_CASE("what was decoded encodes to the same bytes, from real values and from
     });
 }
 
-TEST_CASE("a view shows what decode finds, in every field and element") {
+TEST_CASE("a view shows the same values as decode, in every field and element") {
     for_random_bodies(3, 100, {.present = 0.7}, [](const messages::message& message, const messages::encoded& sample) {
         const auto seen = message.decode(sample.bytes);
         REQUIRE(seen.view_error == errc::ok);
@@ -94,7 +94,7 @@ TEST_CASE("a view shows what decode finds, in every field and element") {
     });
 }
 
-TEST_CASE("every body that ends before its structure does is truncated, and the field is named") {
+TEST_CASE("every body cut inside its structure is truncated, and the field is named") {
     for_random_bodies(4, 20, {.present = 0.7}, [](const messages::message& message, const messages::encoded& sample) {
         if (sample.bytes.size() > 600) return; // quadratic
         const std::size_t whole = has_tail(message, sample.bytes) ? message.min_size : sample.bytes.size();
@@ -113,7 +113,7 @@ TEST_CASE("every body that ends before its structure does is truncated, and the 
     });
 }
 
-TEST_CASE("one byte more is reported, unless the last field takes it") {
+TEST_CASE("one extra byte is reported, unless the last field includes it") {
     for_random_bodies(5, 20, {.present = 0.7}, [](const messages::message& message, const messages::encoded& sample) {
         auto longer = sample.bytes;
         longer.push_back(std::byte{'x'});
@@ -133,7 +133,7 @@ TEST_CASE("one byte more is reported, unless the last field takes it") {
     });
 }
 
-TEST_CASE("presence bits that announce nothing known are refused, or taken with what follows") {
+TEST_CASE("unknown presence bits are refused, or accepted with what follows") {
     int refused = 0, taken = 0;
     for_random_bodies(10, 20, {}, [&](const messages::message& message, const messages::encoded& sample) {
         using text_member = jauscat::text::member;
@@ -168,7 +168,7 @@ TEST_CASE("presence bits that announce nothing known are refused, or taken with 
     CHECK(refused > 30 * 20);
 }
 
-TEST_CASE("bodies of any bytes decode or not, and every way of reading them agrees") {
+TEST_CASE("all readers agree on whether random bytes decode") {
     support::generator g{6};
     for (const auto& message : messages::all()) {
         INFO(message.name);
@@ -221,7 +221,8 @@ TEST_CASE("no message is larger than 8 KiB") {
     }
 }
 
-TEST_CASE("each message reaches the handler of its type, and an acknowledgement without a body the one of those") {
+TEST_CASE("each message reaches the handler of its type, and an acknowledgement without a body the handler of "
+          "acknowledgements") {
     support::generator g{9};
     for (const auto* group : messages::groups()) {
         for (const auto& message : group->all) {

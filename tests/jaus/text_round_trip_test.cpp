@@ -61,7 +61,7 @@ void simplify(json& fields) {
 
 } // namespace
 
-TEST_CASE("every message comes back from its JSON as it was") {
+TEST_CASE("every message is restored from its JSON") {
     for_random_messages(61, [](const messages::message& message, const messages::octets& bytes, const void* value) {
         const json fields = whole_json(message, value);
         check_comes_back(message, fields, bytes);

@@ -53,7 +53,7 @@ TEST_CASE("a body that does not decode is dumped with the field at fault") {
           "left\n");
 }
 
-TEST_CASE("an acknowledgement, an unknown code and an unnamed enumerator have their text") {
+TEST_CASE("an acknowledgement, an unknown code and an unnamed enumerator have texts") {
     jaus::header head{.ack_nak = jaus::ack_nak::nak, .command_code = 0x9999};
     CHECK(text::summary(head) == "command code 0x9999 (NAK), 16 bytes, 0.0.0.0 -> 0.0.0.0, sequence 0");
     CHECK(text::to_text(jaus::primary_status_code::standby) == "standby");

@@ -145,7 +145,7 @@ TEST_CASE("every golden body decodes field for field") {
     }
 }
 
-TEST_CASE("every golden body is built out of its fields, byte for byte") {
+TEST_CASE("every golden body is built from its fields, byte for byte") {
     for (const auto& vector : golden::vectors()) {
         const auto body = body_of(vector.bytes);
         json fields = renamed(vector.object.at("fields"));
@@ -163,7 +163,7 @@ TEST_CASE("every golden body is built out of its fields, byte for byte") {
     }
 }
 
-TEST_CASE("every golden body, decoded, encodes to the same bytes, and every way of reading it agrees") {
+TEST_CASE("every golden body encodes to the same bytes after decoding, and all readers agree") {
     for (const auto& vector : golden::vectors()) {
         INFO(vector.name << ": " << to_hex(vector.bytes));
         const auto body = body_of(vector.bytes);
@@ -205,7 +205,7 @@ TEST_CASE("every golden message, sent over UDP, reaches the handler of its type 
     }
 }
 
-TEST_CASE("payload elements have the golden values once their interfaces' types are known") {
+TEST_CASE("payload elements have the golden values once the types of their interfaces are known") {
     int elements = 0;
     for (const auto& vector : golden::vectors()) {
         if (!carries_payload_elements(vector)) continue;
@@ -236,7 +236,7 @@ TEST_CASE("payload elements have the golden values once their interfaces' types 
     CHECK(elements > 16);
 }
 
-TEST_CASE("a diagnosis of a golden message that is cut or has another byte names the error of decode") {
+TEST_CASE("the diagnosis of a cut or changed golden message has the error of decode") {
     std::map<wire::errc, int> met;
     const auto judge = [&](const messages::message& message, std::span<const std::byte> body) {
         const auto [error, why] = message.judge(body);
@@ -266,7 +266,7 @@ TEST_CASE("a diagnosis of a golden message that is cut or has another byte names
         CHECK(met[error] > 100);
 }
 
-TEST_CASE("feature class metadata is set by hand") {
+TEST_CASE("feature class metadata equals the bytes derived by hand") {
     const auto body = from_hex("02 0201 0500 726f616473");
     jaus::set_vector_knowledge_store_feature_class_metadata message{.metadata_options =
                                                                         jaus::metadata_options::overwrite,
@@ -286,7 +286,7 @@ TEST_CASE("feature class metadata is set by hand") {
     CHECK(to_hex(out) == "ff fe ff 00 00");
 }
 
-TEST_CASE("an identification is understood however its text ends") {
+TEST_CASE("an identification is decoded with any text termination") {
     for (const auto* text : {"616263", "61626300", "6162630000000000"}) {
         const auto body = from_hex(std::string{"03 07 429c "} + text);
         jaus::report_identification found{};
@@ -301,7 +301,7 @@ TEST_CASE("an identification is understood however its text ends") {
     }
 }
 
-TEST_CASE("the reason of a rejected event goes to the end of the body, whatever ends it") {
+TEST_CASE("the reason of a rejected event extends to the end of the body, with any termination") {
     const auto body = from_hex("01 09 04 6e6f 00");
     jaus::reject_event_request found{};
     REQUIRE(*wire::decode(found, body) == body.size());

@@ -25,7 +25,7 @@ std::string image_packet(const std::string& flag_and_size, const std::string& nu
 
 } // namespace
 
-TEST_CASE("the recorded JAUS traffic is listed whole") {
+TEST_CASE("the recorded JAUS traffic is listed completely") {
     const auto result = run("--format json " + recorded);
     REQUIRE(result.code == 1);
     REQUIRE(result.err.empty());
@@ -66,7 +66,7 @@ TEST_CASE("the recorded JAUS traffic is listed whole") {
     REQUIRE(messages.at("0x0801") == 548);
 }
 
-TEST_CASE("the recorded traffic's messages of the standard decode, and encode again to the same bytes") {
+TEST_CASE("the standard messages of the recorded traffic decode, and encode to the same bytes") {
     const auto result =
         run("--format json --reencode --code 000D,000E,000F,0010,040A,040C,0801,0802,2400,2801,2805,4002,"
             "4202,4400,4401,4405,4406,4800,4801,4805 " +
@@ -85,7 +85,7 @@ TEST_CASE("the recorded traffic's messages of the standard decode, and encode ag
     REQUIRE(count == 3329 - 1095 - 482 - 150);
 }
 
-TEST_CASE("the summary of the recorded traffic") {
+TEST_CASE("the summary of the recorded traffic has all counts") {
     const auto result = run("--summary " + recorded);
     REQUIRE(
         result.says("3329 messages: 1746 decoded, 9 acknowledgements, 482 packets of large data sets, 1092 unknown\n"));
@@ -122,7 +122,7 @@ TEST_CASE("frames of every link type hold messages, with and without the prefix"
     }
 }
 
-TEST_CASE("what is not JAUS is counted with its reason") {
+TEST_CASE("data that are not JAUS are counted by reason") {
     const scratch files;
     const auto frame = [](const std::string& payload) { return ethernet_frame(udp_packet(payload)); };
     auto tcp = frame(status);
@@ -152,7 +152,7 @@ TEST_CASE("what is not JAUS is counted with its reason") {
     REQUIRE(result.objects().at(0).at("decoded") == 1);
 }
 
-TEST_CASE("a message that breaks off is shown as broken, since its code or its prefix says that it is one") {
+TEST_CASE("an incomplete message is shown as broken, since its code or prefix identifies it") {
     const scratch files;
     write_capture(files / "capture", dump_test::link_raw,
                   {udp_packet("0602 0240 01200101 01210101 0500 0700 0100"), udp_packet(prefix + "0602"),
@@ -165,7 +165,7 @@ TEST_CASE("a message that breaks off is shown as broken, since its code or its p
     REQUIRE_FALSE(result.objects().at(2).contains("error"));
 }
 
-TEST_CASE("packets of a large data set are listed and put together, also out of order") {
+TEST_CASE("packets of a large data set are listed and assembled, also out of order") {
     const scratch files;
     write_capture(files / "capture", dump_test::link_raw,
                   {udp_packet(image_packet("0310", "0000", "01 02 aa")), udp_packet(image_packet("0180", "0200", "dd")),
@@ -186,7 +186,7 @@ TEST_CASE("packets of a large data set are listed and put together, also out of 
                                     "0102aabbccdd");
 }
 
-TEST_CASE("a large data set of more bytes than a header can say is decoded, and has no bytes to encode again") {
+TEST_CASE("a large data set with more bytes than a header can state is decoded, and has no bytes to encode") {
     const scratch files;
     std::vector<std::string> frames;
     const std::string body = "01 02" + std::string(2 * 3998, 'a'); // 4000 bytes, a0fh
@@ -206,7 +206,7 @@ TEST_CASE("a large data set of more bytes than a header can say is decoded, and 
     REQUIRE_FALSE(objects[20].contains("hex"));
 }
 
-TEST_CASE("a data set that is larger than the memory for it is shown as broken") {
+TEST_CASE("a data set that exceeds its memory is shown as broken") {
     const scratch files;
     const std::string body(2 * 4000, 'a');
     std::vector<std::string> frames(263); // 1 MiB is 262 packets of 4000 bytes and some more
@@ -222,7 +222,7 @@ TEST_CASE("a data set that is larger than the memory for it is shown as broken")
     REQUIRE(result.objects().at(262).at("error").at("error") == "too_large");
 }
 
-TEST_CASE("payload data elements are decoded by the report of their payload that came before") {
+TEST_CASE("payload data elements are decoded by the preceding report of their payload") {
     const scratch files;
     // One command interface "go": scaled byte, -10 to 10, no unit, no enumeration. Then Set Payload Data Element.
     const std::string report = prefix +
@@ -240,7 +240,7 @@ TEST_CASE("payload data elements are decoded by the report of their payload that
     REQUIRE(objects.at(2).at("fields").at("element") == "01ff");
 }
 
-TEST_CASE("a capture that cannot be read ends with exit code 2, after what could be") {
+TEST_CASE("a capture that cannot be read to its end is shown up to there, with exit code 2") {
     const scratch files;
     std::ofstream{files / "text"} << "this is no capture\n";
     write_capture(files / "cut", dump_test::link_raw, {udp_packet(status), udp_packet(status)}, 3);

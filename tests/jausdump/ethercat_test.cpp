@@ -33,7 +33,7 @@ json summary_of(const std::string& arguments, const std::vector<datagram>& datag
 
 } // namespace
 
-TEST_CASE("what controller and arm said to each other is shown, under both tables, messages in segments too") {
+TEST_CASE("the messages between controller and arm are shown, under both tables and in segments") {
     for (const auto& [arguments, heartbeats] :
          {std::pair{"seed --subsystem 2 " + own_seed, 4}, {"self-contained " + own_self_contained, 3}}) {
         INFO(arguments);
@@ -54,7 +54,7 @@ TEST_CASE("what controller and arm said to each other is shown, under both table
     }
 }
 
-TEST_CASE("a message of controller and arm has its fields, its station and its object") {
+TEST_CASE("a message between controller and arm has its fields, station and object") {
     for (const auto& arguments : {"seed --subsystem 2 " + own_seed, "self-contained " + own_self_contained}) {
         INFO(arguments);
         const auto command =
@@ -78,7 +78,7 @@ TEST_CASE("a message of controller and arm has its fields, its station and its o
     }
 }
 
-TEST_CASE("an abort is shown with the message that was refused, its code and its text") {
+TEST_CASE("an abort is shown with the refused message, its code and its text") {
     for (const auto& arguments : {"seed --subsystem 2 " + own_seed, "self-contained " + own_self_contained}) {
         INFO(arguments);
         const auto objects = run("--format json --from 1.1.32.1 --code 0405 --ethercat " + arguments).objects();
@@ -106,7 +106,7 @@ TEST_CASE("in captures of other stacks only the objects of components are messag
     CHECK(other_base.says("EtherCAT: upload from station 1001 (0x03E9), object 0x6926:1\n"));
 }
 
-TEST_CASE("a message is shown once, however often it passes") {
+TEST_CASE("a message is shown once, in however many frames it is") {
     auto out = write_to(2, 1, download);
     out.working_counter = 0;
     auto repeated = write_to(2, 1, download);
@@ -131,7 +131,7 @@ TEST_CASE("a message is shown once, however often it passes") {
           2);
 }
 
-TEST_CASE("a message that no slave took is counted and not shown") {
+TEST_CASE("a message that no slave read is counted and not shown") {
     auto out = write_to(2, 1, download);
     out.working_counter = 0;
     const auto summary = summary_of("seed", {out, out, out});
@@ -139,7 +139,7 @@ TEST_CASE("a message that no slave took is counted and not shown") {
     CHECK(summary.at("skipped") == json{{"EtherCAT mailbox message that no slave took: working counter 0", 1}});
 }
 
-TEST_CASE("segments are put together for each station") {
+TEST_CASE("segments are assembled for each station") {
     std::vector<datagram> frames;
     for (const auto& [request, answer] : {std::pair{begin_segments, confirmation},
                                           {first_segment, confirmed_segment},
@@ -160,7 +160,7 @@ TEST_CASE("segments are put together for each station") {
     }
 }
 
-TEST_CASE("segments that are missing make a transfer incomplete") {
+TEST_CASE("missing segments make a transfer incomplete") {
     const auto expect_incomplete = [](const std::vector<datagram>& frames) {
         const auto result = run_ring("seed --format json --summary", frames);
         CHECK(result.code == 1);
@@ -176,7 +176,7 @@ TEST_CASE("segments that are missing make a transfer incomplete") {
     CHECK(late.at("skipped") == json{{"SDO message of a transfer that began before the capture", 2}});
 }
 
-TEST_CASE("a transfer may be given up by the master, and refused by the mailbox") {
+TEST_CASE("a transfer can be aborted by the master, and refused by the mailbox") {
     const auto given_up =
         run_ring("seed", {write_to(2, 1, begin_segments), write_to(2, 2, "0020 80 151b 1a 00000405")});
     CHECK(given_up.says("         given up by the master: SDO abort 0x05040000: SDO protocol timeout\n"));
@@ -196,7 +196,7 @@ TEST_CASE("a transfer may be given up by the master, and refused by the mailbox"
     CHECK(upload.code == 0);
 }
 
-TEST_CASE("a late answer is not taken for that of another object") {
+TEST_CASE("a late answer is not used for another object") {
     const std::string late_data = "0030 41 151b 1a 0c000000" + wrench; // of an upload that was given up
     const auto result =
         run_ring("seed --format json", {write_to(2, 1, "0020 40 1810 01 00000000"), read_from(2, 1, late_data)});
@@ -211,7 +211,7 @@ TEST_CASE("a late answer is not taken for that of another object") {
     CHECK(refused[1].at("refusal").at("text") == "general error");
 }
 
-TEST_CASE("a slave that is addressed by its position is named by its station address where that is known") {
+TEST_CASE("a slave addressed by position is shown with its station address, if known") {
     auto out = write_to(0, 1, download);
     out.cmd = apwr;
     out.adp = 0xFFFF; // the second slave; each of three increments it
@@ -234,7 +234,7 @@ TEST_CASE("a slave that is addressed by its position is named by its station add
     CHECK(known[0].at("header").at("destination").at("node") == 5);
 }
 
-TEST_CASE("EtherCAT is read behind VLAN tags, in UDP and beside JAUS in UDP") {
+TEST_CASE("EtherCAT is read after VLAN tags, in UDP, and beside JAUS in UDP") {
     const scratch files;
     const auto frame = ring_frame(write_to(2, 1, download));
     const std::string status = "0602 0240 01200101 01210101 0500 0700 0100000000";
@@ -250,7 +250,7 @@ TEST_CASE("EtherCAT is read behind VLAN tags, in UDP and beside JAUS in UDP") {
     CHECK(run("--summary " + (files / "ring")).says("1 skipped: EtherCAT: --ethercat shows the JAUS messages in it\n"));
 }
 
-TEST_CASE("data of fixed length and of other index bases are read") {
+TEST_CASE("data of fixed length and with other index bases are read") {
     const std::string padded = "0c00" + wrench + "00000000";
     const auto objects = run_ring("seed --fixed-length --index-base 0x2000 --format json",
                                   {write_to(2, 1, "0020 21 2120 1a 12000000" + padded)})
@@ -267,7 +267,7 @@ TEST_CASE("data of fixed length and of other index bases are read") {
     }
 }
 
-TEST_CASE("a component's object that is no message is shown as broken, others are counted") {
+TEST_CASE("a component's object that is not a message is shown as broken, other objects are counted") {
     const auto expedited = run_ring("seed --format json", {write_to(2, 1, "0020 23 151b 1a 01020304")});
     CHECK(expedited.code == 1);
     CHECK(expedited.objects().at(0).at("message").is_null());
@@ -294,7 +294,7 @@ TEST_CASE("a component's object that is no message is shown as broken, others ar
                                      {"SDO message of an unknown kind", 1}});
 }
 
-TEST_CASE("frames that break off, and frames with any byte changed, are counted") {
+TEST_CASE("incomplete frames, and frames with any changed byte, are counted") {
     const auto recorded = jauscat::test::read_pcap("ethercat_jauscat_seed.pcap");
     const scratch files;
     std::vector<std::string> frames;
@@ -319,7 +319,7 @@ TEST_CASE("frames that break off, and frames with any byte changed, are counted"
     }
 }
 
-TEST_CASE("a capture that breaks off is shown as far as it goes") {
+TEST_CASE("an incomplete capture is shown up to its end") {
     const scratch files;
     write_capture(files / "cut", link_ethernet,
                   {ethernet_ring_frame(write_to(2, 1, download)), ethernet_ring_frame(read_from(2, 1, confirmation))},
@@ -330,7 +330,7 @@ TEST_CASE("a capture that breaks off is shown as far as it goes") {
     CHECK(result.err.find("after packet 1") != std::string::npos);
 }
 
-TEST_CASE("wrong arguments of --ethercat and captures without EtherCAT are told of") {
+TEST_CASE("wrong arguments of --ethercat and captures without EtherCAT are reported") {
     const auto says = [](const std::string& arguments, const std::string& text) {
         const auto result = run(arguments);
         INFO(arguments << ": " << result.err);

@@ -44,7 +44,7 @@ const std::string wrench = "0602 0504 01210202 01200101 0500 2200 4100 ff3f 20";
 
 } // namespace
 
-TEST_CASE("a message is one object with the documented keys in the documented order") {
+TEST_CASE("a message is one object with the documented keys in order") {
     REQUIRE(
         run("--format json --reencode --translate seed", wrench + "\n").out ==
         R"({"message":"Set Wrench Effort","code":"0x0405","header":{"priority":6,"ack_nak":0,"service_connection":0,)"
@@ -78,7 +78,7 @@ TEST_CASE("every golden message encodes again to its bytes") {
     }
 }
 
-TEST_CASE("payload data elements are decoded with the types that are given, and stay hex without") {
+TEST_CASE("payload data elements are decoded with the given types, and stay hex without") {
     std::vector<json> vectors;
     for (auto& vector : golden_vectors())
         if (is_payload_element(vector)) vectors.push_back(std::move(vector));
@@ -125,7 +125,7 @@ TEST_CASE("a line may have spaces, 0x, colons and the prefix of a datagram") {
     }
 }
 
-TEST_CASE("lines that are no bytes are reported by their number, and the run goes on") {
+TEST_CASE("lines that are not bytes are reported by number, and the run continues") {
     const auto result = run("--format json", "\n06020\n060z\n" + wrench + "\n0x 0x06\n");
     REQUIRE(result.code == 1);
     const auto objects = result.objects();
@@ -141,7 +141,7 @@ TEST_CASE("lines that are no bytes are reported by their number, and the run goe
         REQUIRE(objects[0].at(key).is_null());
 }
 
-TEST_CASE("a broken message says which field broke it, at which byte") {
+TEST_CASE("a broken message is shown with the field and byte at fault") {
     const auto error_of = [](const std::string& hex) {
         const auto error = object_of(hex).at("error");
         return error.at("error").get<std::string>() + " " + error.at("field").get<std::string>() + " " +
@@ -165,7 +165,7 @@ TEST_CASE("a broken message says which field broke it, at which byte") {
     REQUIRE(run("", "0602 0504 01210202 01200101 0300 2200 4100 ff\n").code == 1);
 }
 
-TEST_CASE("a message of an unknown code is shown as unknown, with its bytes") {
+TEST_CASE("a message with an unknown code is shown as unknown, with its bytes") {
     const auto object = object_of("8602 15e0 01260598 01040182 0300 0000 010203", "--reencode --translate seed");
     REQUIRE(object.at("message") == "unknown");
     REQUIRE(object.at("code") == "0xE015");
@@ -178,7 +178,7 @@ TEST_CASE("a message of an unknown code is shown as unknown, with its bytes") {
     REQUIRE_FALSE(object.contains("hex"));
 }
 
-TEST_CASE("an acknowledgement without a body is one; a body is decoded whatever the header says") {
+TEST_CASE("an acknowledgement without a body is shown as one; a body is decoded whatever the header states") {
     const auto acknowledgement = object_of("3602 0504 01200101 01210202 0000 2200", "--reencode");
     REQUIRE(acknowledgement.at("header").at("ack_nak") == 3);
     REQUIRE(acknowledgement.at("fields").is_null());
@@ -194,7 +194,7 @@ TEST_CASE("an acknowledgement without a body is one; a body is decoded whatever 
     REQUIRE(body.at("fields").at("propulsive_linear_effort_x").at("raw") == 16383);
 }
 
-TEST_CASE("bytes behind an unknown presence bit of a tolerant message are counted") {
+TEST_CASE("bytes after an unknown presence bit of a tolerant message are counted") {
     // Report Global Pose with bit 9, as seen in recorded traffic: two bytes follow the time stamp.
     const auto object = object_of("0602 0244 01200101 01260202 0800 0100 0003 04030201 0605", "--reencode");
     REQUIRE(object.at("presence_vector") == "0x0100");
@@ -205,7 +205,7 @@ TEST_CASE("bytes behind an unknown presence bit of a tolerant message are counte
     REQUIRE_FALSE(object.contains("error"));
 }
 
-TEST_CASE("the packet is that of the chosen table, or the error's name") {
+TEST_CASE("the packet is that of the selected table, or the name of the error") {
     const auto packet = [](const std::string& hex, const std::string& table) {
         return object_of(hex, "--translate " + table).at("packet").get<std::string>();
     };
@@ -235,7 +235,7 @@ TEST_CASE("the packet is that of the chosen table, or the error's name") {
     REQUIRE(packet("0602 0504 01210202 01200101 0600 2200 4100 ff3f 20", "seed") == "wrong_size");
 }
 
-TEST_CASE("filters choose messages by code, name and address") {
+TEST_CASE("filters select messages by code, name and address") {
     const std::string query = "0602 0220 01210202 01200101 0000 0100",
                       report = "0602 0240 01200101 01210202 0500 0100 0100000000";
     const auto input = wrench + "\n" + query + "\n" + report + "\n06\n";

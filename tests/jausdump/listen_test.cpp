@@ -86,7 +86,7 @@ const std::string prefix = "4a41555330312e30";
 
 } // namespace
 
-TEST_CASE("messages at a port are shown as they arrive, until Ctrl-C ends with the summary") {
+TEST_CASE("messages at a port are shown on arrival, until Ctrl-C prints the summary") {
     listening_program program{{}};
     program.send(status);
     program.wait_for_output("Report Component Status");
@@ -101,7 +101,7 @@ TEST_CASE("messages at a port are shown as they arrive, until Ctrl-C ends with t
             std::string::npos);
 }
 
-TEST_CASE("messages at a port as JSON, with the sender's address; an unknown one makes the exit code 1") {
+TEST_CASE("messages at a port are shown as JSON with the sender's address; an unknown one makes the exit code 1") {
     listening_program program{{"--format", "json"}};
     program.send(prefix + status);
     program.send("8602 15e0 01260598 01040182 0000 0000");

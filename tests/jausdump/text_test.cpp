@@ -9,7 +9,7 @@ namespace {
 const std::string wrench = "0602 0504 01210202 01200101 0500 2200 4100 ff3f 20\n";
 }
 
-TEST_CASE("a message is a line of columns, then its fields with units and raw integers") {
+TEST_CASE("a message is shown as a line of columns, then its fields with units and raw integers") {
     const auto result = run("", wrench);
     REQUIRE(result.code == 0);
     REQUIRE(
@@ -27,7 +27,7 @@ TEST_CASE("a message is a line of columns, then its fields with units and raw in
         "1 message: 1 decoded\n");
 }
 
-TEST_CASE("bytes are shown with their offsets on request, and where a message is broken") {
+TEST_CASE("bytes are shown with offsets on request, and where a message is broken") {
     const std::string dump = "         0000  06 02 05 04 01 21 02 02 01 20 01 01 05 00 22 00\n"
                              "         0010  41 00 ff 3f 20\n";
     REQUIRE_FALSE(run("", wrench).says(dump));
@@ -42,7 +42,7 @@ TEST_CASE("bytes are shown with their offsets on request, and where a message is
     REQUIRE(unknown.says("         0010  41\n"));
 }
 
-TEST_CASE("encoded and translated bytes are said in words") {
+TEST_CASE("encoded and translated bytes are described") {
     const auto result = run("--reencode --translate seed", wrench);
     REQUIRE(result.says("         encoded again: 06020504012102020120010105002200"
                         "4100ff3f20\n"));
@@ -51,7 +51,7 @@ TEST_CASE("encoded and translated bytes are said in words") {
         run("--translate seed", "0602 15e0 01210202 01200101 0000 2200\n").says("SDO packet: unknown_command_code\n"));
 }
 
-TEST_CASE("payload data elements follow their bytes") {
+TEST_CASE("payload data elements are shown after their bytes") {
     const auto result =
         run("--payload-types 2,21", "9002010d ffff94ff 6c218209 0b00 3f22 02 01 00000080 02 0100 ffff\n");
     REQUIRE(result.code == 0);
@@ -68,7 +68,7 @@ TEST_CASE("the summary counts by message") {
                           "3 messages: 2 decoded, 1 broken\n");
 }
 
-TEST_CASE("there are colours on a terminal, and never with NO_COLOR") {
+TEST_CASE("a terminal gets colours, except with NO_COLOR") {
     const dump_test::scratch files;
     std::ofstream{files / "in"} << wrench;
     const auto on_terminal = [&](const std::string& before) {
@@ -90,7 +90,7 @@ TEST_CASE("there are colours on a terminal, and never with NO_COLOR") {
     REQUIRE(run("", wrench).out.find('\033') == std::string::npos);
 }
 
-TEST_CASE("the progress of a long capture is shown on a terminal that has no messages on it") {
+TEST_CASE("the progress of a long capture is shown on a terminal without messages") {
     if (std::system("command -v script >/dev/null") != 0) {
         std::puts("SKIPPED: script (package bsdutils) is missing");
         return;
@@ -106,7 +106,7 @@ TEST_CASE("the progress of a long capture is shown on a terminal that has no mes
     REQUIRE(seen("").find("reading:") == std::string::npos);
 }
 
-TEST_CASE("without arguments on a terminal it says what it waits for, and Ctrl-C ends it with the summary") {
+TEST_CASE("without arguments on a terminal the program states its input, and Ctrl-C ends it with the summary") {
     support::terminal_program program{{JAUSDUMP}};
     program.wait_for("jausdump: type messages as hex digits, one a line");
     program.type(wrench);
@@ -116,7 +116,7 @@ TEST_CASE("without arguments on a terminal it says what it waits for, and Ctrl-C
     REQUIRE(program.exit_code() == 0);
 }
 
-TEST_CASE("Ctrl-C on a terminal ends it also before anything is typed, and in the middle of a line") {
+TEST_CASE("Ctrl-C on a terminal also ends it before any input, and inside a line") {
     for (const std::string keys : {"", "0602"}) {
         support::terminal_program program{{JAUSDUMP}};
         program.wait_for("Ctrl-D or Ctrl-C ends it, --help says more");
@@ -126,7 +126,7 @@ TEST_CASE("Ctrl-C on a terminal ends it also before anything is typed, and in th
     }
 }
 
-TEST_CASE("lines without an end and many lines at once are all read") {
+TEST_CASE("unterminated lines and many lines at once are all read") {
     std::string many;
     for (int i = 0; i != 5000; ++i) many += wrench;
     const auto result = run("--summary", many + wrench.substr(0, wrench.size() - 1));
@@ -134,14 +134,14 @@ TEST_CASE("lines without an end and many lines at once are all read") {
     REQUIRE(result.says("5001 messages: 5001 decoded\n"));
 }
 
-TEST_CASE("help has examples and the exit codes") {
+TEST_CASE("help shows examples and the exit codes") {
     const auto result = run("--help");
     REQUIRE(result.code == 0);
     for (const auto* text : {"Examples:", "Exit code:", "--payload-types", "--listen", "jausdump drive.pcap"})
         REQUIRE(result.says(text));
 }
 
-TEST_CASE("a wrong command line ends with exit code 2 and says what is wrong") {
+TEST_CASE("a wrong command line ends with exit code 2 and an explanation") {
     const auto says = [](const std::string& arguments, const std::string& text) {
         const auto result = run(arguments);
         INFO(arguments << ": " << result.err);

@@ -22,7 +22,7 @@ access_list::endpoint at(const char* ip, std::uint16_t port) { return {boost::as
 
 } // namespace
 
-TEST_CASE("a message is taken from the address of the system that has its source, and from nowhere else") {
+TEST_CASE("a message is accepted only from the address of the system that has its source") {
     const access_list list{config};
     CHECK_FALSE(list.is_open());
     const auto check = [&](const char* source, const char* ip, std::uint16_t port) {
@@ -45,7 +45,7 @@ TEST_CASE("a message is taken from the address of the system that has its source
     CHECK(check("1.1.33.1", "127.0.0.1", 39777) == verdict::taken);
 }
 
-TEST_CASE("a system that is a node of another sends for itself, from any port if it says so") {
+TEST_CASE("a system that is a node of another sends from its own address, from any port if configured") {
     const access_list list{config};
     CHECK(list.check(id("2.7.33.1"), at("10.0.0.7", 3794)).what == verdict::taken);
     CHECK(list.check(id("2.7.33.1"), at("10.0.0.7", 50000)).what == verdict::taken);
@@ -53,7 +53,7 @@ TEST_CASE("a system that is a node of another sends for itself, from any port if
     CHECK(list.check(id("2.8.33.1"), at("10.0.0.7", 3794)).what == verdict::wrong_sender);
 }
 
-TEST_CASE("a finding names the system, but not when the sender is another") {
+TEST_CASE("a verdict names the system, unless the sender is another") {
     const access_list list{config};
     CHECK(list.check(id("2.1.33.1"), at("10.0.0.2", 3794)).peer == 1U);
     CHECK(list.check(id("2.7.33.1"), at("10.0.0.7", 3794)).peer == 2U);
@@ -61,7 +61,7 @@ TEST_CASE("a finding names the system, but not when the sender is another") {
     CHECK_FALSE(list.check(id("9.1.33.1"), at("10.0.0.2", 3794)).peer);
 }
 
-TEST_CASE("an open list takes all, and still does not take a stranger for a peer") {
+TEST_CASE("an open list accepts every sender, but not a stranger in place of a peer") {
     const access_list list{config, net::access::open};
     CHECK(list.is_open());
     CHECK(list.check(id("9.1.33.1"), at("10.0.0.9", 1)).what == verdict::taken);
@@ -70,7 +70,7 @@ TEST_CASE("an open list takes all, and still does not take a stranger for a peer
     CHECK(list.check(id("2.1.33.1"), at("10.0.0.2", 3794)).peer == 1U);
 }
 
-TEST_CASE("a configuration that names no peer gives an open list") {
+TEST_CASE("a configuration without peers gives an open list") {
     CHECK(access_list{net_test::parse("<thissystem>a</thissystem>" + net_test::system_a)}.is_open());
 }
 

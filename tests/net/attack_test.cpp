@@ -93,7 +93,7 @@ class storm {
 
 } // namespace
 
-TEST_CASE("a spoofed source is refused, whoever it claims to be, and nothing is answered") {
+TEST_CASE("any spoofed source is refused without an answer") {
     target robot;
     for (const auto& source : {ocu, camera, robot_arm, jaus::address{1, 32, 1, 77}})
         for (const auto& from : {at("10.0.0.66"), at("10.0.0.1", 40000), at("::1")}) {
@@ -111,7 +111,7 @@ TEST_CASE("a spoofed source is refused, whoever it claims to be, and nothing is 
     CHECK(robot.answers == 1);
 }
 
-TEST_CASE("a replayed command is refused from elsewhere and obeyed once while it is remembered") {
+TEST_CASE("a replayed command is refused from another address, and executed once while it is remembered") {
     target robot;
     const auto recorded = message(ocu, forward, {.ack_nak = jaus::ack_nak::request, .sequence_number = 7});
     CHECK(robot.receive(recorded, at("10.0.0.1"), 1s) == verdict::taken);
@@ -125,7 +125,7 @@ TEST_CASE("a replayed command is refused from elsewhere and obeyed once while it
     CHECK(robot.node.commands == 2);
 }
 
-TEST_CASE("a peer that floods is held to its rate, and no other peer suffers") {
+TEST_CASE("a flooding peer is limited to its rate, without effect on other peers") {
     target robot;
     std::uint64_t taken = 0, of_camera = 0;
     const auto flood = message(ocu, forward), other = message(camera, forward);
@@ -146,7 +146,7 @@ TEST_CASE("strangers cannot use up a peer's rate") {
     CHECK(robot.receive(message(ocu, forward), at("10.0.0.1"), 1s) == verdict::taken);
 }
 
-TEST_CASE("one million random datagrams allocate nothing, and the node works on") {
+TEST_CASE("one million random datagrams allocate nothing, and the node continues to work") {
     auto robot = std::make_unique<target>();
     storm datagrams{20260711};
     std::map<verdict, std::uint64_t> verdicts;
@@ -179,7 +179,7 @@ TEST_CASE("one million random datagrams allocate nothing, and the node works on"
     CHECK(robot->answers == answered + 1);
 }
 
-TEST_CASE("a storm through a socket is counted to the last datagram, and the next message is answered") {
+TEST_CASE("every datagram of a flood through a socket is counted, and the next message is answered") {
     boost::asio::io_context context;
     using udp = boost::asio::ip::udp;
     const udp::endpoint loopback{boost::asio::ip::make_address("127.0.0.1"), 0};

@@ -62,7 +62,7 @@ struct bench {
 
 } // namespace
 
-TEST_CASE("the interface goes down in the middle of a transfer and comes back", "[veth]") {
+TEST_CASE("the interface goes down during a transfer and comes back", "[veth]") {
     bench b;
     std::atomic<unsigned> until_down = ~0u;
     test::slave_thread slave{"jc1", b.slaves, [&](auto&) {
@@ -78,7 +78,7 @@ TEST_CASE("the interface goes down in the middle of a transfer and comes back", 
     b.works();
 }
 
-TEST_CASE("the cable is pulled in the middle of a transfer and put back", "[veth]") {
+TEST_CASE("the cable is unplugged during a transfer and plugged in again", "[veth]") {
     bench b;
     std::atomic<unsigned> until_down = ~0u;
     test::slave_thread slave{"jc1", b.slaves, [&](auto&) {
@@ -95,7 +95,7 @@ TEST_CASE("the cable is pulled in the middle of a transfer and put back", "[veth
     b.works();
 }
 
-TEST_CASE("a cable that is out for a moment costs nothing but time", "[veth]") {
+TEST_CASE("a short interruption of the cable costs only time", "[veth]") {
     bench b;
     // It is out for as long as the machine needs for two commands.
     b.master = ethercat::master{{.retries = 1000, .mailbox_timeout = 20s}};
@@ -112,7 +112,7 @@ TEST_CASE("a cable that is out for a moment costs nothing but time", "[veth]") {
     CHECK(b.objects.entries.at({0x2000, 1}).value == b.data);
 }
 
-TEST_CASE("a slave's replies may carry a VLAN tag and another source address", "[veth]") {
+TEST_CASE("a slave's replies may have a VLAN tag and another source address", "[veth]") {
     bench b;
     using support::bytes;
     for (const auto& tag : {bytes(0x81, 0x00, 0x00, 0x00), bytes(0x81, 0x00, 0xA0, 0x05)}) {
@@ -127,7 +127,7 @@ TEST_CASE("a slave's replies may carry a VLAN tag and another source address", "
     }
 }
 
-TEST_CASE("late and duplicate replies are taken for nobody's", "[veth]") {
+TEST_CASE("late and duplicate replies are ignored", "[veth]") {
     bench b;
     std::vector<std::byte> before;
     unsigned frame_number = 0;

@@ -27,7 +27,7 @@ const auto ip = [](const char* text) { return boost::asio::ip::make_address(text
 
 } // namespace
 
-TEST_CASE("what a system does not say has its default") {
+TEST_CASE("options that a system omits have defaults") {
     const auto b = system_b("");
     CHECK(b.more_ips.empty());
     CHECK_FALSE(b.any_source_port);
@@ -91,7 +91,7 @@ TEST_CASE("a system takes part in a multicast group") {
           "test.xml:4: unknown \"hops\" in <multicast>; remove it or correct its name");
 }
 
-TEST_CASE("a system has limits") {
+TEST_CASE("a system may have limits") {
     const auto limits =
         system_b("<limits><rate>200</rate><burst>20</burst><largedata>65536</largedata></limits>").limits;
     CHECK(limits.messages == net::rate{200, 20});
@@ -107,7 +107,7 @@ TEST_CASE("a system has limits") {
           "test.xml:5: largedata \"1 MB\" is not a number of bytes, 0 to 1073741824");
 }
 
-TEST_CASE("a system has nodes and components") {
+TEST_CASE("a system may list nodes and components") {
     const auto b = system_b("<component><id>1</id><name>Node Manager</name><authority>255</authority></component>"
                             "<node id='4' name='arm'><component id='49' instance='2' name='Primitive Manipulator'/>"
                             "</node><component id='33'/>");
@@ -128,7 +128,7 @@ TEST_CASE("a system has nodes and components") {
     CHECK(net::to_jausip(system_b("<component id='33'/>", "2.7.0.0").components.at(0).id) == "2.7.33.1");
 }
 
-TEST_CASE("nodes and components that cannot be are refused at their line") {
+TEST_CASE("invalid nodes and components are refused with their line") {
     CHECK(complaint_in_b("<component/>") == "test.xml:4: this <component> needs <id>");
     CHECK(complaint_in_b("<node><name>x</name></node>") == "test.xml:4: this <node> needs <id>");
     for (const auto* id : {"0", "255", "x"}) {
@@ -157,7 +157,7 @@ TEST_CASE("nodes and components that cannot be are refused at their line") {
           "test.xml:4: the component 2.1.1.1 is taken by the <component> in line 3; give each its own id or instance");
 }
 
-TEST_CASE("a system has a master behind it, which its own program drives or another's") {
+TEST_CASE("a system may have a master, driven by its own program or by another system's") {
     const auto own = system_b("<ethercat interface='eth0'/>", "2.2.0.0").ethercat;
     REQUIRE(own);
     CHECK(own->controller == "b");
@@ -176,7 +176,7 @@ TEST_CASE("a system has a master behind it, which its own program drives or anot
     CHECK_FALSE(system_b("").ethercat);
 }
 
-TEST_CASE("a controller has the masters whose entries name it, in the order of the file") {
+TEST_CASE("a controller has the masters whose entries name it, in file order") {
     const auto config = parse("<thissystem>a</thissystem>" + system_a +
                               "<system name='b' jausip='2.2.0.0' ip='::1' port='1'><ethercat interface='x'/></system>"
                               "<system name='c' jausip='2.3.0.0' ip='::1' port='2'>"
@@ -189,7 +189,7 @@ TEST_CASE("a controller has the masters whose entries name it, in the order of t
     CHECK(config.masters_of("a").empty());
 }
 
-TEST_CASE("masters that cannot be are refused at their line") {
+TEST_CASE("invalid masters are refused with their line") {
     const std::string node = "2.2.0.0";
     CHECK(complaint_in_b("<ethercat interface='eth0'/>", node) == "accepted");
     CHECK(complaint_in_b("<ethercat/>", node) == "test.xml:4: this <ethercat> needs <interface>");
@@ -240,7 +240,7 @@ TEST_CASE("files are accepted and refused as by the schema") {
     CHECK(broken >= 30);
 }
 
-TEST_CASE("a file with everything is read to the last value") {
+TEST_CASE("a file with every option is read completely") {
     const auto config = net::read_jaus_config(JAUSCAT_TEST_DATA "/../net/config/good/everything.xml");
     CHECK(config.me().limits.large_data_memory == 8'388'608);
     CHECK(config.me().components.size() == 4);
@@ -252,7 +252,7 @@ TEST_CASE("a file with everything is read to the last value") {
     CHECK(config.masters_of("arm").size() == 2);
 }
 
-TEST_CASE("a file with 250 subsystems of 254 nodes is read in a moment, with the lines of all") {
+TEST_CASE("a file with 250 subsystems of 254 nodes is read quickly, with the lines of all") {
     std::string text = "<jausconfig>\n<thissystem>s1</thissystem>\n";
     for (int id = 1; id <= 250; ++id) {
         const auto number = std::to_string(id);

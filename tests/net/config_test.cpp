@@ -36,7 +36,7 @@ TEST_CASE("the example file names systems a, b and c") {
     CHECK(config.find("d") == nullptr);
 }
 
-TEST_CASE("attributes, any case of the root, spaces, comments, a byte order mark and a framing are taken") {
+TEST_CASE("attributes, any case of the root, spaces, comments, a byte order mark and a framing are accepted") {
     const auto config =
         parse_jaus_config("\xEF\xBB\xBF<?xml version='1.0'?>\r\n<!-- c -->\n<JausConfig thissystem='arm'>\n"
                           "<system name='arm' jausip='3.1.33.1' ip='::1' port='1' framing='JAUS01.0'/>\n"
@@ -52,7 +52,7 @@ TEST_CASE("attributes, any case of the root, spaces, comments, a byte order mark
     CHECK(config.find("b")->jausip.subsystem == 2);
 }
 
-TEST_CASE("one file serves every system") {
+TEST_CASE("one file configures every system") {
     const auto config = parse("<thissystem>a</thissystem>\n" + system_a +
                               "<system name='b' jausip='2.0.0.0' ip='127.0.0.1' port='39778'/>\n");
     CHECK(config.with_this("b").me().port == 39778);
@@ -65,7 +65,7 @@ TEST_CASE("one file serves every system") {
     }
 }
 
-TEST_CASE("a message goes to the system whose jausip names it best") {
+TEST_CASE("a message is sent to the system with the most specific jausip") {
     const auto system = [](const std::string& name, const std::string& jausip) {
         return "<system name='" + name + "' jausip='" + jausip + "' ip='127.0.0.1' port='1'/>";
     };
@@ -106,7 +106,7 @@ TEST_CASE("a file that cannot be read is named, with the reason") {
     }
 }
 
-TEST_CASE("a file's errors carry its own path") {
+TEST_CASE("errors of a file have its path") {
     const auto path =
         std::filesystem::temp_directory_path() / ("jauscat-config-" + std::to_string(::getpid()) + ".xml");
     std::ofstream{path} << "<jausconfig>\n</jausconfig>";
@@ -119,7 +119,7 @@ TEST_CASE("a file's errors carry its own path") {
     std::filesystem::remove(path);
 }
 
-TEST_CASE("malformed XML is refused at its line") {
+TEST_CASE("malformed XML is refused with its line") {
     CHECK(complaint("") == "test.xml:1: not well-formed XML: No document element found");
     CHECK(complaint("hello") == "test.xml:1: not well-formed XML: No document element found");
     CHECK(complaint("<jausconfig>\n<system>\n</jausconfig>").starts_with("test.xml:3: not well-formed XML: Start-end"));
@@ -138,7 +138,7 @@ TEST_CASE("a file without systems, or without a valid thissystem, is refused") {
           "test.xml:3: \"thissystem\" is given twice in <jausconfig>; keep one");
 }
 
-TEST_CASE("a system's missing, unknown, repeated or bad value is refused at its line") {
+TEST_CASE("a system's missing, unknown, repeated or invalid value is refused with its line") {
     const auto with = [](const std::string& name, const std::string& jausip, const std::string& ip,
                          const std::string& port, const std::string& more = {}) {
         return complaint_about("<system><name>" + name + "</name><jausip>" + jausip + "</jausip><ip>" + ip +

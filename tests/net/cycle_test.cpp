@@ -90,7 +90,7 @@ const auto nothing = [](auto&&...) {};
 
 } // namespace
 
-TEST_CASE("a JAUS command is in the slave's outputs one cycle after it came, and its report in the inputs") {
+TEST_CASE("a JAUS command is in the slave's outputs one cycle after its arrival, and its report in the inputs") {
     using exchange =
         bridge::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
     robot r;
@@ -123,13 +123,13 @@ TEST_CASE("a JAUS command is in the slave's outputs one cycle after it came, and
     CHECK(jaus::split(answer).header.ack_nak == jaus::ack_nak::ack);
 }
 
-TEST_CASE("a job without a limit of time is run to its end") {
+TEST_CASE("a job without a time limit runs to its end") {
     robot r;
     CHECK(net::run(r.link, r.master, ethercat::check{station}, std::chrono::nanoseconds::max()));
     CHECK(r.cycles.run_job(ethercat::check{station}, std::chrono::nanoseconds::max(), nothing, nothing));
 }
 
-TEST_CASE("process data that do not come back are lost, and the next cycle goes all the same") {
+TEST_CASE("process data that do not return are lost, and the next cycle runs nevertheless") {
     robot r;
     bool lose = false;
     r.link.loses = [&](auto) { return lose; };
@@ -145,7 +145,7 @@ TEST_CASE("process data that do not come back are lost, and the next cycle goes 
     CHECK(r.data.statistics().lost == 3);
 }
 
-TEST_CASE("an upload goes on in the time that cycles leave, and costs none of them") {
+TEST_CASE("an upload continues in the time between cycles, without delaying them") {
     robot r;
     std::array<std::byte, 4> vendor{};
     std::size_t cycles = 0;
@@ -160,7 +160,7 @@ TEST_CASE("an upload goes on in the time that cycles leave, and costs none of th
     CHECK(r.link.other_frames >= 10);
 }
 
-TEST_CASE("a job without answers is given up while cycles go on") {
+TEST_CASE("a job without answers is abandoned while cycles continue") {
     robot r{{.period = 10ms}, 30ms};
     r.link.loses = [](ethercat::command cmd) { return cmd != ethercat::command::lrw; };
     std::array<std::byte, 4> vendor{};
@@ -171,7 +171,7 @@ TEST_CASE("a job without answers is given up while cycles go on") {
     CHECK(r.data.statistics().complete == r.data.statistics().sent);
 }
 
-TEST_CASE("a job goes on while no process data come back") {
+TEST_CASE("a job continues while no process data return") {
     robot r;
     r.link.loses = [](ethercat::command cmd) { return cmd == ethercat::command::lrw; };
     std::array<std::byte, 4> vendor{};
@@ -184,7 +184,7 @@ TEST_CASE("a job goes on while no process data come back") {
           ethercat::master_errc::no_reply);
 }
 
-TEST_CASE("a job that could not start between cycles is not taken for the one that runs") {
+TEST_CASE("a job that could not start between cycles does not return the running job's result") {
     robot r;
     std::array<std::byte, 4> vendor{};
     REQUIRE(r.master.start(ethercat::upload{station, 0x1018, 1, vendor}));
@@ -195,7 +195,7 @@ TEST_CASE("a job that could not start between cycles is not taken for the one th
     CHECK(r.slave().state() == ethercat::al_state::op);
 }
 
-TEST_CASE("process data that are lost do not cost the next cycle") {
+TEST_CASE("lost process data do not delay the next cycle") {
     robot r{{.period = 40ms}};
     r.link.loses = [](auto) { return true; };
     constexpr unsigned count = 10;
@@ -204,7 +204,7 @@ TEST_CASE("process data that are lost do not cost the next cycle") {
     CHECK(r.cycles.overruns() < count / 2); // a busy machine may leave out one or two
 }
 
-TEST_CASE("no frame of the master's begins in the part of a cycle that is kept for the next") {
+TEST_CASE("the master sends no frame in the part of a cycle that is reserved for the next") {
     robot r{{.period = 10ms, .reserve = 1}}; // all of it
     std::array<std::byte, 4> vendor{};
     REQUIRE(r.master.start(ethercat::upload{station, 0x1018, 1, vendor}));

@@ -67,7 +67,7 @@ TEST_CASE("after privileges were dropped no raw socket can be opened, and the op
           }) == 0);
 }
 
-TEST_CASE("a program started by sudo becomes the user who called it, for good") {
+TEST_CASE("a program started by sudo permanently becomes the user who called it") {
     if (::geteuid() != 0) {
         std::cout << "SKIPPED: only root can become another user\n";
         return;
@@ -85,7 +85,7 @@ TEST_CASE("a program started by sudo becomes the user who called it, for good") 
           }) == 0);
 }
 
-TEST_CASE("a program without privileges has none to drop") {
+TEST_CASE("a program without privileges drops none") {
     CHECK(in_child([] {
               if (::geteuid() == 0 && ::setresuid(12345, 12345, 12345) != 0) return 1;
               ::setenv("SUDO_UID", "0", 1); // whoever sets it gains nothing
@@ -95,7 +95,7 @@ TEST_CASE("a program without privileges has none to drop") {
           }) == 0);
 }
 
-TEST_CASE("a program that is started afterwards gets no privileges either") {
+TEST_CASE("a program executed after privileges were dropped has none") {
     if (!may_open_raw_sockets()) return;
     CHECK(in_child([] {
               ::unsetenv("SUDO_UID");

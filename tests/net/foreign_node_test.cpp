@@ -84,7 +84,7 @@ raw_message asked(foreign_node& other, std::uint16_t port, const raw_message& m,
 
 } // namespace
 
-TEST_CASE("a foreign communicator finds an open node, which is in no configuration of its own, and gets all answers") {
+TEST_CASE("a foreign communicator finds an open node without configuration and gets all answers") {
     boost::asio::io_context context;
     robot r{context};
     foreign_node other{context};
@@ -154,7 +154,7 @@ TEST_CASE("a foreign communicator finds an open node, which is in no configurati
     REQUIRE(r.log.empty());
 }
 
-TEST_CASE("a foreign operator connects, takes control, commands and loses it with its heartbeats") {
+TEST_CASE("a foreign operator connects, takes control, commands, and loses control without heartbeats") {
     boost::asio::io_context context;
     robot r{context};
     foreign_node other{context};
@@ -232,7 +232,7 @@ TEST_CASE("a foreign operator connects, takes control, commands and loses it wit
     REQUIRE_FALSE(r.core.control().controller());
 }
 
-TEST_CASE("a foreign communicator hears of changes by the event that it has created") {
+TEST_CASE("a foreign communicator is notified of changes by the event that it created") {
     boost::asio::io_context context;
     const auto port = free_ports<1>()[0];
     const auto second = system("tool", "2.2.0.0", port);
@@ -264,7 +264,7 @@ TEST_CASE("a foreign communicator hears of changes by the event that it has crea
     REQUIRE(event->body.back() == 1);
 }
 
-TEST_CASE("a stranger is answered where it was last heard, and gets no heartbeats once it is silent") {
+TEST_CASE("a stranger is answered at its last address, and gets no heartbeats when it is silent") {
     boost::asio::io_context context;
     robot r{context};
     foreign_node before{context}, after{context};
@@ -297,7 +297,7 @@ TEST_CASE("a stranger is answered where it was last heard, and gets no heartbeat
     REQUIRE_FALSE(after.receive().empty());
 }
 
-TEST_CASE("a closed node answers no stranger, and a stranger cannot take the way of a configured system") {
+TEST_CASE("a closed node answers no stranger, and a stranger cannot replace the route of a configured system") {
     boost::asio::io_context context;
     foreign_node known{context}, stranger{context};
     const auto others = system("other", "7.0.0.0", known.port(), "<framing>JAUS01.0</framing>");
@@ -318,7 +318,7 @@ TEST_CASE("a closed node answers no stranger, and a stranger cannot take the way
     REQUIRE(stranger.wait_for(0x4002));
 }
 
-TEST_CASE("a foreign node of the own subsystem is asked for its components, and asks for those of all") {
+TEST_CASE("a foreign node of the same subsystem is queried for its components, and queries those of all") {
     boost::asio::io_context context;
     foreign_node other{context};
     robot r{context, system("tool", "2.2.0.0", other.port(), "<framing>JAUS01.0</framing>"), net::access::closed};
@@ -341,7 +341,7 @@ TEST_CASE("a foreign node of the own subsystem is asked for its components, and 
     REQUIRE(support::until(context, [&] { return has(r.disappeared, make(2, 2, 37, 1)); }));
 }
 
-TEST_CASE("a stranger that is heard by multicast is answered by unicast, and hears the group itself") {
+TEST_CASE("a stranger received by multicast is answered by unicast, and receives the group") {
     boost::asio::io_context context;
     const auto group_port = free_ports<1>()[0], port = free_ports<1>()[0];
     const std::string group =
@@ -369,7 +369,7 @@ TEST_CASE("a stranger that is heard by multicast is answered by unicast, and hea
     REQUIRE(read_datagram(beat)->code == 0x4202);
 }
 
-TEST_CASE("what a recorded foreign node asked for is answered as its recorded peer did") {
+TEST_CASE("the requests of a recorded foreign node are answered as by its recorded peer") {
     // Robot 152 of the recording: its node 5. 120 is the operator, 130 another.
     boost::asio::io_context context;
     foreign_node ocu{context}, base{context};

@@ -23,14 +23,14 @@ TEST_CASE("the prefix is the eight characters JAUS01.0") {
     STATIC_REQUIRE(jaus::name(jaus::framing::bare) == "bare");
 }
 
-TEST_CASE("a prefix is recognised and taken off") {
+TEST_CASE("a prefix is recognised and removed") {
     constexpr auto taken = jaus::remove_framing(prefixed);
     STATIC_REQUIRE(taken.how == jaus::framing::jaus01);
     STATIC_REQUIRE(taken.message.data() == prefixed.data() + 8);
     STATIC_REQUIRE(taken.message.size() == 2);
 }
 
-TEST_CASE("everything else is a bare message") {
+TEST_CASE("all other bytes are a bare message") {
     constexpr auto taken = jaus::remove_framing(bare);
     STATIC_REQUIRE(taken.how == jaus::framing::bare);
     STATIC_REQUIRE(taken.message.data() == bare.data());

@@ -7,7 +7,7 @@
 
 using namespace net_test;
 
-TEST_CASE("two nodes hear each other and identify themselves") {
+TEST_CASE("two nodes discover each other and identify themselves") {
     pair p;
     REQUIRE(p.until([&] { return has(p.ocu.appeared, make(2, 1)) && has(p.robot.appeared, make(1, 1)); }));
     REQUIRE(p.ocu.node.present()->find(make(2, 1)) != nullptr);
@@ -35,7 +35,7 @@ TEST_CASE("two nodes hear each other and identify themselves") {
     REQUIRE(p.until([&] { return has(p.ocu.appeared, make(2, 1)); }));
 }
 
-TEST_CASE("control is asked for, refused to others, lost to a higher authority, and released") {
+TEST_CASE("control is requested, refused to others, lost to a higher authority, and released") {
     pair p;
     auto& driven = p.robot.core;
     p.ocu.other.ask(5, net::jaus_node::now(), p.ocu.node.out());
@@ -62,7 +62,7 @@ TEST_CASE("control is asked for, refused to others, lost to a higher authority, 
     REQUIRE(p.until([&] { return !driven.control().controller(); }));
 }
 
-TEST_CASE("who controls a component loses it when its node disappears") {
+TEST_CASE("a controller loses control when its node disappears") {
     pair p;
     p.ocu.other.ask(5, net::jaus_node::now(), p.ocu.node.out());
     REQUIRE(p.until([&] { return has(p.robot.appeared, make(1, 1)) && p.robot.core.control().controls(p.ocu.self); }));
@@ -71,7 +71,7 @@ TEST_CASE("who controls a component loses it when its node disappears") {
     REQUIRE_FALSE(p.robot.core.control().controller());
 }
 
-TEST_CASE("a command is repeated by the timer until it is acknowledged or given up") {
+TEST_CASE("a command is repeated by the timer until it is acknowledged or abandoned") {
     pair p;
     const jaus::header head{.destination = p.robot.self};
     REQUIRE(p.ocu.core.send(head, jaus::set_wrench_effort{}, net::jaus_node::now(), p.ocu.node.out()));
@@ -90,7 +90,7 @@ TEST_CASE("a command is repeated by the timer until it is acknowledged or given 
     REQUIRE(p.ocu.find(0x4B00, make(1, 1)) != nullptr);
 }
 
-TEST_CASE("a message that is whole already is sent acknowledged if the component is its source") {
+TEST_CASE("a complete message is sent with acknowledgement if the component is its source") {
     pair p;
     std::array<std::byte, 64> message{};
     const auto send = [&](const jaus::address& source) {
@@ -104,7 +104,7 @@ TEST_CASE("a message that is whole already is sent acknowledged if the component
     REQUIRE(p.robot.core.state() == jaus::primary_status_code::standby);
 }
 
-TEST_CASE("a large data set is cut, sent and put together") {
+TEST_CASE("a large data set is split, sent and reassembled") {
     pair p;
     std::mt19937 random{1};
     bytes image(200'000);
@@ -125,7 +125,7 @@ TEST_CASE("a large data set is cut, sent and put together") {
     REQUIRE_FALSE(p.ocu.node.send(head, std::span<const std::byte>{unsendable}));
 }
 
-TEST_CASE("an acknowledged command and a large data set go through a node in the middle") {
+TEST_CASE("an acknowledged command and a large data set pass an intermediate node") {
     boost::asio::io_context context;
     const auto ports = free_ports<3>();
     // The subsystem 2 is entered by its node 1, behind which is node 2.
@@ -159,7 +159,7 @@ TEST_CASE("an acknowledged command and a large data set go through a node in the
     REQUIRE(here.error().message.find("unroutable: no way") != std::string::npos);
 }
 
-TEST_CASE("a datagram with the source of another is refused, logged and counted") {
+TEST_CASE("a datagram with another system's source is refused, logged and counted") {
     pair p;
     udp::socket attacker{p.context, udp::endpoint{boost::asio::ip::address_v4::loopback(), 0}};
     std::array<std::byte, 64> message{};
@@ -187,7 +187,7 @@ TEST_CASE("a datagram with the source of another is refused, logged and counted"
     REQUIRE(p.robot.log.size() - before < 200);
 }
 
-TEST_CASE("what cannot be sent is told to the sender") {
+TEST_CASE("a message that cannot be sent is reported to the sender") {
     pair p;
     const auto source = p.ocu.self;
     auto to = p.robot.self;
@@ -220,7 +220,7 @@ TEST_CASE("a caller can branch on why a message is not sent, and on the reason b
     CHECK(why(p.robot.self, jaus::standby{}).code == net::errc::not_running);
 }
 
-TEST_CASE("nodes find each other by multicast and ignore their own echo") {
+TEST_CASE("nodes discover each other by multicast and ignore their own datagrams") {
     boost::asio::io_context context;
     const auto ports = free_ports<3>();
     const std::string group =
@@ -239,7 +239,7 @@ TEST_CASE("nodes find each other by multicast and ignore their own echo") {
     REQUIRE(robot.log.empty());
 }
 
-TEST_CASE("a configuration that cannot be routed by is refused with its line") {
+TEST_CASE("a configuration without valid routes is refused with its line") {
     boost::asio::io_context context;
     const auto error = [&](const std::string& systems) -> std::string {
         try {
@@ -282,7 +282,7 @@ TEST_CASE("a component that its node cannot have is refused with the reason") {
     REQUIRE(refusal(make(1, 2)) == "the node has its node manager, 1.2.1.1, already");
 }
 
-TEST_CASE("an exception of the log, called while a component sends, leaves the io_context") {
+TEST_CASE("an exception from the log handler during a component's send leaves the io_context") {
     boost::asio::io_context context;
     const auto ports = free_ports<3>(); // nobody listens at the second: sending to the third hears of it
     const auto systems =
@@ -299,7 +299,7 @@ TEST_CASE("an exception of the log, called while a component sends, leaves the i
     REQUIRE_FALSE(net::run_until(context, 20ms, [] { return false; }));
 }
 
-TEST_CASE("who hears of a change may stop the node, and hears of no further one") {
+TEST_CASE("a presence handler may stop the node, and is not called for further changes") {
     net::detail::presence_changes changes{};
     changes.disappeared(make(1, 1));
     changes.disappeared(make(2, 1));
@@ -314,7 +314,7 @@ TEST_CASE("who hears of a change may stop the node, and hears of no further one"
     REQUIRE(heard == std::vector{make(1, 1), make(3, 1)});
 }
 
-TEST_CASE("a handler may stop the node, but not add components to it while they are called") {
+TEST_CASE("a handler may stop the node, but not add components while it is called") {
     boost::asio::io_context context;
     const auto ports = free_ports<1>();
     jaus::component_memory<> memory{};

@@ -111,7 +111,7 @@ bytes image(std::size_t size, unsigned seed) {
 
 } // namespace
 
-TEST_CASE("large data sets arrive once each, in order, although datagrams get lost and overtake each other") {
+TEST_CASE("large data sets arrive once each, in order, although datagrams are lost and reordered") {
     transfer t{conditions{.loss = 20, .longest = 3ms}};
     std::vector<bytes> sent;
     for (unsigned i = 0; i != 60; ++i) {
@@ -128,7 +128,7 @@ TEST_CASE("large data sets arrive once each, in order, although datagrams get lo
     REQUIRE(t.outcomes == std::vector(60, jaus::delivered::acknowledged));
 }
 
-TEST_CASE("a good network carries each packet of a large data set once") {
+TEST_CASE("each packet of a large data set is sent once without faults") {
     transfer t{conditions{}};
     for (unsigned i = 0; i != 4; ++i) REQUIRE(t.queue.push(head, image(150'000, i)) == jaus::errc::ok);
     t.run(20s);
@@ -137,7 +137,7 @@ TEST_CASE("a good network carries each packet of a large data set once") {
     REQUIRE(t.now < instant{4 * (37ms / 4 + 12ms + 40ms)}); // a short pause after each
 }
 
-TEST_CASE("a large data set without an answer is given up after its attempts, and the next one goes on") {
+TEST_CASE("a large data set without an answer is abandoned after its attempts, and the next one is sent") {
     transfer t{conditions{.receiver_is_there = false}};
     REQUIRE(t.queue.push(head, image(150'000, 1)) == jaus::errc::ok);
     t.run(20s);
@@ -153,7 +153,7 @@ TEST_CASE("a large data set without an answer is given up after its attempts, an
 }
 
 TEST_CASE(
-    "after a large data set that was given up the next one begins when its acknowledgements cannot come any more") {
+    "after an abandoned large data set the next one begins when acknowledgements of the old one can no longer arrive") {
     transfer t{conditions{.receiver_is_there = false}};
     REQUIRE(t.queue.push(head, image(20'000, 1)) == jaus::errc::ok);
     t.run(20s);
@@ -164,8 +164,7 @@ TEST_CASE(
     REQUIRE(*t.queue.next_event() - t.now <= 1000ms);
 }
 
-TEST_CASE(
-    "a packet that is equal to that of the large data set before is sent twice, and the next one waits no longer") {
+TEST_CASE("a packet equal to that of the previous large data set is sent twice, and the next one waits no longer") {
     transfer t{conditions{}};
     bytes one = image(20'000, 1), other = image(20'000, 2);
     std::copy_n(one.begin() + jaus::max_body_size, jaus::max_body_size, other.begin() + jaus::max_body_size);
@@ -178,7 +177,7 @@ TEST_CASE(
 }
 
 // Its program was suspended; the receiver knows a whole data set for two seconds.
-TEST_CASE("a large data set is not sent once more when its receiver may have forgotten that it has it") {
+TEST_CASE("a large data set is not repeated when its receiver may have forgotten that it received it") {
     large_data_queue queue{100'000, {}};
     const jauscat::time_point begin = instant{10s};
     std::vector<std::uint16_t> sent;
@@ -209,7 +208,7 @@ TEST_CASE("a large data set is not sent once more when its receiver may have for
     REQUIRE(outcomes == std::vector{jaus::delivered::timed_out});
 }
 
-TEST_CASE("a large data set that is refused ends with the first NAK") {
+TEST_CASE("a large data set that is refused ends at the first NAK") {
     transfer refused{conditions{.takes = false}};
     REQUIRE(refused.queue.push(head, image(20'000, 1)) == jaus::errc::ok);
     refused.run(20s);
@@ -217,7 +216,7 @@ TEST_CASE("a large data set that is refused ends with the first NAK") {
     REQUIRE(refused.now < instant{100ms});
 }
 
-TEST_CASE("what asks for no acknowledgement, or goes to all of a level, is sent once and waited for by nobody") {
+TEST_CASE("a data set without acknowledgement, or for a broadcast address, is sent once") {
     transfer t{conditions{.receiver_is_there = false}};
     auto other = head;
     other.ack_nak = jaus::ack_nak::none;
@@ -231,7 +230,7 @@ TEST_CASE("what asks for no acknowledgement, or goes to all of a level, is sent 
     REQUIRE(t.now < instant{100ms + 500ms}); // the second goes to the receiver of the first too
 }
 
-TEST_CASE("acknowledgements of others are not the queue's") {
+TEST_CASE("acknowledgements for other senders are not consumed by the queue") {
     large_data_queue queue{100'000, {}};
     const auto answer = [](jaus::header to) {
         to = jaus::answer_to(to);
@@ -253,7 +252,7 @@ TEST_CASE("acknowledgements of others are not the queue's") {
     REQUIRE(queue.push(head, image(100'000, 1)) == jaus::errc::no_space);
 }
 
-TEST_CASE("a large data set that the component refused is refused again when the NAK was lost") {
+TEST_CASE("a large data set that the component refused is refused again if the NAK was lost") {
     jaus::component_memory<> memory{};
     jaus::component core{screen, memory, {}, {}};
     core.change(jaus::state_event::initialized);
@@ -299,7 +298,7 @@ TEST_CASE("a large data set that the component refused is refused again when the
     REQUIRE(core.count(jaus::component_outcome::not_waited_for) == 1);
 }
 
-TEST_CASE("a patience without end does not end, and wakes nobody") {
+TEST_CASE("an unlimited timeout never expires and requests no timer") {
     jaus::component_memory<> memory{};
     jaus::component core{screen, memory, {}, {}};
     auto application = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::taken; };

@@ -60,7 +60,7 @@ struct senders_and_receiver {
 
 } // namespace
 
-TEST_CASE("large data sets of many senders at once are acknowledged when they have arrived, and not before") {
+TEST_CASE("large data sets of many senders at once are acknowledged on arrival, and not before") {
     senders_and_receiver s{7}; // with places for four
     for (auto& one : s.all)
         if (&one != s.receiver) s.send(one, body_of(one.self.subsystem, 8000));
@@ -71,7 +71,7 @@ TEST_CASE("large data sets of many senders at once are acknowledged when they ha
     for (const auto& body : s.receiver->large) REQUIRE((body == body_of(number_of(body), 8000)));
 }
 
-TEST_CASE("several large data sets that are sent at once all arrive, in their order") {
+TEST_CASE("several large data sets that are sent at once arrive in order") {
     senders_and_receiver s{1};
     s.network.faults = {.lose = 10};
     for (std::uint32_t i = 0; i != 7; ++i) s.send(s.all.back(), body_of(i, 8000 + 3000 * i));
@@ -81,7 +81,7 @@ TEST_CASE("several large data sets that are sent at once all arrive, in their or
     for (std::uint32_t i = 0; i != 7; ++i) REQUIRE((s.receiver->large[i] == body_of(i, 8000 + 3000 * i)));
 }
 
-TEST_CASE("a large data set in whose middle the receiver starts anew arrives all the same, and whole") {
+TEST_CASE("a large data set arrives completely although the receiver restarts during it") {
     for (const std::size_t size : {8'000U, 30'000U, 200'000U}) {
         senders_and_receiver s{1};
         s.send(s.all.back(), body_of(7, size));
@@ -94,7 +94,7 @@ TEST_CASE("a large data set in whose middle the receiver starts anew arrives all
     }
 }
 
-TEST_CASE("the tail of one large data set and the head of the next are not put together") {
+TEST_CASE("the end of one large data set and the start of the next are not combined") {
     for (const auto wish : {jaus::ack_nak::request, jaus::ack_nak::none}) {
         senders_and_receiver s{1, 1, {.large_data_pace = 1}};
         const bytes one(200'000, std::byte{0x11}), two(160'000, std::byte{0x22});
@@ -109,7 +109,7 @@ TEST_CASE("the tail of one large data set and the head of the next are not put t
     }
 }
 
-TEST_CASE("the next large data set of a sender that starts anew does not complete its last one") {
+TEST_CASE("the next large data set of a restarted sender does not complete its previous one") {
     for (const auto wish : {jaus::ack_nak::request, jaus::ack_nak::none}) {
         senders_and_receiver s{1};
         auto& sender = s.all.back();
@@ -129,7 +129,7 @@ TEST_CASE("the next large data set of a sender that starts anew does not complet
     }
 }
 
-TEST_CASE("an equal large data set again arrives again") {
+TEST_CASE("an equal large data set arrives again") {
     senders_and_receiver s{1};
     s.network.faults = {.lose = 10};
     for (int i = 0; i != 4; ++i) s.send(s.all.back(), body_of(5, 20'000));
@@ -138,7 +138,7 @@ TEST_CASE("an equal large data set again arrives again") {
     REQUIRE((s.receiver->large == std::vector(4, body_of(5, 20'000))));
 }
 
-TEST_CASE("a large data set that nobody takes comes to an end") {
+TEST_CASE("a large data set that no component handles is ended") {
     senders_and_receiver s{1};
     s.network.detach(s.receiver->at);
     s.send(s.all.back(), body_of(5, 20'000));
@@ -148,7 +148,7 @@ TEST_CASE("a large data set that nobody takes comes to an end") {
     REQUIRE(s.network.now - begin < 2s);
 }
 
-TEST_CASE("what is acknowledged has arrived once, and what arrives was sent, over bad networks with restarts") {
+TEST_CASE("over bad networks with restarts, acknowledged data arrive once, and arriving data were sent") {
     struct conditions {
         simulated_network::faults_type faults{};
         unsigned restarts{}; ///< in 1000 sends, of either end

@@ -110,7 +110,7 @@ struct asked_node {
 
 } // namespace
 
-TEST_CASE("a node that answers 10000 datagrams, sends commands and beats takes nothing from the heap") {
+TEST_CASE("a node that answers 10000 datagrams, sends commands and heartbeats allocates nothing") {
     asked_node n;
     n.tick();
     n.all_of_it(500);

@@ -55,7 +55,7 @@ raw_message effort(const jaus_id& source, unsigned sequence = 0, unsigned proper
 
 } // namespace
 
-TEST_CASE("a recorded command that is sent again is acknowledged again and not obeyed again") {
+TEST_CASE("a replayed command is acknowledged again and not executed again") {
     besieged b;
     const auto recorded = datagram_of(effort(operator_id, 7, 0x0216));
     for (int i = 0; i != 20; ++i) {
@@ -77,7 +77,7 @@ TEST_CASE("a recorded command that is sent again is acknowledged again and not o
     REQUIRE(b.efforts() == 2);
 }
 
-TEST_CASE("a peer that floods is held to its rate while another is served") {
+TEST_CASE("a flooding peer is limited to its rate while another is served") {
     besieged b{"<limits rate='1000' burst='100'/>"};
     const auto flood = datagram_of(effort(operator_id));
     const auto start = net::jaus_node::now();
@@ -100,7 +100,7 @@ TEST_CASE("a peer that floods is held to its rate while another is served") {
     REQUIRE(b.robot.log.size() < 300);
 }
 
-TEST_CASE("nobody takes control from its holder but a higher authority from where its messages must come") {
+TEST_CASE("control can only be taken over by a higher authority from its configured address") {
     besieged b;
     const auto ask = [&](foreign_node& from, const raw_message& m, unsigned answer) {
         from.send(b.port, m);
@@ -168,7 +168,7 @@ TEST_CASE("nobody takes control from its holder but a higher authority from wher
     REQUIRE(ask(b.ocu, query, 0x4002) == numbers{5, 0, 0, 0, 0});
 }
 
-TEST_CASE("one million random and mutated datagrams are all counted, and the node answers as before") {
+TEST_CASE("one million random and mutated datagrams are all counted, and the node still answers") {
     besieged b{"<limits rate='0'/>"};
     support::generator random{20261121};
     std::vector<std::vector<std::byte>> valid;
@@ -250,7 +250,7 @@ TEST_CASE("one million random and mutated datagrams are all counted, and the nod
     REQUIRE(b.ocu.wait_for(0x4B00));
 }
 
-TEST_CASE("what a stranger can make an open node send is small, and bounded for each of its datagrams") {
+TEST_CASE("the traffic that a stranger can cause at an open node is small, and bounded for each of its datagrams") {
     besieged b{"", net::access::open};
     constexpr jaus_id stranger{9, 1, 32, 1};
     const auto drain = [&] {

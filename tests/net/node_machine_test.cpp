@@ -18,7 +18,7 @@ struct simulated_pair {
 
 } // namespace
 
-TEST_CASE("two nodes without sockets find each other, exchange commands and lose each other in simulated time") {
+TEST_CASE("two nodes without sockets discover each other, exchange commands and lose each other in simulated time") {
     simulated_pair p;
     auto& now = p.network.now;
     const auto begin = now;
@@ -47,7 +47,7 @@ TEST_CASE("two nodes without sockets find each other, exchange commands and lose
     REQUIRE_FALSE(p.robot.core.control().controller());
 }
 
-TEST_CASE("a node without sockets sends large data sets at its pace, and nothing while it is stopped") {
+TEST_CASE("a node without sockets paces large data sets, and sends nothing while it is stopped") {
     simulated_pair p;
     auto& now = p.network.now;
     const bytes image(100'000, std::byte{7});
@@ -73,7 +73,7 @@ TEST_CASE("a node without sockets sends large data sets at its pace, and nothing
     REQUIRE(p.network.run(now + 2s, [&] { return has(p.ocu.appeared, make(2, 1)); }));
 }
 
-TEST_CASE("a node sends a typed message whose size has no bound, a large one as a data set") {
+TEST_CASE("a node sends a typed message of unbounded size, as a large data set if necessary") {
     simulated_pair p;
     auto& now = p.network.now;
     std::vector<std::size_t> sizes{};
@@ -112,7 +112,7 @@ TEST_CASE("a log handler may stop the node while a large data set is sent") {
     }
 }
 
-TEST_CASE("a component lists what its dispatcher handles and its parts send, each once") {
+TEST_CASE("a component lists each message that its dispatcher handles or its parts send once") {
     simulated_pair p;
     jaus::dispatcher application{jaus::on<jaus::set_wrench_effort>([](const jaus::header&, const auto&) {}),
                                  jaus::on<jaus::query_wrench_effort>([](const jaus::header&, const auto&) {}),
@@ -123,7 +123,7 @@ TEST_CASE("a component lists what its dispatcher handles and its parts send, eac
     REQUIRE(offered.output == list{{0x0009}, {0x4405, 0xFFFFFFFF}});
 }
 
-TEST_CASE("a node without sockets says what its gate refuses") {
+TEST_CASE("a node without sockets reports refusals of its gate") {
     simulated_pair p;
     std::array<std::byte, 64> message{};
     const auto made =
@@ -139,7 +139,7 @@ TEST_CASE("a node without sockets says what its gate refuses") {
     REQUIRE(p.robot.core.state() == jaus::primary_status_code::ready);
 }
 
-TEST_CASE("the log names the field and the byte of a body that does not decode, where it is told how") {
+TEST_CASE("the log names field and byte of a body that does not decode, if configured") {
     simulated_network network;
     const auto systems = system("ocu", "1.0.0.0", 1001) + system("robot", "2.0.0.0", 1002);
     simulated_program ocu{network, config("ocu", systems), make(1, 1, 32)};
@@ -155,7 +155,7 @@ TEST_CASE("the log names the field and the byte of a body that does not decode, 
 }
 
 // A program that was suspended finds the packets of several data sets in its socket, and takes them in one instant.
-TEST_CASE("a packet of a large data set that has waited for long is none of the next one's") {
+TEST_CASE("a packet of a large data set that waited for long does not become part of the next one") {
     simulated_pair p;
     const jaus::header head{.command_code = 0xD111, .destination = p.robot.self, .source = p.ocu.self};
     const auto arrives = [&](jaus::data_flag flag, std::uint16_t number, std::byte content, nanoseconds waited) {

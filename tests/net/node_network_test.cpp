@@ -29,7 +29,7 @@ jaus::delivered command(program& from, const jaus::address& to, boost::asio::io_
 
 } // namespace
 
-TEST_CASE("nodes of IPv6 hear each other, command, and refuse who is elsewhere") {
+TEST_CASE("IPv6 nodes discover each other, exchange commands, and refuse senders at other addresses") {
     boost::asio::io_context context;
     const auto loopback = boost::asio::ip::address_v6::loopback();
     const auto ports = free_ports<2>(loopback);
@@ -51,7 +51,7 @@ TEST_CASE("nodes of IPv6 hear each other, command, and refuse who is elsewhere")
     REQUIRE(robot.core.state() == jaus::primary_status_code::ready);
 }
 
-TEST_CASE("a system that may send from any port is taken from each of its address, and answered where it listens") {
+TEST_CASE("a system with any source port is accepted from each port of its address, and answered at its own port") {
     boost::asio::io_context context;
     foreign_node listener{context}, sender{context};
     const auto port = free_ports<1>()[0];
@@ -73,7 +73,7 @@ TEST_CASE("a system that may send from any port is taken from each of its addres
     }
 }
 
-TEST_CASE("the primary relays between the nodes of its subsystem, and nobody else does") {
+TEST_CASE("only the primary relays between the nodes of its subsystem") {
     boost::asio::io_context context;
     const auto ports = free_ports<3>();
     // Nodes 2 and 3 know each other by the way through node 1 only.
@@ -107,7 +107,7 @@ TEST_CASE("the primary relays between the nodes of its subsystem, and nobody els
     }
 }
 
-TEST_CASE("messages of one subsystem to another pass the nodes between them and come back") {
+TEST_CASE("messages between subsystems pass the nodes between them, both ways") {
     boost::asio::io_context context;
     const auto ports = free_ports<4>();
     // 1.2 has its primary 1.1 only; that knows the gateway 2.1 of subsystem 2, behind which is 2.2.
@@ -142,7 +142,7 @@ TEST_CASE("messages of one subsystem to another pass the nodes between them and 
     REQUIRE(operator_node.logged("no way to the destination is known"));
 }
 
-TEST_CASE("several programs of one host have the same port, each at its own address, or by the option for it") {
+TEST_CASE("several programs of one host use the same port, each at its own address, or by an option") {
     boost::asio::io_context context;
     const auto port = free_ports<1>()[0];
     const auto first = system_at("127.0.0.2", "ocu", "1.0.0.0", port),

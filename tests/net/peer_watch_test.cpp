@@ -29,7 +29,7 @@ struct node_in_two_programs {
 
 } // namespace
 
-TEST_CASE("a program without a node manager notices that its controller and its service consumer are gone") {
+TEST_CASE("a program without a node manager detects the loss of its controller and its service consumer") {
     node_in_two_programs p;
     p.connect();
     p.ocu.other.ask(9, p.network.now, p.ocu.node.out(p.network.now));
@@ -46,7 +46,7 @@ TEST_CASE("a program without a node manager notices that its controller and its 
     REQUIRE(p.second.logged("1.1.32.1 does not answer any more"));
 }
 
-TEST_CASE("a peer that only listens stays as long as it answers, and its answers disturb nobody") {
+TEST_CASE("a peer that only receives stays while it answers, and its answers have no side effects") {
     node_in_two_programs p;
     p.connect();
     p.network.faults = {.lose = 10};
@@ -62,7 +62,7 @@ TEST_CASE("a peer that only listens stays as long as it answers, and its answers
     REQUIRE(p.second.logged("command code 0x4202 1.1.32.1 -> 2.1.33.1: at 2.1.33.1: unknown message"));
 }
 
-TEST_CASE("a peer whose node has no node manager is noticed when it is gone, also by a program with one") {
+TEST_CASE("loss of a peer whose node has no node manager is detected, also by a program with one") {
     simulated_network network{};
     const auto systems = system("operator", "1.1.32.0", 1001) + system("robot", "2.0.0.0", 1002);
     simulated_program ocu{network, config("operator", systems), make(1, 1, 32)};
@@ -77,7 +77,7 @@ TEST_CASE("a peer whose node has no node manager is noticed when it is gone, als
     REQUIRE(network.now - gone_at <= 3s);
 }
 
-TEST_CASE("a flood of peers that bind a component takes a bounded number of places") {
+TEST_CASE("a flood of peers that bind a component occupies a bounded number of places") {
     net::detail::peer_watch watch{3s};
     const auto self = make(2, 1, 33);
     for (unsigned node = 1; node != 255; ++node)

@@ -29,7 +29,7 @@ int taken(token_bucket& bucket, const rate& limit, instant from, duration step, 
 
 } // namespace
 
-TEST_CASE("a bucket gives its burst at once and then its rate") {
+TEST_CASE("a bucket allows its burst at once and then its rate") {
     for (const time_point start : {time_point{-5s}, time_point{0s}, time_point{1'000'000s}}) {
         token_bucket bucket;
         const rate limit{.per_second = 100, .burst = 10};
@@ -46,7 +46,7 @@ TEST_CASE("a sender at its rate is never refused") {
     CHECK(taken(bucket, {.per_second = 1000, .burst = 1}, 5s, 1ms, 10'000) == 10'000);
 }
 
-TEST_CASE("a bucket that was left alone is full again and no fuller") {
+TEST_CASE("an idle bucket is refilled to its burst, and no further") {
     token_bucket bucket;
     const rate limit{.per_second = 10, .burst = 5};
     CHECK(bucket.is_full(instant{0s}));
@@ -56,7 +56,7 @@ TEST_CASE("a bucket that was left alone is full again and no fuller") {
     CHECK(taken(bucket, limit, 1h, 0ns, 9) == 5);
 }
 
-TEST_CASE("limits at their ends: none, a burst of zero, the largest numbers") {
+TEST_CASE("limits have edge cases: none, a burst of zero, the largest numbers") {
     token_bucket none;
     CHECK(taken(none, {.per_second = 0, .burst = 1}, 0s, 0ns, 1000) == 1000);
     token_bucket one;
@@ -67,7 +67,7 @@ TEST_CASE("limits at their ends: none, a burst of zero, the largest numbers") {
     CHECK(taken(slow, {.per_second = 1, .burst = 4'294'967'295U}, 0s, 0ns, 1000) == 1000);
 }
 
-TEST_CASE("each sender has a bucket of its own") {
+TEST_CASE("each sender has its own bucket") {
     rate_limit<64> limits{{.per_second = 10, .burst = 3}};
     for (const rate_key& sender : {rate_key{0, 1}, rate_key{1, 0}, rate_key{0, 0}}) {
         for (int i = 0; i != 3; ++i) CHECK(limits.take(sender, instant{1s}));
@@ -77,7 +77,7 @@ TEST_CASE("each sender has a bucket of its own") {
     CHECK(limits.crowded() == 0);
 }
 
-TEST_CASE("a flood of senders is limited as a whole and does not push out those that are there") {
+TEST_CASE("a flood of senders is limited as a whole and does not displace existing senders") {
     const rate limit{.per_second = 1000, .burst = 10};
     rate_limit<64> limits{limit, 42};
     const rate_key peer{0, 7};
@@ -94,7 +94,7 @@ TEST_CASE("a flood of senders is limited as a whole and does not push out those 
     CHECK(limits.take(peer, instant{1ms}));
 }
 
-TEST_CASE("idle senders make room for others") {
+TEST_CASE("idle senders are replaced by others") {
     rate_limit<8> limits{{.per_second = 10, .burst = 1}};
     for (int second = 0; second != 100; ++second)
         for (std::uint64_t sender = 0; sender != 8; ++sender)
@@ -102,7 +102,7 @@ TEST_CASE("idle senders make room for others") {
     CHECK(limits.crowded() == 0);
 }
 
-TEST_CASE("a limit is computed at compile time as well, so it uses no clock and no memory of its own") {
+TEST_CASE("a limit is constexpr, so it uses no clock and no heap") {
     constexpr bool second_is_refused = [] {
         rate_limit<8> limits{{.per_second = 1, .burst = 1}};
         return limits.take({1, 2}, instant{1s}) && !limits.take({1, 2}, instant{1s});
@@ -111,7 +111,7 @@ TEST_CASE("a limit is computed at compile time as well, so it uses no clock and 
     SUCCEED();
 }
 
-TEST_CASE("a log is limited by cause: what floods it does not hide what else happens") {
+TEST_CASE("a log is limited by cause: a flood of one cause does not suppress others") {
     std::vector<std::string> lines;
     jauscat::net::limited_log log{[&](std::string_view line) { lines.emplace_back(line); },
                                   {.per_second = 1, .burst = 2}};

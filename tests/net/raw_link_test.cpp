@@ -59,7 +59,7 @@ void require_only(raw_link& link, const std::vector<std::byte>& frame) {
 
 } // namespace
 
-TEST_CASE("a frame passes between two interfaces, both ways", "[veth]") {
+TEST_CASE("a frame passes between two interfaces in both directions", "[veth]") {
     raw_link master{"jc0"};
     raw_link slave{"jc1"};
     frame_buffer buffer;
@@ -88,7 +88,7 @@ TEST_CASE("short frames are padded with zeros, sent or received", "[veth]") {
     CHECK(buffer.frame() == padded);
 }
 
-TEST_CASE("a link does not hear its own frames", "[veth]") {
+TEST_CASE("a link does not receive its own frames", "[veth]") {
     raw_link link{"jc0"};
     raw_link same_interface{"jc0"};
     frame_buffer buffer;
@@ -97,7 +97,7 @@ TEST_CASE("a link does not hear its own frames", "[veth]") {
     CHECK(buffer.receive_from(same_interface, 0ns) == 0);
 }
 
-TEST_CASE("a link hears every destination address, and no other EtherType", "[veth]") {
+TEST_CASE("a link receives every destination address, and no other EtherType", "[veth]") {
     raw_link slave{"jc1"};
     REQUIRE(ip("-details link show jc1 | grep -q 'promiscuity 1'"));
     auto other = support::frame(1);
@@ -110,7 +110,7 @@ TEST_CASE("a link hears every destination address, and no other EtherType", "[ve
     require_only(slave, unicast);
 }
 
-TEST_CASE("a frame of the EtherType that holds no datagrams is not heard", "[veth]") {
+TEST_CASE("an EtherCAT frame without datagrams is not received", "[veth]") {
     raw_link slave{"jc1"};
     for (const int type : {0, 2, 3, 4, 5, 9, 15}) {
         auto other = support::frame(1);
@@ -123,7 +123,7 @@ TEST_CASE("a frame of the EtherType that holds no datagrams is not heard", "[vet
     require_only(slave, longest);
 }
 
-TEST_CASE("a VLAN tag is taken off", "[veth]") {
+TEST_CASE("a VLAN tag is removed", "[veth]") {
     raw_link slave{"jc1"};
     frame_buffer buffer;
     const auto plain = support::frame(1);
@@ -137,7 +137,7 @@ TEST_CASE("a VLAN tag is taken off", "[veth]") {
     }
 }
 
-TEST_CASE("a frame larger than the buffer is passed over", "[veth]") {
+TEST_CASE("a frame larger than the buffer is skipped", "[veth]") {
     raw_link master{"jc0"};
     raw_link slave{"jc1"};
     REQUIRE(master.send(support::frame(100)));
@@ -149,7 +149,7 @@ TEST_CASE("a frame larger than the buffer is passed over", "[veth]") {
     CHECK(slave.receive(std::span{small}.first(59), 5ms) == 0);
 }
 
-TEST_CASE("what is no frame is not sent", "[veth]") {
+TEST_CASE("bytes that are not a frame are not sent", "[veth]") {
     raw_link link{"jc0"};
     const auto frame = support::frame(1);
     CHECK_FALSE(link.send(std::span{frame}.first(13)));
@@ -160,7 +160,7 @@ TEST_CASE("what is no frame is not sent", "[veth]") {
     CHECK(link.problem().empty());
 }
 
-TEST_CASE("waiting on an interface ends at its time", "[veth]") {
+TEST_CASE("waiting on an interface ends at its deadline", "[veth]") {
     raw_link link{"jc0"};
     frame_buffer buffer;
     for (const std::chrono::nanoseconds timeout : {0ns, 5000ns, 300'000ns, 20'000'000ns}) {
@@ -195,7 +195,7 @@ TEST_CASE("an interface that goes down is reported, and works again when it is u
     CHECK(buffer.receive_from(slave) == 60);
 }
 
-TEST_CASE("a link may be opened before the cable is in", "[veth]") {
+TEST_CASE("a link can be opened before the cable is connected", "[veth]") {
     REQUIRE(ip("link set jc1 down"));
     REQUIRE(comes_to("LOWERLAYERDOWN", "jc0"));
     raw_link master{"jc0"};
@@ -213,7 +213,7 @@ TEST_CASE("a link may be opened before the cable is in", "[veth]") {
     CHECK(buffer.receive_from(slave) == 60);
 }
 
-TEST_CASE("an interface that vanishes is reported, and taken again when it is back", "[veth]") {
+TEST_CASE("an interface that disappears is reported, and used again when it returns", "[veth]") {
     const auto plug_in = [] {
         REQUIRE(ip("link add jc2 type veth peer name jc3"));
         REQUIRE(ip("link set jc3 up"));
@@ -255,7 +255,7 @@ TEST_CASE("an interface that cannot be used is refused with the reason", "[veth]
     CHECK(refusal("lo") == "lo is not an Ethernet interface; this machine has: lo, jc1, jc0");
 }
 
-TEST_CASE("without the capability the program's own setcap line is given", "[unprivileged]") {
+TEST_CASE("without the capability the error has the setcap command for this program", "[unprivileged]") {
     CHECK(refusal("jc0") == "raw Ethernet needs the capability CAP_NET_RAW; run once: sudo setcap cap_net_raw+ep " +
                                 std::filesystem::read_symlink("/proc/self/exe").string());
 }

@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 using jauscat::net::cycle_timer;
 using jauscat::net::latency_histogram;
 
-TEST_CASE("a histogram without times says 0") {
+TEST_CASE("a histogram without times prints 0") {
     const latency_histogram none;
     CHECK(none.count() == 0);
     CHECK(none.min() == 0ns);
@@ -38,7 +38,7 @@ TEST_CASE("short times are counted exactly") {
     CHECK(h.quantile(1) == 100ns);
 }
 
-TEST_CASE("a quantile is at most a 64th above the time") {
+TEST_CASE("a quantile exceeds the time by at most a 64th") {
     for (std::int64_t time = 1; time < 130'000'000'000; time += time / 7 + 1) {
         latency_histogram h;
         h.add(std::chrono::nanoseconds{time});
@@ -50,7 +50,7 @@ TEST_CASE("a quantile is at most a 64th above the time") {
     }
 }
 
-TEST_CASE("times beyond the buckets are not lost") {
+TEST_CASE("times beyond the buckets are counted") {
     latency_histogram h;
     h.add(-5ns);
     CHECK(h.max() == 0ns);
@@ -62,7 +62,7 @@ TEST_CASE("times beyond the buckets are not lost") {
     CHECK(h.quantile(1) == 24h);
 }
 
-TEST_CASE("buckets follow each other without gaps and hold what was added") {
+TEST_CASE("buckets have no gaps and contain their values") {
     latency_histogram h;
     std::vector<std::int64_t> times;
     for (std::int64_t time = 0; time < 100'000; ++time) h.add(std::chrono::nanoseconds{time});
@@ -90,7 +90,7 @@ TEST_CASE("a histogram is printed as bars") {
     CHECK(out.precision() == 3);
 }
 
-TEST_CASE("a cycle timer's instants are whole periods apart and never early") {
+TEST_CASE("the due times of a cycle timer are whole periods apart, and it is never early") {
     for (const std::chrono::nanoseconds spin : {0ns, 200'000ns}) {
         cycle_timer timer{2ms, spin};
         const auto start = timer.due();
@@ -106,7 +106,7 @@ TEST_CASE("a cycle timer's instants are whole periods apart and never early") {
     }
 }
 
-TEST_CASE("instants that a long cycle covers are left out and counted") {
+TEST_CASE("due times during a long cycle are skipped and counted") {
     cycle_timer timer{2ms};
     const auto start = timer.due();
     std::this_thread::sleep_for(7ms); // covers those at 2, 4 and 6 ms
@@ -115,7 +115,7 @@ TEST_CASE("instants that a long cycle covers are left out and counted") {
     CHECK(timer.due() - start == (1 + static_cast<std::int64_t>(timer.overruns())) * 2ms);
 }
 
-TEST_CASE("run_until waits for ever where its timeout is the longest there is, and not at all with a negative one") {
+TEST_CASE("run_until never times out with the longest timeout, and does not wait with a negative one") {
     boost::asio::io_context context;
     boost::asio::steady_timer timer{context, 1ms};
     bool fired = false;

@@ -63,7 +63,7 @@ TEST_CASE("a datagram holds the EtherCAT header and the datagrams, without paddi
     CHECK(buffer.frame() == rebuilt(support::frame(1)));
 }
 
-TEST_CASE("the slave's end answers whoever sent last") {
+TEST_CASE("the slave's end answers the latest sender") {
     auto slave = serve();
     auto first = connect_to(slave);
     auto second = connect_to(slave);
@@ -77,13 +77,13 @@ TEST_CASE("the slave's end answers whoever sent last") {
     CHECK(second.receive(buffer.storage, 0ns) == 0);
 }
 
-TEST_CASE("the slave's end says that nobody asked yet") {
+TEST_CASE("the slave's end reports that there was no request yet") {
     auto slave = serve();
     CHECK_FALSE(slave.send(support::frame(4)));
     CHECK(slave.problem() == "no master has sent anything yet, so there is nobody to answer");
 }
 
-TEST_CASE("the master's end says that no slave is there, and goes on when one comes") {
+TEST_CASE("the master's end reports that there is no slave, and works when one starts") {
     auto port = std::uint16_t{};
     {
         const auto slave = serve();
@@ -101,7 +101,7 @@ TEST_CASE("the master's end says that no slave is there, and goes on when one co
     CHECK(buffer.receive_from(slave) == 60);
 }
 
-TEST_CASE("a frame that announces more than it has is not sent over UDP") {
+TEST_CASE("a frame shorter than its header announces is not sent over UDP") {
     auto slave = serve();
     auto master = connect_to(slave);
     const auto frame = support::frame(100);
@@ -112,7 +112,7 @@ TEST_CASE("a frame that announces more than it has is not sent over UDP") {
     CHECK(master.send(frame));
 }
 
-TEST_CASE("datagrams too short or too long for the buffer are passed over") {
+TEST_CASE("datagrams too short, or too long for the buffer, are skipped") {
     boost::asio::io_context context;
     udp::socket peer{context, {boost::asio::ip::make_address("127.0.0.1"), 0}};
     auto slave = serve();
@@ -128,7 +128,7 @@ TEST_CASE("datagrams too short or too long for the buffer are passed over") {
     CHECK(slave.receive(std::span{buffer.storage}.first(59), 5ms) == 0);
 }
 
-TEST_CASE("waiting for a frame ends at its time") {
+TEST_CASE("waiting for a frame ends at its deadline") {
     auto slave = serve();
     frame_buffer buffer;
     for (const std::chrono::nanoseconds timeout : {0ns, 5000ns, 300'000ns, 20'000'000ns}) {
@@ -142,7 +142,7 @@ TEST_CASE("waiting for a frame ends at its time") {
     CHECK(slave.receive(buffer.storage, std::chrono::nanoseconds::max()) == 60);
 }
 
-TEST_CASE("an unknown host and a busy port are explained") {
+TEST_CASE("an unknown host and a port in use are explained") {
     try {
         net::udp_link::connect("no-such-host.invalid");
         FAIL("connected to nowhere");

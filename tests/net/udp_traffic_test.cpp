@@ -62,7 +62,7 @@ bool can_bind(boost::asio::io_context& context, const udp::endpoint& local) {
 
 } // namespace
 
-TEST_CASE("a thousand datagrams that wait arrive in their order") {
+TEST_CASE("a thousand queued datagrams arrive in order") {
     boost::asio::io_context context;
     station receiver{context, any_port, {.receive_buffer = 4'000'000}};
     udp::socket peer{context, any_port};
@@ -73,7 +73,7 @@ TEST_CASE("a thousand datagrams that wait arrive in their order") {
     CHECK(receiver.transport.counts().dropped == 0);
 }
 
-TEST_CASE("a flood leaves room for the other handlers of the io_context") {
+TEST_CASE("a flood does not starve the other handlers of the io_context") {
     boost::asio::io_context context;
     station receiver{context, any_port, {.receive_buffer = 4'000'000}};
     udp::socket peer{context, any_port};
@@ -83,7 +83,7 @@ TEST_CASE("a flood leaves room for the other handlers of the io_context") {
     CHECK(receiver.messages.size() == 128);
 }
 
-TEST_CASE("what the kernel drops is counted") {
+TEST_CASE("datagrams dropped by the kernel are counted") {
     boost::asio::io_context context;
     station receiver{context, any_port, {.receive_buffer = 1}};
     udp::socket peer{context, any_port};
@@ -100,7 +100,7 @@ TEST_CASE("what the kernel drops is counted") {
     CHECK(receiver.transport.counts().dropped > 400);
 }
 
-TEST_CASE("a network that takes no more is told to the sender and counted") {
+TEST_CASE("a full network queue is reported to the sender and counted") {
     boost::asio::io_context context;
     if (!can_bind(context, at("::1"))) return;
     // A datagram that the loopback interface has to fragment needs more memory than this socket may use.
@@ -117,7 +117,7 @@ TEST_CASE("a network that takes no more is told to the sender and counted") {
     CHECK(sender.transport.counts().errors == 0);
 }
 
-TEST_CASE("what a handler posts goes out when the datagrams received with it have been handed on") {
+TEST_CASE("messages posted by a handler are sent after the datagrams received with it are processed") {
     boost::asio::io_context context;
     station asking{context}, answering{context};
     answering.on_message = [&](std::span<const std::byte> bytes) {
@@ -136,7 +136,7 @@ TEST_CASE("what a handler posts goes out when the datagrams received with it hav
     CHECK(answering.errors == std::vector<std::string>{"an empty message is not sent"});
 }
 
-TEST_CASE("posted and sent messages keep their order, large ones among them") {
+TEST_CASE("posted and sent messages keep their order, also large ones") {
     boost::asio::io_context context;
     station asking{context}, answering{context};
     const std::string large(20'000, 'L');
@@ -153,7 +153,7 @@ TEST_CASE("posted and sent messages keep their order, large ones among them") {
     CHECK(asking.messages == std::vector<std::string>{"1", large, "2", "3", "4"});
 }
 
-TEST_CASE("a posted message to a closed port does not hold up the others") {
+TEST_CASE("a posted message to a closed port does not delay the others") {
     boost::asio::io_context context;
     station asking{context}, answering{context};
     std::optional<udp::socket> closed{std::in_place, context, any_port};
@@ -173,7 +173,7 @@ TEST_CASE("a posted message to a closed port does not hold up the others") {
     CHECK(answering.transport.counts().sent == 40);
 }
 
-TEST_CASE("after an exception of a handler receiving goes on with the datagram behind") {
+TEST_CASE("after an exception from a handler, receiving continues with the next datagram") {
     boost::asio::io_context context;
     station receiver{context};
     udp::socket peer{context, any_port};
@@ -188,7 +188,7 @@ TEST_CASE("after an exception of a handler receiving goes on with the datagram b
     CHECK(receiver.messages == std::vector<std::string>{"1", "2", "3", "4"});
 }
 
-TEST_CASE("a handler that stops the transport is the last") {
+TEST_CASE("after a handler stops the transport, no other is called") {
     boost::asio::io_context context;
     station receiver{context};
     udp::socket peer{context, any_port};
@@ -199,7 +199,7 @@ TEST_CASE("a handler that stops the transport is the last") {
     CHECK(receiver.messages.size() == 1);
 }
 
-TEST_CASE("a filter decides first, and what it refuses is counted without a report") {
+TEST_CASE("a filter is called first, and its refusals are counted without a report") {
     boost::asio::io_context context;
     station receiver{context};
     receiver.transport.set_filter([](std::span<const std::byte> message, const udp::endpoint&) {
@@ -234,7 +234,7 @@ TEST_CASE("several transports share a port") {
     }
 }
 
-TEST_CASE("every member of a group on this host hears what one of them sends, from the sender's own port") {
+TEST_CASE("every member of a group on this host receives each member's messages, with the sender's own port") {
     boost::asio::io_context context;
     const net::multicast_options group{.port = 0, .interface_name = "lo"};
     const net::udp_options shared{.reuse_address = true};
@@ -250,7 +250,7 @@ TEST_CASE("every member of a group on this host hears what one of them sends, fr
     CHECK(first.from == sender.transport.local());
 }
 
-TEST_CASE("a group of IPv6 works as one of IPv4") {
+TEST_CASE("an IPv6 group works like an IPv4 group") {
     boost::asio::io_context context;
     if (!can_bind(context, at("::1"))) return;
     net::multicast_options group{.group = boost::asio::ip::make_address("ff11::e001:1")};
@@ -276,7 +276,7 @@ TEST_CASE("a group of IPv6 works as one of IPv4") {
     CHECK(member.from.port() == sender.transport.local().port());
 }
 
-TEST_CASE("reach and echo of multicast are what the options say") {
+TEST_CASE("time to live and loopback of multicast follow the options") {
     boost::asio::io_context context;
     udp::socket socket{context, any_port};
     net::set_multicast_sending(socket, {.interface_name = "lo", .ttl = 7, .loop = false});
@@ -314,7 +314,7 @@ TEST_CASE("a group that cannot be joined is explained") {
     CHECK(complaint(once, join) == "cannot join the multicast group 224.1.0.1 on lo: Address already in use");
 }
 
-TEST_CASE("one socket serves both IP versions and names the addresses of each as everybody does") {
+TEST_CASE("one socket serves both IP versions and names their addresses in the usual form") {
     boost::asio::io_context context;
     if (!can_bind(context, at("::1"))) return;
     station both{context, at("::")};
@@ -352,7 +352,7 @@ TEST_CASE("a filter, a batch and its answers allocate nothing") {
     CHECK(answered == 105 * 20);
 }
 
-TEST_CASE("counters are summed up in a line, those since a moment too") {
+TEST_CASE("counters are summarised in one line, also as differences") {
     CHECK(net::summary({}) == "nothing");
     net::udp_counters counts{.received = 12, .wrong_sender = 3, .sent = 1};
     CHECK(net::summary(counts) == "received 12, wrong sender 3, sent 1");

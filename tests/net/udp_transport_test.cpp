@@ -65,7 +65,7 @@ std::string text(const udp::endpoint& endpoint) { return "127.0.0.1:" + std::to_
 
 } // namespace
 
-TEST_CASE("a message tells how long it has waited in the socket") {
+TEST_CASE("a message has the time that it waited in the socket") {
     boost::asio::io_context context;
     station sender{context};
     udp_transport receiver{context, any_port};
@@ -88,7 +88,7 @@ TEST_CASE("a message tells how long it has waited in the socket") {
     CHECK(after(50ms) >= 40ms); // by the clock of the kernel, which may be slewed
 }
 
-TEST_CASE("a message arrives as it was sent, in either framing") {
+TEST_CASE("a message arrives unchanged in either framing") {
     boost::asio::io_context context;
     station sender{context};
     station receiver{context};
@@ -106,7 +106,7 @@ TEST_CASE("a message arrives as it was sent, in either framing") {
     CHECK(receiver.transport.counts().errors == 0);
 }
 
-TEST_CASE("the prefix stands in front of the message on the wire") {
+TEST_CASE("the prefix precedes the message on the wire") {
     boost::asio::io_context context;
     station sender{context};
     udp::socket peer{context, any_port};
@@ -122,7 +122,7 @@ TEST_CASE("the prefix stands in front of the message on the wire") {
     CHECK(received() == bytes_of("message"));
 }
 
-TEST_CASE("a busy port is named, with the way to find its holder") {
+TEST_CASE("a port in use is reported with a command that finds its owner") {
     boost::asio::io_context context;
     const station first{context};
     const auto port = std::to_string(first.transport.local().port());
@@ -148,7 +148,7 @@ TEST_CASE("an address of another machine cannot be bound") {
     }
 }
 
-TEST_CASE("a closed port at the peer is reported by its address, and the transport lives on") {
+TEST_CASE("a closed port at the peer is reported with its address, and the transport continues to work") {
     boost::asio::io_context context;
     station sender{context};
     station receiver{context};
@@ -164,7 +164,7 @@ TEST_CASE("a closed port at the peer is reported by its address, and the transpo
     CHECK(sender.message == bytes_of("to the sender"));
 }
 
-TEST_CASE("an absent peer is told of once, and again after it was there") {
+TEST_CASE("an absent peer is reported once, and again after it was present") {
     boost::asio::io_context context;
     station sender{context};
     const auto peer_port = closed_port();
@@ -184,7 +184,7 @@ TEST_CASE("an absent peer is told of once, and again after it was there") {
     CHECK(sender.errors.size() == 2);
 }
 
-TEST_CASE("one peer's closed port does not swallow the next message to another") {
+TEST_CASE("a closed port at one peer does not lose the next message to another") {
     boost::asio::io_context context;
     station sender{context};
     station receiver{context};
@@ -215,7 +215,7 @@ TEST_CASE("datagrams without a message are reported") {
     CHECK(receiver.transport.counts().errors == 2);
 }
 
-TEST_CASE("messages up to 65507 bytes pass, larger and empty ones are not sent") {
+TEST_CASE("messages up to 65507 bytes are sent, larger and empty ones are not") {
     boost::asio::io_context context;
     station sender{context};
     station receiver{context};
@@ -237,7 +237,7 @@ TEST_CASE("messages up to 65507 bytes pass, larger and empty ones are not sent")
     CHECK(sender.transport.counts().errors == 3);
 }
 
-TEST_CASE("a datagram larger than any over IPv4 is dropped with a report") {
+TEST_CASE("a datagram larger than IPv4 allows is dropped with a report") {
     boost::asio::io_context context;
     const udp::endpoint v6{boost::asio::ip::make_address("::1"), 0};
     std::optional<udp::socket> peer;
@@ -263,7 +263,7 @@ TEST_CASE("a datagram larger than any over IPv4 is dropped with a report") {
     CHECK(error == "[::1]:" + std::to_string(closed.port()) + ": closed port: no program receives there");
 }
 
-TEST_CASE("ten thousand datagrams of random content and size are all counted and survived") {
+TEST_CASE("ten thousand datagrams of random content and size are all counted") {
     boost::asio::io_context context;
     station receiver{context};
     udp::socket peer{context, any_port};
@@ -319,7 +319,7 @@ TEST_CASE("a stopped transport calls no handler and refuses to send") {
     CHECK_NOTHROW(udp_transport{context, address}); // the port is free again
 }
 
-TEST_CASE("a transport may go while datagrams wait for it") {
+TEST_CASE("a transport can be destroyed while datagrams wait for it") {
     boost::asio::io_context context;
     udp::socket peer{context, any_port};
     std::array<std::unique_ptr<udp_transport>, 2> transports;
@@ -337,7 +337,7 @@ TEST_CASE("a transport may go while datagrams wait for it") {
     CHECK(handled == 1);
 }
 
-TEST_CASE("waiting ends at its time when nothing comes") {
+TEST_CASE("waiting without messages ends at its deadline") {
     boost::asio::io_context context;
     const station alone{context};
     const auto start = std::chrono::steady_clock::now();
@@ -345,7 +345,7 @@ TEST_CASE("waiting ends at its time when nothing comes") {
     CHECK(std::chrono::steady_clock::now() - start >= 20ms);
 }
 
-TEST_CASE("a message goes to the system its header names, framed as that system wants it") {
+TEST_CASE("a message is sent to the system of its destination, in that system's framing") {
     boost::asio::io_context context;
     station here{context};
     station there{context};

@@ -76,7 +76,7 @@ struct arm {
 
 } // namespace
 
-TEST_CASE("a message asks for its acknowledgement and is not sent again once that is there") {
+TEST_CASE("a message requests acknowledgement and is not sent again once acknowledged") {
     ocu o;
     const auto sent = o.commands.send(to_arm, jaus::set_component_authority{7}, instant{1s}, o.sent.sink());
     REQUIRE(sent);
@@ -95,14 +95,14 @@ TEST_CASE("a message asks for its acknowledgement and is not sent again once tha
     REQUIRE(o.heard.size() == 1);
 }
 
-TEST_CASE("a NAK is an outcome as well") {
+TEST_CASE("a NAK is an outcome") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()));
     REQUIRE(o.answer(0x0003, 1, ack_nak::nak));
     REQUIRE(o.heard == outcomes{{1, delivered::refused}});
 }
 
-TEST_CASE("a message without an answer is sent again, the same bytes, and given up after all attempts") {
+TEST_CASE("a message without an answer is repeated unchanged, and abandoned after all attempts") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{1s}, o.sent.sink()));
     REQUIRE(o.commands.next_event() == instant{1100ms});
@@ -125,7 +125,7 @@ TEST_CASE("a message without an answer is sent again, the same bytes, and given 
 }
 
 // Its receiver may have forgotten it by then, and would obey it a second time.
-TEST_CASE("a message that was to be sent again while its program was suspended is given up") {
+TEST_CASE("a message due for repetition while its program was suspended is abandoned") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{1s}, o.sent.sink()));
     o.on_time(instant{1100ms});
@@ -139,7 +139,7 @@ TEST_CASE("a message that was to be sent again while its program was suspended i
     REQUIRE_FALSE(o.answer(0x0004, 2, ack_nak::ack)); // it lay in the socket
 }
 
-TEST_CASE("only the answer to a message counts: its code, number, sender and addressee") {
+TEST_CASE("an acknowledgement counts only with the code, number, sender and addressee of the message") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()));
     REQUIRE_FALSE(o.answer(0x0004, 1, ack_nak::ack));
@@ -152,7 +152,7 @@ TEST_CASE("only the answer to a message counts: its code, number, sender and add
     REQUIRE(o.answer(0x0003, 1, ack_nak::ack));
 }
 
-TEST_CASE("as many messages wait as there are places") {
+TEST_CASE("as many messages as places can wait") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()));
     REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).sequence_number == 2);
@@ -164,7 +164,7 @@ TEST_CASE("as many messages wait as there are places") {
     REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).sequence_number == 3);
 }
 
-TEST_CASE("what cannot be acknowledged or does not fit is not sent") {
+TEST_CASE("messages that cannot be acknowledged, or do not fit, are not sent") {
     ocu o;
     const auto send = [&](const jaus::header& head, const auto& body) {
         return o.commands.send(head, body, instant{0s}, o.sent.sink()).error;
@@ -186,7 +186,7 @@ TEST_CASE("what cannot be acknowledged or does not fit is not sent") {
             send_errc::no_room);
 }
 
-TEST_CASE("a whole message is sent with a number of its own") {
+TEST_CASE("a complete message is sent with a sequence number of the sender's") {
     ocu o;
     const auto ready =
         message({.priority = 9, .destination = arm_address, .source = ocu_address, .sequence_number = 50},
@@ -199,7 +199,7 @@ TEST_CASE("a whole message is sent with a number of its own") {
     REQUIRE(o.sent.body<jaus::set_component_authority>(1).authority_code == 3);
 }
 
-TEST_CASE("a program that starts again begins with another number, so that its first message is no repeat") {
+TEST_CASE("a restarted program begins with another number, so that its first message is not a repeat") {
     arm a;
     for (const std::uint16_t first : {std::uint16_t{1}, std::uint16_t{40000}, std::uint16_t{0xFFFE}}) {
         std::array<jaus::awaited_message, 2> places{};
@@ -216,7 +216,7 @@ TEST_CASE("a program that starts again begins with another number, so that its f
     REQUIRE(a.handed_on == 3);
 }
 
-TEST_CASE("numbers go around and leave out the ones that wait") {
+TEST_CASE("numbers wrap around and skip those in use") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).sequence_number == 1);
     for (unsigned n = 2; n <= 0xFFFF; ++n) {
@@ -228,7 +228,7 @@ TEST_CASE("numbers go around and leave out the ones that wait") {
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).sequence_number == 2);
 }
 
-TEST_CASE("the handler of an outcome may send the next message into the place that has become free") {
+TEST_CASE("the outcome handler may send the next message in the freed place") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()));
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()));
@@ -248,7 +248,7 @@ TEST_CASE("the handler of an outcome may send the next message into the place th
     REQUIRE(o.commands.waiting() == 2);
 }
 
-TEST_CASE("what was taken is acknowledged, what was not gets a NAK") {
+TEST_CASE("an executed message is acknowledged, a refused one gets a NAK") {
     arm a;
     REQUIRE(a.hear(0x0001, 5) == received::handed_on);
     REQUIRE(a.hear(0x0001, 6, 0, 0s, message_outcome::refused) == received::handed_on);
@@ -262,7 +262,7 @@ TEST_CASE("what was taken is acknowledged, what was not gets a NAK") {
     for (const std::size_t i : {1u, 2u, 3u}) REQUIRE(a.answer(i) == ack_nak::nak);
 }
 
-TEST_CASE("a repeat gets the answer again and is not handed on") {
+TEST_CASE("a repeat gets the same answer and is not delivered") {
     arm a;
     a.hear(0x0001, 5, 1);
     REQUIRE(a.hear(0x0001, 5, 1, 500ms, message_outcome::refused) == received::repeated);
@@ -273,7 +273,7 @@ TEST_CASE("a repeat gets the answer again and is not handed on") {
     REQUIRE(a.handed_on == 2);
 }
 
-TEST_CASE("another source, code, number or body is another message") {
+TEST_CASE("a message with another source, code, number or body is not a repeat") {
     arm a;
     a.hear(0x0001, 5, 1);
     REQUIRE(a.hear(0x0002, 5, 1) == received::handed_on);
@@ -283,14 +283,14 @@ TEST_CASE("another source, code, number or body is another message") {
     REQUIRE(a.handed_on == 5);
 }
 
-TEST_CASE("a message is remembered for a time") {
+TEST_CASE("a message is remembered for a limited time") {
     arm a;
     a.hear(0x0001, 5);
     REQUIRE(a.hear(0x0001, 5, 0, 1s - 1ns) == received::repeated);
     REQUIRE(a.hear(0x0001, 5, 0, 1s) == received::handed_on);
 }
 
-TEST_CASE("a memory or a timeout without end does not end") {
+TEST_CASE("an unlimited memory or timeout never expires") {
     arm a;
     a.commands = {arm_address, a.places, nanoseconds::max()};
     a.hear(0x0001, 5, 0, 1s);
@@ -302,7 +302,7 @@ TEST_CASE("a memory or a timeout without end does not end") {
     REQUIRE(o.sent.size() == 1);
 }
 
-TEST_CASE("of a sender that numbers all its messages 0 only the same one twice in a row is a repeat") {
+TEST_CASE("of a sender that numbers all messages 0, only two equal messages in a row are a repeat") {
     arm a;
     REQUIRE(a.hear(0x0003, 0) == received::handed_on);
     REQUIRE(a.hear(0x0003, 0) == received::repeated);
@@ -316,7 +316,7 @@ TEST_CASE("of a sender that numbers all its messages 0 only the same one twice i
     REQUIRE(a.handed_on == 105);
 }
 
-TEST_CASE("of a sender that numbers all its messages 0 any command in between makes the next one new") {
+TEST_CASE("of a sender that numbers all messages 0, any command in between makes the next one new") {
     arm a;
     const auto plain = [&](std::uint16_t code, std::uint16_t number = 0) {
         return a.hear(code, number, 0, 0s, message_outcome::taken, ocu_address, ack_nak::none);
@@ -340,8 +340,7 @@ TEST_CASE("of a sender that numbers all its messages 0 any command in between ma
     }
 }
 
-TEST_CASE(
-    "of a sender that numbers all its messages 0 what another one has made the component do makes the next one new") {
+TEST_CASE("of a sender that numbers all messages 0, an action caused by another sender makes the next message new") {
     arm a;
     const auto another = [&](std::uint16_t code, message_outcome outcome, ack_nak wish = ack_nak::none) {
         return a.hear(code, 7, 0, 0s, outcome, other, wish);
@@ -362,7 +361,7 @@ TEST_CASE(
     REQUIRE(a.handed_on == 8);
 }
 
-TEST_CASE("what may be the repeat of an executed message numbered 0 gets no NAK") {
+TEST_CASE("a possible repeat of an executed message numbered 0 gets no NAK") {
     arm a;
     REQUIRE(a.hear(0x0405, 0) == received::handed_on);
     a.commands.on_change();
@@ -393,7 +392,7 @@ TEST_CASE("a refused repeat of a pending message numbered 0 gets no NAK") {
     REQUIRE(a.answer(1) == ack_nak::ack);
 }
 
-TEST_CASE("a program that is started again and then numbers all its messages 0 is known by that") {
+TEST_CASE("a restarted program that then numbers all messages 0 is recognised") {
     arm a;
     const auto begun_anew = GENERATE(0ms, 500ms);                    // all of it may have waited in the socket
     const auto number = GENERATE(as<std::uint16_t>{}, 4711, 0xFF80); // also one that 0 may follow soon
@@ -403,7 +402,7 @@ TEST_CASE("a program that is started again and then numbers all its messages 0 i
     REQUIRE(a.hear(0x0004, 0, 0, begun_anew + 200ms) == received::handed_on);
 }
 
-TEST_CASE("a program that is started again and numbers several commands 0 does not count, whatever came before") {
+TEST_CASE("a restarted program that numbers several commands 0 is treated as not counting, whatever came before") {
     arm a;
     REQUIRE(a.hear(0x0405, 0xFF80) == received::handed_on); // 0 may follow soon
     REQUIRE(a.hear(0x0405, 0) == received::handed_on);
@@ -412,7 +411,7 @@ TEST_CASE("a program that is started again and numbers several commands 0 does n
     REQUIRE(a.hear(0x0004, 0) == received::handed_on);
 }
 
-TEST_CASE("a sender that counts may send plain messages with the number 0 in between") {
+TEST_CASE("a counting sender may send plain messages numbered 0 in between") {
     arm a;
     REQUIRE(a.hear(0x0003, 0xFFFF) == received::handed_on);
     REQUIRE(a.hear(0x0004, 0) == received::handed_on); // around
@@ -423,7 +422,7 @@ TEST_CASE("a sender that counts may send plain messages with the number 0 in bet
     REQUIRE(a.hear(0x0003, 0xFFFF) == received::repeated);
 }
 
-TEST_CASE("a program that begins again with the same numbers is obeyed as soon as that can be told") {
+TEST_CASE("a program restarted with the same numbers is obeyed as soon as that is detectable") {
     arm a;
     for (const std::uint16_t number : {std::uint16_t{7}, std::uint16_t{8}, std::uint16_t{9}})
         REQUIRE(a.hear(0x0405, number, 1) == received::handed_on);
@@ -435,7 +434,7 @@ TEST_CASE("a program that begins again with the same numbers is obeyed as soon a
     REQUIRE(a.handed_on == 5);
 }
 
-TEST_CASE("a Set Emergency and a query that come again are obeyed again") {
+TEST_CASE("a repeated Set Emergency and a repeated query are executed again") {
     arm a;
     for (const std::uint16_t code : {std::uint16_t{0x0006}, std::uint16_t{0x2002}})
         for (int i = 0; i != 20; ++i) REQUIRE(a.hear(code, 5) == received::handed_on);
@@ -445,7 +444,7 @@ TEST_CASE("a Set Emergency and a query that come again are obeyed again") {
     REQUIRE(a.answer(40) == ack_nak::nak);
 }
 
-TEST_CASE("without a wish for an acknowledgement every message is handed on") {
+TEST_CASE("every message without acknowledgement request is delivered") {
     arm a;
     for (int i = 0; i != 20; ++i)
         REQUIRE(a.hear(0x0001, 5, 0, 0s, message_outcome::taken, ocu_address, ack_nak::none) == received::handed_on);
@@ -453,7 +452,7 @@ TEST_CASE("without a wish for an acknowledgement every message is handed on") {
     REQUIRE(a.sent.empty());
 }
 
-TEST_CASE("a message to all is handed on and not acknowledged") {
+TEST_CASE("a broadcast is delivered and not acknowledged") {
     arm a;
     REQUIRE(a.hear(0x0001, 5, 0, 0s, message_outcome::taken, ocu_address, ack_nak::request, {255, 255, 2, 3}) ==
             received::handed_on);
@@ -461,7 +460,7 @@ TEST_CASE("a message to all is handed on and not acknowledged") {
     REQUIRE(a.sent.empty());
 }
 
-TEST_CASE("one source cannot take all places, all sources together can, Set Emergency passes") {
+TEST_CASE("one source cannot occupy all places, all sources together can, Set Emergency is exempt") {
     arm a;
     for (std::uint16_t i = 0; i != 4; ++i) REQUIRE(a.hear(0x0001, i) == received::handed_on);
     REQUIRE(a.hear(0x0001, 4) == received::no_room);
@@ -476,7 +475,7 @@ TEST_CASE("one source cannot take all places, all sources together can, Set Emer
     REQUIRE(a.hear(0x0001, 4, 0, 1s) == received::handed_on);
 }
 
-TEST_CASE("a deferred message is acknowledged when it is finished, its repeats before that are dropped") {
+TEST_CASE("a deferred message is acknowledged when it is finished, and its repeats before that are dropped") {
     arm a;
     const auto finish = [&](std::uint16_t number, bool executed, instant now) {
         return a.commands.finish({.ack_nak = ack_nak::request,
@@ -508,7 +507,7 @@ TEST_CASE("a deferred message is acknowledged when it is finished, its repeats b
     REQUIRE(a.handed_on == 3);
 }
 
-TEST_CASE("pending messages keep their places, so there are no more of them than places") {
+TEST_CASE("pending messages keep their places, so there are at most as many as places") {
     arm a;
     for (std::uint16_t i = 0; i != 4; ++i)
         REQUIRE(a.hear(0x0405, i, 0, 0s, message_outcome::deferred) == received::handed_on);
@@ -521,7 +520,7 @@ TEST_CASE("pending messages keep their places, so there are no more of them than
     for (std::uint16_t i = 1; i != 4; ++i) REQUIRE(a.hear(0x0405, i, 0, 7200s) == received::pending);
 }
 
-TEST_CASE("what is never remembered may be deferred: it is handed on each time, and each is answered") {
+TEST_CASE("a message that is never remembered may be deferred: it is delivered and answered each time") {
     arm a;
     const jaus::header stop{
         .ack_nak = ack_nak::request, .command_code = 0x0006, .destination = arm_address, .source = ocu_address};
@@ -532,7 +531,7 @@ TEST_CASE("what is never remembered may be deferred: it is handed on each time, 
     REQUIRE(a.sent[19] == from_hex("36 02 06 00 01 20 01 01 01 31 02 03 00 00 00 00"));
 }
 
-TEST_CASE("a deferred message that wants no acknowledgement, or is for all of a level, gets none") {
+TEST_CASE("a deferred message without acknowledgement request, or to a broadcast address, is not acknowledged") {
     arm a;
     jaus::header head{.command_code = 0x0405, .destination = arm_address, .source = ocu_address};
     REQUIRE(a.hear(0x0405, 0, 0, 0s, message_outcome::deferred, ocu_address, ack_nak::none) == received::handed_on);
@@ -564,7 +563,7 @@ TEST_CASE("a handler may finish its message at once") {
     REQUIRE(a.answer(1) == ack_nak::ack);
 }
 
-TEST_CASE("of a sender that numbers all its messages 0 the pending ones are finished in their order") {
+TEST_CASE("of a sender that numbers all messages 0, pending messages are finished in order") {
     arm a;
     const auto finish = [&](std::uint16_t code, bool executed) {
         return a.commands.finish(
@@ -588,7 +587,7 @@ TEST_CASE("of a sender that numbers all its messages 0 the pending ones are fini
     REQUIRE(a.hear(0x0003, 0, 0, 3s, message_outcome::deferred) == received::handed_on);
 }
 
-TEST_CASE("over a channel that loses, doubles and delays, a message is handed on once at most and has one outcome") {
+TEST_CASE("over a channel that loses, duplicates and delays, a message is delivered at most once and has one outcome") {
     using key = std::tuple<std::uint8_t, std::uint8_t, std::uint16_t>; // sender, receiver, number
     struct fate {
         int taken{}, refused{};

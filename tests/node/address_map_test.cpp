@@ -48,7 +48,7 @@ struct small_map {
 
 } // namespace
 
-TEST_CASE("the entry that names the higher level is found") {
+TEST_CASE("an entry for a higher level is found") {
     small_map m{16};
     REQUIRE(m.map.insert(make(0, 0, 0, 0), 1) == inserted::ok);
     REQUIRE(m.map.insert(make(1, 0, 0, 0), 2) == inserted::ok);
@@ -62,7 +62,7 @@ TEST_CASE("the entry that names the higher level is found") {
     REQUIRE(m.map.exactly(make(1, 2, 0, 0))->value == 4);
 }
 
-TEST_CASE("an empty map finds nothing and a map without memory takes nothing") {
+TEST_CASE("an empty map finds nothing, and a map without memory is full") {
     for (const std::size_t places : {0U, 1U}) {
         small_map m{places};
         REQUIRE(m.map.capacity() == 0);
@@ -72,7 +72,7 @@ TEST_CASE("an empty map finds nothing and a map without memory takes nothing") {
     }
 }
 
-TEST_CASE("an address twice is refused and leaves the first value") {
+TEST_CASE("a duplicate address is refused and keeps the first value") {
     small_map m{8};
     REQUIRE(m.map.insert(make(1, 0, 0, 0), 1) == inserted::ok);
     REQUIRE(m.map.insert(make(1, 0, 0, 0), 2) == inserted::duplicate);
@@ -80,7 +80,7 @@ TEST_CASE("an address twice is refused and leaves the first value") {
     REQUIRE(m.map.size() == 1);
 }
 
-TEST_CASE("a full map says so, three quarters of the largest power of two") {
+TEST_CASE("a map is full at three quarters of the largest power of two") {
     for (const std::size_t places : {2U, 3U, 4U, 100U, 1024U}) {
         small_map m{places};
         std::size_t taken = 0;
@@ -99,7 +99,7 @@ TEST_CASE("a full map says so, three quarters of the largest power of two") {
     }
 }
 
-TEST_CASE("random entries and look-ups agree with a search through all entries, also after some are removed") {
+TEST_CASE("random entries and look-ups agree with a linear search, also after removals") {
     std::mt19937 random{7};
     // Few IDs, so that entries of many patterns cover the same address.
     const auto id = [&](bool wildcard) { return static_cast<std::uint8_t>(random() % 4 + (wildcard ? 0 : 1)); };
@@ -131,7 +131,7 @@ TEST_CASE("random entries and look-ups agree with a search through all entries, 
     }
 }
 
-TEST_CASE("250 subsystems of 254 nodes are all found, each after a few places") {
+TEST_CASE("250 subsystems of 254 nodes are all found, each within a few probes") {
     small_map m{131072};
     int value = 0;
     for (unsigned s = 1; s <= 250; ++s)

@@ -58,13 +58,13 @@ struct component {
 
 } // namespace
 
-TEST_CASE("a clock that was not set tells nothing") {
+TEST_CASE("a clock that was not set reports nothing") {
     component c;
     REQUIRE(c.query(5s) == stamps{});
     REQUIRE_FALSE(c.clock.time_at(instant{5s}));
 }
 
-TEST_CASE("a clock that was set runs with the caller's time") {
+TEST_CASE("a clock that was set advances with the caller's time") {
     component c;
     REQUIRE(c.set(at(21, 10, 44, 30, 250), on(21, 11, 2026), 100s));
     REQUIRE(c.query(100s) == stamps{at(21, 10, 44, 30, 250), on(21, 11, 2026)});
@@ -74,7 +74,7 @@ TEST_CASE("a clock that was set runs with the caller's time") {
     REQUIRE(c.clock.time_at(instant{100s}) == sys_days{std::chrono::year{2026} / 11 / 21} + 10h + 44min + 30s + 250ms);
 }
 
-TEST_CASE("a report has the fields that were asked for") {
+TEST_CASE("a report has the requested fields") {
     component c;
     REQUIRE(c.set(at(1, 2), on(1, 3, 2020)));
     REQUIRE(c.query(0s, 0) == stamps{});
@@ -115,7 +115,7 @@ TEST_CASE("a date after 2127 has no stamp, and an application cannot set one") {
     REQUIRE(c.query(0s) == stamps{at(31, 23, 59, 59, 999), on(31, 12, 2127)});
 }
 
-TEST_CASE("the time alone keeps the date, over the end of a month to the nearest") {
+TEST_CASE("setting the time keeps the nearest date, also across the end of a month") {
     component c;
     REQUIRE(c.set(at(10, 12), on(10, 6, 2024)));
     REQUIRE(c.set(at(10, 13), {}));
@@ -137,7 +137,7 @@ TEST_CASE("the time alone keeps the date, over the end of a month to the nearest
     REQUIRE(c.query(0s) == stamps{at(31, 23), on(31, 12, 2023)});
 }
 
-TEST_CASE("the date alone keeps the time of day") {
+TEST_CASE("setting the date keeps the time of day") {
     component c;
     REQUIRE(c.set(at(10, 12, 30), on(10, 6, 2024)));
     REQUIRE(c.set({}, on(28, 2, 2023), 1h));
@@ -145,7 +145,7 @@ TEST_CASE("the date alone keeps the time of day") {
     REQUIRE(c.query(12h) == stamps{at(1, 0, 30), on(1, 3, 2023)});
 }
 
-TEST_CASE("time and date may come one after the other, each is told once it is known") {
+TEST_CASE("time and date can be set one after the other, and each is reported once known") {
     component c;
     REQUIRE(c.set(at(31, 22), {}));
     REQUIRE(c.query(1h) == stamps{at(31, 23), std::nullopt});
@@ -168,7 +168,7 @@ TEST_CASE("a Set Time without fields changes nothing") {
     REQUIRE(c.query(0s) == stamps{});
 }
 
-TEST_CASE("times and days that there are not are refused and change nothing") {
+TEST_CASE("impossible times and days are refused and change nothing") {
     component c;
     REQUIRE(c.set(at(10, 12), on(10, 6, 2024)));
     const auto refused = [&](std::optional<jaus::time_stamp> time, std::optional<jaus::date_stamp> date) {
@@ -190,7 +190,7 @@ TEST_CASE("times and days that there are not are refused and change nothing") {
     CHECK_FALSE(refused(at(0, 12), on(29, 2, 2024)));
 }
 
-TEST_CASE("malformed time messages change nothing, others are left alone") {
+TEST_CASE("malformed time messages change nothing, other messages are not handled") {
     component c;
     const std::array<std::byte, 2> bytes{std::byte{1}, std::byte{2}};
     for (const std::uint16_t code : std::to_array<std::uint16_t>({0x0011, 0x2011}))

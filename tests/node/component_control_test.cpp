@@ -52,7 +52,7 @@ struct arm {
 
 } // namespace
 
-TEST_CASE("who asks first gets control, whatever the authority") {
+TEST_CASE("the first request gets control, with any authority") {
     arm a;
     REQUIRE_FALSE(a.control.controller());
     REQUIRE(a.report() == jaus::report_component_control{});
@@ -63,7 +63,7 @@ TEST_CASE("who asks first gets control, whatever the authority") {
     REQUIRE(a.report() == jaus::report_component_control{1, 1, 32, 1, 7});
 }
 
-TEST_CASE("equal and lower authority do not get control, higher takes it over and the old controller is told") {
+TEST_CASE("equal and lower authority do not get control, higher takes it over and the old controller is notified") {
     arm a;
     a.request(100, ocu);
     REQUIRE(a.request(100, other) == control_not_accepted);
@@ -93,7 +93,7 @@ TEST_CASE("only the controller releases control") {
     REQUIRE(a.request(0, other) == control_accepted);
 }
 
-TEST_CASE("every code there is: queries, reports and the open commands are admitted from all, others are not") {
+TEST_CASE("of all codes, queries, reports and the open commands are admitted from every sender, others are not") {
     arm a;
     for (unsigned code = 0; code <= 0xFFFF; ++code) REQUIRE(a.admits(static_cast<std::uint16_t>(code), other));
     a.request(1, ocu);
@@ -112,7 +112,7 @@ TEST_CASE("every code there is: queries, reports and the open commands are admit
     REQUIRE(refused == 0x10000 - 0x4000 - 15);
 }
 
-TEST_CASE("what the reference architecture refuses from those without control is refused, but for Set Emergency") {
+TEST_CASE("what the reference architecture refuses to senders without control is refused, except Set Emergency") {
     // The note on authority, as it stands there.
     std::vector<std::uint16_t> list{0x0001, 0x0002, 0x0003, 0x0004, 0x0005, 0x0006, 0x0007, 0x000E, 0x0011,
                                     0x0405, 0x0406, 0x0407, 0x0408, 0x040A, 0x040C, 0x040D, 0x040F, 0x0410};
@@ -124,7 +124,7 @@ TEST_CASE("what the reference architecture refuses from those without control is
                 (code == jaus::command_code_of<jaus::set_emergency>));
 }
 
-TEST_CASE("0404h, payload and missions move something, and so does what is not known") {
+TEST_CASE("0404h, payload, missions and unknown codes count as motion commands") {
     using enum jaus::command_rule;
     for (const int code : {0x0404, 0x0405, 0x0607, 0x0A25, 0x0D01, 0x0E00, 0x0E01, 0x0E04, 0x0E05, 0x0E06})
         REQUIRE(jaus::rule_of(static_cast<std::uint16_t>(code)) == moving);
@@ -136,7 +136,7 @@ TEST_CASE("0404h, payload and missions move something, and so does what is not k
     for (const int code : {0x0E02, 0x0E03}) REQUIRE(jaus::rule_of(static_cast<std::uint16_t>(code)) == controlled);
 }
 
-TEST_CASE("a user's own messages count as moving unless they are said to be harmless") {
+TEST_CASE("a user's own messages count as motion commands unless declared harmless") {
     static constexpr std::array<std::uint16_t, 1> own{0xD081};
     arm a{{.harmless = own}};
     a.request(1, ocu);
@@ -169,7 +169,7 @@ TEST_CASE("control ends when the controller disappears") {
     REQUIRE(a.sent.empty());
 }
 
-TEST_CASE("a silent controller is asked for its pulse from a quarter of the timeout on, and lost after all of it") {
+TEST_CASE("a silent controller is queried for its heartbeat after a quarter of the timeout, and lost after all of it") {
     arm a{{.timeout = 1s}};
     REQUIRE_FALSE(a.control.next_event());
     a.request(1, ocu, 10s);
@@ -199,7 +199,7 @@ TEST_CASE("a silent controller is asked for its pulse from a quarter of the time
     REQUIRE(a.sent.size() == 1);
 }
 
-TEST_CASE("whatever the controller sends is life, and its pulse is for the control that asked") {
+TEST_CASE("any message of the controller proves liveness, and its heartbeat counts for the control that queried it") {
     arm a{{.timeout = 1s}};
     a.request(1, ocu, 10s);
     const jaus::header pulse{.command_code = 0x4202, .destination = self, .source = ocu};
@@ -218,7 +218,7 @@ TEST_CASE("whatever the controller sends is life, and its pulse is for the contr
     REQUIRE_FALSE(a.control.takes_pulse({.command_code = 0x4202, .destination = self, .source = other}));
 }
 
-TEST_CASE("the default timeout is half a second, and any that is not 0 works") {
+TEST_CASE("the default timeout is half a second, and any other than 0 works") {
     arm a;
     a.request(1, ocu, 10s);
     REQUIRE(a.control.next_event() == instant{10125ms});
@@ -235,7 +235,7 @@ TEST_CASE("the default timeout is half a second, and any that is not 0 works") {
     REQUIRE(patient.control.next_event() == jauscat::time_point::max());
 }
 
-TEST_CASE("why the controller has changed") {
+TEST_CASE("a change of the controller has its cause") {
     using enum jaus::control_change;
     arm a;
     a.request(1, ocu);
@@ -254,7 +254,7 @@ TEST_CASE("why the controller has changed") {
     REQUIRE(a.control.last_change() == lost);
 }
 
-TEST_CASE("without a timeout control does not end by itself") {
+TEST_CASE("without a timeout control does not expire") {
     arm a{{.timeout = 0s}};
     a.request(1, ocu);
     REQUIRE_FALSE(a.control.next_event());
@@ -274,7 +274,7 @@ TEST_CASE("the component can take control back") {
     REQUIRE_FALSE(a.control.controller());
 }
 
-TEST_CASE("malformed control messages change nothing, others are left alone") {
+TEST_CASE("malformed control messages change nothing, other messages are not handled") {
     arm a;
     const std::array<std::byte, 6> bytes{};
     for (const std::uint16_t code : std::to_array<std::uint16_t>({0x0001, 0x000D, 0x000E, 0x2001, 0x200D})) {
@@ -289,7 +289,7 @@ TEST_CASE("malformed control messages change nothing, others are left alone") {
     CHECK(a.sent.empty());
 }
 
-TEST_CASE("after a bad network both sides agree who has control, where silent controllers lose it") {
+TEST_CASE("after a bad network both sides agree on the controller, if silent controllers lose control") {
     for (unsigned seed = 0; seed != 300; ++seed) {
         lossy_channel network{seed};
         network.faults = {.lose = 20, .duplicate = 15, .delay = 80, .longest = 50ms};

@@ -69,7 +69,7 @@ struct arm {
 
 } // namespace
 
-TEST_CASE("every event the application has does in every state what the table says") {
+TEST_CASE("every application event has the effect of the table in every state") {
     for (const row& r : table)
         for (std::size_t i = 0; i != r.to.size(); ++i) {
             CAPTURE(static_cast<int>(r.from), i);
@@ -84,7 +84,7 @@ TEST_CASE("every event the application has does in every state what the table sa
         }
 }
 
-TEST_CASE("every command does in every state what the table says") {
+TEST_CASE("every command has the effect of the table in every state") {
     for (const row& r : table)
         for (std::size_t i = 2; i != r.to.size(); ++i) {
             CAPTURE(static_cast<int>(r.from), i);
@@ -95,7 +95,7 @@ TEST_CASE("every command does in every state what the table says") {
         }
 }
 
-TEST_CASE("state_after is the table but for what an emergency keeps in mind") {
+TEST_CASE("state_after equals the table, except for what an emergency stores") {
     for (const row& r : table)
         for (std::size_t i = 0; i != r.to.size(); ++i) {
             const auto event = static_cast<state_event>(i);
@@ -105,7 +105,7 @@ TEST_CASE("state_after is the table but for what an emergency keeps in mind") {
         }
 }
 
-TEST_CASE("after an emergency a ready component stands by or goes on, others are as before") {
+TEST_CASE("after an emergency a Ready component is in Standby or Ready, others keep their state") {
     for (const state before : {initialize, ready, standby_state, failure}) {
         for (const auto after : {jaus::after_emergency::standby, jaus::after_emergency::resume}) {
             arm a{before, after};
@@ -118,7 +118,7 @@ TEST_CASE("after an emergency a ready component stands by or goes on, others are
     }
 }
 
-TEST_CASE("what the application finds out during an emergency counts after it") {
+TEST_CASE("state changes by the application during an emergency take effect after it") {
     arm ready_now{initialize, jaus::after_emergency::resume};
     ready_now.set();
     REQUIRE(ready_now.core.change(state_event::initialized));
@@ -134,7 +134,7 @@ TEST_CASE("what the application finds out during an emergency counts after it") 
     REQUIRE(broken.core.state() == failure);
 }
 
-TEST_CASE("an emergency ends with the last of those that hold it") {
+TEST_CASE("an emergency ends when its last holder clears it") {
     arm a;
     a.set(ocu);
     a.set(other);
@@ -161,7 +161,7 @@ TEST_CASE("an emergency of the application is not ended by a message") {
     REQUIRE(a.core.state() == standby_state);
 }
 
-TEST_CASE("the emergency of one that is gone can be cleared by any") {
+TEST_CASE("the emergency of an absent sender can be cleared by any sender") {
     arm a;
     a.set(ocu);
     a.core.on_lost([](const jaus::address& who) { return who == other; });
@@ -172,7 +172,7 @@ TEST_CASE("the emergency of one that is gone can be cleared by any") {
     REQUIRE(a.core.state() == standby_state);
 }
 
-TEST_CASE("who clears its own emergency does not clear that of another, gone or without a place") {
+TEST_CASE("Clear Emergency clears only the sender's own emergency") {
     arm a;
     a.set(ocu);
     a.set(other);
@@ -193,7 +193,7 @@ TEST_CASE("who clears its own emergency does not clear that of another, gone or 
     REQUIRE(full.core.state() == standby_state);
 }
 
-TEST_CASE("an emergency is in force also when there is no place to remember who set it") {
+TEST_CASE("an emergency takes effect also without a place to store its sender") {
     arm a;
     a.set(ocu);
     a.set(other);
@@ -207,7 +207,7 @@ TEST_CASE("an emergency is in force also when there is no place to remember who 
     REQUIRE(a.core.state() == standby_state);
 }
 
-TEST_CASE("the application can end an emergency whoever holds it") {
+TEST_CASE("the application can end the emergency of any sender") {
     arm a;
     a.set(ocu);
     a.core.change(state_event::emergency);
@@ -218,7 +218,7 @@ TEST_CASE("the application can end an emergency whoever holds it") {
     REQUIRE(a.core.state() == standby_state);
 }
 
-TEST_CASE("a shutdown ends an emergency and all holds") {
+TEST_CASE("a shutdown ends an emergency with all its holders") {
     arm a;
     a.set(ocu);
     REQUIRE(a.hear(jaus::shutdown{}) == message_outcome::taken);
@@ -228,7 +228,7 @@ TEST_CASE("a shutdown ends an emergency and all holds") {
     REQUIRE_FALSE(a.core.holds_emergency(ocu));
 }
 
-TEST_CASE("a Set Emergency stops whatever its code says and its body is, a Clear Emergency needs its bit") {
+TEST_CASE("Set Emergency stops with any code and body, Clear Emergency needs its bit") {
     const std::array<std::byte, 3> bytes{std::byte{0}, std::byte{0x80}, std::byte{0xFF}};
     for (std::size_t size = 0; size <= bytes.size(); ++size) {
         arm a;
@@ -245,7 +245,7 @@ TEST_CASE("a Set Emergency stops whatever its code says and its body is, a Clear
     REQUIRE(a.core.state() == emergency_state);
 }
 
-TEST_CASE("a query is answered with the state and the secondary code, also when it was sent to all") {
+TEST_CASE("a query is answered with state and secondary code, also if sent to a broadcast address") {
     arm a{standby_state};
     a.core.secondary_status = 0x12345678;
     const auto query = message({.destination = {255, 255, 2, 3}, .source = ocu, .sequence_number = 77},

@@ -189,7 +189,7 @@ TEST_CASE("an operator takes control, commands, loses control to a higher author
     REQUIRE(a.core.waiting() + operator_.core.waiting() + boss.core.waiting() == 0);
 }
 
-TEST_CASE("a request for control that is lost is made again, and given up when nobody answers") {
+TEST_CASE("a lost request for control is repeated, and abandoned without an answer") {
     lossy_channel channel;
     ocu operator_{ocu_address};
     join(channel, operator_);
@@ -197,19 +197,19 @@ TEST_CASE("a request for control that is lost is made again, and given up when n
     channel.run(1s);
     REQUIRE(operator_.control.state() == control_state::asking);
     arm a;
-    SECTION("an arm that is there in time") {
+    SECTION("the arm answers in time") {
         join(channel, a);
         channel.run(5s);
         REQUIRE(operator_.control.state() == control_state::held);
     }
-    SECTION("no arm") {
+    SECTION("there is no arm") {
         channel.run(3s);
         REQUIRE(operator_.control.state() == control_state::unanswered);
         REQUIRE_FALSE(operator_.core.next_event());
     }
 }
 
-TEST_CASE("a controller that renews its control keeps it, one that falls silent loses it") {
+TEST_CASE("a controller that renews its control keeps it, a silent one loses it") {
     lossy_channel channel;
     arm a{{.control = {.timeout = 1s}}};
     jaus::component_memory<1, 64, 4> memory{};
@@ -241,7 +241,7 @@ TEST_CASE("a controller that renews its control keeps it, one that falls silent 
     REQUIRE(states == std::vector{control_state::asking, control_state::held, control_state::lost});
 }
 
-TEST_CASE("a confirmation that nobody waits for any more is answered with a release") {
+TEST_CASE("a late confirmation of an abandoned request is answered with a release") {
     sent_messages sent;
     jaus::held_control control{ocu_address, arm_address};
     const auto hear = [&](const auto& body, const jaus::address& from) {
@@ -297,7 +297,7 @@ TEST_CASE("a confirmation that nobody waits for any more is answered with a rele
     REQUIRE(hear(jaus::report_component_authority{}, arm_address) == message_outcome::not_mine);
 }
 
-TEST_CASE("anyone stops a controlled arm, only that one lets it go on, its controller does not") {
+TEST_CASE("any sender can stop a controlled arm, and only that sender, not the controller, can clear the emergency") {
     arm a;
     a.put_under_control_of(ocu_address);
     REQUIRE(a.hear(push, ocu_address) == taken);
@@ -318,7 +318,7 @@ TEST_CASE("anyone stops a controlled arm, only that one lets it go on, its contr
     REQUIRE(a.efforts.size() == 2);
 }
 
-TEST_CASE("a Set Emergency with the code 0, as there are nodes that send it, stops, and its outcome says so") {
+TEST_CASE("a Set Emergency with code 0, as some nodes send it, stops, and its outcome states this") {
     arm a;
     REQUIRE(a.hear(jaus::set_emergency{}, boss_address, ack_nak::request) == stopped_anyway);
     REQUIRE(a.core.state() == primary_status_code::emergency);
@@ -328,7 +328,7 @@ TEST_CASE("a Set Emergency with the code 0, as there are nodes that send it, sto
     REQUIRE(a.core.state() == primary_status_code::standby);
 }
 
-TEST_CASE("control, and the hold of an emergency, end with those who had them") {
+TEST_CASE("loss of a peer ends its control and its hold of an emergency") {
     arm a;
     a.put_under_control_of(ocu_address);
     a.hear(stop, boss_address);
@@ -341,7 +341,7 @@ TEST_CASE("control, and the hold of an emergency, end with those who had them") 
     REQUIRE(a.part.lost == std::vector<jaus::address>{{255, 255, 1, 1}, boss_address});
 }
 
-TEST_CASE("a component that is not ready does its core's work and refuses what would move it") {
+TEST_CASE("a component that is not Ready handles core messages and refuses motion commands") {
     for (const auto event :
          {state_event::standby, state_event::failed, state_event::shutdown, state_event::emergency}) {
         arm a;
@@ -358,7 +358,7 @@ TEST_CASE("a component that is not ready does its core's work and refuses what w
     REQUIRE(willing.hear(push, ocu_address) == taken);
 }
 
-TEST_CASE("whatever moves something is obeyed in Ready only, and from the controller if there is one") {
+TEST_CASE("motion commands are executed in Ready only, and only from the controller if there is one") {
     jaus::component_memory<4, 64, 64> memory{};
     sent_messages sent;
     for (unsigned i = 0; i <= 0xFFFF; ++i) {
@@ -394,7 +394,7 @@ TEST_CASE("whatever moves something is obeyed in Ready only, and from the contro
     }
 }
 
-TEST_CASE("a query, a report and a harmless private message are handed on in every state") {
+TEST_CASE("a query, a report and a harmless private message are delivered in every state") {
     static constexpr std::array<std::uint16_t, 1> own{0xD001};
     arm a{{.control = {.harmless = own}}};
     a.put_under_control_of(ocu_address);
@@ -410,7 +410,7 @@ TEST_CASE("a query, a report and a harmless private message are handed on in eve
     REQUIRE(hear(0xD002) == not_controller);
 }
 
-TEST_CASE("what was not done gets a NAK, and everything is counted") {
+TEST_CASE("a message that was not executed gets a NAK, and everything is counted") {
     arm a;
     a.put_under_control_of(ocu_address);
     const auto answer_to = [&](const auto& body, const jaus::address& from, component_outcome expected) {
@@ -448,7 +448,7 @@ TEST_CASE("what was not done gets a NAK, and everything is counted") {
     CHECK(a.core.count(malformed) == 1);
 }
 
-TEST_CASE("a repeated command is acknowledged again and obeyed once") {
+TEST_CASE("a repeated command is acknowledged again and executed once") {
     arm a;
     REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7) == taken);
     REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7) == repeated);
@@ -461,7 +461,7 @@ TEST_CASE("a repeated command is acknowledged again and obeyed once") {
     REQUIRE(a.efforts.size() == 4);
 }
 
-TEST_CASE("a command that an actuator executes later is acknowledged when it has") {
+TEST_CASE("a command that an actuator executes later is acknowledged after its execution") {
     jaus::component_memory<4, 64, 64> memory{};
     jaus::component core{arm_address, memory, {}, {}};
     core.change(state_event::initialized);
@@ -493,7 +493,7 @@ TEST_CASE("a command that an actuator executes later is acknowledged when it has
     REQUIRE(core.count(pending) == 1);
 }
 
-TEST_CASE("a hook decides what becomes of the state's commands, after it has heard of the new state") {
+TEST_CASE("a hook decides the outcome of state commands, after the notification of the new state") {
     message_outcome outcome{message_outcome::deferred};
     std::vector<std::uint16_t> heard; // command codes; FFFFh: a new state
     const auto on_state = [&](primary_status_code, primary_status_code) { heard.push_back(0xFFFF); };
@@ -547,7 +547,7 @@ TEST_CASE("a hook decides what becomes of the state's commands, after it has hea
     REQUIRE(heard.size() == 13);
 }
 
-TEST_CASE("an acknowledgement that nobody waits for ends in the core, but is a sign of life") {
+TEST_CASE("an acknowledgement without a waiting message ends in the core, but proves liveness") {
     arm a{{.control = {.timeout = 1s}}};
     a.put_under_control_of(ocu_address);
     const jaus::header head{
@@ -559,7 +559,7 @@ TEST_CASE("an acknowledgement that nobody waits for ends in the core, but is a s
     REQUIRE(a.core.next_event() == instant{1100ms});
 }
 
-TEST_CASE("a repeat that is dropped is a sign of life") {
+TEST_CASE("a dropped repeat proves liveness") {
     arm a{{.control = {.timeout = 1s}}};
     a.put_under_control_of(ocu_address);
     REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7, 100ms) == taken);
@@ -571,7 +571,7 @@ TEST_CASE("a repeat that is dropped is a sign of life") {
     REQUIRE(a.core.next_event() == instant{750ms});
 }
 
-TEST_CASE("a large data set, which may have waited in its sender's node, does not keep control") {
+TEST_CASE("a large data set, which may have waited in its sender's node, does not prove liveness") {
     arm a{{.control = {.timeout = 1s}}};
     a.put_under_control_of(ocu_address);
     REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7, 100ms) == taken);
@@ -581,7 +581,8 @@ TEST_CASE("a large data set, which may have waited in its sender's node, does no
     REQUIRE(a.core.next_event() == instant{350ms});
 }
 
-TEST_CASE("an operator that only holds control keeps it by its pulse, one that dies loses it within half a second") {
+TEST_CASE(
+    "an operator that sends no commands keeps control by its heartbeats, one that dies loses it within half a second") {
     lossy_channel channel;
     arm a;
     ocu operator_{ocu_address};
@@ -605,7 +606,7 @@ TEST_CASE("an operator that only holds control keeps it by its pulse, one that d
     REQUIRE(a.hooks.controllers.back() == std::nullopt);
 }
 
-TEST_CASE("a unit whose release was lost is still asked for its pulse, and releases again") {
+TEST_CASE("a unit whose release was lost is still queried for its heartbeat, and releases again") {
     lossy_channel channel;
     arm a;
     ocu operator_{ocu_address};
@@ -622,7 +623,7 @@ TEST_CASE("a unit whose release was lost is still asked for its pulse, and relea
     REQUIRE(operator_.reports == std::vector<std::uint16_t>{0x2202});
 }
 
-TEST_CASE("a question for the pulse is answered while control is wanted, and with some releases after that") {
+TEST_CASE("a heartbeat query is answered while control is wanted, and with some releases after that") {
     sent_messages sent;
     jaus::held_control control{ocu_address, arm_address};
     const auto ask = [&](const jaus::address& from) {
@@ -646,7 +647,7 @@ TEST_CASE("a question for the pulse is answered while control is wanted, and wit
     REQUIRE(releases == 8);
 }
 
-TEST_CASE("all that a controller sends is a sign of life, also the end of its own emergency") {
+TEST_CASE("every message of a controller proves liveness, also a Clear Emergency") {
     arm a{{.control = {.timeout = 1s}}};
     a.put_under_control_of(ocu_address);
     REQUIRE(a.hear(stop, ocu_address, ack_nak::none, 0, 300ms) == taken);
@@ -655,7 +656,7 @@ TEST_CASE("all that a controller sends is a sign of life, also the end of its ow
     REQUIRE(a.core.next_event() == instant{850ms});
 }
 
-TEST_CASE("parts are asked after the core, and are driven in time") {
+TEST_CASE("parts handle messages after the core, and get their timer events") {
     arm a;
     a.part.due = instant{3s};
     REQUIRE(a.core.next_event() == instant{3s});
@@ -740,7 +741,7 @@ TEST_CASE("the application can take control back, and end any emergency") {
     REQUIRE(a.hooks.states.back() == std::pair{primary_status_code::emergency, primary_status_code::standby});
 }
 
-TEST_CASE("the clock and the secondary status are the application's to set") {
+TEST_CASE("the application sets the clock and the secondary status") {
     arm a;
     REQUIRE(a.core.clock().set(jaus::civil_time{std::chrono::sys_days{std::chrono::year{2026} / 2 / 3}}, instant{0s}));
     a.core.set_secondary_status(7);
@@ -750,7 +751,7 @@ TEST_CASE("the clock and the secondary status are the application's to set") {
     REQUIRE(a.sent.body<jaus::report_component_status>(1).secondary_status_code == 7);
 }
 
-TEST_CASE("over a bad channel every command of the controller that is acknowledged was obeyed once") {
+TEST_CASE("over a bad channel every acknowledged command of the controller was executed once") {
     const unsigned seed = GENERATE(range(1u, 9u));
     CAPTURE(seed);
     lossy_channel channel{seed};
@@ -795,8 +796,8 @@ TEST_CASE("over a bad channel every command of the controller that is acknowledg
     REQUIRE(a.core.count(repeated) > 0);
 }
 
-TEST_CASE(
-    "whatever comes, a command is obeyed in Ready only, from the controller if there is one, and all can stop it") {
+TEST_CASE("for random messages, commands are executed in Ready only, from the controller if there is one, and any "
+          "sender can stop") {
     std::mt19937 random{7};
     const std::array codes{0x0001, 0x0002, 0x0003, 0x0004, 0x0005, 0x0006, 0x0007, 0x0009, 0x000D, 0x000E, 0x000F,
                            0x0010, 0x0011, 0x0405, 0x2001, 0x2002, 0x200D, 0x2011, 0x2405, 0x4002, 0xD001, 0xFFFF};
@@ -861,7 +862,7 @@ TEST_CASE(
         REQUIRE(outcomes[what] > 0);
 }
 
-TEST_CASE("what a component does by itself makes a message numbered 0 a new one") {
+TEST_CASE("an action of the component itself makes a message numbered 0 new") {
     arm a;
     const auto resume = [&] { return a.hear(jaus::resume{}, ocu_address, ack_nak::request, 0); };
     REQUIRE(resume() == taken);

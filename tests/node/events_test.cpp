@@ -130,7 +130,7 @@ TEST_CASE("an event on every change is confirmed, and carries the report") {
     REQUIRE(to_hex(p.sent[0]).starts_with("06 02 f4 01 01 28 01 01 01 2a 01 02 10 00 00 00 01 06 06 6e 6f 20 73"));
 }
 
-TEST_CASE("a periodic event comes at the confirmed rate, without drift and without bursts") {
+TEST_CASE("a periodic event is sent at the confirmed rate, without drift and without bursts") {
     provider p;
     // Presence bit 6: 10 Hz.
     REQUIRE(p.hear(from_hex("06 02 f0 01 01 2a 01 02 01 28 01 01 07 00 00 00 40 05 04 44 00 58 02")) ==
@@ -156,7 +156,7 @@ TEST_CASE("a periodic event comes at the confirmed rate, without drift and witho
     REQUIRE(p.events.skipped() == 1);
 }
 
-TEST_CASE("a periodic event without repeat comes only after a change") {
+TEST_CASE("a periodic event without repeat is sent only after a change") {
     provider p;
     p.create(
         {.message_code = velocity, .event_type = event_type::periodic_without_repeat, .requested_periodic_rate = 10});
@@ -171,7 +171,7 @@ TEST_CASE("a periodic event without repeat comes only after a change") {
     REQUIRE(std::ranges::equal(report, velocity_body(2)));
 }
 
-TEST_CASE("an event on the first change comes once, and again after an update") {
+TEST_CASE("a first-change event is sent once, and again after an update") {
     provider p;
     const auto id = p.create({.message_code = velocity, .event_type = event_type::first_change});
     REQUIRE(p.drive(1, 1s) == 1);
@@ -185,7 +185,7 @@ TEST_CASE("an event on the first change comes once, and again after an update") 
     REQUIRE(p.drive(4, 5s) == 0);
 }
 
-TEST_CASE("a one time event comes at once, or with the first report there is") {
+TEST_CASE("a one-time event is sent at once, or with the first available report") {
     provider p;
     p.create({.message_code = velocity, .event_type = event_type::one_time_on_demand});
     REQUIRE(p.sent.size() == 2);
@@ -201,7 +201,7 @@ TEST_CASE("a one time event comes at once, or with the first report there is") {
     REQUIRE(p.drive(2, 3s) == 0);
 }
 
-TEST_CASE("each boundary is met by the values that the standard's name for it says") {
+TEST_CASE("each boundary condition is met by the values that the standard defines") {
     struct row {
         event_boundary boundary;
         std::string_view met; ///< by -2, -1, 0, 1, 2 with limits -1 and 1, or the one limit
@@ -238,7 +238,7 @@ TEST_CASE("each boundary is met by the values that the standard's name for it sa
     REQUIRE(met({event_boundary::strictly_less_than, {}}, real(0), real(2), std::nullopt) == "11110");
 }
 
-TEST_CASE("an event at the boundary comes when a value goes in and when it goes out") {
+TEST_CASE("a boundary event is sent when a value enters and when it leaves") {
     provider p;
     p.current = velocity_body(0);
     p.create({.message_code = velocity,
@@ -269,7 +269,7 @@ TEST_CASE("an event at the boundary comes when a value goes in and when it goes 
     REQUIRE(q.drive(8, 4s) == 0);
 }
 
-TEST_CASE("with a limited field only its changes count") {
+TEST_CASE("only changes of a limited field count") {
     provider p;
     p.current = velocity_body(5);
     p.create({.message_code = velocity, .event_type = event_type::every_change, .limit_data_field = std::uint8_t{2}});
@@ -281,7 +281,7 @@ TEST_CASE("with a limited field only its changes count") {
     REQUIRE(p.drive(5, 4s) == 1);
 }
 
-TEST_CASE("fields are compared by value whatever the types") {
+TEST_CASE("fields of different types are compared by value") {
     using jaus::compare;
     using jaus::data_type;
     const auto number = [](auto value) { return jaus::field_value{.number = value}; };
@@ -364,7 +364,7 @@ TEST_CASE("changes faster than the rate are held back, and the newest is sent") 
     REQUIRE(q.sent.size() == 1);
 }
 
-TEST_CASE("a minimum rate has an event sent without a change") {
+TEST_CASE("a minimum rate makes events without changes") {
     provider p;
     p.create({.message_code = velocity, .event_type = event_type::every_change, .requested_minimum_periodic_rate = 1});
     REQUIRE(p.events.next_event() > instant{999ms});
@@ -376,7 +376,7 @@ TEST_CASE("a minimum rate has an event sent without a change") {
     REQUIRE(p.events.skipped() == 2);
 }
 
-TEST_CASE("the query of an event selects what it carries") {
+TEST_CASE("the query of an event selects its content") {
     provider p;
     const auto query = from_hex("0f 00");
     p.create({.message_code = velocity,
@@ -395,7 +395,7 @@ TEST_CASE("the query of an event selects what it carries") {
     REQUIRE(p.rejects(with(more)) == event_response::invalid_event_setup);
 }
 
-TEST_CASE("what cannot be an event is rejected with the reason") {
+TEST_CASE("an impossible event is rejected with the reason") {
     provider p;
     using enum event_response;
     const jaus::create_event every{
@@ -457,7 +457,7 @@ TEST_CASE("what cannot be an event is rejected with the reason") {
     REQUIRE(p.drive(1, 1s) == 4); // none of it changed anything
 }
 
-TEST_CASE("a judge rejects with its own reason, and malformed requests change nothing") {
+TEST_CASE("a judge function rejects requests with its own reason, and malformed requests change nothing") {
     provider p;
     const auto judge = [](const jaus::header& head, std::uint16_t code) {
         REQUIRE(code == velocity);
@@ -481,7 +481,7 @@ TEST_CASE("a judge rejects with its own reason, and malformed requests change no
     REQUIRE(p.sent.size() == 1);
 }
 
-TEST_CASE("a request that comes twice makes one event") {
+TEST_CASE("a repeated request creates one event") {
     provider p;
     const jaus::create_event request{
         .local_request_id = 3, .message_code = velocity, .event_type = event_type::every_change};
@@ -498,7 +498,7 @@ TEST_CASE("a request that comes twice makes one event") {
     REQUIRE(p.events.on_lost({255, 255, viewer.node, viewer.subsystem}) == 1); // its node
 }
 
-TEST_CASE("event IDs are not used again at once") {
+TEST_CASE("event IDs are not reused at once") {
     provider p;
     for (int i = 0; i != 600; ++i) {
         const auto id = p.create({.message_code = velocity, .event_type = event_type::every_change});
@@ -507,7 +507,7 @@ TEST_CASE("event IDs are not used again at once") {
     }
 }
 
-TEST_CASE("events that are asked for are reported") {
+TEST_CASE("events that are queried are reported") {
     provider p;
     const auto query = from_hex("0f 00");
     p.create({.message_code = velocity,
@@ -533,7 +533,7 @@ TEST_CASE("events that are asked for are reported") {
     REQUIRE(count({.message_code = velocity, .event_id = std::uint8_t{2}}) == 0);
 }
 
-TEST_CASE("a report without room is skipped") {
+TEST_CASE("a report that exceeds the buffer is skipped") {
     provider p;
     std::array<std::byte, 280> memory{}; // 24 and twice 128
     p.events = {sensor, p.reports, p, memory};
@@ -574,7 +574,7 @@ bytes occurred(const std::string& number) {
 
 } // namespace
 
-TEST_CASE("a consumer matches answers and events with what it asked for") {
+TEST_CASE("a consumer matches answers and events with its requests") {
     consumer c;
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
     REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()) == 0);
@@ -608,7 +608,7 @@ TEST_CASE("a consumer matches answers and events with what it asked for") {
     REQUIRE(c.first().state == requested_state::free);
 }
 
-TEST_CASE("a consumer updates an event, which goes on meanwhile") {
+TEST_CASE("a consumer updates an event that continues meanwhile") {
     consumer c;
     jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
     REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()));
@@ -660,7 +660,7 @@ TEST_CASE("a consumer updates an event, which goes on meanwhile") {
     REQUIRE(exchange() == std::vector{event_news::event});
 }
 
-TEST_CASE("a consumer gives up what is rejected or never answered") {
+TEST_CASE("a consumer abandons requests that are rejected or never answered") {
     consumer c;
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
     REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()));
@@ -688,7 +688,7 @@ TEST_CASE("a consumer gives up what is rejected or never answered") {
     REQUIRE(c.first().request.size() == jaus::max_create_event_size);
 }
 
-TEST_CASE("an event that is confirmed when it was given up is cancelled") {
+TEST_CASE("an event confirmed after it was abandoned is cancelled") {
     consumer c;
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
     REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()));
@@ -703,7 +703,7 @@ TEST_CASE("an event that is confirmed when it was given up is cancelled") {
     REQUIRE(c.first().state == requested_state::free);
 }
 
-TEST_CASE("a consumer gives up the events of a provider that has disappeared") {
+TEST_CASE("a consumer abandons the events of a provider that has disappeared") {
     consumer c;
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
     REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()));
@@ -752,7 +752,7 @@ bytes event_number(unsigned number) {
 
 } // namespace
 
-TEST_CASE("a consumer that has started anew gets a first change as before") {
+TEST_CASE("a restarted consumer gets a first change as before") {
     provider p;
     for (int run = 0; run != 3; ++run) {
         consumer c;
@@ -768,7 +768,7 @@ TEST_CASE("a consumer that has started anew gets a first change as before") {
     }
 }
 
-TEST_CASE("a consumer that starts anew again and again leaves no events behind") {
+TEST_CASE("a consumer that restarts repeatedly leaves no events behind") {
     // Each run asks for another rate, so the provider cannot know the event of the run before.
     provider p;
     for (int run = 0; run != 20; ++run) {
@@ -798,7 +798,7 @@ TEST_CASE("a consumer that starts anew again and again leaves no events behind")
             other) == event_response::connection_refused);
 }
 
-TEST_CASE("an event that was not asked for is cancelled, once for each answer's time") {
+TEST_CASE("an event without a request is cancelled, at most once for each answer timeout") {
     consumer c;
     REQUIRE(c.hear(event_number(0), 1s).what == event_news::unknown);
     REQUIRE(c.hear(event_number(1), 1500ms).what == event_news::unknown);
@@ -827,7 +827,7 @@ TEST_CASE("an event that was not asked for is cancelled, once for each answer's 
     REQUIRE(in_use(p) == 0);
 }
 
-TEST_CASE("events go on after a gap that their numbers cannot count") {
+TEST_CASE("events continue after a gap that exceeds their numbers") {
     consumer c;
     REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, instant{0s},
                             c.sent.sink()));
@@ -843,7 +843,7 @@ TEST_CASE("events go on after a gap that their numbers cannot count") {
     REQUIRE(c.hear(event_number(9 + 131 + 256), 3s).what == event_news::event);
 }
 
-TEST_CASE("a silent provider of periodic events is noticed, and asked again until it answers") {
+TEST_CASE("a silent provider of periodic events is detected, and queried until it answers") {
     provider p;
     consumer c;
     REQUIRE(c.events.create(
@@ -894,7 +894,7 @@ TEST_CASE("a silent provider of periodic events is noticed, and asked again unti
     REQUIRE(c.events.next_event() == std::nullopt);
 }
 
-TEST_CASE("a silent provider of events on change is noticed, and asked again until it answers") {
+TEST_CASE("a silent provider of change events is detected, and queried until it answers") {
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
     provider p;
     consumer c;
@@ -946,7 +946,7 @@ TEST_CASE("a silent provider of events on change is noticed, and asked again unt
     REQUIRE(converse(anew, c, last + 13s) == 1);
 }
 
-TEST_CASE("a provider that has started anew without an event is asked for it again") {
+TEST_CASE("a restarted provider without the event gets the request again") {
     provider p;
     consumer c;
     subscribe(p, c, event_type::every_change, 0s);
@@ -960,7 +960,7 @@ TEST_CASE("a provider that has started anew without an event is asked for it aga
     REQUIRE(in_use(anew) == 1);
 }
 
-TEST_CASE("a first change that has come is not asked for any more") {
+TEST_CASE("a received first change is not requested again") {
     provider p;
     consumer c;
     subscribe(p, c, event_type::first_change, 0s);
@@ -977,7 +977,7 @@ TEST_CASE("a first change that has come is not asked for any more") {
     REQUIRE(c.events.next_event() == std::nullopt);
 }
 
-TEST_CASE("a limit that is not a number is refused, whatever it would limit") {
+TEST_CASE("a limit that is not a number is refused, for any field") {
     provider p;
     const auto nan = real(std::numeric_limits<double>::quiet_NaN());
     jaus::typed_value small_nan{.data_type = jaus::data_type::float_, .value = std::numeric_limits<float>::quiet_NaN()};
@@ -1000,7 +1000,7 @@ TEST_CASE("a limit that is not a number is refused, whatever it would limit") {
     REQUIRE(in_use(p) == 1);
 }
 
-TEST_CASE("a rate that rounds to 0 is refused, and a low one is kept to") {
+TEST_CASE("a rate that rounds to 0 is refused, and a low one is kept") {
     consumer c;
     jaus::create_event wanted{
         .message_code = velocity, .event_type = event_type::periodic, .requested_periodic_rate = 1e-10};
@@ -1022,7 +1022,7 @@ TEST_CASE("a rate that rounds to 0 is refused, and a low one is kept to") {
     REQUIRE(p.drive(3, 1001s) == 1);
 }
 
-TEST_CASE("over a network that loses a third of all messages events come about, come and end") {
+TEST_CASE("over a network that loses a third of all messages, events are created, delivered and ended") {
     std::mt19937 random{5};
     std::uint64_t received = 0, lost = 0;
     for (int round = 0; round != 100; ++round) {
@@ -1067,7 +1067,7 @@ TEST_CASE("over a network that loses a third of all messages events come about, 
     REQUIRE(lost * 100 < received * 60);
 }
 
-TEST_CASE("random messages leave both sides of events within their bounds") {
+TEST_CASE("random messages keep both sides of events within their bounds") {
     std::mt19937 random{17};
     provider p;
     consumer c;

@@ -52,7 +52,7 @@ octets random_body(std::mt19937& random, std::size_t size) {
 
 } // namespace
 
-TEST_CASE("a large data set is cut into first, middle and last packets that count from 0") {
+TEST_CASE("a large data set is split into first, middle and last packets numbered from 0") {
     const auto body = from_hex("01 02 03 04 05 06 07 08");
     std::array<std::byte, jaus::header_size + 3> packet{};
     jaus::large_data_sender sender{image_head, body, packet};
@@ -76,7 +76,7 @@ TEST_CASE("a large data set is cut into first, middle and last packets that coun
     REQUIRE(out.packets[3] == out.packets[0]);
 }
 
-TEST_CASE("a packet is sent once more with the flag repeated, the last one as the last") {
+TEST_CASE("a repeated packet has the flag repeated, except the last one") {
     const auto body = from_hex("01 02 03 04 05 06 07 08");
     std::array<std::byte, jaus::header_size + 3> packet{};
     jaus::large_data_sender sender{image_head, body, packet};
@@ -92,7 +92,7 @@ TEST_CASE("a packet is sent once more with the flag repeated, the last one as th
     REQUIRE(sender.sent() == 0);
 }
 
-TEST_CASE("a body that fits one packet is sent as it is") {
+TEST_CASE("a body that fits one packet is sent unchanged") {
     std::array<std::byte, jaus::header_size + 3> packet{};
     for (const char* text : {"", "01", "01 02 03"}) {
         const auto body = from_hex(text);
@@ -111,7 +111,7 @@ TEST_CASE("a body that fits one packet is sent as it is") {
     }
 }
 
-TEST_CASE("packets carry 4080 bytes of body at most") {
+TEST_CASE("packets carry at most 4080 bytes of body") {
     std::vector<std::byte> room(60000);
     for (const auto& [size, packets] : {std::pair{4080u, 1u}, {4081u, 2u}, {8160u, 2u}, {8161u, 3u}}) {
         const octets body(size, std::byte{0x5A});
@@ -125,7 +125,7 @@ TEST_CASE("packets carry 4080 bytes of body at most") {
     }
 }
 
-TEST_CASE("what cannot be sent says why and sends nothing") {
+TEST_CASE("data that cannot be sent give an error, and nothing is sent") {
     std::array<std::byte, jaus::header_size + 1> room{};
     const octets most(jaus::large_data_sender::most_packets), more(jaus::large_data_sender::most_packets + 1);
     REQUIRE(jaus::large_data_sender{image_head, most, room}.packets() == 65536);
@@ -144,7 +144,7 @@ TEST_CASE("what cannot be sent says why and sends nothing") {
     expect({{.priority = 16}, most, room}, jaus::errc::invalid_header);
 }
 
-TEST_CASE("a data set of as many packets as there can be is whole again") {
+TEST_CASE("a data set with the maximum number of packets is reassembled") {
     std::mt19937 random{1};
     const octets body = random_body(random, jaus::large_data_sender::most_packets);
     std::array<std::byte, jaus::header_size + 1> room{};
@@ -179,7 +179,7 @@ std::vector<octets> across(std::vector<octets> packets, std::mt19937& random, un
 
 } // namespace
 
-TEST_CASE("over a bad network each data set arrives as it was sent or is reported incomplete") {
+TEST_CASE("over a bad network each data set arrives unchanged or is reported incomplete") {
     std::mt19937 random{7};
     receiver arriving{4, 64, 2048};
     int whole = 0, incomplete = 0, vanished = 0;
@@ -226,7 +226,7 @@ TEST_CASE("over a bad network each data set arrives as it was sent or is reporte
     REQUIRE(vanished == 0);
 }
 
-TEST_CASE("data sets that follow one another at once are not mixed by repeated and reordered packets") {
+TEST_CASE("consecutive data sets are not mixed by repeated and reordered packets") {
     std::mt19937 random{11};
     receiver arriving{2, 32, 256};
     int whole = 0;

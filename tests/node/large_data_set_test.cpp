@@ -48,7 +48,7 @@ using texts = std::vector<std::string>;
 
 } // namespace
 
-TEST_CASE("packets that come in order give the whole body with the last one") {
+TEST_CASE("packets in order give the whole body with the last one") {
     receiver r;
     REQUIRE(r.hear(data_flag::first, 0, "0102") == reassembled::waiting);
     REQUIRE(r.hear(data_flag::middle, 1, "0304") == reassembled::waiting);
@@ -59,13 +59,13 @@ TEST_CASE("packets that come in order give the whole body with the last one") {
     REQUIRE(r.places[0].packets == 0);
 }
 
-TEST_CASE("a single packet is left to the caller") {
+TEST_CASE("a single packet is not handled") {
     receiver r;
     REQUIRE(r.hear(data_flag::only, 7, "0102") == reassembled::only);
     REQUIRE(r.whole.empty());
 }
 
-TEST_CASE("an acknowledgement is no packet, whatever its data flag") {
+TEST_CASE("an acknowledgement is not a packet, whatever its data flag") {
     receiver r;
     for (const auto flag : {data_flag::first, data_flag::middle, data_flag::last, data_flag::repeated})
         for (const auto how : {jaus::ack_nak::ack, jaus::ack_nak::nak})
@@ -96,7 +96,7 @@ TEST_CASE("every order of the packets gives the same body") {
     REQUIRE(orders == 24);
 }
 
-TEST_CASE("a packet that is held already is dropped, a retransmitted one fills its gap") {
+TEST_CASE("a duplicate packet is dropped, a retransmitted one fills its gap") {
     receiver r;
     r.hear(data_flag::first, 0, "01");
     REQUIRE(r.hear(data_flag::first, 0, "01") == reassembled::repeated);
@@ -106,7 +106,7 @@ TEST_CASE("a packet that is held already is dropped, a retransmitted one fills i
     REQUIRE(r.whole == texts{"01 02 03"});
 }
 
-TEST_CASE("data sets of several senders and codes come side by side") {
+TEST_CASE("data sets of several senders and codes are assembled concurrently") {
     receiver r;
     r.hear(data_flag::first, 0, "01", 0ms, 1);
     r.hear(data_flag::first, 0, "11", 0ms, 2);
@@ -118,7 +118,7 @@ TEST_CASE("data sets of several senders and codes come side by side") {
     REQUIRE(r.lost.empty());
 }
 
-TEST_CASE("a sender that begins its next data set gives up the one before") {
+TEST_CASE("a new data set of a sender ends its previous one") {
     receiver r;
     r.hear(data_flag::first, 0, "01");
     r.hear(data_flag::middle, 1, "02");
@@ -137,7 +137,7 @@ TEST_CASE("a sender that begins its next data set gives up the one before") {
     REQUIRE(r.whole.size() == 1);
 }
 
-TEST_CASE("a flood of first packets from spoofed sources takes no place of a data set that goes on") {
+TEST_CASE("a flood of first packets from spoofed sources displaces no active data set") {
     receiver r;
     r.hear(data_flag::first, 0, "01", 0ms, 1);
     r.hear(data_flag::middle, 1, "02", 10ms, 1);
@@ -151,7 +151,7 @@ TEST_CASE("a flood of first packets from spoofed sources takes no place of a dat
     REQUIRE(r.whole == texts{"01 02 03"});
 }
 
-TEST_CASE("a data set that begins amid a flood of first packets is received") {
+TEST_CASE("a data set that begins during a flood of first packets is received") {
     receiver r;
     std::uint8_t spoofed = 2;
     const auto flood = [&](instant now) {
@@ -167,7 +167,7 @@ TEST_CASE("a data set that begins amid a flood of first packets is received") {
     REQUIRE(r.whole == texts{"01 02 03"});
 }
 
-TEST_CASE("places taken by data sets that go on are not given to newcomers, who hear so") {
+TEST_CASE("places of active data sets are not given to new ones, which are refused") {
     receiver r;
     for (const std::uint8_t sender : {std::uint8_t{1}, std::uint8_t{2}})
         for (const std::uint16_t number : {std::uint16_t{0}, std::uint16_t{1}})
@@ -178,7 +178,7 @@ TEST_CASE("places taken by data sets that go on are not given to newcomers, who 
     REQUIRE(r.lost == std::vector<std::size_t>{2});
 }
 
-TEST_CASE("one source does not take the places of others with many command codes") {
+TEST_CASE("one source cannot take the places of others with many command codes") {
     std::array<jaus::partial_data_set, 4> places{};
     std::array<jaus::held_packet, 16> packets{};
     std::array<std::byte, 64> memory{};
@@ -202,7 +202,7 @@ TEST_CASE("one source does not take the places of others with many command codes
             2);
 }
 
-TEST_CASE("a straggler of a data set that was handed on is no part of the next one") {
+TEST_CASE("a late packet of a delivered data set does not become part of the next one") {
     receiver r;
     const auto send_first = [&] {
         r.hear(data_flag::first, 0, "01", 0ms);
@@ -228,7 +228,7 @@ TEST_CASE("a straggler of a data set that was handed on is no part of the next o
     REQUIRE(r.lost.empty());
 }
 
-TEST_CASE("a last packet that is repeated for want of its acknowledgement begins no data set") {
+TEST_CASE("a last packet repeated for want of its acknowledgement begins no data set") {
     receiver r;
     const auto hear = [&](data_flag flag, std::uint16_t number, const std::string& body, instant now) {
         return r.hear(flag, number, body, now, 1, 0x4807, jaus::ack_nak::request);
@@ -247,7 +247,7 @@ TEST_CASE("a last packet that is repeated for want of its acknowledgement begins
 }
 
 // Its acknowledgement would be taken for that of the same number of the next data set, which may have been lost.
-TEST_CASE("what may be a late copy of an acknowledged data set is not to be acknowledged as part of the next one") {
+TEST_CASE("a possible late copy from an acknowledged data set is not acknowledged as part of the next one") {
     receiver r;
     r.sets = jaus::reassembler{
         r.places, r.packets, r.memory, 5s, {.places_per_source = 2, .linger_of_copies = 375ms, .longest_gap = 1s}};
@@ -257,7 +257,7 @@ TEST_CASE("what may be a late copy of an acknowledged data set is not to be ackn
     REQUIRE(hear(data_flag::first, 0, "01", 0ms) == reassembled::waiting);
     REQUIRE(hear(data_flag::middle, 1, "02", 0ms) == reassembled::waiting);
     REQUIRE(hear(data_flag::last, 2, "03", 0ms) == reassembled::whole);
-    SECTION("copies") {
+    SECTION("all packets are copies") {
         REQUIRE(hear(data_flag::first, 0, "01", 40ms) == reassembled::doubtful);
         REQUIRE(hear(data_flag::first, 0, "0a", 41ms) == reassembled::waiting);
         REQUIRE(r.lost.size() == 1);
@@ -268,14 +268,14 @@ TEST_CASE("what may be a late copy of an acknowledged data set is not to be ackn
         REQUIRE(hear(data_flag::last, 2, "0c", 152ms) == reassembled::whole);
         REQUIRE(r.whole == texts{"01 02 03", "0a 0b 0c"});
     }
-    SECTION("a packet that was lost, and a copy in its place") {
+    SECTION("a packet was lost, and a copy takes its place") {
         REQUIRE(hear(data_flag::first, 0, "0a", 40ms) == reassembled::waiting);
         REQUIRE(hear(data_flag::middle, 1, "02", 41ms) == reassembled::doubtful);
         REQUIRE(hear(data_flag::repeated, 1, "0b", 91ms) == reassembled::waiting); // all of it begins anew
         REQUIRE(hear(data_flag::last, 2, "0c", 92ms) == reassembled::waiting);
         REQUIRE(r.whole == texts{"01 02 03"});
     }
-    SECTION("equal parts, which are sent twice") {
+    SECTION("equal parts are sent twice") {
         REQUIRE(hear(data_flag::first, 0, "01", 40ms) == reassembled::doubtful);
         REQUIRE(hear(data_flag::first, 0, "01", 41ms) == reassembled::repeated);
         REQUIRE(hear(data_flag::middle, 1, "02", 42ms) == reassembled::doubtful);
@@ -284,14 +284,14 @@ TEST_CASE("what may be a late copy of an acknowledged data set is not to be ackn
         REQUIRE(hear(data_flag::last, 2, "03", 45ms) == reassembled::whole);
         REQUIRE(r.whole == texts{"01 02 03", "01 02 03"});
     }
-    SECTION("equal parts after that time") {
+    SECTION("equal parts arrive after that time") {
         REQUIRE(hear(data_flag::first, 0, "01", 375ms) == reassembled::waiting);
         REQUIRE(hear(data_flag::middle, 1, "02", 375ms) == reassembled::waiting);
         REQUIRE(hear(data_flag::last, 2, "04", 375ms) == reassembled::whole);
     }
 }
 
-TEST_CASE("what may be of two data sets is not put together") {
+TEST_CASE("packets that may belong to two data sets are not combined") {
     receiver r;
     // The tail of one, whose head was not received, and the head of the next.
     r.hear(data_flag::middle, 1, "02", 0ms);
@@ -316,7 +316,7 @@ TEST_CASE("what may be of two data sets is not put together") {
     REQUIRE(r.whole == texts{"0a 0b 0c", "0a 02"});
 }
 
-TEST_CASE("a last packet that asks for acknowledgement is kept when it makes the data set whole") {
+TEST_CASE("a last packet that requests acknowledgement is kept when it completes the data set") {
     receiver r;
     const auto hear = [&](data_flag flag, std::uint16_t number, const std::string& body) {
         return r.hear(flag, number, body, 0ms, 1, 0x4807, jaus::ack_nak::request);
@@ -328,7 +328,7 @@ TEST_CASE("a last packet that asks for acknowledgement is kept when it makes the
     REQUIRE(r.whole == texts{"01 02 03"});
 }
 
-TEST_CASE("a silent data set gives its place to another") {
+TEST_CASE("a silent data set is replaced by another") {
     receiver r;
     r.hear(data_flag::first, 0, "01", 0ms, 1);
     r.hear(data_flag::middle, 1, "01", 0ms, 1);
@@ -346,7 +346,7 @@ TEST_CASE("a silent data set gives its place to another") {
     REQUIRE(r.hear(data_flag::last, 1, "04", 1700ms, 3) == reassembled::whole);
 }
 
-TEST_CASE("a data set with more bytes or packets than a place holds is given up, and its neighbour stays whole") {
+TEST_CASE("a data set with more bytes or packets than a place holds is dropped, without effect on others") {
     receiver r;
     r.hear(data_flag::first, 0, "aaaaaaaa", 0ms, 1);
     r.hear(data_flag::first, 0, "0102030405060708", 0ms, 2);
@@ -359,13 +359,13 @@ TEST_CASE("a data set with more bytes or packets than a place holds is given up,
     REQUIRE(r.whole == texts{"aa aa aa aa bb bb bb bb"});
 }
 
-TEST_CASE("without places nothing is kept") {
+TEST_CASE("without places nothing is stored") {
     jaus::reassembler none{{}, {}, {}, 1s};
     const auto ignore = [](const auto&...) {};
     REQUIRE(none.on_packet({.data_flag = data_flag::first}, {}, instant{0s}, ignore, ignore) == reassembled::no_room);
 }
 
-TEST_CASE("random packets neither leave the memory nor make a body that was not sent") {
+TEST_CASE("random packets stay within the memory and never make a body that was not sent") {
     std::mt19937 random{20};
     receiver r;
     // Each byte says its sender and the packet's number, so a body can be checked for mixed origins.

@@ -326,7 +326,7 @@ TEST_CASE("in every network each message to one component arrives there once") {
     }
 }
 
-TEST_CASE("in every network each broadcast arrives once at all whom it names but its sender") {
+TEST_CASE("in every network each broadcast arrives once at all its destinations except its sender") {
     const auto all = everybody();
     const auto broadcasts = all_broadcasts();
     for (unsigned seed = 1; seed != 100; ++seed) {
@@ -345,7 +345,7 @@ TEST_CASE("in every network each broadcast arrives once at all whom it names but
     }
 }
 
-TEST_CASE("with ways that make no sense messages may be lost but never circulate or arrive where they should not") {
+TEST_CASE("with wrong routes messages can be lost but never circulate or reach a wrong destination") {
     const auto all = everybody();
     const auto broadcasts = all_broadcasts();
     std::size_t arrived = 0, longest = 0;
@@ -369,7 +369,7 @@ TEST_CASE("with ways that make no sense messages may be lost but never circulate
     REQUIRE(arrived > 100'000);
 }
 
-TEST_CASE("the node managers of a network find each other and notice who goes and comes back") {
+TEST_CASE("the node managers of a network discover each other and detect leaving and returning nodes") {
     using namespace std::chrono_literals;
     for (unsigned seed = 1; seed != 20; ++seed) {
         living_network living{builder{seed}.sound()};

@@ -130,7 +130,7 @@ struct node {
 
 } // namespace
 
-TEST_CASE("a node manager sends a heartbeat to all at once and then each second") {
+TEST_CASE("a node manager broadcasts a heartbeat at once and then each second") {
     node n;
     for (int tenth = 0; tenth != 30; ++tenth) {
         REQUIRE(n.manager.next_event().value() <= instant{(tenth + 9) / 10 * 1s});
@@ -139,7 +139,7 @@ TEST_CASE("a node manager sends a heartbeat to all at once and then each second"
     }
 }
 
-TEST_CASE("a late heartbeat is sent once, and those missed are not") {
+TEST_CASE("a late heartbeat is sent once, and missed ones are not") {
     node n;
     n.manager.on_time(instant{0s}, n.out);
     n.manager.on_time(instant{10s + 1ms}, n.out);
@@ -165,13 +165,13 @@ TEST_CASE("a component sends its heartbeats to its node manager, or none") {
     REQUIRE_FALSE(silent.next_event());
 }
 
-TEST_CASE("the query for a heartbeat is answered by the one component although it went to all") {
+TEST_CASE("a heartbeat query to a broadcast address is answered by the component itself") {
     node n;
     REQUIRE(n.hear(make(3, 1), jaus::query_heartbeat_pulse{}, 0s, make(255, 255)) == message_outcome::taken);
     REQUIRE(n.out.take() == lines{"4202 1.2.1.1 to 3.1.1.1"});
 }
 
-TEST_CASE("identification is that of the level which is asked for") {
+TEST_CASE("the identification is that of the requested level") {
     node n;
     const auto ask = [&](int level) {
         const auto what = n.hear(make(3, 1, 40), jaus::query_identification{static_cast<jaus::query_type>(level)});
@@ -198,7 +198,7 @@ TEST_CASE("identification is that of the level which is asked for") {
     REQUIRE(ask(3) == "refused");
 }
 
-TEST_CASE("a component identifies itself and leaves subsystem and node to the node manager") {
+TEST_CASE("a component identifies itself, and the node manager answers for subsystem and node") {
     outbox out;
     wire::arena lists{{}};
     const jaus::component_description description{.name = {"driver", 60001, 1}};
@@ -212,7 +212,7 @@ TEST_CASE("a component identifies itself and leaves subsystem and node to the no
     REQUIRE(out.take() == lines{"4B00 1.2.33.1 to 3.1.1.1"});
 }
 
-TEST_CASE("a peer appears with its first heartbeat and is gone three periods after its last") {
+TEST_CASE("a peer appears with its first heartbeat and is lost three periods after its last") {
     node n;
     n.manager.on_time(instant{0s}, n.out);
     REQUIRE(n.beat(make(2, 1), 0s) == message_outcome::taken);
@@ -230,7 +230,7 @@ TEST_CASE("a peer appears with its first heartbeat and is gone three periods aft
     REQUIRE(n.seen.back() == "+2.1.1.1");
 }
 
-TEST_CASE("a peer that disappears is noticed at the moment that next_event gave") {
+TEST_CASE("loss of a peer is detected at the time that next_event returned") {
     node n;
     n.manager.on_time(instant{0s}, n.out);
     for (int i = 0; i != 5; ++i) n.beat(make(2, static_cast<unsigned>(i + 1)), i * 10ms);
@@ -244,7 +244,7 @@ TEST_CASE("a peer that disappears is noticed at the moment that next_event gave"
     REQUIRE(n.seen.size() == 10);
 }
 
-TEST_CASE("a flood of peers takes what room there is, is counted, and displaces nobody") {
+TEST_CASE("a flood of peers fills the free places, is counted, and displaces no peer") {
     node n;
     n.beat(make(2, 1), 0s);
     int refused = 0;
@@ -260,7 +260,7 @@ TEST_CASE("a flood of peers takes what room there is, is counted, and displaces 
     REQUIRE(n.beat(make(200, 1), 4s) == message_outcome::taken);
 }
 
-TEST_CASE("who is to be kept stays without heartbeats") {
+TEST_CASE("a pinned peer stays without heartbeats") {
     node n;
     REQUIRE(n.manager.keep(make(4, 1)));
     REQUIRE(n.manager.keep(make(4, 1)));
@@ -270,7 +270,7 @@ TEST_CASE("who is to be kept stays without heartbeats") {
     REQUIRE(n.subsystems() == lines{"1.2.1.1", "4.1.1.1"});
 }
 
-TEST_CASE("the configuration of the node has what is described and what sends heartbeats") {
+TEST_CASE("the configuration of the node lists described components and those that send heartbeats") {
     node n;
     REQUIRE(n.configuration(jaus::query_field::node_configuration) == lines{"2: 1.1 33.1 37.2"});
     n.beat(make(1, 2, 35, 4), 0s);
@@ -285,7 +285,7 @@ TEST_CASE("the configuration of the node has what is described and what sends he
 }
 
 // The report counts a node's components in one byte.
-TEST_CASE("of more than 255 components of one node 255 are reported, those of the description among them") {
+TEST_CASE("of more than 255 components of one node 255 are reported, including all described ones") {
     node n;
     std::vector<jaus::liveness_table::place> places(2048);
     bytes lists(1 << 16), report(1 << 16);
@@ -310,7 +310,8 @@ TEST_CASE("of more than 255 components of one node 255 are reported, those of th
     }
 }
 
-TEST_CASE("a node manager asks the other nodes of its subsystem for their components and forgets them with the node") {
+TEST_CASE(
+    "a node manager queries the other nodes of its subsystem for their components and removes them with the node") {
     node n;
     n.manager.on_time(instant{0s}, n.out);
     n.out.take();
@@ -338,7 +339,7 @@ TEST_CASE("a node manager asks the other nodes of its subsystem for their compon
     REQUIRE(n.configuration(jaus::query_field::subsystem_configuration) == lines{"2: 1.1 33.1 37.2"});
 }
 
-TEST_CASE("nobody but a known node manager of the subsystem adds components, and only its own") {
+TEST_CASE("only a known node manager of the subsystem adds components, and only its own") {
     node n;
     const std::array<jaus::configured_component, 1> theirs{{{77, 1}}};
     const std::array<jaus::configured_node, 1> nodes{{{5, theirs}}};
@@ -354,7 +355,7 @@ TEST_CASE("nobody but a known node manager of the subsystem adds components, and
             lines{"2: 1.1 33.1 37.2", "5: 1.1", "6: 1.1"});
 }
 
-TEST_CASE("the subsystem list has each subsystem once, by a node manager where one is known") {
+TEST_CASE("the subsystem list has each subsystem once, by a node manager if one is known") {
     node n;
     REQUIRE(n.subsystems() == lines{"1.2.1.1"});
     for (const auto& who : {make(7, 3, 35, 1), make(2, 9), make(2, 4), make(2, 1, 33), make(1, 1), make(200, 1)})
@@ -362,7 +363,7 @@ TEST_CASE("the subsystem list has each subsystem once, by a node manager where o
     REQUIRE(n.subsystems() == lines{"1.2.1.1", "2.4.1.1", "7.3.35.1", "200.1.1.1"});
 }
 
-TEST_CASE("services are those of the component that is asked") {
+TEST_CASE("services are those of the queried component") {
     node n;
     REQUIRE(n.hear(make(3, 1), jaus::query_services{}) == message_outcome::taken);
     const auto ours = n.out.only<jaus::report_services>(n.lists);
@@ -372,7 +373,7 @@ TEST_CASE("services are those of the component that is asked") {
     REQUIRE(std::ranges::count(ours.service[0].output_message, 0x4B02, &jaus::supported_message::command_code) == 1);
 }
 
-TEST_CASE("a component without services has the core service: others ask again until they hear of one") {
+TEST_CASE("a component without services has the core service, and is queried until it reports one") {
     bytes memory(1000);
     outbox out;
     jaus::described_component component{make(1, 2, 33), {.services = {}}, {}, memory};
@@ -385,7 +386,7 @@ TEST_CASE("a component without services has the core service: others ask again u
     REQUIRE(report.service[0] == jaus::core_messages::service);
 }
 
-TEST_CASE("a report beyond one packet comes as a large data set, or is refused for want of memory") {
+TEST_CASE("a report beyond one packet is sent as a large data set, or refused without memory") {
     std::vector<jaus::supported_message> messages(200);
     for (std::size_t i = 0; i != messages.size(); ++i) messages[i].command_code = static_cast<std::uint16_t>(i);
     const std::vector<jaus::offered_service> services(5, {33, messages, {}});
@@ -426,7 +427,7 @@ TEST_CASE("a report beyond one packet comes as a large data set, or is refused f
     }
 }
 
-TEST_CASE("what is malformed is said to be so, and random bodies do no harm") {
+TEST_CASE("malformed messages are reported as such, and random bodies do no harm") {
     node n;
     n.beat(make(1, 5), 0s);
     n.out.take();
@@ -471,7 +472,7 @@ TEST_CASE("a list memory that is too small refuses the report") {
     REQUIRE(n.out.lines.empty());
 }
 
-TEST_CASE("a node manager is a part of a component, which acknowledges what it takes") {
+TEST_CASE("a node manager is a part of a component, which acknowledges what it executes") {
     node n;
     jaus::component_memory<> memory{};
     jaus::component core{make(1, 2), memory, {}, {}, n.manager};

@@ -19,7 +19,7 @@ bytes picture(std::size_t size) {
 
 } // namespace
 
-TEST_CASE("a message whose size has no bound is sent as one of a bounded size is") {
+TEST_CASE("a message of unbounded size is sent like one of bounded size") {
     const auto data = picture(10);
     sent_messages sent;
     const auto out = sent.sink();
@@ -42,7 +42,7 @@ TEST_CASE("without memory a body of 4080 bytes is sent and a larger one is not")
     REQUIRE(sent.size() == 1);
 }
 
-TEST_CASE("with memory a larger body goes as a large data set") {
+TEST_CASE("with memory a larger body is sent as a large data set") {
     sent_messages sent;
     const auto out = sent.sink();
     const auto data = picture(10'000);

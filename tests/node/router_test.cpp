@@ -65,7 +65,7 @@ constexpr auto own = make(1, 2, 33, 1), neighbour = make(1, 1, 33, 1), stranger 
 
 } // namespace
 
-TEST_CASE("a message to one component goes there and nowhere else") {
+TEST_CASE("a message to one component is delivered there and nowhere else") {
     node n;
     n.hear(make(1, 2, 33, 1), stranger, 3).expect(routed::ok, "c1 ");
     n.hear(make(1, 2, 1, 1), own, jaus::here).expect(routed::ok, "c0 ");
@@ -80,7 +80,7 @@ TEST_CASE("a message to one component goes there and nowhere else") {
     REQUIRE_FALSE(n.table.next_hop(make(9, 7, 1, 1)));
 }
 
-TEST_CASE("what cannot be routed has its reason") {
+TEST_CASE("a message that cannot be routed has a reason") {
     node n;
     n.hear(make(1, 2, 35, 1), own, jaus::here).expect(routed::no_such_component);
     n.hear(make(1, 2, 33, 2), stranger, 3).expect(routed::no_such_component);
@@ -100,7 +100,7 @@ TEST_CASE("what cannot be routed has its reason") {
         n.hear(own, invalid, 3).expect(routed::invalid_source);
 }
 
-TEST_CASE("a source that claims to be local is refused from outside") {
+TEST_CASE("a local source from outside is refused") {
     node n;
     for (const hop from : {hop{1}, hop{3}, hop{4}, jaus::unknown_hop, hop{9}}) {
         n.hear(make(1, 2, 1, 1), own, from).expect(routed::source_is_local);
@@ -112,7 +112,7 @@ TEST_CASE("a source that claims to be local is refused from outside") {
     n.hear(make(1, 2, 1, 1), stranger, jaus::unknown_hop).expect(routed::ok, "c0 ");
 }
 
-TEST_CASE("a component of the node cannot speak for another") {
+TEST_CASE("a component of the node cannot send as another") {
     node n;
     n.hear(make(2, 1, 1, 1), make(1, 2, 34, 1), 0).expect(routed::ok, "h3 ");
     n.hear(make(2, 1, 1, 1), make(1, 2, 33, 1), 0).expect(routed::source_is_local);
@@ -121,7 +121,7 @@ TEST_CASE("a component of the node cannot speak for another") {
     n.hear(make(2, 1, 1, 1), stranger, jaus::here).expect(routed::source_is_elsewhere);
 }
 
-TEST_CASE("a broadcast goes to all whom it names, but not to who sent it") {
+TEST_CASE("a broadcast is sent to all its destinations, except its sender") {
     node n;
     n.hear(make(255, 255, 255, 255), own, jaus::here).expect(routed::ok, "c0 h0 h1 h2 h3 h4 ");
     n.hear(make(255, 255, 1, 1), own, jaus::here).expect(routed::ok, "c0 h1 h2 h3 h4 ");
@@ -132,7 +132,7 @@ TEST_CASE("a broadcast goes to all whom it names, but not to who sent it") {
     n.hear(make(255, 255, 34, 255), make(1, 2, 34, 1), 0).expect(routed::ok, "h1 h2 h3 h4 ");
 }
 
-TEST_CASE("only the primary sends broadcasts on") {
+TEST_CASE("only the primary forwards broadcasts") {
     constexpr auto all = make(255, 255, 255, 255);
     node none{0}, other{1}, primary{2};
     none.hear(all, stranger, 3).expect(routed::ok, "c0 c1 h0 ");
@@ -147,7 +147,7 @@ TEST_CASE("only the primary sends broadcasts on") {
     primary.hear(make(1, 3, 33, 1), neighbour, 1).expect(routed::ok, "h2 ");
 }
 
-TEST_CASE("a multicast group takes the place of single ways, but for those who do not hear it") {
+TEST_CASE("a multicast group replaces unicast routes, except for peers outside of the group") {
     node n{2};
     REQUIRE(n.table.add_way(make(255, 255, 0, 0), 6) == added::ok);
     n.hear(make(255, 255, 1, 1), own, jaus::here).expect(routed::ok, "c0 h1 h2 h6 ");
@@ -160,7 +160,7 @@ TEST_CASE("a multicast group takes the place of single ways, but for those who d
     n.hear(make(255, 255, 1, 1), stranger, 3).expect(routed::ok, "c0 h7 ");
 }
 
-TEST_CASE("a broadcast dies out among several nodes that take themselves for the primary") {
+TEST_CASE("a broadcast ends among several nodes that are all configured as primary") {
     // Nodes 1 to 3 are told to be the primary, 4 knows 1 as such. Each has a way to each other node by its number.
     struct member {
         std::array<jaus::address_place<jaus::way>, 16> ways{};
@@ -198,7 +198,7 @@ TEST_CASE("a broadcast dies out among several nodes that take themselves for the
     REQUIRE(got == std::array{0, 1, 1, 1, 0, 1});
 }
 
-TEST_CASE("the way to all other subsystems is taken where no other is known") {
+TEST_CASE("the route to all other subsystems is used where there is no other") {
     node n;
     REQUIRE(n.table.add_way(make(0, 0, 0, 0), 8) == added::ok);
     n.hear(make(9, 1, 1, 1), own, jaus::here).expect(routed::ok, "h8 ");
@@ -208,7 +208,7 @@ TEST_CASE("the way to all other subsystems is taken where no other is known") {
     n.hear(make(1, 9, 1, 1), stranger, 3).expect(routed::no_way);
 }
 
-TEST_CASE("a program below the node manager leaves everything to that") {
+TEST_CASE("a program below the node manager sends everything to it") {
     std::array<jaus::address_place<jaus::way>, 8> ways{};
     std::array<jaus::hop_state, 2> hops{};
     std::array<jaus::node_component, 2> components{};
@@ -236,7 +236,7 @@ TEST_CASE("a program below the node manager leaves everything to that") {
     REQUIRE(route(make(1, 2, 35, 1), make(2, 1, 1, 1), 0) == describe(routed::would_return));
 }
 
-TEST_CASE("what does not fit the table is refused") {
+TEST_CASE("invalid entries, and entries beyond the capacity, are refused") {
     std::array<jaus::address_place<jaus::way>, 4> ways{};
     std::array<jaus::hop_state, 1> hops{};
     std::array<jaus::node_component, 1> components{};

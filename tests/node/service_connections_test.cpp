@@ -69,7 +69,7 @@ std::size_t run(provider& p, instant end) {
 
 } // namespace
 
-TEST_CASE("a connection is confirmed and its reports carry the flag and count") {
+TEST_CASE("a connection is confirmed, and its reports have the flag and the count") {
     provider p;
     // Report Global Pose at 10 Hz (0258h steps), fields 0000000Fh.
     REQUIRE(p.hear(from_hex("06 02 08 00 01 26 01 02 01 28 01 01 08 00 05 00 02 44 58 02 0f 00 00 00"), 3s) ==
@@ -89,7 +89,7 @@ TEST_CASE("a connection is confirmed and its reports carry the flag and count") 
     REQUIRE(to_hex(p.sent[1]) == "46 02 02 44 01 28 01 01 01 26 01 02 02 00 01 00 11 11");
 }
 
-TEST_CASE("suspend, activate and terminate do what they say") {
+TEST_CASE("suspend, activate and terminate have their effects") {
     provider p;
     p.ask(viewer, pose, 10);
     const auto suspend = from_hex("06 02 0b 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 00");
@@ -126,7 +126,7 @@ TEST_CASE("the confirmed rate is one that can be kept") {
     }
 }
 
-TEST_CASE("what cannot be connected is answered with the reason") {
+TEST_CASE("an impossible connection is answered with the reason") {
     provider p;
     REQUIRE(p.ask(viewer, 0x4403, 10) == response::command_not_supported);
     REQUIRE(p.ask(viewer, pose, 0) == response::invalid_service_connection_parameters);
@@ -150,7 +150,7 @@ TEST_CASE("what cannot be connected is answered with the reason") {
             response::component_does_not_support_service_connections);
 }
 
-TEST_CASE("a judge refuses with its own reason") {
+TEST_CASE("a judge function refuses connections with its own reason") {
     provider p;
     const auto judge = [](const jaus::header& head, const jaus::create_service_connection& request) {
         REQUIRE(request.command_code == pose);
@@ -163,7 +163,7 @@ TEST_CASE("a judge refuses with its own reason") {
     REQUIRE(p.connections.connections()[1].command_code == 0);
 }
 
-TEST_CASE("a request that is repeated changes the connection and makes no second one") {
+TEST_CASE("a repeated request changes the connection and creates no second one") {
     provider p;
     p.ask(viewer, pose, 10);
     REQUIRE(run(p, 990ms) == 10);
@@ -177,7 +177,7 @@ TEST_CASE("a request that is repeated changes the connection and makes no second
     REQUIRE(std::ranges::count(p.connections.connections(), pose, &jaus::service_connection::command_code) == 1);
 }
 
-TEST_CASE("nobody but its consumer touches a connection") {
+TEST_CASE("only its consumer can change a connection") {
     provider p;
     p.ask(viewer, pose, 10);
     REQUIRE(p.hear(other, jaus::terminate_service_connection{pose, 0}) == message_outcome::refused);
@@ -274,7 +274,8 @@ const auto confirmation = "06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44
 
 } // namespace
 
-TEST_CASE("a consumer asks until it is answered, keeps what is confirmed and terminates it") {
+TEST_CASE(
+    "a consumer repeats its request until it is answered, keeps the confirmed rate, and terminates the connection") {
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()) == 0);
     REQUIRE(c.service.next_event() == instant{1s});
@@ -304,7 +305,7 @@ TEST_CASE("a consumer asks until it is answered, keeps what is confirmed and ter
     REQUIRE(c.service.next_event() == std::nullopt);
 }
 
-TEST_CASE("a consumer counts the reports that are missing, and drops old ones") {
+TEST_CASE("a consumer counts missing reports and drops old ones") {
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     // The first overtakes the confirmation.
@@ -322,7 +323,7 @@ TEST_CASE("a consumer counts the reports that are missing, and drops old ones") 
     REQUIRE(c.first().dropped == 2);
 }
 
-TEST_CASE("a connection without a report for three periods is stale and asked for again") {
+TEST_CASE("a connection without a report for three periods is stale and requested again") {
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     c.hear(from_hex(confirmation), 0s);
@@ -348,7 +349,7 @@ TEST_CASE("a connection without a report for three periods is stale and asked fo
     REQUIRE(c.first().state == consumed_state::active);
 }
 
-TEST_CASE("a consumer gives up what is refused or never answered") {
+TEST_CASE("a consumer abandons requests that are refused or never answered") {
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 00 00 04"), 0s).what ==
@@ -370,7 +371,7 @@ TEST_CASE("a consumer gives up what is refused or never answered") {
     REQUIRE(c.service.ask(other, velocity, 1093, 15, instant{9s}, c.sent.sink()) == std::nullopt);
 }
 
-TEST_CASE("a connection whose change is refused is terminated, also when that message is lost") {
+TEST_CASE("a connection with a refused change is terminated, also if that message is lost") {
     const auto refusal = from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 00 00 04");
     const auto termination = "06 02 0c 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 07";
     consumer c;
@@ -400,7 +401,7 @@ TEST_CASE("a connection whose change is refused is terminated, also when that me
     REQUIRE(to_hex(d.sent[0]) == termination);
 }
 
-TEST_CASE("a stale connection that is refused is not asked for again") {
+TEST_CASE("a stale connection that is refused is not requested again") {
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     c.hear(from_hex(confirmation), 0s);
@@ -415,7 +416,7 @@ TEST_CASE("a stale connection that is refused is not asked for again") {
             states{consumed_state::asking, consumed_state::active, consumed_state::stale, consumed_state::refused});
 }
 
-TEST_CASE("a connection that is confirmed when it was given up is terminated") {
+TEST_CASE("a connection confirmed after it was abandoned is terminated") {
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     while (c.service.next_event()) c.service.on_time(*c.service.next_event(), c.sent.sink());
@@ -429,7 +430,7 @@ TEST_CASE("a connection that is confirmed when it was given up is terminated") {
     REQUIRE(c.sent[1] == c.sent[0]);
 }
 
-TEST_CASE("a confirmation from elsewhere or of another report is none") {
+TEST_CASE("a confirmation from another sender or of another report is ignored") {
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 02 26 01 02 06 00 05 00 02 44 07 58 02 00"), 0s).what ==
@@ -444,7 +445,7 @@ TEST_CASE("a confirmation from elsewhere or of another report is none") {
             consumer_news::refused);
 }
 
-TEST_CASE("over a network that loses a third of all messages connections come about, report and end") {
+TEST_CASE("over a network that loses a third of all messages, connections are created, report and end") {
     std::mt19937 random{3};
     for (int round = 0; round != 50; ++round) {
         provider p;
@@ -497,7 +498,7 @@ TEST_CASE("over a network that loses a third of all messages connections come ab
     }
 }
 
-TEST_CASE("random messages leave both sides of service connections within their bounds") {
+TEST_CASE("random messages keep both sides of service connections within their bounds") {
     std::mt19937 random{13};
     provider p;
     consumer c;

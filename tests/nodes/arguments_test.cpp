@@ -69,7 +69,7 @@ TEST_CASE("wrong times of the controller are refused with their ranges") {
                {"--stop-within", "4"});
 }
 
-TEST_CASE("a configuration that is missing is named") {
+TEST_CASE("a missing configuration is reported by name") {
     robot r;
     const words none{"--config", r.folder / "none.xml"};
     fails(r, "robot_controller", none, "none.xml");
@@ -78,13 +78,13 @@ TEST_CASE("a configuration that is missing is named") {
     fails(r, "ocu", {"--config", r.config, "--this", "c", "--query"}, "\"c\"");
 }
 
-TEST_CASE("a configuration that is malformed is named with the line") {
+TEST_CASE("a malformed configuration is reported with the line") {
     robot r;
     write_file(r.folder / "bad.xml", "<jausconfig>\n<thissystem>a</thissystem>\n<system><name>a</jausconfig>\n");
     fails(r, "ocu", {"--config", r.folder / "bad.xml", "--query"}, "bad.xml:3");
 }
 
-TEST_CASE("a port that another program has is named, and that program works on") {
+TEST_CASE("a port in use is reported, and the program that uses it continues to work") {
     robot r;
     r.start();
     const words arguments = words{"--config", r.config, "--this", "b"} + r.link;
@@ -100,7 +100,7 @@ TEST_CASE("a controller without a slave ends") {
     CHECK(!one.has("ready"));
 }
 
-TEST_CASE("a unit says that the port of its robot is closed") {
+TEST_CASE("a unit reports that the port of its robot is closed") {
     robot r;
     auto& one = r.ocu(1, {"--timeout", "100", "--query"});
     CHECK(one.has("no_answer", {{"code", query_wrench_effort}, {"heard", false}}));

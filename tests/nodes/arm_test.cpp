@@ -113,7 +113,7 @@ const ethercat::master_error refused{.code = ethercat::master_errc::sdo_abort,
 
 } // namespace
 
-TEST_CASE("efforts by mailbox end when no message has come for the command timeout") {
+TEST_CASE("efforts by mailbox end after the command timeout without a message") {
     robot r;
     r.drive();
     r.wait(490ms);
@@ -137,7 +137,7 @@ TEST_CASE("efforts by mailbox end when no message has come for the command timeo
     CHECK(without.arm.moves());
 }
 
-TEST_CASE("an arm with a node of its own obeys under any station address, and without one says which it has") {
+TEST_CASE("an arm with a node of its own accepts any station address, and without one reports its address") {
     for (const std::uint16_t address : {std::uint16_t{1}, std::uint16_t{1001}, std::uint16_t{0x1001}}) {
         robot r{500ms, address, station};
         r.drive();
@@ -151,7 +151,7 @@ TEST_CASE("an arm with a node of its own obeys under any station address, and wi
                        "node with --node"));
 }
 
-TEST_CASE("the arm's dictionary has the objects that its PDOs map, and those that tools look for") {
+TEST_CASE("the arm's dictionary has the objects that its PDOs map, and those that tools require") {
     robot r;
     CHECK(r.object(0x1001, 0) == "00");
     CHECK(r.object(0x1009, 0) == "65 6d 75 6c 61 74 65 64");
@@ -183,7 +183,7 @@ TEST_CASE("the arm's dictionary has the objects that its PDOs map, and those tha
     CHECK(r.object(0x6000, 3) == "ff 3f");
 }
 
-TEST_CASE("in an emergency the arm aborts what moves, and obeys what brings it to rest") {
+TEST_CASE("in an emergency the arm aborts motion commands, and executes stop orders") {
     robot r;
     r.drive();
     REQUIRE(r.send(emergency()));
@@ -203,7 +203,7 @@ TEST_CASE("in an emergency the arm aborts what moves, and obeys what brings it t
     CHECK(r.send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50.0}) == refused);
 }
 
-TEST_CASE("a command that process data bring in an emergency is not taken, then or later") {
+TEST_CASE("a process-data command in an emergency is not executed, then or later") {
     using exchange =
         bridge::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
     robot r;
@@ -236,7 +236,7 @@ TEST_CASE("a command that process data bring in an emergency is not taken, then 
     CHECK(command(0)); // a stop
 }
 
-TEST_CASE("the arm comes to rest when its slave leaves the states in which it is commanded") {
+TEST_CASE("the arm stops when its slave leaves the states in which it can be commanded") {
     robot r;
     r.drive();
     REQUIRE(r.run(ethercat::change_state{station, ethercat::al_state::init}));

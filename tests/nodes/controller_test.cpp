@@ -25,11 +25,13 @@ void several_masters_on(robot& r, const std::string& link_b, const std::string& 
 program& start_several_masters(robot& r) {
     auto& controller = r.start_node("robot_controller", r.master_options);
     for (const auto* system : {"b", "g", "h"}) controller.wait_for("ready", {{"system", system}});
+    robot::is_ready(controller);
     return controller;
 }
 std::string in_udp(std::uint16_t port) { return "udp:127.0.0.1:" + std::to_string(port); }
 
 void each_command_reaches_its_slave(robot& r, program& controller, program& second_arm, program& bus) {
+    for (const std::string component : {"2.3.33.1", "2.2.34.1"}) robot::is_ready(controller, component);
     r.ocu(0, {"--to", "2.2.33.1", "propulsive_linear_effort_x=50"});
     r.arm().wait_for("efforts_in_force", {{"propulsive_linear_effort_x", 16384}});
     r.ocu(0, {"--to", "2.3.33.1", "propulsive_linear_effort_y=-100"});
@@ -197,7 +199,7 @@ TEST_CASE("the loss of the controlling unit brings the arm to rest, a release do
     CHECK(*efforts_in(report).propulsive_linear_effort_x == Approx(50.001526).epsilon(1e-6));
 }
 
-TEST_CASE("an emergency while the slave is away is not acknowledged, and reaches the slave when it is back") {
+TEST_CASE("an emergency for an absent slave is not acknowledged, and is sent when the slave returns") {
     two_namespaces wire;
     if (!wire.exist()) return;
     robot r;
@@ -247,7 +249,7 @@ TEST_CASE("a controller has the components of its configuration") {
     CHECK(unit.wait_for("message_received", {{"code", 0x4001}})["body"] == "07");
 }
 
-TEST_CASE("a component behind its own master hears of losses from the node manager behind another") {
+TEST_CASE("a component behind its own master is notified of losses by the node manager behind another") {
     const auto third = free_port();
     robot r;
     several_masters_on(r, in_udp(r.slave_port), in_udp(free_port()), in_udp(third));
@@ -255,6 +257,7 @@ TEST_CASE("a component behind its own master hears of losses from the node manag
     auto& bus = r.start_bus({"--ethercat-port", std::to_string(third), "--object", "0x1B16:26=28"});
     r.master_options = r.master_options + words{"--wait", is_slow() ? "5000" : "1000"};
     auto& controller = start_several_masters(r);
+    robot::is_ready(controller, "2.2.34.1");
     auto& unit = r.hold(words{"--to", "2.2.34.1", "--send", "set_wrench_effort"} + full_command);
     controller.wait_for("controller_taken", {{"system", "h"}, {"address", "2.2.34.1"}, {"controller", "1.1.32.1"}});
     const json written{{"index", 0x1B16}, {"subindex", 26}};
@@ -280,15 +283,15 @@ TEST_CASE("the end of the controller by Ctrl-C or SIGTERM brings the arm to rest
     }
 }
 
-TEST_CASE("a controller whose slave is silent ends, and says that it is not known to be at rest") {
+TEST_CASE("a controller with a silent slave ends, and reports that rest is not confirmed") {
     ends_while_its_slave_is_silent({});
 }
 
-TEST_CASE("a controller in cycles whose slave is silent ends, and says that it is not known to be at rest") {
+TEST_CASE("a cyclic controller with a silent slave ends, and reports that rest is not confirmed") {
     ends_while_its_slave_is_silent(robot::cyclic());
 }
 
-TEST_CASE("an arm whose controller is killed comes to rest by its own timeouts") {
+TEST_CASE("an arm stops by its own timeouts when its controller is killed") {
     robot r;
     r.arm_options = {"--command-timeout", is_slow() ? "5000" : "1000"};
     r.start();
@@ -296,7 +299,7 @@ TEST_CASE("an arm whose controller is killed comes to rest by its own timeouts")
     r.controller().kill();
     r.arm().wait_for("efforts_zeroed", {{"cause", "command_timeout"}});
     r.master_options = r.master_options + robot::cyclic();
-    r.start_controller();
+    robot::is_ready(r.start_controller());
     r.ocu(0, {"propulsive_linear_effort_x=50"});
     r.controller().kill();
     r.arm().wait_for("efforts_zeroed", {{"cause", "no_process_data"}});

@@ -52,7 +52,7 @@ TEST_CASE("commands and reports pass by process data", "[valgrind]") {
     r.controller().wait_for("message_sent", {{"code", set_wrench_effort}, {"acknowledgement", "nak"}});
 }
 
-TEST_CASE("other messages pass by the mailbox between cycles") {
+TEST_CASE("other messages are sent by mailbox between cycles") {
     cyclic_robot r;
     r.start();
     r.ocu(0, {"--send", "set_travel_speed", "desired_speed=2.5"});
@@ -74,7 +74,7 @@ TEST_CASE("other messages pass by the mailbox between cycles") {
     CHECK(!r.arm().has("efforts_commanded", {{"command", 4}}));
 }
 
-TEST_CASE("an arm that is started again between cycles obeys new commands only") {
+TEST_CASE("an arm that is restarted between cycles executes new commands only") {
     cyclic_robot r;
     r.start();
     r.command_arrives();
@@ -89,19 +89,19 @@ TEST_CASE("an arm that is started again between cycles obeys new commands only")
     r.command_arrives();
 }
 
-TEST_CASE("a controller that is started again between cycles finds the arm at rest") {
+TEST_CASE("a controller that is restarted between cycles finds the arm at rest") {
     cyclic_robot r;
     r.start();
     r.command_arrives();
     REQUIRE(r.controller().end(SIGTERM) == 0);
     r.arm().wait_for("efforts_zeroed", {{"cause", "no_process_data"}});
-    r.start_controller();
+    robot::is_ready(r.start_controller());
     const auto report = r.ocu(0, {"--query"}).wait_for("message_received", {{"code", report_wrench_effort}});
     CHECK(*efforts_in(report).propulsive_linear_effort_x == 0);
     r.command_arrives();
 }
 
-TEST_CASE("a slave leaves OP by its watchdog when the controller has been stopped, and comes back") {
+TEST_CASE("a slave leaves OP by its watchdog when the controller is stopped, and returns") {
     cyclic_robot r;
     r.start();
     r.command_arrives();
@@ -113,7 +113,7 @@ TEST_CASE("a slave leaves OP by its watchdog when the controller has been stoppe
     r.command_arrives();
 }
 
-TEST_CASE("an arm rests when messages stop, unless it has no command timeout") {
+TEST_CASE("an arm stops without messages, unless it has no command timeout") {
     robot r;
     // Longer than a slow machine holds the controller up, who has to be killed.
     r.arm_options = {"--command-timeout", is_slow() ? "5000" : "1000"};
@@ -144,7 +144,7 @@ TEST_CASE("cyclic measures its cycles while it uploads objects") {
     CHECK(error["text"].get<std::string>().find("--watchdog must be 1 to 6553") != std::string::npos);
 }
 
-TEST_CASE("cyclic says when slaves leave OP because another master takes them") {
+TEST_CASE("cyclic reports when slaves leave OP because another master resets them") {
     robot r;
     r.start_bus(r.link + words{"--slaves", "2", "--outputs", "2", "--inputs", "2"});
     auto& first = r.start_program("cyclic", cyclic_options(r, {"--watchdog", "2000", "--seconds", "600"}));
@@ -156,7 +156,7 @@ TEST_CASE("cyclic says when slaves leave OP because another master takes them") 
     CHECK(first.end(SIGINT) == 1); // no slave is in OP
 }
 
-TEST_CASE("cyclic ends on Ctrl-C, also where no slave answers any more") {
+TEST_CASE("cyclic ends on Ctrl-C, also without an answer from any slave") {
     robot r;
     auto& bus = r.start_bus(r.link + words{"--slaves", "5", "--outputs", "2", "--inputs", "2"});
     auto& one = r.start_program("cyclic", cyclic_options(r, {"--watchdog", "2000", "--seconds", "600"}));
@@ -169,7 +169,7 @@ TEST_CASE("cyclic ends on Ctrl-C, also where no slave answers any more") {
     REQUIRE(ends);
 }
 
-TEST_CASE("a bus of emulated slaves survives a master that dies, and refuses wrong arguments") {
+TEST_CASE("a bus of emulated slaves survives the end of its master, and refuses wrong arguments") {
     robot r;
     auto& bus = r.start_bus(
         r.link + words{"--slaves", "5", "--outputs", "10", "--inputs", "7", "--mailbox-size", "40", "--slow", "3"});
@@ -197,7 +197,7 @@ TEST_CASE("a bus of emulated slaves survives a master that dies, and refuses wro
     CHECK(r.run(0, "emulated_bus", {"--help"}).has_output("Examples:"));
 }
 
-TEST_CASE("a controller says which JAUS node its slave must be") { // the slave has its own configuration
+TEST_CASE("a controller reports the JAUS node that its slave must have") { // the slave has its own configuration
     robot r;
     r.start_bus(r.link + words{"--abort", "0x1B15=0x06040043"});
     r.start_controller();

@@ -77,7 +77,8 @@ TEST_CASE("a strict arm accepts objects of exact size only") {
 TEST_CASE("a slave with the rule of subindex 0 needs an option of the controller, or another index base") {
     robot r;
     r.arm_options = {"--subindex-0-rule"};
-    r.start();
+    r.start_arm();
+    r.start_controller();
     CHECK(r.ocu(1, {"propulsive_linear_effort_x=1"}).has("message_refused"));
     r.controller().wait_for("stop_refused", {{"abort_code", 0x06010003}, {"status", 0xC0650044}});
     REQUIRE(r.controller().end(SIGTERM) >= 0); // the arm refuses zeros, too
@@ -149,7 +150,7 @@ TEST_CASE("random fields are reported as they were commanded", "[valgrind]") {
         CHECK(r.ocu(0, {"--random", seed}).has("report_compared", {{"equal", true}}));
 }
 
-TEST_CASE("any message of the standard is sent by its name, and refused by a robot that does not know it") {
+TEST_CASE("any message of the standard is sent by its name, and refused by a robot without a handler") {
     robot r;
     r.start();
     // The nearest of 16 bits over 10000 m/s.
@@ -163,7 +164,8 @@ TEST_CASE("any message of the standard is sent by its name, and refused by a rob
     CHECK(refused.has("message_refused", {{"code", 0x2800}}));
 }
 
-TEST_CASE("a datagram of another's source is refused, and garbage on the sockets does no harm", "[valgrind]") {
+TEST_CASE("a datagram with the source of another system is refused, and garbage on the sockets does no harm",
+          "[valgrind]") {
     robot r;
     r.start();
     // Closed, as it is by default, the controller takes nothing from a port that is nobody's.
@@ -175,7 +177,7 @@ TEST_CASE("a datagram of another's source is refused, and garbage on the sockets
     CHECK(!r.controller().has("message_received", {{"code", set_wrench_effort}}));
     REQUIRE(r.controller().end(SIGTERM) == 0);
     r.master_options.emplace_back("--open");
-    r.start_controller();
+    robot::is_ready(r.start_controller());
     std::uint32_t state = 1;
     const auto random_hex = [&](std::size_t bytes) {
         std::string text;
@@ -230,7 +232,7 @@ TEST_CASE("a flood of messages does not fill the log") { // each of these makes 
     r.command_arrives();
 }
 
-TEST_CASE("messages to nodes and components that do not exist reach nobody") {
+TEST_CASE("messages to nodes and components that do not exist are dropped") {
     robot r;
     r.start();
     using jauscat::jaus::routed;
@@ -246,7 +248,7 @@ TEST_CASE("messages to nodes and components that do not exist reach nobody") {
     CHECK(!r.arm().has("message_received", {{"source", "1.1.32.1"}}));
 }
 
-TEST_CASE("a unit says that it cannot reach a subsystem that is not in its configuration") {
+TEST_CASE("a unit reports that it cannot reach a subsystem outside of its configuration") {
     robot r;
     r.start();
     CHECK(r.ocu(1, {"--to", "3.2.33.1", "propulsive_linear_effort_x=1"})
@@ -287,7 +289,7 @@ TEST_CASE("objects pass a mailbox of 24 bytes in segments") { // 8 bytes of data
     }
 }
 
-TEST_CASE("an arm that is started again gets commands again") {
+TEST_CASE("a restarted arm receives commands again") {
     robot r;
     r.start();
     r.command_arrives();
@@ -298,7 +300,7 @@ TEST_CASE("an arm that is started again gets commands again") {
     r.command_arrives();
 }
 
-TEST_CASE("the programs end well on Ctrl-C and SIGTERM") {
+TEST_CASE("the programs end with exit code 0 on Ctrl-C and SIGTERM") {
     robot r;
     r.start();
     REQUIRE(r.controller().end(SIGINT) == 0);
@@ -307,7 +309,7 @@ TEST_CASE("the programs end well on Ctrl-C and SIGTERM") {
     CHECK(r.arm().has("stopped"));
 }
 
-TEST_CASE("colours are for terminals") {
+TEST_CASE("output has colours on terminals only") {
     if (!is_installed("script")) {
         std::puts("SKIPPED: script (package bsdutils) is missing");
         return;

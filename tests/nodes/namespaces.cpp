@@ -72,6 +72,7 @@ void two_namespaces::start_robot(robot& r) const {
     r.start_arm();
     r.prefix = in_master();
     r.start_controller();
+    robot::is_ready(r.controller());
 }
 
 } // namespace nodes

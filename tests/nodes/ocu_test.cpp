@@ -18,7 +18,7 @@ void releases(program& unit, int signal) {
 
 } // namespace
 
-TEST_CASE("a unit that finds nobody says what is missing") {
+TEST_CASE("a unit without a robot reports what is missing") {
     robot r;
     auto& control = r.ocu(1, {"--timeout", "100", "propulsive_linear_effort_x=1"});
     CHECK(control.has("control_unanswered", {{"address", "2.2.33.1"}, {"heard", false}}));
@@ -62,7 +62,7 @@ TEST_CASE("a unit takes control and releases it") {
     for (const auto* state : {"standby", "resume"}) CHECK(r.ocu(0, {"--send", state}).has("done"));
 }
 
-TEST_CASE("a unit that asks for no acknowledgement gets none") {
+TEST_CASE("a unit that requests no acknowledgement gets none") {
     robot r;
     r.start();
     auto& unit = r.ocu(0, {"--unacknowledged", "propulsive_linear_effort_x=50"});
@@ -75,7 +75,7 @@ TEST_CASE("a unit that asks for no acknowledgement gets none") {
               .has("no_answer", {{"code", query_wrench_effort}}));
 }
 
-TEST_CASE("a unit finds by the report whether a peer that never acknowledges has obeyed") {
+TEST_CASE("a unit detects by the report whether a peer that never acknowledges has executed a command") {
     struct peer {
         std::string manner;
         int code;
@@ -123,7 +123,7 @@ TEST_CASE("a flood of reports does not fill a unit's log") { // none of which it
     releases(unit, SIGINT);
 }
 
-TEST_CASE("a unit with too little authority is refused, and says who has control") {
+TEST_CASE("a unit with too little authority is refused, and reports the controller") {
     robot r;
     r.add_second_unit();
     r.start();
@@ -147,7 +147,7 @@ TEST_CASE("a unit with too little authority is refused, and says who has control
     r.ocu(0, {"--authority", "0", "propulsive_linear_effort_x=-20"}, "c");
 }
 
-TEST_CASE("a unit says when it loses control, and whether the robot is gone") {
+TEST_CASE("a unit reports the loss of control, and whether the robot is lost") {
     robot r;
     r.add_second_unit();
     r.start();
@@ -167,7 +167,7 @@ TEST_CASE("a unit says when it loses control, and whether the robot is gone") {
     CHECK(second.has("control_lost", {{"address", "2.2.33.1"}, {"robot_gone", true}}));
 }
 
-TEST_CASE("a unit that loses control with work left fails") { // while the arm does not answer its command
+TEST_CASE("a unit that loses control before its commands are sent fails") { // while the arm does not answer its command
     robot r;
     r.add_second_unit();
     if (!is_slow()) r.master_options = {"--frame-timeout", "500", "--stop-within", "2000"};
@@ -190,7 +190,7 @@ TEST_CASE("a unit that loses control with work left fails") { // while the arm d
     r.ocu(0, {"propulsive_linear_effort_x=-20"}, "c");
 }
 
-TEST_CASE("a unit stops an arm that another controls, and clears its own emergency only") {
+TEST_CASE("a unit stops an arm under control of another, and clears only its own emergency") {
     robot r;
     r.add_second_unit();
     r.start();

@@ -75,9 +75,15 @@ class robot {
     program& start_node(const std::string& name, const words& arguments);
     program& start_arm();
     program& start_controller();
+    /// Both, and the component that drives the arm is ready.
     void start() {
         start_arm();
         start_controller();
+        is_ready(controller());
+    }
+    /// The component executes commands: its slave is up and at rest.
+    static void is_ready(program& controller, const std::string& component = "2.2.33.1") {
+        controller.wait_for("state_changed", {{"address", component}, {"to", "ready"}});
     }
     program& start_bus(const words& options);
     [[nodiscard]] program& arm() { return *arm_; }

@@ -92,7 +92,7 @@ struct stage {
 
 } // namespace
 
-TEST_CASE("what a robot should do breaks nothing") {
+TEST_CASE("correct behaviour violates no rule") {
     stage s;
     s.take_control(s.sender);
     s.move(s.sender);
@@ -104,20 +104,20 @@ TEST_CASE("what a robot should do breaks nothing") {
     REQUIRE_FALSE(s.broken());
 }
 
-TEST_CASE("S1: an acknowledgement of what was not executed") {
+TEST_CASE("S1 detects an acknowledgement of a message that was not executed") {
     stage s;
     s.take(s.send(s.sender, efforts_of<jaus::set_wrench_effort>(s.m.new_command())), [] {});
     REQUIRE(s.broken() == contract::s1);
 }
 
-TEST_CASE("S1: the sender hears an acknowledgement that was not given for its message") {
+TEST_CASE("S1 detects an acknowledgement that was not sent for the sender's message") {
     stage s;
     const auto one = s.send(s.sender, efforts_of<jaus::set_wrench_effort>(s.m.new_command()));
     s.m.learns(s.sender, one.head, true);
     REQUIRE(s.broken() == contract::s1);
 }
 
-TEST_CASE("S1: a command is executed twice") {
+TEST_CASE("S1 detects a command that is executed twice") {
     stage s;
     const auto command = s.m.new_command();
     const auto one = s.send(s.sender, efforts_of<jaus::set_wrench_effort>(command));
@@ -128,7 +128,7 @@ TEST_CASE("S1: a command is executed twice") {
     REQUIRE(s.broken() == contract::s1);
 }
 
-TEST_CASE("S1: a NAK for what was executed") {
+TEST_CASE("S1 detects a NAK for an executed message") {
     stage s;
     s.pass(1ms);
     const auto command = s.m.new_command();
@@ -140,7 +140,7 @@ TEST_CASE("S1: a NAK for what was executed") {
     REQUIRE(s.broken() == contract::s1);
 }
 
-TEST_CASE("S1: a large data set is acknowledged that nobody has got") {
+TEST_CASE("S1 detects an acknowledged large data set that was not received") {
     stage s;
     const jaus::header head{.ack_nak = jaus::ack_nak::request, .command_code = large_code, .destination = robot_id};
     s.m.sends_large(s.sender, head, 1);
@@ -148,13 +148,13 @@ TEST_CASE("S1: a large data set is acknowledged that nobody has got") {
     REQUIRE(s.broken() == contract::s1);
 }
 
-TEST_CASE("S2: a stop order is acknowledged, and the robot has not stopped") {
+TEST_CASE("S2 detects an acknowledged stop order without a stop") {
     stage s;
     s.take(s.send(s.sender, jaus::standby{}), [] {});
     REQUIRE(s.broken() == contract::s2);
 }
 
-TEST_CASE("S2: Standby with the number 0 is acknowledged after 64 other messages and a refused Standby") {
+TEST_CASE("S2 checks Standby with the number 0 that is acknowledged after 64 other messages and a refused Standby") {
     stage s;
     const auto send_standby = [&] {
         s.number = 0;
@@ -175,13 +175,13 @@ TEST_CASE("S2: Standby with the number 0 is acknowledged after 64 other messages
     REQUIRE(s.broken() == (was_executed ? std::nullopt : std::optional{contract::s2}));
 }
 
-TEST_CASE("S2: Set Emergency changes nothing, also where it asks for no acknowledgement") {
+TEST_CASE("S2 detects a Set Emergency without effect, also without acknowledgement request") {
     stage s;
     s.take(s.send(s.sender, jaus::set_emergency{}, jaus::ack_nak::none), [] {});
     REQUIRE(s.broken() == contract::s2);
 }
 
-TEST_CASE("S2: efforts go on in Standby") {
+TEST_CASE("S2 detects efforts that continue in Standby") {
     stage s;
     s.move(s.sender);
     s.take(s.send(s.sender, jaus::standby{}),
@@ -190,33 +190,33 @@ TEST_CASE("S2: efforts go on in Standby") {
     REQUIRE(s.broken() == contract::s2);
 }
 
-TEST_CASE("S3: efforts go on after the controller has died, and after its component has") {
+TEST_CASE("S3 detects efforts that continue after the death of the controller, and of its component") {
     stage s;
     s.take_control(s.sender);
     s.move(s.sender);
-    SECTION("it lives") {
+    SECTION("the controller is alive") {
         s.pass(5s);
         REQUIRE_FALSE(s.broken());
     }
-    SECTION("it has died") {
+    SECTION("the controller has died") {
         s.unit.die(10s);
         s.pass(800ms);
         REQUIRE_FALSE(s.broken());
         s.pass(200ms);
         REQUIRE(s.broken() == contract::s3);
     }
-    SECTION("its component does nothing any more") {
+    SECTION("the controller's component does nothing any more") {
         s.m.mutes(s.sender);
         s.pass(1s);
         REQUIRE(s.broken() == contract::s3);
     }
 }
 
-TEST_CASE("S4: a report of other efforts or of another state than there is") {
+TEST_CASE("S4 detects a report of other efforts or of another state") {
     stage s;
     const auto command = s.move(s.sender);
     const jaus::header query{.destination = robot_id, .source = operator_id};
-    SECTION("right") {
+    SECTION("correct report") {
         s.answer(query, efforts_of<jaus::report_wrench_effort>(command));
         s.answer(query, jaus::report_component_status{jaus::primary_status_code::ready, 0});
         REQUIRE_FALSE(s.broken());
@@ -231,10 +231,10 @@ TEST_CASE("S4: a report of other efforts or of another state than there is") {
     }
 }
 
-TEST_CASE("S5: motion in Standby, or of another than the controller") {
+TEST_CASE("S5 detects motion in Standby, or by a sender other than the controller") {
     stage s;
     s.take_control(s.sender);
-    SECTION("of another") {
+    SECTION("by a sender other than the controller") {
         s.move(s.other);
         REQUIRE(s.broken() == contract::s5);
     }
@@ -245,7 +245,7 @@ TEST_CASE("S5: motion in Standby, or of another than the controller") {
     }
 }
 
-TEST_CASE("S5: an emergency ends though one who set it has not cleared it") {
+TEST_CASE("S5 detects an emergency that ends before each of its senders has cleared it") {
     stage s;
     s.pass(1ms);
     using enum jaus::primary_status_code;
@@ -257,7 +257,7 @@ TEST_CASE("S5: an emergency ends though one who set it has not cleared it") {
     REQUIRE(s.broken() == contract::s5);
 }
 
-TEST_CASE("S6: a sender that never learns what became of its message") {
+TEST_CASE("S6 detects a sender that never gets an outcome of its message") {
     stage s;
     const auto one = [&] {
         std::uint32_t made{};
@@ -272,7 +272,7 @@ TEST_CASE("S6: a sender that never learns what became of its message") {
     REQUIRE(s.broken() == contract::s6);
 }
 
-TEST_CASE("S7: efforts that nobody sent, and a large data set with a wrong byte") {
+TEST_CASE("S7 detects efforts that were never sent, and a large data set with a wrong byte") {
     stage s;
     SECTION("efforts") {
         s.m.executes(s.actuator, 77);

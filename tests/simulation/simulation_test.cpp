@@ -10,7 +10,7 @@
 using namespace simulation;
 using namespace std::chrono_literals;
 
-TEST_CASE("a seed replays exactly, and another one is another run") {
+TEST_CASE("a seed replays exactly, and another seed gives another run") {
     const settings what{.seed = 7, .length = 20s};
     const auto first = run(what), again = run(what);
     REQUIRE(first.steps > 1000);
@@ -20,14 +20,14 @@ TEST_CASE("a seed replays exactly, and another one is another run") {
     REQUIRE(run({.seed = 8, .length = 20s}).digest != first.digest);
 }
 
-TEST_CASE("what one run does leaves no trace in the next") {
+TEST_CASE("a run leaves no state for the next") {
     const settings what{.seed = 9, .length = 5s};
     const auto first = run(what);
     static_cast<void>(run({.seed = 10, .length = 5s}));
     REQUIRE(run(what).digest == first.digest);
 }
 
-TEST_CASE("without faults none strikes, and the contract holds") {
+TEST_CASE("without faults none occurs, and the contract holds") {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const auto result = run({.seed = seed, .length = 30s, .faults = 0});
         REQUIRE_FALSE(result.broken);
@@ -37,7 +37,7 @@ TEST_CASE("without faults none strikes, and the contract holds") {
     }
 }
 
-TEST_CASE("a kind of fault that is switched off leaves the others' chances as they are") {
+TEST_CASE("switching one kind of fault off does not change the probability of the others") {
     fault_source all{generator{5}, every_fault}, fewer{generator{5}, every_fault & ~only(fault::datagram_lost)};
     for (int i = 0; i != 10'000; ++i) {
         static_cast<void>(all.strikes(fault::datagram_lost, 100'000));
@@ -47,7 +47,7 @@ TEST_CASE("a kind of fault that is switched off leaves the others' chances as th
     REQUIRE(fewer.counts()[static_cast<std::size_t>(fault::datagram_lost)] == 0);
 }
 
-TEST_CASE("events of one instant happen in the order in which they were put") {
+TEST_CASE("events of one instant are executed in the order in which they were added") {
     struct listener final : actor {
         std::vector<std::uint32_t> heard{};
         void on_event(std::uint8_t, std::uint32_t argument) override { heard.push_back(argument); }
@@ -61,7 +61,7 @@ TEST_CASE("events of one instant happen in the order in which they were put") {
     REQUIRE(who.heard == expected);
 }
 
-TEST_CASE("memory that grows breaks the contract, memory that is used again does not") {
+TEST_CASE("growing memory violates the contract, reused memory does not") {
     struct user final : actor {
         bool keeps{};
         std::vector<std::vector<std::byte>> held{};
@@ -83,7 +83,7 @@ TEST_CASE("memory that grows breaks the contract, memory that is used again does
     }
 }
 
-TEST_CASE("a violation is told with what was expected, what was found, and the lines that lead to it") {
+TEST_CASE("a violation is reported with the expected and the found value, and the lines that lead to it") {
     run_result result{
         .broken =
             violation{.point = contract::s2, .at = 2s, .who = 1, .message = 3, .expected = "rest", .found = "motion"},

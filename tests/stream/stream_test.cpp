@@ -51,7 +51,7 @@ bytes changed(bytes message, std::size_t at, unsigned value) {
 
 } // namespace
 
-TEST_CASE("messages that follow each other come out one by one, however the bytes arrive") {
+TEST_CASE("consecutive messages are delivered one by one, however the bytes arrive") {
     const auto stream = wrench + status + wrench;
     for (std::size_t piece = 1; piece <= stream.size(); ++piece) {
         listener heard;
@@ -64,7 +64,7 @@ TEST_CASE("messages that follow each other come out one by one, however the byte
     }
 }
 
-TEST_CASE("a message comes out with its last byte, not later") {
+TEST_CASE("a message is delivered with its last byte") {
     listener heard;
     heard.hear({wrench.begin(), wrench.end() - 1});
     CHECK(heard.messages.empty());
@@ -79,7 +79,7 @@ TEST_CASE("noise before, between and after messages is dropped at once where no 
     CHECK(heard.messages == texts({wrench, status}));
 }
 
-TEST_CASE("the eight characters that stand before a message in some framings count as noise") {
+TEST_CASE("the eight-character prefix of some framings counts as noise") {
     listener heard;
     heard.hear(from_hex("4a415553 30312e30") + wrench + from_hex("4a415553 30312e30") + status);
     CHECK(heard.messages == texts({wrench, status}));
@@ -103,7 +103,7 @@ TEST_CASE("each impossible header is noise") {
     }
 }
 
-TEST_CASE("every defined data flag is possible, and so is a body of the limit") {
+TEST_CASE("every defined data flag is possible, and so is a body of the maximum size") {
     for (const unsigned flag : {0x00u, 0x10u, 0x20u, 0x40u, 0x80u}) {
         listener heard;
         heard.hear(changed(status, 13, flag));
@@ -115,7 +115,7 @@ TEST_CASE("every defined data flag is possible, and so is a body of the limit") 
     CHECK(heard.messages == texts({largest, wrench}));
 }
 
-TEST_CASE("a message of 4080 bytes of body passes a framer with a buffer for it") {
+TEST_CASE("a message with a body of 4080 bytes passes a framer with a sufficient buffer") {
     const auto largest = changed(changed(status, 12, 0xF0), 13, 0x0F) + bytes(4080, std::byte{0x02});
     listener<jauscat::jaus::max_body_size> heard;
     heard.hear(largest + status);
@@ -133,14 +133,14 @@ TEST_CASE("noise inside a header is recognised and the next message is found") {
     CHECK(heard.messages == texts({status}));
 }
 
-TEST_CASE("noise inside a body costs this message its end and the next message nothing") {
+TEST_CASE("noise inside a body truncates this message and does not affect the next") {
     listener heard;
     const bytes begun{wrench.begin(), wrench.begin() + 18}, rest{wrench.begin() + 18, wrench.end()};
     heard.hear(begun + from_hex("77 77") + rest + status);
     CHECK(heard.messages == texts({begun + from_hex("77 77"), status}));
 }
 
-TEST_CASE("a message that breaks off is given up after the idle time, to the nanosecond") {
+TEST_CASE("an incomplete message is dropped exactly after the idle time") {
     for (const std::size_t length : {std::size_t{1}, std::size_t{15}, std::size_t{16}, wrench.size() - 1}) {
         const bytes begun{wrench.begin(), wrench.begin() + static_cast<std::ptrdiff_t>(length)};
         const bytes rest{wrench.begin() + static_cast<std::ptrdiff_t>(length), wrench.end()};
@@ -163,7 +163,7 @@ TEST_CASE("a message that breaks off is given up after the idle time, to the nan
     }
 }
 
-TEST_CASE("silence between messages costs nothing") {
+TEST_CASE("silence between messages has no effect") {
     listener heard;
     heard.hear(wrench, 0ms);
     heard.wait(1h);
@@ -171,7 +171,7 @@ TEST_CASE("silence between messages costs nothing") {
     CHECK(heard.messages == texts({wrench, status}));
 }
 
-TEST_CASE("messages swallowed by noise that looked like a header come out when the line falls idle") {
+TEST_CASE("messages inside noise that resembled a header are delivered when the line is idle") {
     listener heard;
     const auto promise = changed(status, 12, 64); // announces 64 bytes of body that never come
     heard.hear(promise + wrench + status, 5ms);
@@ -184,7 +184,7 @@ TEST_CASE("messages swallowed by noise that looked like a header come out when t
     CHECK(heard.messages == texts({wrench, status, status}));
 }
 
-TEST_CASE("after any noise and an idle line, messages come out whole") {
+TEST_CASE("after any noise and an idle line, messages are delivered unchanged") {
     std::mt19937 random{20241};
     for (int round = 0; round != 2000; ++round) {
         listener heard;

@@ -49,7 +49,7 @@ std::string work(std::uint64_t seed) {
 
 } // namespace
 
-TEST_CASE("codec, translator, dispatcher and text work on several threads at once") {
+TEST_CASE("codec, translator, dispatcher and text work on several threads concurrently") {
     std::array<std::string, 4> said;
     {
         std::vector<std::jthread> threads;

@@ -109,7 +109,7 @@ std::vector<std::byte> random_message(support::generator& g, const messages::mes
 
 } // namespace
 
-TEST_CASE("messages of seven kinds become the packets written out here, and come back") {
+TEST_CASE("messages of seven kinds are translated to the expected packets and back") {
     for (const auto& sample : samples) {
         INFO(sample.what);
         const auto message = from_hex(sample.message);
@@ -120,7 +120,7 @@ TEST_CASE("messages of seven kinds become the packets written out here, and come
     }
 }
 
-TEST_CASE("plain loops make the packets written out here too") {
+TEST_CASE("plain loops produce the same packets") {
     for (const auto& sample : samples) {
         INFO(sample.what);
         const auto message = from_hex(sample.message);
@@ -129,7 +129,7 @@ TEST_CASE("plain loops make the packets written out here too") {
     }
 }
 
-TEMPLATE_TEST_CASE("every message with any header and body translates as plain loops do, and comes back", "", seed,
+TEMPLATE_TEST_CASE("every message with any header and body translates like plain loops, and back", "", seed,
                    self_contained) {
     support::generator g{158};
     std::set<std::uint16_t> codes;
@@ -155,7 +155,7 @@ TEMPLATE_TEST_CASE("every message with any header and body translates as plain l
     CHECK(too_large.size() < 20); // the rest has seen every message
 }
 
-TEST_CASE("delivery refuses parts of a large data set and broadcasts that name no slave, whatever the message") {
+TEST_CASE("delivery refuses every part of a large data set, and broadcasts that name no slave") {
     using delivery = bridge::delivery<translation::seed_table>;
     for (const auto& type : messages::all())
         for (const auto& [flag, ul_ext] : plain::flags)

@@ -34,7 +34,7 @@ std::vector<std::byte> with_flag(unsigned flag) {
 
 } // namespace
 
-TEST_CASE("under the seed table station, index, subindex and 28 bytes cross the wire") {
+TEST_CASE("under the seed table station, index, subindex and 28 bytes are sent") {
     const auto object = seed_delivery::object_of(wrench_effort_seed);
     CHECK(object.station == 2);
     CHECK(object.index == 6933);
@@ -42,7 +42,7 @@ TEST_CASE("under the seed table station, index, subindex and 28 bytes cross the 
     CHECK(to_hex(object.data) == to_hex(std::span{wrench_effort_seed}.subspan(56)));
 }
 
-TEST_CASE("under the self-contained table station, index, subindex and 32 bytes cross the wire") {
+TEST_CASE("under the self-contained table station, index, subindex and 32 bytes are sent") {
     const auto object = self_contained_delivery::object_of(wrench_effort_self_contained);
     CHECK(object.station == 2);
     CHECK(object.index == 6933);
@@ -50,24 +50,24 @@ TEST_CASE("under the self-contained table station, index, subindex and 32 bytes 
     CHECK(to_hex(object.data) == to_hex(std::span{wrench_effort_self_contained}.subspan(56)));
 }
 
-TEST_CASE("no object is found in a packet without its fields") {
+TEST_CASE("a packet without its fields has no object") {
     const auto object = seed_delivery::object_of(std::span{wrench_effort_seed}.first(55));
     CHECK(object.index == 0);
     CHECK(object.data.empty());
 }
 
-TEST_CASE("under the seed table the slave that is addressed restores the message") {
+TEST_CASE("under the seed table the addressed slave restores the message") {
     CHECK(to_hex(delivered<seed_delivery>(wrench_effort, addressee).bytes) == to_hex(wrench_effort));
 }
 
-TEST_CASE("under the seed table subsystem and instance are the slave's, and nothing else") {
+TEST_CASE("under the seed table only subsystem and instance are the slave's") {
     auto expected = vector_of(wrench_effort);
     expected[4] = std::byte{100};
     expected[7] = std::byte{200};
     CHECK(to_hex(delivered<seed_delivery>(wrench_effort, stranger).bytes) == to_hex(expected));
 }
 
-TEST_CASE("under the seed table the data flag does not cross the wire, so such a message is not delivered") {
+TEST_CASE("under the seed table the data flag is not sent, so a message with one is not delivered") {
     for (const unsigned flag : {1u, 2u, 4u, 8u}) {
         const auto message = with_flag(flag);
         jaus::header head{};
@@ -85,14 +85,14 @@ TEST_CASE("under the self-contained table every slave restores every message") {
         }
 }
 
-TEMPLATE_TEST_CASE("messages of every body size are delivered whole", "", seed_delivery, self_contained_delivery) {
+TEMPLATE_TEST_CASE("messages of every body size are delivered completely", "", seed_delivery, self_contained_delivery) {
     for (std::size_t size = 0; size <= TestType::translator::max_body; size += size < 40 ? 1 : 97) {
         const auto message = message_with_body(size);
         REQUIRE(to_hex(delivered<TestType>(message, addressee).bytes) == to_hex(message));
     }
 }
 
-TEMPLATE_TEST_CASE("an object that stands for no message is refused", "", seed_delivery, self_contained_delivery) {
+TEMPLATE_TEST_CASE("an object without a message is refused", "", seed_delivery, self_contained_delivery) {
     const std::vector<std::byte> packet = to_packet<typename TestType::translator>(wrench_effort).bytes;
     const auto object = TestType::object_of(packet);
     const auto refused = [&](auto change) {
@@ -115,14 +115,14 @@ TEMPLATE_TEST_CASE("an object that stands for no message is refused", "", seed_d
     CHECK(TestType::message_of(object, addressee, std::span{out}.first(out.size() - 1)).error() == errc::no_space);
 }
 
-TEST_CASE("a self-contained object of the wrong size is refused, as its header says the size") {
+TEST_CASE("a self-contained object of the wrong size is refused, since its header states the size") {
     const auto object = self_contained_delivery::object_of(wrench_effort_self_contained);
     auto cut = object;
     cut.data = cut.data.first(cut.data.size() - 1);
     CHECK(message_of<self_contained_delivery>(cut, addressee).error == errc::wrong_size);
 }
 
-TEST_CASE("a slave makes its message in a constant expression") {
+TEST_CASE("a slave restores its message in a constant expression") {
     constexpr auto message = [] {
         // A copy: under its sanitizers g++ 12 takes no address of a global variable in a constant expression.
         const auto packet = wrench_effort_seed;

@@ -38,7 +38,7 @@ TEMPLATE_TEST_CASE("a packet shorter than its fields and data is truncated", "",
     }
 }
 
-TEMPLATE_TEST_CASE("a packet that counts more data than there is is truncated", "", seed, self_contained) {
+TEMPLATE_TEST_CASE("a packet that counts more data than it has is truncated", "", seed, self_contained) {
     const auto size = static_cast<std::uint32_t>(sample_packet<TestType>().size() - 56);
     CHECK(back_with<TestType>(word::ul_data_cnt, size + 1) == errc::truncated);
     CHECK(back_with<TestType>(word::ul_data_cnt, 0xFFFFFFFF) == errc::truncated);
@@ -55,7 +55,7 @@ TEMPLATE_TEST_CASE("a packet whose data ends within the header fields it carries
     }
 }
 
-TEMPLATE_TEST_CASE("a result that needs one byte more than there is says no space", "", seed, self_contained) {
+TEMPLATE_TEST_CASE("a result one byte larger than its buffer gives no_space", "", seed, self_contained) {
     const auto packet = sample_packet<TestType>();
     std::vector<std::byte> out(packet.size());
     CHECK(TestType::to_packet(wrench_effort, std::span{out}).error() == errc::ok);
@@ -66,7 +66,7 @@ TEMPLATE_TEST_CASE("a result that needs one byte more than there is says no spac
     CHECK(TestType::from_packet(packet, {}).error() == errc::no_space);
 }
 
-TEMPLATE_TEST_CASE("a message whose header states another size than its body's has the wrong size", "", seed,
+TEMPLATE_TEST_CASE("a message with another body size than its header states has the wrong size", "", seed,
                    self_contained) {
     auto message = vector_of(wrench_effort);
     message[12] = std::byte{19};
@@ -79,7 +79,8 @@ TEMPLATE_TEST_CASE("a message whose header states another size than its body's h
     CHECK(to_packet<TestType>(message).error == errc::wrong_size);
 }
 
-TEMPLATE_TEST_CASE("a packet may state more length than its data needs, but not less", "", seed, self_contained) {
+TEMPLATE_TEST_CASE("a packet may state a larger length than its data need, but not a smaller one", "", seed,
+                   self_contained) {
     const auto length = get(sample_packet<TestType>(), word::ul_len);
     CHECK(back_with<TestType>(word::ul_len, length - 1) == errc::wrong_size);
     CHECK(back_with<TestType>(word::ul_len, 0) == errc::wrong_size);
@@ -89,7 +90,7 @@ TEMPLATE_TEST_CASE("a packet may state more length than its data needs, but not 
     CHECK(to_hex(from_packet<TestType>(padded).bytes) == to_hex(wrench_effort));
 }
 
-TEST_CASE("a self-contained packet whose data states another body size than it has is of the wrong size") {
+TEST_CASE("a self-contained packet whose data state another body size has the wrong size") {
     auto packet = sample_packet<self_contained>();
     packet[64] = std::byte{19};
     CHECK(from_packet<self_contained>(packet).error == errc::wrong_size);
@@ -114,7 +115,7 @@ TEMPLATE_TEST_CASE("the largest body fills a packet, and one byte more is too la
     CHECK(TestType::from_packet(swollen, out).error() == errc::too_large);
 }
 
-TEMPLATE_TEST_CASE("a table for cards of before 2011-09 takes four bytes more", "",
+TEMPLATE_TEST_CASE("a table for cards from before 2011-09 accepts four bytes more", "",
                    (translation::seed_table_of<6900, translation::ra_command_codes, 1544>),
                    (translation::self_contained_table_of<6900, translation::ra_command_codes, 1544>)) {
     using older = translate::translator<typename TestType::type>;
@@ -137,7 +138,7 @@ TEMPLATE_TEST_CASE("a command code that is not in the table's list is unknown", 
     CHECK(to_packet<TestType>(message).error == errc::unknown_command_code);
 }
 
-TEMPLATE_TEST_CASE("an index outside 6900 to 7155 stands for no component", "", seed, self_contained) {
+TEMPLATE_TEST_CASE("an index outside of 6900 to 7155 is not a component", "", seed, self_contained) {
     CHECK(back_with<TestType>(word::ul_index, 0) == errc::unknown_index);
     CHECK(back_with<TestType>(word::ul_index, 6899) == errc::unknown_index);
     CHECK(back_with<TestType>(word::ul_index, 6900) == errc::ok);
@@ -146,7 +147,7 @@ TEMPLATE_TEST_CASE("an index outside 6900 to 7155 stands for no component", "", 
     CHECK(back_with<TestType>(word::ul_index, 0x10000 + 6933) == errc::unknown_index);
 }
 
-TEMPLATE_TEST_CASE("a subindex outside 1 to 158 stands for no command code", "", seed, self_contained) {
+TEMPLATE_TEST_CASE("a subindex outside of 1 to 158 is not a command code", "", seed, self_contained) {
     CHECK(back_with<TestType>(word::ul_sub_index, 0) == errc::unknown_subindex);
     CHECK(back_with<TestType>(word::ul_sub_index, 1) == errc::ok);
     CHECK(back_with<TestType>(word::ul_sub_index, 158) == errc::ok);
@@ -184,7 +185,7 @@ TEST_CASE("a value that does not fit its JAUS field is out of range") {
     CHECK(back_with<self_contained>(word::ul_node_id, 0xFFFFFFFF) == errc::out_of_range);
 }
 
-TEMPLATE_TEST_CASE("a packet that is no download request is the wrong packet", "", seed, self_contained) {
+TEMPLATE_TEST_CASE("a packet that is not a download request is the wrong packet", "", seed, self_contained) {
     CHECK(back_with<TestType>(word::ul_cmd, 0x00650006) == errc::wrong_packet);
     CHECK(back_with<TestType>(word::ul_cmd, 0x00650009) == errc::wrong_packet);
     CHECK(back_with<TestType>(word::ul_sta, 0xC0000001) == errc::wrong_packet);
@@ -197,7 +198,7 @@ TEST_CASE("the self-contained table fixes receiver and sequence position") {
     CHECK(back_with<self_contained>(word::ul_ext, 0x80) == errc::wrong_packet);
 }
 
-TEMPLATE_TEST_CASE("sender, sender reference and packet number are the caller's", "", seed, self_contained) {
+TEMPLATE_TEST_CASE("sender, sender reference and packet number are set by the caller", "", seed, self_contained) {
     packet given{};
     given.head.ul_src = 0x11121314;
     given.head.ul_src_id = 0x21222324;
@@ -213,7 +214,7 @@ TEMPLATE_TEST_CASE("sender, sender reference and packet number are the caller's"
     CHECK(without == sample_packet<TestType>());
 }
 
-TEMPLATE_TEST_CASE("what the caller gives for a field of the table is overwritten", "", seed, self_contained) {
+TEMPLATE_TEST_CASE("the caller's value for a field of the table is overwritten", "", seed, self_contained) {
     packet given{};
     given.head.ul_dest = given.head.ul_dest_id = given.head.ul_len = given.head.ul_ext = given.head.ul_rout = 77;
     given.head.ul_cmd = hilscher::packet_command::sdo_upload_req;
@@ -239,7 +240,7 @@ TEMPLATE_TEST_CASE("a message to every node or to none names no slave", "", tran
     CHECK(delivery::deliverable({.destination = {.node = 255}}) == errc::broadcast_names_no_slave);
 }
 
-TEST_CASE("every error has a line of its own") {
+TEST_CASE("every translation error has a distinct text") {
     std::set<std::string_view> lines;
     for (int i = 0; i <= static_cast<int>(errc::broadcast_names_no_slave); ++i)
         lines.insert(translate::describe(static_cast<errc>(i)));

@@ -76,7 +76,7 @@ const auto report = from_hex("0602 0544 02200304 05210201 0300 2200 408000");
 
 } // namespace
 
-TEST_CASE("a command is one download, done when it is confirmed") {
+TEST_CASE("a command is one download, done when confirmed") {
     seed_conversation c;
     const auto request = c.begin(commanding);
     CHECK(request.what == exchange_progress::request);
@@ -88,7 +88,7 @@ TEST_CASE("a command is one download, done when it is confirmed") {
     CHECK(c.acknowledgement().empty()); // none was asked for
 }
 
-TEST_CASE("a message that asks for an acknowledgement gets ACK when it is done, and nothing before") {
+TEST_CASE("a message with acknowledgement request gets ACK when done, and nothing before") {
     seed_conversation c;
     REQUIRE(c.begin(wanting_acknowledgement(commanding)).what == exchange_progress::request);
     CHECK(c.acknowledgement().empty());
@@ -96,7 +96,7 @@ TEST_CASE("a message that asks for an acknowledgement gets ACK when it is done, 
     CHECK(c.acknowledgement() == hex_of("3602 0504 02200304 05210201 0000 2200"));
 }
 
-TEST_CASE("a confirmation with an error becomes NAK when an acknowledgement was asked for, and a line for people") {
+TEST_CASE("a confirmation with an error gives NAK on request, and a text") {
     seed_conversation c;
     REQUIRE(c.begin(wanting_acknowledgement(commanding)).what == exchange_progress::request);
     const auto end = c.confirm(download_no_object);
@@ -113,7 +113,7 @@ TEST_CASE("a confirmation with an error becomes NAK when an acknowledgement was 
     CHECK(c.acknowledgement().empty());
 }
 
-TEST_CASE("a query goes down to its own subindex, and its report comes up to the asker") {
+TEST_CASE("a query is downloaded to its own subindex, and its report is uploaded and sent to the asker") {
     seed_conversation c;
     CHECK(to_hex(c.begin(query).made) == to_hex(query_download));
     const auto upload = c.confirm(download_done);
@@ -125,7 +125,7 @@ TEST_CASE("a query goes down to its own subindex, and its report comes up to the
     CHECK(c.acknowledgement().empty());
 }
 
-TEST_CASE("under the self-contained table too a query's report comes up to the asker") {
+TEST_CASE("under the self-contained table the report of a query is also sent to the asker") {
     self_contained_conversation c;
     CHECK(to_hex(c.begin(query).made) ==
           hex_of("20000000 00000000 00000000 00000000 1e000000 00000000 00000000 08006500 00000000 00000000"
@@ -142,7 +142,7 @@ TEST_CASE("under the self-contained table too a query's report comes up to the a
     CHECK(to_hex(end.made) == to_hex(report));
 }
 
-TEST_CASE("a query that asks for an acknowledgement has it when its report is there, and NAK when there is none") {
+TEST_CASE("a query with acknowledgement request is acknowledged with its report, and gets NAK without one") {
     seed_conversation c;
     REQUIRE(c.begin(wanting_acknowledgement(query)).what == exchange_progress::request);
     REQUIRE(c.confirm(download_done).what == exchange_progress::request);
@@ -157,7 +157,7 @@ TEST_CASE("a query that asks for an acknowledgement has it when its report is th
     CHECK(c.acknowledgement() == hex_of("2602 0524 02200304 05210201 0000 2200"));
 }
 
-TEST_CASE("what is the caller's own stands in every request, and tells its confirmations from others") {
+TEST_CASE("the caller's fields are in every request, and identify its confirmations") {
     seed_conversation c;
     packet given{};
     given.head.ul_src = 0x11;
@@ -180,7 +180,7 @@ TEST_CASE("what is the caller's own stands in every request, and tells its confi
     CHECK(c.confirm(mine(report_uploaded)).what == exchange_progress::ignored);
 }
 
-TEST_CASE("no confirmation is awaited before an exchange begins, and none that is shorter than a packet header") {
+TEST_CASE("no confirmation is expected before an exchange begins, and one shorter than a packet header is ignored") {
     seed_conversation c;
     CHECK(c.confirm(download_done).what == exchange_progress::ignored);
     REQUIRE(c.begin(commanding).what == exchange_progress::request);
@@ -189,7 +189,7 @@ TEST_CASE("no confirmation is awaited before an exchange begins, and none that i
     CHECK(c.confirm(download_done).what == exchange_progress::done);
 }
 
-TEST_CASE("a message that cannot be delivered fails at once, with NAK if an acknowledgement was asked for") {
+TEST_CASE("a message that cannot be delivered fails at once, with NAK on request") {
     const auto asking = wanting_acknowledgement(commanding);
     const auto refused = [](bytes message) {
         seed_conversation c;
@@ -215,7 +215,7 @@ TEST_CASE("a message that cannot be delivered fails at once, with NAK if an ackn
     CHECK(refused(wanting_acknowledgement(message_with_body(seed::max_body + 1))) == std::pair{errc::too_large, nak});
 }
 
-TEST_CASE("an uploaded object that is no report fails with the reason") {
+TEST_CASE("an uploaded object that is not a report fails with the reason") {
     const auto failure = [](const bytes& confirmation) {
         seed_conversation c;
         c.begin(query);
@@ -237,14 +237,14 @@ namespace {
 constexpr std::array<std::uint16_t, 1> query_alone{0x2405};
 } // namespace
 
-TEST_CASE("a query whose report has no rank in the table fails when its report would be asked for") {
+TEST_CASE("a query whose report has no rank in the table fails when the report is requested") {
     conversation<translation::seed_table_of<6900, query_alone>::type> c;
     REQUIRE(c.begin(query).what == exchange_progress::request);
     CHECK(c.confirm(download_done).what == exchange_progress::failed);
     CHECK(c.exchange.error() == errc::unknown_command_code);
 }
 
-TEST_CASE("nobody answers as all: octets of 255 become the slave's own, the component what the report says") {
+TEST_CASE("an answer has no broadcast source: octets of 255 become the slave's own, the component the report's") {
     auto to_all = wanting_acknowledgement(query);
     to_all[4] = to_all[5] = to_all[7] = std::byte{255};
     auto uploaded = with(with(report_uploaded, word::ul_dest, 255), word::ul_dest_id, 255);
@@ -271,7 +271,7 @@ TEST_CASE("nobody answers as all: octets of 255 become the slave's own, the comp
     CHECK(c.acknowledgement() == hex_of("3602 0504 02200304 05210201 0000 2200"));
 }
 
-TEST_CASE("whatever comes as a confirmation, a step ends within the buffer, and a report is a message to the asker") {
+TEST_CASE("with random confirmations a step stays within the buffer, and a report is a message to the asker") {
     std::mt19937 random{2011};
     int reports = 0, failures = 0, ignored = 0;
     for (int i = 0; i != 20'000; ++i) {
@@ -302,7 +302,7 @@ TEST_CASE("whatever comes as a confirmation, a step ends within the buffer, and 
     CHECK(ignored > 1000);
 }
 
-TEST_CASE("abort codes and ulSta stand for each other as the manuals list them") {
+TEST_CASE("abort codes and ulSta correspond as in the manuals") {
     using ethercat::abort_code;
     const std::pair<std::uint32_t, std::uint32_t> listed[]{
         {0x05030000, 0xC0650027}, {0x05040000, 0xC0650028}, {0x05040001, 0xC0650029}, {0x05040002, 0xC065002A},
@@ -328,7 +328,7 @@ TEST_CASE("abort codes and ulSta stand for each other as the manuals list them")
     CHECK(hilscher::abort_of(packet_status::coe_timeout) == abort_code::none);
 }
 
-TEST_CASE("every status of an SDO service has a text of its own, and others say that they are unknown") {
+TEST_CASE("every status of an SDO service has its text, and others are reported as unknown") {
     std::set<std::string_view> texts;
     std::size_t codes = 0;
     for (const std::uint32_t family : {0xC0000000u, 0xC0650000u})

@@ -78,14 +78,14 @@ std::vector<std::byte> with_code(std::vector<std::byte> message, std::uint16_t c
 
 } // namespace
 
-TEST_CASE("a fixed object holds the real length, the data and zeros up to its size") {
+TEST_CASE("a fixed object has the real length, the data and zeros up to its size") {
     CHECK(to_hex(to_packet<fixed_seed>(one_effort).bytes) == to_hex(one_effort_seed));
     CHECK(to_hex(from_packet<fixed_seed>(one_effort_seed).bytes) == to_hex(one_effort));
     CHECK(to_hex(to_packet<fixed_self_contained>(one_effort).bytes) == to_hex(one_effort_self_contained));
     CHECK(to_hex(from_packet<fixed_self_contained>(one_effort_self_contained).bytes) == to_hex(one_effort));
 }
 
-TEST_CASE("the largest command fills its fixed object, and a report lies in one too") {
+TEST_CASE("the largest command fills its fixed object, which also holds a report") {
     CHECK(to_hex(to_packet<fixed_seed>(wrench_effort).bytes) == to_hex(full_seed));
     CHECK(to_hex(from_packet<fixed_seed>(full_seed).bytes) == to_hex(wrench_effort));
     CHECK(to_hex(to_packet<fixed_seed>(no_report).bytes) == to_hex(no_report_seed));
@@ -102,7 +102,7 @@ TEST_CASE("a fixed object is made in a constant expression") {
     STATIC_REQUIRE(packet == one_effort_seed);
 }
 
-TEST_CASE("objects have the size of the largest body, and those of messages without a limit the size of a packet") {
+TEST_CASE("objects have the size of the largest body, those of unbounded messages the size of a packet") {
     const auto size_of = []<class Table>(Table, std::uint16_t code) {
         return Table::object_size(jaus::header{.command_code = code});
     };
@@ -148,13 +148,13 @@ TEST_CASE("a fixed object of another size or with an impossible length is refuse
     CHECK(from_packet<fixed_self_contained>(self_contained).error == errc::wrong_size); // its header says the size too
 }
 
-TEST_CASE("what fills a fixed object up is not looked at") {
+TEST_CASE("the padding of a fixed object is ignored") {
     auto filled = vector_of(one_effort_seed);
     std::fill(filled.end() - 16, filled.end(), std::byte{0xA5});
     CHECK(to_hex(from_packet<fixed_seed>(filled).bytes) == to_hex(one_effort));
 }
 
-TEST_CASE("a body longer than its message may be does not fit a fixed object") {
+TEST_CASE("a body larger than its message allows does not fit a fixed object") {
     CHECK(to_packet<fixed_seed>(message_with_body(20)).error == errc::ok);
     CHECK(to_packet<fixed_seed>(message_with_body(21)).error == errc::too_large);
     CHECK(to_packet<seed>(message_with_body(21)).error == errc::ok);
@@ -165,7 +165,7 @@ TEST_CASE("a body longer than its message may be does not fit a fixed object") {
     CHECK(to_packet<fixed_self_contained>(image(1527)).error == errc::too_large);
 }
 
-TEST_CASE("a fixed object needs its whole size in the buffer") {
+TEST_CASE("a fixed object needs a buffer of its whole size") {
     std::vector<std::byte> out(one_effort_seed.size());
     CHECK(fixed_seed::to_packet(one_effort, out)->size() == one_effort_seed.size());
     CHECK(fixed_seed::to_packet(one_effort, std::span{out}.first(out.size() - 1)).error() == errc::no_space);
@@ -175,7 +175,7 @@ TEST_CASE("a fixed object needs its whole size in the buffer") {
           errc::no_space);
 }
 
-TEST_CASE("a message that is not among those with fixed objects is refused in both directions") {
+TEST_CASE("a message without a fixed object is refused in both directions") {
     using commands = translate::translator<translate::fixed_length<translation::seed_table, jaus::set_wrench_effort>>;
     CHECK(to_hex(to_packet<commands>(one_effort).bytes) == to_hex(one_effort_seed));
     CHECK(to_packet<commands>(no_report).error == errc::unknown_command_code);
@@ -183,8 +183,8 @@ TEST_CASE("a message that is not among those with fixed objects is refused in bo
     CHECK(to_packet<commands>(with_code(vector_of(one_effort), 0xD000)).error == errc::unknown_command_code);
 }
 
-TEMPLATE_TEST_CASE("every code with any body that its object holds translates as plain loops do, and comes back", "",
-                   fixed_seed, fixed_self_contained) {
+TEMPLATE_TEST_CASE("every code with any body of its object translates like plain loops, and back", "", fixed_seed,
+                   fixed_self_contained) {
     std::mt19937_64 g{607};
     const std::size_t overhead = 2 + TestType::rest_size;
     for (const auto& type : messages::all()) {

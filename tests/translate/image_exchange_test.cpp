@@ -56,7 +56,7 @@ struct robot {
 
 } // namespace
 
-TEST_CASE("a command is acknowledged when the slave says that it has taken it") {
+TEST_CASE("a command is acknowledged when the slave has accepted it") {
     robot r;
     REQUIRE(r.commands("0100 3412", jaus::ack_nak::request, 5) == translate::errc::ok);
     CHECK(values_of(r.outputs).propulsive_linear_effort_x == 0x1234);
@@ -66,7 +66,7 @@ TEST_CASE("a command is acknowledged when the slave says that it has taken it") 
     CHECK(r.acknowledgement() == "");
 }
 
-TEST_CASE("a command that the slave does not take in time is refused, and one that asks for nothing is not answered") {
+TEST_CASE("a command that the slave does not accept in time is refused, without an answer if none was requested") {
     robot r;
     REQUIRE(r.commands("0100 3412", jaus::ack_nak::none, 4) == translate::errc::ok);
     REQUIRE(r.commands("0100 3412", jaus::ack_nak::request, 5) == translate::errc::ok);
@@ -75,7 +75,7 @@ TEST_CASE("a command that the slave does not take in time is refused, and one th
     CHECK(r.acknowledgement(10ms) == "");
 }
 
-TEST_CASE("commands that share a cycle are merged, so that none of their elements is lost") {
+TEST_CASE("commands in one cycle are merged without loss of elements") {
     robot r;
     REQUIRE(r.commands("0100 1111", jaus::ack_nak::request, 1) == translate::errc::ok);
     REQUIRE(r.commands("0200 2222", jaus::ack_nak::request, 2) == translate::errc::ok);
@@ -89,14 +89,14 @@ TEST_CASE("commands that share a cycle are merged, so that none of their element
     CHECK(values_of(r.outputs).presence_vector == 2);
 }
 
-TEST_CASE("a command that is refused changes no output and waits for nothing") {
+TEST_CASE("a refused command changes no output and is not waited for") {
     robot r;
     CHECK(r.commands("0100 0080", jaus::ack_nak::request) == translate::errc::out_of_range);
     CHECK(r.outputs == image{});
     CHECK(r.acknowledgement(1s) == "");
 }
 
-TEST_CASE("more acknowledgements than there is room for are refused before the outputs change") {
+TEST_CASE("a command beyond the capacity for acknowledgements is refused before the outputs change") {
     robot r;
     for (std::size_t i = 0; i != exchange::capacity; ++i)
         REQUIRE(r.commands("0100 3412", jaus::ack_nak::request) == translate::errc::ok);
@@ -106,7 +106,7 @@ TEST_CASE("more acknowledgements than there is room for are refused before the o
     CHECK(r.commands("0100 7856") == translate::errc::ok);
 }
 
-TEST_CASE("a controller that starts again counts on from the command that the slave has taken") {
+TEST_CASE("a restarted controller continues the count from the command that the slave accepted last") {
     robot first;
     for (int i = 0; i != 3; ++i) REQUIRE(first.commands("0300 0100 0200") == translate::errc::ok);
     first.slave_works();
@@ -124,7 +124,7 @@ TEST_CASE("a controller that starts again counts on from the command that the sl
     CHECK_FALSE(second.mine.start(std::span{second.outputs}.first(20), second.inputs));
 }
 
-TEST_CASE("acknowledgements go round with the counter") {
+TEST_CASE("acknowledgements wrap around with the counter") {
     robot r;
     REQUIRE(wire::encode(wrench_effort_image{.command_count = 0xFFFE}, r.inputs));
     REQUIRE(r.mine.start(r.outputs, r.inputs));
@@ -136,7 +136,7 @@ TEST_CASE("acknowledgements go round with the counter") {
     }
 }
 
-TEST_CASE("a query is answered from the inputs, with the elements that it asks for and the slave has") {
+TEST_CASE("a query is answered from the inputs, with the requested elements that the slave has") {
     robot r;
     REQUIRE(wire::encode(wrench_effort_image{.presence_vector = 0x0803,
                                              .propulsive_linear_effort_x = 0x1111,
@@ -159,7 +159,7 @@ TEST_CASE("a query is answered from the inputs, with the elements that it asks f
     CHECK(ask("06").empty());
 }
 
-TEST_CASE("only whole commands and queries for the component at the slave are for the process image") {
+TEST_CASE("only complete commands and queries for the slave's component use the process image") {
     const robot r;
     auto head = robot::head(0x0405);
     CHECK(r.mine.takes(head));
@@ -178,7 +178,7 @@ TEST_CASE("only whole commands and queries for the component at the slave are fo
     CHECK_FALSE(r.mine.takes(head));
 }
 
-TEST_CASE("the PDO entries of an image are its fields") {
+TEST_CASE("the PDO entries of an image equal its fields") {
     constexpr auto& entries = ethercat::image_entries<wrench_effort_image, ethercat::image_objects::outputs>;
     STATIC_REQUIRE(entries.size() == 14);
     STATIC_REQUIRE(ethercat::process_data_size(entries) == exchange::command::image_size);
@@ -207,7 +207,7 @@ template <> struct jauscat::wire::schema<lamps> {
         layout<bit_fields<u8, bit_field<&T::left, 1>, reserved<4>, bit_field<&T::level, 3>>, field<&T::voltage, f32le>>;
 };
 
-TEST_CASE("the PDO entries of bits leave gaps where bits are reserved") {
+TEST_CASE("the PDO entries of bit-fields have gaps for reserved bits") {
     constexpr auto& entries = ethercat::image_entries<lamps, 0x6010>;
     STATIC_REQUIRE(entries.size() == 4);
     STATIC_REQUIRE(ethercat::process_data_size(entries) == 5);

@@ -29,7 +29,7 @@ image bytes_of(const wrench_effort_image& values) {
 
 } // namespace
 
-TEST_CASE("Set Wrench Effort becomes the image's bytes in a constant expression, and comes back") {
+TEST_CASE("Set Wrench Effort is translated to the image's bytes in a constant expression, and back") {
     STATIC_REQUIRE(command::image_size == 22);
     STATIC_REQUIRE(after(image{}, full_body) == full_image);
     STATIC_REQUIRE(body_of<command, 20>(full_image) == full_body);
@@ -45,7 +45,7 @@ TEST_CASE("an absent element keeps the image's last value, and its presence bit 
     STATIC_REQUIRE(body_of<command, 4>(after(full_image, one)) == one);
 }
 
-TEST_CASE("a merged message leaves the presence bits of the one before it set") {
+TEST_CASE("a merged message keeps the presence bits of the previous one") {
     auto bytes = full_image;
     REQUIRE(command::to_image(from_hex("0200 3412"), bytes) == translate::errc::ok);
     REQUIRE(command::merge(from_hex("0108 7856 aa"), bytes) == translate::errc::ok);
@@ -56,7 +56,7 @@ TEST_CASE("a merged message leaves the presence bits of the one before it set") 
     CHECK(to_hex(*restored) == hex_of("0308 7856 3412 aa"));
 }
 
-TEST_CASE("the command counter leaves 0 out when it starts over") {
+TEST_CASE("the command counter skips 0 when it wraps around") {
     auto bytes = bytes_of({.command_count = 0xFFFE});
     for (const unsigned expected : {0xFFFFu, 1u, 2u}) {
         REQUIRE(command::to_image(full_body, bytes) == translate::errc::ok);
@@ -64,13 +64,13 @@ TEST_CASE("the command counter leaves 0 out when it starts over") {
     }
 }
 
-TEST_CASE("the report's counter is the slave's own") {
+TEST_CASE("the report's counter is set by the slave") {
     auto bytes = bytes_of({.command_count = 77});
     REQUIRE(report::to_image(full_body, bytes) == translate::errc::ok);
     CHECK(values_of(bytes).command_count == 77);
 }
 
-TEST_CASE("a message that is refused changes no byte of the image") {
+TEST_CASE("a refused message changes no byte of the image") {
     const auto [body, error] = GENERATE(table<std::string, translate::errc>({
         {"", translate::errc::truncated},
         {"ff", translate::errc::truncated},
@@ -87,7 +87,7 @@ TEST_CASE("a message that is refused changes no byte of the image") {
     CHECK(bytes == full_image);
 }
 
-TEST_CASE("an image or a body without room is refused") {
+TEST_CASE("an image or a body that exceeds its buffer is refused") {
     std::array<std::byte, 21> short_image{};
     CHECK(command::to_image(full_body, short_image) == translate::errc::no_space);
     std::array<std::byte, 20> body{};
@@ -95,7 +95,7 @@ TEST_CASE("an image or a body without room is refused") {
     CHECK(command::from_image(full_image, std::span{body}.first(19)).error() == translate::errc::no_space);
 }
 
-TEST_CASE("a presence bit of the image that stands for nothing is refused") {
+TEST_CASE("a presence bit of the image without an element is refused") {
     std::array<std::byte, 20> body{};
     CHECK(command::from_image(bytes_of({.presence_vector = 0x1000}), body).error() == translate::errc::reserved_value);
 }
@@ -145,7 +145,7 @@ using drive_translator = translate::image_translator<drive_table>;
 
 } // namespace
 
-TEST_CASE("map_values, constant and copy go into an image as into a packet") {
+TEST_CASE("map_values, constant and copy work in an image as in a packet") {
     std::array<std::byte, 7> bytes{};
     REQUIRE(drive_translator::to_image(from_hex("02 3412 81"), bytes) == translate::errc::ok);
     CHECK(to_hex(bytes) == "3f 12 34 81 00 00 00");

@@ -5,7 +5,7 @@
 using namespace jauscat;
 using namespace jauscat::test;
 
-TEST_CASE("every golden Set Wrench Effort goes into the image and comes back to the byte") {
+TEST_CASE("every golden Set Wrench Effort is translated to the image and back, byte for byte") {
     std::size_t seen = 0;
     image bytes{};
     wrench_effort_image expected{};
@@ -39,7 +39,7 @@ TEST_CASE("every golden Set Wrench Effort goes into the image and comes back to 
     CHECK(seen > 2);
 }
 
-TEST_CASE("every golden Report Wrench Effort comes out of the image that it was put into") {
+TEST_CASE("every golden Report Wrench Effort is restored from its image") {
     std::size_t seen = 0;
     for (const auto& vector : golden::vectors()) {
         if (vector.code != jaus::command_code_of<jaus::report_wrench_effort>) continue;

@@ -44,28 +44,28 @@ template <class Translator> bool takes_exactly(std::uint32_t first) {
 
 } // namespace
 
-TEST_CASE("component 33 has index 8225 where the base is 2000h, and 26913 where it is 6900h") {
+TEST_CASE("component 33 has index 8225 with base 2000h, and 26913 with base 6900h") {
     CHECK(get(to_packet<seed_at_2000h>(wrench_effort).bytes, word::ul_index) == 8225);
     CHECK(get(to_packet<self_contained_at_2000h>(wrench_effort).bytes, word::ul_index) == 8225);
     CHECK(get(to_packet<seed_at_6900h>(wrench_effort).bytes, word::ul_index) == 26913);
     CHECK(get(to_packet<self_contained_at_6900h>(wrench_effort).bytes, word::ul_index) == 26913);
 }
 
-TEST_CASE("Set Wrench Effort under the self-contained table at 2000h to the byte") {
+TEST_CASE("Set Wrench Effort under the self-contained table at 2000h equals the expected bytes") {
     CHECK(to_hex(to_packet<self_contained_at_2000h>(wrench_effort).bytes) ==
           hex_of("20000000 00000000 00000000 00000000 30000000 00000000 00000000 08006500 00000000 00000000"
                  " 02000000 21200000 1a000000 20000000 0602 05 01 02200304 1400 2200"
                  " ff0f ff7f 0180 0000 0040 01c0 0020 00ff80 336699"));
 }
 
-TEST_CASE("under another base nothing but the index changes, for every component and both ways") {
+TEST_CASE("another base changes only the index, for every component and both ways") {
     CHECK(differs_by_index_alone<seed_at_2000h, seed>(0x2000));
     CHECK(differs_by_index_alone<seed_at_6900h, seed>(0x6900));
     CHECK(differs_by_index_alone<self_contained_at_2000h, self_contained>(0x2000));
     CHECK(differs_by_index_alone<self_contained_at_6900h, self_contained>(0x6900));
 }
 
-TEST_CASE("a table takes the 256 indices from its base on and no others") {
+TEST_CASE("a table accepts the 256 indices from its base on and no others") {
     CHECK(takes_exactly<seed>(6900));
     CHECK(takes_exactly<seed_at_2000h>(0x2000));
     CHECK(takes_exactly<seed_at_6900h>(0x6900));
@@ -74,8 +74,7 @@ TEST_CASE("a table takes the 256 indices from its base on and no others") {
     CHECK(takes_exactly<self_contained_at_6900h>(0x6900));
 }
 
-TEST_CASE(
-    "the seed's indices lie in the TxPDO-mapping area, those of the other bases in areas a slave may use freely") {
+TEST_CASE("the seed's indices are in the TxPDO mapping area, those of the other bases in free areas") {
     using namespace translation;
     STATIC_REQUIRE(seed_index_base >= 0x1A00);
     STATIC_REQUIRE(seed_index_base + 255 <= 0x1BFF);

@@ -52,7 +52,7 @@ using wrench_efforts =
 
 } // namespace
 
-TEST_CASE("a component's object has one subobject for each message, at its rank, with its largest size and access") {
+TEST_CASE("a component's object has one subobject for each message, at its rank, with its maximum size and access") {
     using list = object_list<translation::seed_table, 33, wrench_efforts>;
     STATIC_REQUIRE(list::index == 6933);
     STATIC_REQUIRE(list::component == 33);
@@ -62,7 +62,7 @@ TEST_CASE("a component's object has one subobject for each message, at its rank,
     CHECK(list::entries[2] == sub_object{121, 0x4405, "report_wrench_effort", 28, true, true});
 }
 
-TEST_CASE("sizes follow the table, and the index its base") {
+TEST_CASE("sizes depend on the table, and the index on its base") {
     using list = object_list<translation::self_contained_table_of<0x2000>::type, 38, wrench_efforts>;
     STATIC_REQUIRE(list::index == 0x2026);
     CHECK(list::entries[0].max_size == 32);
@@ -71,7 +71,7 @@ TEST_CASE("sizes follow the table, and the index its base") {
     STATIC_REQUIRE(!list::exact_size);
 }
 
-TEST_CASE("under a table with fixed lengths the sizes are exact and have room for the real length") {
+TEST_CASE("under a table with fixed lengths the sizes are exact and include the real length") {
     using table = translate::fixed_length<translation::seed_table, wrench_efforts>;
     using list = object_list<table, 33, wrench_efforts>;
     STATIC_REQUIRE(list::exact_size);
@@ -81,7 +81,7 @@ TEST_CASE("under a table with fixed lengths the sizes are exact and have room fo
     CHECK(list::entries[0].max_size == table::object_size(jaus::header{.command_code = 0x0405}));
 }
 
-TEST_CASE("a list may be given message by message, and be empty") {
+TEST_CASE("a list may be given by messages, and be empty") {
     using list = object_list<translation::seed_table, 33, jaus::query_wrench_effort, jaus::set_wrench_effort>;
     CHECK(list::entries.size() == 2);
     CHECK(list::entries[0].subindex == 26);
@@ -91,7 +91,7 @@ TEST_CASE("a list may be given message by message, and be empty") {
     CHECK(none::description.find(0) == nullptr);
 }
 
-TEST_CASE("the description says the same without a type, and finds a subobject") {
+TEST_CASE("the type-erased description has the same content, and finds a subobject") {
     const bridge::object_description& object = object_list<translation::seed_table, 33, wrench_efforts>::description;
     CHECK(object.index == 6933);
     CHECK(object.component == 33);
@@ -131,7 +131,7 @@ TEST_CASE("a component that accepts all messages has the subindices 1 to 158 in 
     CHECK(image->max_size == 1540); // Report Image has no limit but the packet's
 }
 
-TEST_CASE("private messages have objects behind those of the standard, readable and writable") {
+TEST_CASE("private messages have readable and writable objects after those of the standard") {
     using list = object_list<private_table, 33, report_gripper_log, set_gripper, jaus::set_wrench_effort>;
     STATIC_REQUIRE(list::index == 0x2021);
     CHECK(list::entries[0].subindex == 26);

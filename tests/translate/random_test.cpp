@@ -69,8 +69,7 @@ template <class Translator> std::vector<std::byte> random_packet(generator& g) {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("every code under every data flag translates as plain loops do, and comes back", "", seed,
-                   self_contained) {
+TEMPLATE_TEST_CASE("every code under every data flag translates like plain loops, and back", "", seed, self_contained) {
     generator g{2011};
     for (const auto code : plain_codes)
         for (const auto& pair : plain::flags) {
@@ -82,7 +81,7 @@ TEMPLATE_TEST_CASE("every code under every data flag translates as plain loops d
     SUCCEED();
 }
 
-TEMPLATE_TEST_CASE("every body size translates as plain loops do, and comes back", "", seed, self_contained) {
+TEMPLATE_TEST_CASE("every body size translates like plain loops, and back", "", seed, self_contained) {
     generator g{3794};
     for (std::size_t size = 0; size <= TestType::max_body; ++size) {
         const auto message = random_message(g, size);
@@ -92,7 +91,7 @@ TEMPLATE_TEST_CASE("every body size translates as plain loops do, and comes back
     SUCCEED();
 }
 
-TEMPLATE_TEST_CASE("random messages translate as plain loops do, and come back", "", seed, self_contained) {
+TEMPLATE_TEST_CASE("random messages translate like plain loops, and back", "", seed, self_contained) {
     generator g{39777};
     for (int i = 0; i != 20000; ++i) {
         const auto size = below(g, 200);
@@ -103,7 +102,7 @@ TEMPLATE_TEST_CASE("random messages translate as plain loops do, and come back",
     SUCCEED();
 }
 
-TEMPLATE_TEST_CASE("100 000 random packets come back as plain loops say, or are refused by both", "", seed,
+TEMPLATE_TEST_CASE("100 000 random packets are translated back like by plain loops, or refused by both", "", seed,
                    self_contained) {
     generator g{39778};
     int accepted = 0, refused = 0, canonical = 0;
@@ -136,7 +135,7 @@ TEMPLATE_TEST_CASE("100 000 random packets come back as plain loops say, or are 
     CHECK(refused > 20'000);
 }
 
-TEMPLATE_TEST_CASE("random bytes are refused and never crash", "", seed, self_contained) {
+TEMPLATE_TEST_CASE("random bytes are refused without a crash", "", seed, self_contained) {
     generator g{34980};
     for (int i = 0; i != 20'000; ++i) {
         std::vector<std::byte> noise(below(g, 200));

@@ -51,14 +51,14 @@ TEST_CASE("ranks are frozen: the first is 1, wrench efforts are 26, 72 and 121, 
     CHECK(rank_of(0x0404) == 158);
 }
 
-TEST_CASE("every command code of RA 3.3 has the rank of its place in the standard") {
+TEST_CASE("the rank of every command code of RA 3.3 is its position in the standard") {
     for (std::size_t i = 0; i != plain_codes.size(); ++i) {
         CAPTURE(plain_codes[i]);
         CHECK(rank_of(plain_codes[i]) == i + 1);
     }
 }
 
-TEST_CASE("every component has the index 6900 and its ID, and comes back from it") {
+TEST_CASE("every component has the index 6900 plus its ID, and is restored from it") {
     for (std::uint32_t component = 0; component != 256; ++component) {
         CAPTURE(component);
         auto message = vector_of(wrench_effort);
@@ -70,7 +70,7 @@ TEST_CASE("every component has the index 6900 and its ID, and comes back from it
     }
 }
 
-TEST_CASE("every data flag has its sequence position in ulExt, and comes back from it") {
+TEST_CASE("every data flag has its sequence position in ulExt, and is restored from it") {
     const auto [flag, ul_ext] = GENERATE(std::pair{0x00, 0x000u}, std::pair{0x10, 0x080u}, std::pair{0x20, 0x0C0u},
                                          std::pair{0x80, 0x040u}, std::pair{0x40, 0x2C0u});
     auto message = vector_of(wrench_effort);
@@ -81,7 +81,7 @@ TEST_CASE("every data flag has its sequence position in ulExt, and comes back fr
     CHECK(from_packet<seed>(there.bytes).bytes == message);
 }
 
-TEST_CASE("a code index finds every code at its place and no other code") {
+TEST_CASE("a code index finds every code at its position and no other code") {
     CHECK(count_wrong_places<translation::ra_command_codes>() == 0);
     CHECK(count_wrong_places<no_codes>() == 0);
     CHECK(count_wrong_places<one_code>() == 0);

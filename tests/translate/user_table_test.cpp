@@ -47,7 +47,7 @@ constexpr auto spread_bytes = hex_literal<46>("0b000000 03000000 01000000 010000
 
 } // namespace
 
-TEMPLATE_TEST_CASE("a private message appended to the list has rank 159 and leaves the others theirs", "", at_2000,
+TEMPLATE_TEST_CASE("a private message appended to the list has rank 159 and keeps the other ranks", "", at_2000,
                    at_6900) {
     auto message = message_with_body(3);
     CHECK(get(to_packet<TestType>(message).bytes, word::ul_sub_index) == 26);
@@ -62,7 +62,7 @@ TEMPLATE_TEST_CASE("a private message appended to the list has rank 159 and leav
     CHECK(to_packet<seed>(message).error == errc::unknown_command_code);
 }
 
-TEST_CASE("a table with an index base of its own puts component 0 there") {
+TEST_CASE("a table with its own index base has component 0 there") {
     auto message = vector_of(wrench_effort);
     CHECK(get(to_packet<at_2000>(message).bytes, word::ul_index) == 0x2021);
     CHECK(get(to_packet<at_6900>(message).bytes, word::ul_index) == 0x6921);
@@ -78,7 +78,7 @@ TEST_CASE("a table with an index base of its own puts component 0 there") {
     CHECK(from_packet<at_2000>(with(there, word::ul_index, 6933)).error == errc::unknown_index);
 }
 
-TEST_CASE("rows may take bit-fields of any type, and words of either byte order") {
+TEST_CASE("rows can use bit-fields of any type, and words of either byte order") {
     const auto there = to_packet<spread>(spread_message);
     CHECK(to_hex(there.bytes) == to_hex(spread_bytes));
     CHECK(to_hex(from_packet<spread>(there.bytes).bytes) == to_hex(spread_message));
@@ -97,7 +97,7 @@ TEST_CASE("a word that does not fit its bit-field is out of range") {
     CHECK(from_packet<spread>(bytes).error == errc::out_of_range);
 }
 
-TEST_CASE("the small table whose mistakes do not compile is right without them") {
+TEST_CASE("the small table of the compile-fail tests is valid without their mistakes") {
     using table = translate::translator<small::right_table>;
     constexpr auto bytes = hex_literal<19>("fb1a0000 03000000 00000000 03000000 5a cafe");
     constexpr auto message = hex_literal<8>("07 0404 5a 0200 cafe");

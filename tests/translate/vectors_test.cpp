@@ -31,7 +31,7 @@ unsigned command_code(std::span<const std::byte> message) {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("every golden message translates as plain loops do, and comes back byte for byte by both", "", seed,
+TEMPLATE_TEST_CASE("every golden message translates like plain loops, and both restore it byte for byte", "", seed,
                    self_contained) {
     const auto messages = golden_messages();
     REQUIRE(messages.size() == 1255);

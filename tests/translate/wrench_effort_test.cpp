@@ -30,29 +30,29 @@ TEST_CASE("the sample message is Set Wrench Effort with all twelve elements") {
     CHECK(body.resistive_rotational_effort_z == 60.0);
 }
 
-TEST_CASE("Set Wrench Effort becomes the seed table's packet in a constant expression, and comes back") {
+TEST_CASE("Set Wrench Effort is translated to the seed table's packet in a constant expression, and back") {
     STATIC_REQUIRE(packet_of<seed>(wrench_effort) == wrench_effort_seed);
     STATIC_REQUIRE(is_packet_of<seed>(wrench_effort_seed));
 }
 
-TEST_CASE("Set Wrench Effort becomes the self-contained table's packet in a constant expression, and comes back") {
+TEST_CASE("Set Wrench Effort is translated to the self-contained table's packet in a constant expression, and back") {
     STATIC_REQUIRE(packet_of<self_contained>(wrench_effort) == wrench_effort_self_contained);
     STATIC_REQUIRE(is_packet_of<self_contained>(wrench_effort_self_contained));
 }
 
-TEST_CASE("Set Wrench Effort becomes the seed table's packet, and comes back") {
+TEST_CASE("Set Wrench Effort is translated to the seed table's packet, and back") {
     const auto there = to_packet<seed>(wrench_effort);
     CHECK(to_hex(there.bytes) == to_hex(wrench_effort_seed));
     CHECK(to_hex(from_packet<seed>(there.bytes).bytes) == to_hex(wrench_effort));
 }
 
-TEST_CASE("Set Wrench Effort becomes the self-contained table's packet, and comes back") {
+TEST_CASE("Set Wrench Effort is translated to the self-contained table's packet, and back") {
     const auto there = to_packet<self_contained>(wrench_effort);
     CHECK(to_hex(there.bytes) == to_hex(wrench_effort_self_contained));
     CHECK(to_hex(from_packet<self_contained>(there.bytes).bytes) == to_hex(wrench_effort));
 }
 
-TEST_CASE("the seed's numbers: 28 bytes of data, length 44, index 6933 or 6938, subindex 26") {
+TEST_CASE("the numbers of the paper hold: 28 bytes of data, length 44, index 6933 or 6938, subindex 26") {
     auto message = vector_of(wrench_effort);
     const auto to_primitive_driver = to_packet<seed>(message).bytes;
     REQUIRE(to_primitive_driver.size() == 56 + 28);
@@ -67,7 +67,7 @@ TEST_CASE("the seed's numbers: 28 bytes of data, length 44, index 6933 or 6938, 
     CHECK(get(to_global_pose_sensor, word::ul_index) == 6938);
 }
 
-TEST_CASE("the sizes that a translator states") {
+TEST_CASE("a translator has the expected sizes") {
     STATIC_REQUIRE(seed::rest_size == 8);
     STATIC_REQUIRE(seed::max_body == 1532);
     STATIC_REQUIRE(self_contained::rest_size == 12);

@@ -30,7 +30,7 @@ constexpr auto square_bytes = bytes(2, 1, 2, 3, 4);
 
 } // namespace
 
-TEST_CASE("an array is its elements one after another, without a count") {
+TEST_CASE("an array is encoded as its elements, without a count") {
     both_ways([] { return encodes_to(raised, raised_bytes); });
     both_ways([] { return decodes_to(raised_bytes, raised); });
     STATIC_REQUIRE(wire::fixed_message<arm>);

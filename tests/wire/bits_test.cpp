@@ -43,7 +43,7 @@ template <> struct jauscat::wire::schema<whole> {
     using type = layout<bit_fields<u64le, bit_field<&whole::all, 64>>>;
 };
 
-TEST_CASE("bit-fields fill their carrier from the least significant bit up") {
+TEST_CASE("bit-fields fill their carrier from the least significant bit") {
     both_ways([] { return encodes_to(flags{.length = 0x7FF}, bytes(0xFF, 0x07)); });
     both_ways([] { return encodes_to(flags{.length = 1}, bytes(0x01, 0x00)); });
     both_ways([] { return encodes_to(flags{.shade = colour::green}, bytes(0x00, 0x20)); });

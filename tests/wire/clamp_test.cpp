@@ -24,13 +24,13 @@ template <wire::message T> constexpr T clamped(T value) {
 
 } // namespace
 
-TEST_CASE("clamp moves scaled values to the nearer end of their range") {
+TEST_CASE("clamp limits scaled values to their range") {
     both_ways([] { return clamped(point{.x = -101.0, .y = 1000.0}) == point{.x = -100.0, .y = 100.0}; });
     both_ways([] { return clamped(point{.x = infinity, .y = -infinity}) == point{.x = 100.0, .y = 0.0}; });
     both_ways([] { return clamped(point{.x = 12.5, .y = 50.0}) == point{.x = 12.5, .y = 50.0}; });
 }
 
-TEST_CASE("clamp reaches optional members and structures, and adds nothing") {
+TEST_CASE("clamp reaches optional members and structures, and adds none") {
     both_ways([] {
         const envelope limited = clamped(
             envelope{.kind = 1,
@@ -47,14 +47,14 @@ TEST_CASE("clamp reaches optional members and structures, and adds nothing") {
     });
 }
 
-TEST_CASE("clamp leaves NaN, which still does not encode") {
+TEST_CASE("clamp keeps NaN, which still does not encode") {
     both_ways([] {
         const point limited = clamped(point{.x = not_a_number});
         return limited.x != limited.x && encode_error(limited) == errc::out_of_range;
     });
 }
 
-TEMPLATE_TEST_CASE("what clamp has limited encodes unless it holds NaN", "", point, mixed, envelope,
+TEMPLATE_TEST_CASE("a clamped value encodes unless it holds NaN", "", point, mixed, envelope,
                    jauscat::jaus::set_wrench_effort, jauscat::jaus::report_wrench_effort) {
     using T = TestType;
     support::generator random{9};

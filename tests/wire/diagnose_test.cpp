@@ -31,7 +31,7 @@ template <wire::message T> bool knows(std::string_view name) {
 
 } // namespace
 
-TEST_CASE("nothing is diagnosed where nothing failed") {
+TEST_CASE("success is diagnosed as ok") {
     both_ways([] { return static_cast<bool>(wire::diagnose<mixed>(bytes(0x00, 7, 0, 0))); });
     both_ways([] { return same(wire::diagnose<mixed>(bytes(0x00, 7, 0, 0)), {}); });
     both_ways([] { return same(wire::diagnose(mixed{}), {}); });
@@ -131,12 +131,12 @@ TEST_CASE("a value that does not encode is diagnosed at its field") {
     });
 }
 
-TEST_CASE("a buffer that is too small is diagnosed with what the message needs") {
+TEST_CASE("a buffer that is too small is diagnosed with the size needed") {
     both_ways(
         [] { return same(wire::diagnose(mixed{.id = 1}, 7), {.error = errc::no_space, .needed = 8, .available = 7}); });
 }
 
-TEST_CASE("a field beyond the end is diagnosed where decode says truncated, whatever stands before it") {
+TEST_CASE("a field beyond the end is diagnosed as truncated if decode says so, whatever precedes it") {
     both_ways([] { // x holds an illegal raw value
         return same(wire::diagnose<point>(bytes(0x00, 0x80)),
                     {.error = errc::truncated, .field = "y", .offset = 2, .needed = 1, .available = 0});
@@ -147,7 +147,7 @@ TEST_CASE("a field beyond the end is diagnosed where decode says truncated, what
     });
 }
 
-TEMPLATE_TEST_CASE("a diagnosis of random bytes names the error of decode", "", samples::scalars, flags, point, mixed,
+TEMPLATE_TEST_CASE("the diagnosis of random bytes has the error of decode", "", samples::scalars, flags, point, mixed,
                    envelope, samples::open, samples::fine, jauscat::jaus::header, jauscat::jaus::set_wrench_effort,
                    jauscat::jaus::report_global_pose) {
     using T = TestType;
@@ -178,7 +178,7 @@ TEMPLATE_TEST_CASE("a diagnosis of random bytes names the error of decode", "", 
     REQUIRE(failed > 1000);
 }
 
-TEMPLATE_TEST_CASE("a diagnosis of a random value names the error that encode gave", "", flags, point, mixed, envelope,
+TEMPLATE_TEST_CASE("the diagnosis of a random value has the error of encode", "", flags, point, mixed, envelope,
                    samples::fine, jauscat::jaus::header, jauscat::jaus::set_wrench_effort,
                    jauscat::jaus::report_global_pose) {
     using T = TestType;

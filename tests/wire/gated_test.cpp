@@ -29,7 +29,7 @@ TEST_CASE("a presence vector announces lists, bytes, structures of any length, a
     require_exact_length<survey>(everything_bytes);
 }
 
-TEST_CASE("a member and its flag that disagree do not encode") {
+TEST_CASE("a member that contradicts its flag does not encode") {
     both_ways([] { return encode_error(survey{.spots = wire::list<spot>{with_buffers}}) == errc::presence_mismatch; });
     both_ways([] {
         return encode_error(survey{.buffer_present = true, .spots = wire::list<spot>{without_buffer}}) ==
@@ -39,19 +39,19 @@ TEST_CASE("a member and its flag that disagree do not encode") {
     CHECK(told(wire::diagnose(wrong)) == "spots[0].buffer at 2 needs 0, has 0");
 }
 
-TEST_CASE("decoding into a message takes away what is absent") {
+TEST_CASE("decoding clears absent members") {
     lent_memory memory;
     survey value = everything;
     REQUIRE(wire::decode(value, bytes(0), memory.arena));
     CHECK(value == survey{});
 }
 
-TEST_CASE("a bit that announces nothing is refused") {
+TEST_CASE("a presence bit without a member is refused") {
     CHECK(decode_error_in_arena<survey>(bytes(0x10)) == errc::unknown_presence_bit);
     CHECK(wire::diagnose<survey>(bytes(0x10)).field == "presence_vector");
 }
 
-TEST_CASE("a view reads what is there and says what is not") {
+TEST_CASE("a view reads present members and reports absent ones") {
     both_ways([] {
         const wire::view<survey> view{everything_bytes};
         const auto spots = view.get<&survey::spots>();
@@ -72,7 +72,7 @@ TEST_CASE("a view reads what is there and says what is not") {
     });
 }
 
-TEST_CASE("a diagnosis goes down to the member of an element") {
+TEST_CASE("a diagnosis names the member of an element") {
     const auto cut = std::span{everything_bytes}.first(10);
     CHECK(told(wire::diagnose<survey>(cut)) == "spots[1].buffer at 9 needs 2, has 1");
     CHECK(told(wire::diagnose<survey>(std::span{everything_bytes}.first(13))) == "limit.value at 13 needs 1, has 0");

@@ -7,9 +7,9 @@
 
 using wire::errc;
 
-TEMPLATE_TEST_CASE("each missing byte is noticed, and each byte too many", "", samples::scalars, samples::flags,
-                   samples::point, samples::mixed, samples::envelope, samples::open, samples::fine,
-                   jauscat::jaus::header, jauscat::jaus::set_wrench_effort, jauscat::jaus::report_global_pose) {
+TEMPLATE_TEST_CASE("each missing and each extra byte is detected", "", samples::scalars, samples::flags, samples::point,
+                   samples::mixed, samples::envelope, samples::open, samples::fine, jauscat::jaus::header,
+                   jauscat::jaus::set_wrench_effort, jauscat::jaus::report_global_pose) {
     using T = TestType;
     support::generator random{2};
     constexpr std::byte canary{0x5A};
@@ -50,7 +50,7 @@ TEMPLATE_TEST_CASE("each missing byte is noticed, and each byte too many", "", s
     }
 }
 
-TEST_CASE("lengths are checked in constant expressions too") {
+TEST_CASE("lengths are also checked in constant expressions") {
     both_ways([] { return decode_error<samples::scalars>(bytes(1, 2, 3)) == errc::truncated; });
     both_ways([] { return decode_error<samples::mixed>(bytes(0x04, 7, 0, 0, 1, 2, 3)) == errc::truncated; });
     both_ways([] { return decode_error<samples::mixed>(bytes(0x00, 7, 0, 0, 1)) == errc::trailing_bytes; });
@@ -60,8 +60,8 @@ TEST_CASE("lengths are checked in constant expressions too") {
     });
 }
 
-TEMPLATE_TEST_CASE("after a failed decode the value can be used and decoded into again", "", samples::flags,
-                   samples::mixed, samples::envelope, jauscat::jaus::header, jauscat::jaus::set_wrench_effort,
+TEMPLATE_TEST_CASE("after a failed decode the value remains usable", "", samples::flags, samples::mixed,
+                   samples::envelope, jauscat::jaus::header, jauscat::jaus::set_wrench_effort,
                    jauscat::jaus::report_global_pose) {
     using T = TestType;
     support::generator random{3};

@@ -28,7 +28,7 @@ constexpr std::array<point, 2> wrong{{{0, 0}, {0, 101}}};
 
 } // namespace
 
-TEST_CASE("a list is its count, then its elements") {
+TEST_CASE("a list is encoded as its count, then its elements") {
     both_ways([] { return encodes_to(filled, filled_bytes); });
     both_ways([] { return encodes_to(polygon{}, bytes(0, 0, 0)); });
     require_coding(filled, filled_bytes);
@@ -36,7 +36,7 @@ TEST_CASE("a list is its count, then its elements") {
     require_exact_length<polygon>(filled_bytes);
 }
 
-TEST_CASE("a list in a list is decoded into the arena, and its elements are found again") {
+TEST_CASE("a nested list is decoded into the arena, and its elements are found") {
     const std::array<polygon, 3> shapes{{filled, {}, filled}};
     std::vector<std::byte> expected{std::byte{0}, std::byte{3}};
     const auto append = [&](auto&& more) { expected.insert(expected.end(), more.begin(), more.end()); };
@@ -47,14 +47,14 @@ TEST_CASE("a list in a list is decoded into the arena, and its elements are foun
     require_exact_length<polygons>(expected);
 }
 
-TEST_CASE("a count may stand in the structure around the list") {
+TEST_CASE("a count may be in the enclosing structure") {
     both_ways([] { return encodes_to(table, table_bytes); });
     require_coding(table, table_bytes);
     require_exact_length<grid>(table_bytes);
     require_coding(grid{.columns = 255}, bytes(255, 0));
 }
 
-TEST_CASE("a count may be one more than there are elements") {
+TEST_CASE("a count may exceed the number of elements by one") {
     static constexpr std::array<point, 1> link{{{0, 0}}};
     both_ways([] { return encodes_to(chain{.joints = 2, .base = 5, .link = link}, bytes(2, 5, 0, 0, 0)); });
     require_coding(chain{.joints = 2, .base = 5, .link = link}, bytes(2, 5, 0, 0, 0));
@@ -63,14 +63,14 @@ TEST_CASE("a count may be one more than there are elements") {
     require_exact_length<chain>(bytes(2, 5, 0, 0, 0));
 }
 
-TEST_CASE("a count may be inside a structure beside the bytes") {
+TEST_CASE("a count may be in a structure beside the bytes") {
     both_ways([] { return encodes_to(sent, sent_bytes); });
     both_ways([] { return decodes_to(sent_bytes, sent); });
     require_coding(sent, sent_bytes);
     require_exact_length<parcel>(sent_bytes);
 }
 
-TEST_CASE("bytes are not copied") {
+TEST_CASE("bytes are referenced, not copied") {
     constexpr auto in = bytes(0x02, 0x00, 0xAA, 0xBB, 9);
     parcel found{};
     REQUIRE(wire::decode(found, in));
@@ -86,7 +86,7 @@ TEST_CASE("a count that differs from the list does not encode") {
     CHECK(told(why) == "row[0].cell at 3 needs 0, has 0");
 }
 
-TEST_CASE("more elements than a count can say do not encode") {
+TEST_CASE("more elements than a count can state do not encode") {
     const std::vector<row> many(256);
     const grid large{.columns = 0, .row = std::span{many}};
     std::vector<std::byte> out(wire::encoded_size(large));
@@ -97,7 +97,7 @@ TEST_CASE("more elements than a count can say do not encode") {
     CHECK(out[1] == std::byte{255});
 }
 
-TEST_CASE("more elements than a list inside the message holds do not decode") {
+TEST_CASE("more elements than the capacity of an inline list do not decode") {
     constexpr auto in = bytes(4, 1, 2, 3, 4, 0, 0);
     lent_memory memory;
     polygon found{};
@@ -108,7 +108,7 @@ TEST_CASE("more elements than a list inside the message holds do not decode") {
     CHECK(wire::view<polygon>{in}.get<&polygon::level>().size() == 4); // a view holds nothing
 }
 
-TEST_CASE("a list inside the message holds as many as its capacity") {
+TEST_CASE("an inline list holds as many elements as its capacity") {
     both_ways([] {
         wire::inline_list<int, 2> list{1};
         const bool added = list.push_back(2) && !list.push_back(3);
@@ -118,7 +118,7 @@ TEST_CASE("a list inside the message holds as many as its capacity") {
     });
 }
 
-TEST_CASE("an arena that is too small for the lists says so") {
+TEST_CASE("an arena that is too small for the lists gives arena_full") {
     std::array<std::byte, sizeof(row)> one{};
     wire::arena memory{one};
     grid found{};
@@ -129,7 +129,7 @@ TEST_CASE("an arena that is too small for the lists says so") {
     CHECK(found == grid{.columns = 9});
 }
 
-TEST_CASE("an arena gives memory until it is used up, and takes all of it back at once") {
+TEST_CASE("an arena allocates until it is full, and is reset at once") {
     alignas(8) std::array<std::byte, 32> place{};
     wire::arena memory{place};
     auto* const first = memory.allocate<std::uint16_t>(1);
@@ -167,7 +167,7 @@ TEST_CASE("a view reads elements without decoding the message") {
     static_assert(std::ranges::forward_range<decltype(wire::view<grid>{table_bytes}.get<&grid::row>())>);
 }
 
-TEST_CASE("an element that holds an illegal raw value is empty in a view, and does not decode") {
+TEST_CASE("an element with an illegal raw value is empty in a view, and does not decode") {
     constexpr auto in = bytes(0, 1, 0, 0x00, 0x80, 0);
     both_ways([] {
         const auto received = bytes(0, 1, 0, 0x00, 0x80, 0);
@@ -208,7 +208,7 @@ TEST_CASE("raw lists are exact for every byte") {
     CHECK(encodes_to(raw, in));
 }
 
-TEST_CASE("a message that is longer than a result can say does not encode") {
+TEST_CASE("a message larger than a result can state does not encode") {
     const std::vector<std::byte> much(wire::packed_size<errc>::max_size);
     const samples::labels large{.rest = {reinterpret_cast<const char*>(much.data()), much.size()}};
     std::vector<std::byte> out(much.size());

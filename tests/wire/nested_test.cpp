@@ -66,7 +66,7 @@ template <> struct jauscat::wire::schema<segment> {
     using type = layout<nested<&segment::from>, nested<&segment::to>>;
 };
 
-TEST_CASE("a fixed structure lies inside its message byte for byte") {
+TEST_CASE("a fixed structure is embedded in its message byte for byte") {
     both_ways([] {
         const segment value{.from = {.x = 0.0, .y = 100.0}, .to = {.x = 100.0, .y = 0.0}};
         const auto expected = bytes(0x00, 0x00, 0xFF, 0xFF, 0x7F, 0x00);
@@ -76,7 +76,7 @@ TEST_CASE("a fixed structure lies inside its message byte for byte") {
     STATIC_REQUIRE(wire::max_size<segment> == 6);
 }
 
-TEST_CASE("a structure has its layout's order, whatever the order in memory") {
+TEST_CASE("a structure has the order of its layout, whatever the order in memory") {
     both_ways([] {
         const all_orders value{.straight = {.a = 1, .b = 2, .c = 3, .d = 4},
                                .back = {.a = 5, .b = 6, .c = 7, .d = 8},
@@ -93,7 +93,7 @@ TEST_CASE("a structure has its layout's order, whatever the order in memory") {
     });
 }
 
-TEST_CASE("a variable structure moves what follows it") {
+TEST_CASE("a structure of variable size shifts the fields after it") {
     both_ways([] {
         const envelope value{.kind = 0x0102, .content = {.number = 7}, .tail = 0xEE};
         const auto expected = bytes(0x01, 0x02, 0x00, 7, 0x00, 0x00, 0xEE);

@@ -17,7 +17,7 @@ template <wire::message T> T decoded(std::span<const std::byte> in) {
 
 } // namespace
 
-TEST_CASE("text is filled, ended by a zero, counted or ended by the body") {
+TEST_CASE("text is padded, zero-terminated, counted, or ended by the body") {
     both_ways([] { return encodes_to(filled, filled_bytes); });
     both_ways([] { return encodes_to(labels{}, bytes(0, 0, 0, 0, 0, 0)); });
     CHECK(decoded<labels>(filled_bytes) == filled);
@@ -33,7 +33,7 @@ TEST_CASE("text points into the received bytes") {
     CHECK(static_cast<const void*>(value.counted.data()) == filled_bytes.data() + 8);
 }
 
-TEST_CASE("text that ends before its length, its zero or its fill is truncated") {
+TEST_CASE("text that ends before its length, its zero or its padding is truncated") {
     for (std::size_t size = 0; size != 11; ++size) {
         CAPTURE(size);
         CHECK(decode_error<labels>(std::span{filled_bytes}.first(size)) == errc::truncated);
@@ -46,7 +46,7 @@ TEST_CASE("text that ends before its length, its zero or its fill is truncated")
     CHECK(told(wire::diagnose<labels>(std::span{filled_bytes}.first(10))) == "counted at 8 needs 3, has 2");
 }
 
-TEST_CASE("text that does not fit its place does not encode") {
+TEST_CASE("text that exceeds its field does not encode") {
     both_ways([] { return encode_error(labels{.fixed = "abcde"}) == errc::out_of_range; });
     both_ways([] { return encode_error(labels{.terminated = {"a\0b", 3}}) == errc::out_of_range; });
     both_ways([] { return encode_error(lenient{.text = "abcdefg"}) == errc::out_of_range; });
@@ -57,7 +57,7 @@ TEST_CASE("text that does not fit its place does not encode") {
     CHECK(told(wire::diagnose(labels{.counted = long_one})) == "number_of_characters at 5 needs 1, has 0");
 }
 
-TEST_CASE("lenient text is sent with its fill and received with any") {
+TEST_CASE("lenient text is sent with its own padding and received with any") {
     both_ways([] { return encodes_to(lenient{.id = 1, .text = "abc"}, bytes(1, 'a', 'b', 'c', 0, 0, 0)); });
     const lenient abc{.id = 1, .text = "abc"};
     CHECK(decoded<lenient>(bytes(1, 'a', 'b', 'c')) == abc);
@@ -68,7 +68,7 @@ TEST_CASE("lenient text is sent with its fill and received with any") {
     CHECK(decode_error<lenient>({}) == errc::truncated);
 }
 
-TEST_CASE("a view shows text and bytes where they are") {
+TEST_CASE("a view shows text and bytes in place") {
     const wire::view<labels> view{filled_bytes};
     REQUIRE(view);
     CHECK(view.get<&labels::fixed>() == "ab");

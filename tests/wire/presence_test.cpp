@@ -50,7 +50,7 @@ template <> struct jauscat::wire::schema<widest> {
                         octet<&T::m60>, octet<&T::m61>, octet<&T::m62>, octet<&T::m63>, octet<&T::last>>>;
 };
 
-TEST_CASE("an item without a std::optional is always there and takes no bit") {
+TEST_CASE("an item without a std::optional is always present and has no bit") {
     both_ways([] {
         const mixed value{.number = 7, .required = 0x0102};
         const auto expected = bytes(0x00, 7, 0x02, 0x01);
@@ -58,7 +58,7 @@ TEST_CASE("an item without a std::optional is always there and takes no bit") {
     });
 }
 
-TEST_CASE("each optional member sets its bit and stands at its place") {
+TEST_CASE("each optional member sets its bit and is encoded at its position") {
     both_ways([] {
         const mixed value{.number = 7, .level = 100.0, .required = 0x0102};
         const auto expected = bytes(0x01, 7, 0xFF, 0x02, 0x01);
@@ -76,7 +76,7 @@ TEST_CASE("each optional member sets its bit and stands at its place") {
     });
 }
 
-TEST_CASE("all members together stand in the order of the layout") {
+TEST_CASE("all members together are encoded in layout order") {
     both_ways([] {
         const mixed value{
             .number = 7, .level = 0.0, .required = 0x0102, .place = samples::point{.x = 100.0, .y = 100.0}, .id = 1};
@@ -88,7 +88,7 @@ TEST_CASE("all members together stand in the order of the layout") {
     STATIC_REQUIRE(!wire::fixed_message<mixed>);
 }
 
-TEST_CASE("decoding clears what the vector does not announce") {
+TEST_CASE("decoding clears members that the vector does not announce") {
     both_ways([] {
         mixed value{.level = 1.0, .place = samples::point{}, .id = 3};
         return wire::decode(value, bytes(0x00, 7, 0x02, 0x01)) && !value.level && !value.place && !value.id;
@@ -139,7 +139,7 @@ TEST_CASE("a bit that the layout does not define is refused") {
     both_ways([] { return decode_error<mixed>(bytes(0x09, 7, 0xFF, 0x02, 0x01)) == errc::unknown_presence_bit; });
 }
 
-TEST_CASE("an open presence vector drops unknown bits and the bytes behind the known fields") {
+TEST_CASE("an open presence vector drops unknown bits and the bytes after the known fields") {
     both_ways([] {
         return decodes_to(bytes(0x03, 1, 0x02, 0x01), open{.first = std::uint8_t{1}, .second = std::uint16_t{0x0102}});
     });

@@ -10,7 +10,7 @@ using samples::mixed;
 using samples::point;
 using wire::errc;
 
-TEST_CASE("a raw holds the integers on the wire under the same member pointers") {
+TEST_CASE("a raw message has the integers on the wire under the same member pointers") {
     both_ways([] {
         wire::raw<mixed> raw{};
         raw.set<&mixed::number>(std::uint8_t{7});
@@ -53,7 +53,7 @@ TEST_CASE("raw bit-fields keep the widths of their schema") {
     REQUIRE(wire::encode(raw, out).error() == errc::out_of_range);
 }
 
-TEMPLATE_TEST_CASE("a raw is exact for every byte pattern", "", point, mixed, envelope, fine,
+TEMPLATE_TEST_CASE("a raw message is exact for every byte pattern", "", point, mixed, envelope, fine,
                    jauscat::jaus::set_wrench_effort, jauscat::jaus::set_travel_speed) {
     using T = TestType;
     support::generator random{6};

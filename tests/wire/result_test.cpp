@@ -45,7 +45,7 @@ TEST_CASE("a packed size gives the bytes written or the number of bytes taken") 
     });
 }
 
-TEST_CASE("each error has a line of text of its own") {
+TEST_CASE("each codec error has a distinct text") {
     std::set<std::string_view> lines;
     for (unsigned code = 0; code <= static_cast<unsigned>(errc::unknown_presence_bit); ++code) {
         const auto line = wire::describe(static_cast<errc>(code));

@@ -20,27 +20,27 @@ constexpr bool carries(typename Codec::value_type value, const std::array<std::b
 
 } // namespace
 
-TEST_CASE("integers of 8 bits are carried as they are") {
+TEST_CASE("integers of 8 bits are encoded unchanged") {
     both_ways([] { return carries<wire::u8>(0xA5, bytes(0xA5)); });
     both_ways([] { return carries<wire::i8>(-2, bytes(0xFE)); });
     both_ways([] { return carries<wire::i8>(std::numeric_limits<std::int8_t>::min(), bytes(0x80)); });
 }
 
-TEST_CASE("integers of 16 bits are carried in either byte order") {
+TEST_CASE("integers of 16 bits are encoded in either byte order") {
     both_ways([] { return carries<wire::u16le>(0x1234, bytes(0x34, 0x12)); });
     both_ways([] { return carries<wire::u16be>(0x1234, bytes(0x12, 0x34)); });
     both_ways([] { return carries<wire::i16le>(-2, bytes(0xFE, 0xFF)); });
     both_ways([] { return carries<wire::i16be>(-2, bytes(0xFF, 0xFE)); });
 }
 
-TEST_CASE("integers of 32 bits are carried in either byte order") {
+TEST_CASE("integers of 32 bits are encoded in either byte order") {
     both_ways([] { return carries<wire::u32le>(0x12345678, bytes(0x78, 0x56, 0x34, 0x12)); });
     both_ways([] { return carries<wire::u32be>(0x12345678, bytes(0x12, 0x34, 0x56, 0x78)); });
     both_ways([] { return carries<wire::i32le>(-2, bytes(0xFE, 0xFF, 0xFF, 0xFF)); });
     both_ways([] { return carries<wire::i32be>(-2, bytes(0xFF, 0xFF, 0xFF, 0xFE)); });
 }
 
-TEST_CASE("integers of 64 bits are carried in either byte order") {
+TEST_CASE("integers of 64 bits are encoded in either byte order") {
     both_ways(
         [] { return carries<wire::u64le>(0x0123456789ABCDEF, bytes(0xEF, 0xCD, 0xAB, 0x89, 0x67, 0x45, 0x23, 0x01)); });
     both_ways(
@@ -51,7 +51,7 @@ TEST_CASE("integers of 64 bits are carried in either byte order") {
     both_ways([] { return carries<wire::i64be>(-2, bytes(0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFE)); });
 }
 
-TEST_CASE("floating point is carried as IEEE 754 in either byte order") {
+TEST_CASE("floating point is encoded as IEEE 754 in either byte order") {
     both_ways([] { return carries<wire::f32le>(1.5f, bytes(0x00, 0x00, 0xC0, 0x3F)); });
     both_ways([] { return carries<wire::f32be>(1.5f, bytes(0x3F, 0xC0, 0x00, 0x00)); });
     both_ways([] { return carries<wire::f64le>(-2.0, bytes(0, 0, 0, 0, 0, 0, 0x00, 0xC0)); });
@@ -61,7 +61,7 @@ TEST_CASE("floating point is carried as IEEE 754 in either byte order") {
     });
 }
 
-TEST_CASE("a NaN passes with its payload") {
+TEST_CASE("a NaN keeps its payload") {
     both_ways([] {
         const auto quiet = bytes(0x01, 0x00, 0xC0, 0x7F);
         float value{};
@@ -78,7 +78,7 @@ TEST_CASE("a NaN passes with its payload") {
     });
 }
 
-TEST_CASE("an enumeration is carried by its integer, and a value without a name passes") {
+TEST_CASE("an enumeration is encoded as its integer, and unnamed values pass") {
     using colours = wire::enumeration<samples::colour, wire::u8>;
     using faults = wire::enumeration<samples::fault, wire::u16be>;
     both_ways([] { return carries<colours>(samples::colour::green, bytes(2)); });
@@ -87,11 +87,11 @@ TEST_CASE("an enumeration is carried by its integer, and a value without a name 
     both_ways([] { return carries<faults>(static_cast<samples::fault>(0xFFFE), bytes(0xFF, 0xFE)); });
 }
 
-TEST_CASE("octets are carried in their order") {
+TEST_CASE("octets keep their order") {
     both_ways([] { return carries<wire::octets<3>>(bytes(0x0A, 0xFF, 0x01), bytes(0x0A, 0xFF, 0x01)); });
 }
 
-TEST_CASE("fields of a message follow each other without padding") {
+TEST_CASE("fields of a message are encoded without padding") {
     both_ways([] {
         const samples::scalars value{.small = 0x7F,
                                      .little = -2,
@@ -109,7 +109,7 @@ TEST_CASE("fields of a message follow each other without padding") {
     STATIC_REQUIRE(wire::fixed_message<samples::scalars>);
 }
 
-TEST_CASE("a message without fields is no bytes at all") {
+TEST_CASE("a message without fields has no bytes") {
     both_ways(
         [] { return encodes_to(samples::empty{}, {}) && decodes_to(std::span<const std::byte>{}, samples::empty{}); });
     both_ways([] { return decode_error<samples::empty>(bytes(0)) == errc::trailing_bytes; });

@@ -78,7 +78,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 } // namespace
 
-TEST_CASE("both ends of a range are the ends of the carrier") {
+TEST_CASE("the ends of a range are encoded as the ends of the carrier") {
     both_ways([] { return stores<as_u8<percent>>(0.0, 0) && stores<as_u8<percent>>(100.0, 255); });
     both_ways([] { return stores<as_i8<signed_percent>>(-100.0, -127) && stores<as_i8<signed_percent>>(100.0, 127); });
     both_ways([] { return stores<as_u16<percent>>(0.0, 0) && stores<as_u16<percent>>(100.0, 0xFFFF); });
@@ -95,7 +95,7 @@ TEST_CASE("both ends of a range are the ends of the carrier") {
     });
 }
 
-TEST_CASE("the ends of the carrier are both ends of the range") {
+TEST_CASE("the ends of the carrier are decoded as the ends of the range") {
     both_ways([] { return loads<as_u8<percent>>(0, 0.0) && loads<as_u8<percent>>(255, 100.0); });
     both_ways([] {
         return loads<as_i16<signed_percent>>(-32767, -100.0) && loads<as_i16<signed_percent>>(32767, 100.0) &&
@@ -106,7 +106,7 @@ TEST_CASE("the ends of the carrier are both ends of the range") {
         [] { return loads<as_u64<percent>>(0xFFFFFFFFFFFFFFFF, 100.0) && loads<as_i64<signed_percent>>(0, 0.0); });
 }
 
-TEST_CASE("real values go to the nearest raw value") {
+TEST_CASE("real values are rounded to the nearest raw value") {
     both_ways([] { return stores<as_i16<signed_percent>>(1.0, 328); });               // 327.67
     both_ways([] { return stores<as_i16<signed_percent>>(-1.0, -328); });             // -327.67
     both_ways([] { return stores<as_u8<percent>>(1.0, 3); });                         // 2.55
@@ -115,7 +115,7 @@ TEST_CASE("real values go to the nearest raw value") {
     both_ways([] { return stores<as_i32<jaus::latitude_range>>(45.0, 1073741824); }); // 1073741823.5, a tie
 }
 
-TEST_CASE("ties go up") {
+TEST_CASE("ties are rounded up") {
     both_ways([] { return stores<as_u8<percent>>(50.0, 128); });                // 127.5
     both_ways([] { return stores<as_u8<percent>>(10.0, 26); });                 // 25.5
     both_ways([] { return stores<as_i16<signed_percent>>(50.0, 16384); });      // 16383.5
@@ -142,7 +142,7 @@ TEST_CASE("NaN and infinity do not encode as scaled integers") {
     both_ways([] { return store_error<as_i16<signed_percent>>(-infinity) == errc::out_of_range; });
 }
 
-TEST_CASE("the signed raw minimum is refused by a real decode and accepted by a raw one") {
+TEST_CASE("the signed raw minimum is refused by real decode and accepted by raw decode") {
     both_ways([] { return load_error<as_i8<signed_percent>>(-128) == errc::out_of_range; });
     both_ways([] { return load_error<as_i16<signed_percent>>(-32767 - 1) == errc::out_of_range; });
     both_ways([] { return load_error<as_i32<signed_percent>>(-2147483647 - 1) == errc::out_of_range; });

@@ -8,7 +8,7 @@ using samples::rgb;
 using samples::typed;
 
 // Decoding a std::variant is no constant expression with clang 14.
-TEST_CASE("a value has the type that its tag says") {
+TEST_CASE("a value has the type of its tag") {
     both_ways([] { return encodes_to(typed{kind::byte, std::uint8_t{5}}, bytes(0, 5)); });
     both_ways([] { return encodes_to(typed{kind::real, 1.0f}, bytes(7, 0, 0, 0x80, 0x3F)); });
     both_ways([] { return encodes_to(typed{kind::colour, rgb{1, 2, 3}}, bytes(9, 1, 2, 3)); });
@@ -22,7 +22,7 @@ TEST_CASE("a value has the type that its tag says") {
     require_exact_length<typed>(bytes(255));
 }
 
-TEST_CASE("a tag without a type does neither decode nor encode") {
+TEST_CASE("a tag without a type neither decodes nor encodes") {
     both_ways([] { return decode_error<typed>(bytes(1, 0, 0)) == errc::unknown_tag; });
     both_ways([] { return encode_error(typed{static_cast<kind>(1), std::uint8_t{}}) == errc::unknown_tag; });
     CHECK(decode_error_in_arena<typed>(bytes(1, 0)) == errc::unknown_tag);
@@ -46,7 +46,7 @@ TEST_CASE("a tag selects the scale of a plain number") {
     require_exact_length<measure>(bytes(1, 0, 0));
 }
 
-TEST_CASE("in a raw message such a number is the integer on the wire") {
+TEST_CASE("in a raw message a selected number is the integer on the wire") {
     both_ways([] {
         wire::raw<measure> raw{};
         constexpr auto in = bytes(1, 0x00, 0x80); // no real value
@@ -71,7 +71,7 @@ TEST_CASE("a view reads the value by its tag") {
     });
 }
 
-TEST_CASE("a type that does not travel is what the receiver has set") {
+TEST_CASE("a type that is not on the wire is set by the receiver") {
     both_ways([] { return encodes_to(agreed{kind::colour, rgb{1, 2, 3}}, bytes(1, 2, 3)); });
     agreed found{.kind = kind::colour};
     REQUIRE(wire::decode(found, bytes(1, 2, 3)));
@@ -86,7 +86,7 @@ TEST_CASE("a type that does not travel is what the receiver has set") {
     });
 }
 
-TEST_CASE("flags are bits by name, and those without a name pass through") {
+TEST_CASE("flags are named bits, and unnamed ones pass") {
     using samples::lamp;
     using samples::lamps;
     both_ways([] { return encodes_to(lamps{{lamp::left, lamp::top}}, bytes(0x80, 0x01)); });

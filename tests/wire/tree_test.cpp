@@ -14,14 +14,14 @@ constexpr std::array<node, 1> root{{{1, 0}}};
 
 } // namespace
 
-TEST_CASE("a tree's nodes follow one another depth first") {
+TEST_CASE("the nodes of a tree are encoded depth first") {
     both_ways([] { return encodes_to(forest{.tree = four, .tail = 9}, four_bytes); });
     require_coding(forest{.tree = four, .tail = 9}, four_bytes);
     require_coding(forest{.tree = root, .tail = 9}, bytes(1, 0, 9));
     require_exact_length<forest>(four_bytes);
 }
 
-TEST_CASE("numbers of children that do not add up do not encode") {
+TEST_CASE("inconsistent numbers of children do not encode") {
     both_ways([] { return encode_error(forest{}) == errc::count_mismatch; });
     both_ways([] {
         constexpr std::array<node, 1> childless{{{1, 1}}};
@@ -36,7 +36,7 @@ TEST_CASE("numbers of children that do not add up do not encode") {
     CHECK(why.parent() == wire::diagnosis_step{.name = "tree", .element = 1});
 }
 
-TEST_CASE("a tree of more levels than its layout allows is too deep") {
+TEST_CASE("a tree with more levels than its layout allows is too deep") {
     constexpr std::array<node, 4> deep{{{1, 1}, {2, 1}, {3, 1}, {4, 0}}};
     CHECK(encode_error(forest{.tree = deep}) == errc::too_deep);
     constexpr auto in = bytes(1, 1, 2, 1, 3, 1, 4, 0, 9);
@@ -45,13 +45,13 @@ TEST_CASE("a tree of more levels than its layout allows is too deep") {
     CHECK(why.parent() == wire::diagnosis_step{.name = "tree", .element = 3});
 }
 
-TEST_CASE("a tree takes its nodes from the arena") {
+TEST_CASE("a tree is decoded into the arena") {
     wire::arena none{{}};
     forest found{};
     CHECK(wire::decode(found, four_bytes, none).error() == errc::arena_full);
 }
 
-TEST_CASE("a view walks over the nodes") {
+TEST_CASE("a view iterates over the nodes") {
     both_ways([] {
         const wire::view<forest> view{four_bytes};
         std::uint32_t ids = 0;
@@ -60,7 +60,7 @@ TEST_CASE("a view walks over the nodes") {
     });
 }
 
-TEST_CASE("a walk knows its depth and its end") {
+TEST_CASE("a walk has its depth and its end") {
     both_ways([] {
         wire::tree_walk<2> walk;
         const bool first = walk.depth() == 0 && walk.pass(2) && walk.depth() == 1;

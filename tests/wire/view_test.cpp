@@ -40,7 +40,7 @@ template <wire::message T> void require_agreement(const wire::view<T>& view, con
 
 } // namespace
 
-TEST_CASE("a view reads fields at their places") {
+TEST_CASE("a view reads fields at their offsets") {
     both_ways([] {
         const auto in = bytes(0x01, 0x02, 0x05, 7, 0xFF, 0x34, 0x12, 5, 0, 0, 0, 0xEE);
         const wire::view<envelope> view{in};
@@ -62,7 +62,7 @@ TEST_CASE("a view reads bit-fields") {
     });
 }
 
-TEST_CASE("an illegal raw value is empty as a real one and readable as a raw one") {
+TEST_CASE("an illegal raw value is empty as a real value and readable as a raw one") {
     both_ways([] {
         const auto in = bytes(0x00, 0x80, 0xFF);
         const wire::view<point> view{in};
@@ -70,7 +70,7 @@ TEST_CASE("an illegal raw value is empty as a real one and readable as a raw one
     });
 }
 
-TEST_CASE("a view refuses bytes of the wrong structure") {
+TEST_CASE("a view refuses bytes of another structure") {
     both_ways([] {
         const auto in = bytes(0x04, 7, 0, 0, 1, 2, 3);
         return !wire::view<mixed>{in} && wire::view<mixed>{in}.error() == errc::truncated;
@@ -87,7 +87,7 @@ TEST_CASE("a view refuses bytes of the wrong structure") {
     both_ways([] { return static_cast<bool>(wire::view<samples::empty>{std::span<const std::byte>{}}); });
 }
 
-TEMPLATE_TEST_CASE("a view and a decode agree on random bytes", "", samples::scalars, flags, point, mixed, envelope,
+TEMPLATE_TEST_CASE("a view and decode agree on random bytes", "", samples::scalars, flags, point, mixed, envelope,
                    samples::open, samples::fine, jauscat::jaus::header, jauscat::jaus::set_wrench_effort,
                    jauscat::jaus::report_global_pose) {
     using T = TestType;

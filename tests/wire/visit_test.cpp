@@ -27,7 +27,7 @@ template <wire::message T> std::vector<std::string> names_of_members() {
 
 } // namespace
 
-TEST_CASE("visit meets each member once, in wire order, with its name") {
+TEST_CASE("visit calls for each member once, in wire order, with its name") {
     REQUIRE(names_of_members<samples::scalars>() ==
             std::vector<std::string>{"small", "little", "big", "single_precision", "shade", "error", "station"});
     REQUIRE(names_of_members<samples::flags>() == std::vector<std::string>{"length", "shade", "circulating"});
@@ -40,11 +40,11 @@ TEST_CASE("visit meets each member once, in wire order, with its name") {
     REQUIRE(names_of_members<samples::empty>().empty());
 }
 
-TEST_CASE("visit meets the same members of a raw") {
+TEST_CASE("visit calls for the same members of a raw message") {
     REQUIRE(names_of_members<wire::raw<mixed>>() == names_of_members<mixed>());
 }
 
-TEST_CASE("visit hands out the member itself") {
+TEST_CASE("visit passes the member itself") {
     both_ways([] {
         samples::scalars value{};
         wire::visit(value, [](auto, auto& member) {
@@ -54,7 +54,7 @@ TEST_CASE("visit hands out the member itself") {
     });
 }
 
-TEST_CASE("visit tells what carries a member") {
+TEST_CASE("visit passes the carrier of a member") {
     std::size_t widths = 0, optionals = 0, structures = 0, bytes_of_codecs = 0;
     const auto count = [&]<class Item>(Item, const auto&) {
         if constexpr (requires { Item::width; }) widths += Item::width;
@@ -72,7 +72,7 @@ TEST_CASE("visit tells what carries a member") {
     REQUIRE(bytes_of_codecs == 1 + 1 + 2 + 4);
 }
 
-TEST_CASE("names of members are read from the compiler's spelling of their pointers") {
+TEST_CASE("names of members are derived from the compiler's spelling of their pointers") {
     STATIC_REQUIRE(wire::name_of<&mixed::level>() == "level");
     STATIC_REQUIRE(wire::name_of<&jauscat::jaus::set_wrench_effort::resistive_rotational_effort_z>() ==
                    "resistive_rotational_effort_z");
@@ -81,7 +81,7 @@ TEST_CASE("names of members are read from the compiler's spelling of their point
     STATIC_REQUIRE(wire::member_name<&mixed::id> == "id");
 }
 
-TEST_CASE("names of types come without their namespaces") {
+TEST_CASE("names of types have no namespaces") {
     STATIC_REQUIRE(wire::type_name<mixed>() == "mixed");
     STATIC_REQUIRE(wire::type_name<jauscat::jaus::set_wrench_effort>() == "set_wrench_effort");
     STATIC_REQUIRE(wire::type_name<inner_type>() == "inner_type");
@@ -91,7 +91,7 @@ TEST_CASE("names of types come without their namespaces") {
 template <class T, std::size_t Count>
 constexpr bool has_members = !wire::has_more_members_than<T, Count> && wire::has_more_members_than<T, Count - 1>;
 
-TEST_CASE("an aggregate is asked whether it has more members than a number, whatever their types") {
+TEST_CASE("the number of members of an aggregate is counted for all member types") {
     STATIC_REQUIRE(!wire::has_more_members_than<samples::empty, 0>);
     STATIC_REQUIRE(has_members<samples::scalars, 7>);
     STATIC_REQUIRE(has_members<mixed, 5>);

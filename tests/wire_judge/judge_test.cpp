@@ -143,7 +143,7 @@ struct three_numbers {
 
 } // namespace
 
-TEST_CASE("the judge finds fault where there is one") {
+TEST_CASE("the judge detects a fault") {
     test::capture capture{"jc0"};
     net::raw_link link{"jc0"};
     std::vector<std::byte> frame(60);
@@ -308,7 +308,7 @@ TEST_CASE("tshark reads complete access and SDO information") {
                "6 0x0000 0x2001 0x02 0x0006 0x0010 - - 0x003f Number -", "7 0x0000 - - - - - - - - 0x06020000"});
 }
 
-TEST_CASE("tshark reads the way of two slaves to OP, and their cycles") {
+TEST_CASE("tshark reads the state changes of two slaves to OP, and their cycles") {
     constexpr std::array outputs{ethercat::pdo_entry{0x7000, 1, 16, 6, "first"},
                                  ethercat::pdo_entry{0x7000, 2, 16, 6, "second"}};
     constexpr std::array inputs{ethercat::pdo_entry{0x6000, 1, 8, 5, "level"}};
