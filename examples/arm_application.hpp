@@ -27,8 +27,8 @@ enum class obedience : std::uint8_t {
     malformed,
 };
 
-/// The arm: JAUS messages in, and the report that the last query asked for. In an emergency it refuses what moves; what
-/// brings it to rest it always obeys.
+/// The arm: JAUS messages in, and the report that the last query requested. In an emergency it refuses motion commands;
+/// it always executes stop orders.
 class arm {
   public:
     using said = std::function<void(event_kind, const event_members&, const std::string& line)>;
@@ -38,14 +38,14 @@ class arm {
 
     /// The efforts in force; every field is there, 0 until commanded.
     [[nodiscard]] const jauscat::jaus::report_wrench_effort& efforts() const noexcept { return efforts_; }
-    /// The report that the last query asked for, as a message; empty before the first query.
+    /// The report that the last query requested, as a message; empty before the first query.
     [[nodiscard]] std::span<const std::byte> report() const noexcept { return report_; }
 
-    /// How many messages have come: as long as they do, there is somebody who commands.
+    /// Number of received messages: while it increases, there is a controller.
     [[nodiscard]] std::uint64_t messages() const noexcept { return messages_; }
     /// Efforts or a speed are in force.
     [[nodiscard]] bool moves() const noexcept { return any(efforts_) || travel_speed_.desired_speed != 0; }
-    /// The last efforts came by process data.
+    /// The last efforts were in the process data.
     [[nodiscard]] bool driven_by_process_data() const noexcept { return by_process_data_; }
 
     void say(event_kind kind, const event_members& members, const std::string& line) const {
@@ -85,7 +85,7 @@ class arm {
         drive(command, true);
         return refused_ ? obedience::refused : obedience::obeyed;
     }
-    /// Takes all efforts away, if there are any, and says so, also where process data have brought them to zero.
+    /// Sets all efforts to zero, if there are any, and logs it, also if process data have set them to zero.
     /// `cause` is the event's member.
     void rest(const char* cause, const std::string& why) {
         if (moves() || by_process_data_) halt(cause, why);
@@ -136,7 +136,8 @@ class arm {
                 jaus::keep_requested(report, asked.presence_vector);
                 prepare(query, report);
             }),
-            // Reports reach an arm from other components of the robot; it keeps where it stands, and shows the others.
+            // Reports reach an arm from other components of the robot; it stores the pose of its own platform, and
+            // shows the others.
             jaus::on<jaus::report_global_pose>([&](const header& from, const auto& report) {
                 pose_ = report;
                 say_taken(from, "pose of the robot updated");
@@ -196,7 +197,7 @@ class arm {
         return none;
     }
 
-    // A report lies in the object of the arm's own component, so it is a message from the arm to itself.
+    // A report is in the object of the arm's own component, so it is a message from the arm to itself.
     template <class Report> void prepare(const header& query, const Report& report) {
         report_.clear();
         auto head = jauscat::jaus::answer_to(query);

@@ -1,4 +1,4 @@
-// The robot arm's process data: efforts commanded every cycle, and the efforts in force the way back.
+// The robot arm's process data: commanded efforts in the outputs, efforts in force in the inputs.
 #pragma once
 #include "arm_application.hpp"
 #include <jauscat/ethercat/slave/image_entries.hpp>
@@ -20,8 +20,8 @@ class arm_process_data {
 
     explicit arm_process_data(arm& behind) : arm_{behind} {}
 
-    /// To be called after each frame and after time has passed: obeys a new command in the outputs, and writes the
-    /// inputs. A command that the arm refuses is not obeyed later either, and the counter in the inputs stays.
+    /// Call after each frame and when time has passed: executes a new command in the outputs, and writes the inputs. A
+    /// command that the arm refuses is not executed later either, and the counter in the inputs does not change.
     void work(jauscat::ethercat::slave& slave) {
         const bool is_new = slave.take_outputs();
         if (slave.state() != jauscat::ethercat::al_state::op)

@@ -1,4 +1,4 @@
-// Brings the robot arm to rest when nobody commands it any more.
+// Brings the robot arm to rest when it is no longer commanded.
 #pragma once
 #include "arm_application.hpp"
 #include <jauscat/ethercat/slave/slave.hpp>
@@ -10,9 +10,9 @@
 
 namespace example {
 
-/// The arm stands still without a master: when its slave leaves OP or the states that have a mailbox, when it gets
-/// another station address, and when efforts by mailbox are not followed by any message for the time of the command
-/// timeout. Efforts by process data need no such time: the slave's watchdog takes it out of OP.
+/// The arm stops without a master: when its slave leaves OP or the states that have a mailbox, when it gets another
+/// station address, and when efforts by mailbox are not followed by any message for the time of the command timeout.
+/// Efforts by process data need no such time: the slave's watchdog takes it out of OP.
 class arm_watch {
   public:
     /// `command_timeout`: 0 for none.

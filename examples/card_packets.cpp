@@ -21,7 +21,7 @@ namespace {
 
 using namespace jauscat;
 
-/// Stands where the card's driver was: takes a packet, has our master execute it and keeps the confirmation.
+/// Replaces the card's driver: accepts a packet, has our master execute it and keeps the confirmation.
 template <ethercat::link Link> class channel {
   public:
     explicit channel(Link& link) : link_{link} {}
@@ -50,7 +50,7 @@ template <class Channel> class host {
   public:
     explicit host(Channel& channel) : channel_{channel} {}
 
-    /// Sends a packet, with data behind its fields, and returns the confirmation's fields; what stands behind them is
+    /// Sends a packet, with data after its fields, and returns the confirmation's fields; the data after them are in
     /// `data`.
     template <class Confirmation, class Request>
     Confirmation ask(std::string_view service, Request request, std::span<const std::byte> with = {}) {
@@ -100,7 +100,7 @@ template <class Channel> void print_dictionary(host<Channel>& card, std::uint32_
     }
 }
 
-/// Finds the slaves, looks at the first one's objects, and takes all of them to SAFE-OP.
+/// Finds the slaves, lists the first one's objects, and takes all of them to SAFE-OP.
 template <class Channel> void talk(Channel& channel) {
     host card{channel};
     const auto found = card.template ask<hilscher::start_bus_scan_confirmation>(

@@ -1,4 +1,4 @@
-// The smallest whole JAUS component: a primitive driver that keeps the wrench effort it is told, and reports it.
+// The smallest complete JAUS component: a primitive driver that stores the commanded wrench effort, and reports it.
 //     primitive_driver JausConfig.xml b
 #include <jauscat/jauscat.hpp>
 #include <jauscat/net.hpp>

@@ -46,7 +46,7 @@ constexpr auto command_codes = translation::ra_command_codes_and<jaus::command_c
 using table = translation::self_contained_table_of<translation::manufacturer_index_base, command_codes>::type;
 using messages = jaus::message_list<gripper::set_gripper>;
 
-/// The slave's application: whatever is written to its objects becomes a message again.
+/// The slave's application: data written to its objects become a message again.
 class gripper_slave {
   public:
     ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {

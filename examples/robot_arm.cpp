@@ -1,4 +1,4 @@
-// The robot arm: an EtherCAT slave whose objects are JAUS messages, with its efforts shown as bars.
+// The robot arm: an EtherCAT slave with JAUS messages as objects, with its efforts shown as bars.
 #include "arm_application.hpp"
 #include "arm_process_data.hpp"
 #include "arm_watch.hpp"

@@ -156,7 +156,7 @@ class uploads {
     std::array<std::byte, 4> value_{};
 };
 
-/// Says when a slave stops running, and when it runs again.
+/// Reports when a slave stops running, and when it runs again.
 class slave_watch {
   public:
     slave_watch(const ethercat::master& master, const ethercat::process_data& data, std::chrono::nanoseconds patience)
@@ -215,7 +215,7 @@ class slave_watch {
     std::set<std::uint16_t> stopped_{};
 };
 
-/// Every slave to PRE-OP. Those that do not answer keep nobody waiting: their watchdog takes them out of OP.
+/// Every slave to PRE-OP, without waiting for those that do not answer: their watchdog takes them out of OP.
 void leave_op(example::any_link& link, ethercat::master& master, const std::vector<std::uint16_t>& stations) {
     master.cancel(ethercat::master_errc::timeout); // an upload that still runs
     const auto deadline = std::chrono::steady_clock::now() + milliseconds{500};

@@ -89,7 +89,7 @@ struct process_data {
     }
 };
 
-/// One slave with its objects, and what has been said of it.
+/// One slave with its objects, and what was logged about it.
 class node {
   public:
     node(std::size_t number, const ethercat::slave_description& description, ethercat::coe_options options,

@@ -22,7 +22,7 @@ namespace ethercat = jauscat::ethercat;
 /// 0 is a record, and its subindex 0 the highest one; any other is a variable.
 class stored_objects {
   public:
-    /// Told after each write.
+    /// Called after each write.
     std::function<void(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data)> on_write{};
 
     /// An entry that can be read and written.

@@ -67,7 +67,7 @@ void firmware::send(line to, std::span<const std::byte> bytes) noexcept {
     }
 }
 
-// A byte that the ring has no place for stays in the receiver until the loop has made room and lets interrupts in
+// A byte that does not fit the ring remains in the receiver until the loop has read the ring and enables interrupts
 // again.
 extern "C" void on_jaus_byte() noexcept {
     if (received_count - taken_count == ring.size()) {

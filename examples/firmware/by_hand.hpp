@@ -12,7 +12,7 @@ using std::uint16_t;
 using std::uint32_t;
 using std::uint8_t;
 
-// RA 3.3's command codes in ascending order: the place is the subindex. 0404h is experimental and stands behind them.
+// RA 3.3's command codes in ascending order: the position is the subindex. 0404h is experimental and follows them.
 inline constexpr uint16_t command_codes[] = {
     0x0001, 0x0002, 0x0003, 0x0004, 0x0005, 0x0006, 0x0007, 0x0008, 0x0009, 0x000A, 0x000B, 0x000C, 0x000D, 0x000E,
     0x000F, 0x0010, 0x0011, 0x01F0, 0x01F1, 0x01F2, 0x01F3, 0x01F4, 0x0200, 0x0201, 0x0202, 0x0405, 0x0406, 0x0407,

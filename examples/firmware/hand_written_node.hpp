@@ -1,6 +1,5 @@
-// The same node written by hand, in the style that one would choose for speed and for people: headers and messages are
-// structs with named members, every field is stored and loaded by a line of its own, no library. What JausCat's code
-// size is measured against.
+// The same node written by hand, in a fast and readable style: headers and messages are structs with named members,
+// every field is stored and loaded by a line of its own, no library. The reference for JausCat's code size.
 #pragma once
 #include "by_hand.hpp"
 
@@ -324,7 +323,7 @@ template <class Values> class node {
         send(firmware::line::jaus, answer, header_size + body_size);
     }
 
-    // ETHERCAT_MASTER_PACKET_SDO_DOWNLOAD_REQ_T. Only whole messages come here, so ulExt stays 0.
+    // ETHERCAT_MASTER_PACKET_SDO_DOWNLOAD_REQ_T. All messages here are complete, so ulExt remains 0.
     static bool hand_to_card(const header& head, const uint8_t* message) {
         const uint32_t rank = rank_of(head.command_code), body = head.data_size;
         if (rank == 0) return false;

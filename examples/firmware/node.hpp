@@ -1,7 +1,7 @@
-// What a node program offers to the board, and what the board offers to it. The node that JausCat makes and the one
-// written by hand meet the same board, so that they can be compared.
+// The interface between a node program and the board. The node with JausCat and the one written by hand use the same
+// board, so that they can be compared.
 //
-// The node stands between an operator and an EtherCAT master card. On the line `jaus` it receives JAUS messages; it
+// The node connects an operator to an EtherCAT master card. On the line `jaus` it receives JAUS messages; it
 //   - obeys Set Wrench Effort: keeps the efforts, and hands the SDO download packet of the message to the card;
 //   - hands every other message of RA 3.3 that it has no handler for to the card in the same way;
 //   - answers Query Wrench Effort and Query Component Status, whose secondary status counts refused messages;
@@ -22,13 +22,13 @@ using namespace std::chrono_literals;
 inline constexpr unsigned own_subsystem = 2, own_node = 2, own_component = 33, own_instance = 1;
 /// Most bytes of body that it takes.
 inline constexpr std::size_t largest_body = 256;
-/// Silence after which an unfinished message is given up.
+/// Silence after which an incomplete message is dropped.
 inline constexpr auto idle = 500ms;
 
 /// The board's serial lines.
 enum class line { jaus, card };
 
-/// Of the board: sends bytes, and returns when the line has taken them.
+/// Of the board: sends bytes, and returns when the line has accepted them.
 void send(line to, std::span<const std::byte> bytes) noexcept;
 
 /// Of the node: bytes that arrived on the line `jaus`.

@@ -10,7 +10,7 @@ constexpr uint32_t effort_count = 12, wide_efforts = 6;
 
 uint8_t buffer[header_size + firmware::largest_body];
 uint32_t waiting;               // bytes in the buffer
-jauscat::time_point heard;      // when the last one came
+jauscat::time_point heard;      // time of the last one
 uint16_t efforts[effort_count]; // as on the wire
 uint16_t efforts_known;         // presence vector of those that were commanded
 uint32_t refused;
@@ -26,7 +26,7 @@ void make_header(uint8_t* out, const uint8_t* request, uint32_t how, uint32_t co
     std::memcpy(out + 14, request + 14, 2);
 }
 
-// ETHERCAT_MASTER_PACKET_SDO_DOWNLOAD_REQ_T to the card. Only whole messages come here, so ulExt stays 0.
+// ETHERCAT_MASTER_PACKET_SDO_DOWNLOAD_REQ_T to the card. All messages here are complete, so ulExt remains 0.
 bool hand_to_card(const uint8_t* message, uint32_t body_size) {
     const uint32_t rank = rank_of(load16(message + 2));
     if (rank == 0) return false;

@@ -11,7 +11,7 @@ struct message_kind {
     std::uint16_t command_code{};
     /// The body with the fields that `words` name, `authority_code=5`; else what is wrong.
     std::string (*from_words)(std::span<const std::string> words, std::vector<std::byte>& body){};
-    /// A line for each field of a body, whose offsets are counted from `first_offset`.
+    /// A line for each field of a body, with offsets counted from `first_offset`.
     std::string (*to_text)(std::span<const std::byte> body, std::size_t first_offset){};
     /// The field and byte of a body that does not decode; empty where it does.
     std::string (*why_malformed)(std::span<const std::byte> body){};

@@ -1,5 +1,5 @@
-// The operator control unit: takes control of a robot arm over JAUS, commands a wrench effort, asks for it back and
-// compares; or sends any other message of the standard.
+// The operator control unit: takes control of a robot arm over JAUS, commands a wrench effort, queries it and compares;
+// or sends any other message of the standard.
 #include "message_kinds/message_kinds.hpp"
 #include "operator_unit.hpp"
 #include "support/program.hpp"
@@ -72,7 +72,7 @@ order query_efforts(std::uint16_t presence_vector) {
     return {jaus::command_code_of<jaus::query_wrench_effort>, std::move(body)};
 }
 
-/// Asks for the fields of the command and compares. Both messages have the same layout, so equal efforts are equal
+/// Queries the fields of the command and compares. Both messages have the same layout, so equal efforts are equal
 /// bytes.
 bool is_in_force(operator_unit& unit, const order& command, bool is_acknowledged) {
     jaus::set_wrench_effort efforts{};
@@ -89,14 +89,14 @@ bool is_in_force(operator_unit& unit, const order& command, bool is_acknowledged
     return equal;
 }
 
-/// Whether a component under control takes the command from its controller only. Who has set an emergency may clear it
-/// without.
+/// Whether a component under control accepts the command from its controller only. A sender that has set an emergency
+/// may clear it without control.
 bool needs_control(std::uint16_t command_code) {
     return command_code != jaus::command_code_of<jaus::clear_emergency> &&
            jaus::rule_of(command_code) != jaus::command_rule::open;
 }
 
-/// What the command line asks for.
+/// The options of the command line.
 struct task {
     order first{};
     bool compare{}; ///< with the report

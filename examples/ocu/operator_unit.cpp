@@ -152,7 +152,7 @@ void operator_unit::on_delivered(const jaus::awaited_message& m, jaus::delivered
     if (m.header.sequence_number == number_) outcome_ = what;
 }
 
-// What the robot tells is for the operator; commands are for robots.
+// Reports of the robot are for the operator; commands are for robots.
 jaus::message_outcome operator_unit::application_type::operator()(const jaus::header& head, bytes) const noexcept {
     return head.command_code >= 0x4000 ? jaus::message_outcome::taken : jaus::message_outcome::not_mine;
 }
@@ -212,7 +212,7 @@ bool operator_unit::work(const std::function<bool()>& done, const std::function<
     while (!look() && !given_up()) net::run_until(context_, milliseconds{10}, look);
     return done();
 }
-/// For what ends by itself: a request that is not answered is given up after its repeats.
+/// For states that end without a message: a request that is not answered is abandoned after its repeats.
 void operator_unit::wait(const std::function<bool()>& done) {
     work(done, [] { return example::stop_requested.load(); });
 }
@@ -259,7 +259,7 @@ bool operator_unit::is_robot_gone() const {
     return heartbeats_ != 0 && !is_heard;
 }
 
-/// Asks again where no report comes.
+/// Queries again if no report arrives.
 void operator_unit::wait_for_report(bytes message) {
     for (std::uint32_t made = 0; retry_.allows_another(made) && !report_ && !example::stop_requested; ++made) {
         out_(message);
@@ -282,7 +282,7 @@ bool operator_unit::send(bytes message) {
     return static_cast<bool>(sent);
 }
 
-/// Where to look when nobody answers.
+/// Hints if there is no answer.
 std::string operator_unit::hint() const {
     if (heartbeats_ == 0) return "is robot_controller running?";
     const auto who = text::to_text(heard_);
@@ -312,7 +312,7 @@ void operator_unit::tell_control() {
     }
 }
 
-/// Who controls the robot, and its state: mostly the reason of a refusal. Only what comes of it is shown.
+/// The controller of the robot, and its state: mostly the reason of a refusal. Only the results are shown.
 void operator_unit::tell_why() {
     quiet_ = true;
     const auto name = text::to_text(robot_);

@@ -24,7 +24,7 @@ struct order {
 /// How it was answered.
 enum class reply : std::uint8_t {
     taken,    ///< acknowledged; a query: its report is there
-    sent,     ///< and no acknowledgement was asked for
+    sent,     ///< and no acknowledgement was requested
     refused,  ///< NAK
     silence,  ///< no answer to any of its copies
     not_sent, ///< it cannot be sent
@@ -46,21 +46,21 @@ class operator_unit {
     operator_unit(const net::jaus_config& config, const jaus::address& robot, const jauscat::retry_policy& retry,
                   bool acknowledged);
 
-    /// Waits for a heartbeat of any component of the robot. False: none came.
+    /// Waits for a heartbeat of any component of the robot. False: none arrived.
     bool hear_robot(milliseconds patience);
-    /// Asks the robot for control. False: it is refused, or nobody answers.
+    /// Requests control of the robot. False: it is refused, or there is no answer.
     bool take_control(std::uint8_t authority);
     [[nodiscard]] bool has_lost_control() const noexcept;
-    /// Sends an order and waits until it is acknowledged, and for the report if it is a query.
-    /// Silence is a failure, unless its caller looks whether the order was obeyed all the same.
+    /// Sends an order and waits until it is acknowledged, and for the report if it is a query. Silence is a failure,
+    /// unless its caller checks whether the order was executed.
     reply give(const order& what, bool may_be_obeyed_silently = false);
-    /// For a peer that has obeyed without an acknowledgement: none is asked for from now on.
+    /// For a peer that has executed a command without an acknowledgement: none is requested from now on.
     void expect_no_acknowledgements() noexcept { acknowledged_ = false; }
-    /// The body of the report to the last query that was taken.
+    /// The body of the report to the last answered query.
     [[nodiscard]] bytes report() const { return report_.value(); }
-    /// Goes on hearing the robot, and controlling it if that is so; ends when control is lost.
+    /// Continues to receive from the robot, and to control it; ends when control is lost.
     void hold(milliseconds how_long);
-    /// Releases control if it is held, also when the user has stopped the program. False: nobody acknowledged it.
+    /// Releases control if it is held, also after Ctrl-C. False: it was not acknowledged.
     bool finish();
 
   private:
@@ -69,7 +69,7 @@ class operator_unit {
     struct application_type {
         jaus::message_outcome operator()(const jaus::header& head, bytes body) const noexcept;
     };
-    /// Shows what goes out.
+    /// Shows sent messages.
     struct shown_output {
         operator_unit& mine;
         void operator()(bytes message) const;

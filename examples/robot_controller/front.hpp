@@ -74,7 +74,7 @@ class front {
 
     /// What has ended this front.
     void say_failed(const std::string& problem) const { say_.bad(events::failed, {}, problem); }
-    /// Called for each component that this front's node manager no longer hears. Set before `run`.
+    /// Called for each component that this front's node manager has lost. Set before `run`.
     std::function<void(const jauscat::jaus::address& who)> disappeared{};
 
     /// Works until Ctrl-C, then brings the slave to rest; false if that was not confirmed. Throws if the slave cannot
@@ -101,10 +101,10 @@ class front {
         return is_at_rest;
     }
 
-    /// Another front's node manager no longer hears a component. From any thread.
+    /// Another front's node manager has lost a component. From any thread.
     void lose(const jauscat::jaus::address& who) {
         boost::asio::post(context_, [this, who] {
-            if (node_.present() != nullptr) return; // it hears for itself
+            if (node_.present() != nullptr) return; // it detects this itself
             const auto gone = is_node_manager(who) ? jauscat::jaus::address{255, 255, who.node, who.subsystem} : who;
             for (auto& component : components_) component.on_lost(gone);
             node_.wake();
@@ -112,7 +112,7 @@ class front {
     }
 
   private:
-    // The node answers for its components who they are; all else is theirs.
+    // The node identifies its components; they handle all other messages.
     struct no_application {
         jauscat::jaus::message_outcome operator()(const jauscat::jaus::header&, std::span<const std::byte>) const {
             return jauscat::jaus::message_outcome::not_mine;
@@ -158,7 +158,7 @@ class front {
         return "slave " + std::to_string(slave_.station()) + (slave_.options().cyclic ? " in OP" : " in PRE-OP");
     }
 
-    /// A signal does not wake the io_context: it is looked at twenty times a second.
+    /// A signal does not wake the io_context: it is polled twenty times a second.
     void run_until(clock::time_point until, auto&& done) {
         constexpr auto glance = std::chrono::milliseconds{50};
         while (!done() && clock::now() < until) {
@@ -179,7 +179,7 @@ class front {
         return is_at_rest || !was_up;
     }
 
-    // What an operator should know of the wire, said once when it comes up.
+    // Information about the wire, logged once when it comes up.
     void look_at_link() {
         if (slave_.up()) problem_.clear();
         if (const auto& now = link_.problem(); !now.empty() && std::exchange(problem_, now) != now)
@@ -188,8 +188,7 @@ class front {
         if (seen.foreign != 0 && !std::exchange(second_master_, true))
             say_.bad(events::second_master, {}, "frames of another master are on this wire; only one may use it");
         if (seen.circulated != 0 && !std::exchange(broken_ring_, true))
-            say_.bad(events::broken_ring, {},
-                     "frames come back marked as circulating: a cable between two slaves is out");
+            say_.bad(events::broken_ring, {}, "frames return marked as circulating: a cable between two slaves is out");
     }
 
     speaker say_;
@@ -207,7 +206,7 @@ class front {
     jauscat::net::jaus_node node_;
     said_messages said_{say_, node_.out()};
     jauscat::net::ring_runner<traced_link<any_link>> runner_{context_, link_, ring_, said_};
-    std::string problem_{}; ///< of the link: said once, and again after the slave was up
+    std::string problem_{}; ///< of the link: logged once, and again after the slave was up
     bool second_master_{}, broken_ring_{};
 };
 

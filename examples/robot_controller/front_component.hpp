@@ -1,4 +1,4 @@
-// A component of a bridge that says what it gets and sends.
+// A component of a bridge that logs received and sent messages.
 #pragma once
 #include "support/message_event.hpp"
 #include "support/robot_messages.hpp"
@@ -19,7 +19,7 @@ inline bool is_pulse(const jauscat::jaus::header& head) {
            head.command_code == jauscat::jaus::command_code_of<jauscat::jaus::report_heartbeat_pulse>;
 }
 
-/// Says what it passes on.
+/// Logs the messages that it passes on.
 struct said_messages {
     const speaker& say;
     jauscat::jaus::message_sink out;

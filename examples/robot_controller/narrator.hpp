@@ -1,4 +1,4 @@
-// What the robot controller says of its bridge.
+// Logs the events of the robot controller's bridge.
 #pragma once
 #include "support/explain.hpp"
 #include "support/say.hpp"
@@ -100,7 +100,7 @@ class narrator {
                  name(unit) + " is controlled by " + jauscat::text::to_text(now->address) + ", authority " +
                      std::to_string(now->authority_code));
         else
-            say_(events::controller_gone, {{"address", name(unit)}}, name(unit) + " is controlled by nobody");
+            say_(events::controller_gone, {{"address", name(unit)}}, name(unit) + " is controlled by no component");
     }
     void owed(const bridge::component& unit, bridge::stop_order what, bridge::stop_cause why) {
         const auto when = unit.front().up() ? ": efforts go to zero" : ": efforts go to zero when the slave is back";
@@ -276,7 +276,7 @@ class narrator {
     }
 
     speaker say_;
-    std::string failure_{}; ///< of the last attempt to bring a slave up: said once
+    std::string failure_{}; ///< of the last attempt to bring a slave up: logged once
 };
 
 } // namespace example

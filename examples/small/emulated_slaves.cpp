@@ -44,7 +44,7 @@ class setpoint {
     std::array<std::byte, 4> value_{};
 };
 
-/// All that makes one slave: what it says of itself, the objects that every slave has, and its own.
+/// The parts of one slave: its description, the objects that every slave has, and its own.
 struct device {
     explicit device(std::uint32_t serial) : description{.vendor = 0x4A430000, .product = 1, .serial = serial} {}
     device(const device&) = delete; // its parts refer to one another

@@ -60,7 +60,8 @@ int main() {
     if (!op) return fail(op.error());
     std::cout << "in OP: " << outputs.size() << " byte of outputs, " << inputs.size() << " of inputs\n";
 
-    // Each cycle: outputs are written just before the frame goes; what comes back is the slave's work in the last one.
+    // Each cycle: outputs are written just before the frame is sent; its inputs are the result of the slave's previous
+    // cycle.
     for (int i = 1; i <= 100; ++i) {
         cycles.run([&] { outputs[0] = static_cast<std::byte>(i); });
         if (device.take_outputs()) device.inputs()[0] = device.outputs()[0]; // the slave's application

@@ -1,6 +1,6 @@
 // Reads an object of the first EtherCAT slave on a network interface, and writes none; the slave goes to PRE-OP. "udp"
-// in place of the interface is EtherCAT in UDP on this machine, where emulated_slaves may be. A slave with SDO
-// information says how many bytes the object has: data of another size are not used.
+// in place of the interface is EtherCAT in UDP on this machine, where emulated_slaves may be. SDO information of a
+// slave has the size of the object: data of another size are not used.
 //     sdo_read eth0 1018 1
 //     sdo_read udp 1018 1
 #include <jauscat/ethercat/master/master.hpp>

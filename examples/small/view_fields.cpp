@@ -17,7 +17,7 @@ int main() {
                                                    1,    5,    0,    0x22, 0x00, 0x41, 0x00, 0x00, 0x40, 0x40};
     const auto message = std::as_bytes(std::span{octets});
 
-    // A view checks once that the bytes are complete; then each field is read where it stands.
+    // A view checks once that the bytes are complete; then each field is read at its offset.
     constexpr std::size_t header_size = wire::max_size<jaus::header>;
     const wire::view<jaus::header> head{message.first(header_size)};
     if (!head) return std::cerr << describe(head.error()) << '\n', 1;

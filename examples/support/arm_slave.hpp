@@ -1,4 +1,4 @@
-// What the robot arm's slave says of itself, for the arm and for its ESI file.
+// The description of the robot arm's slave, for the arm and for its ESI file.
 #pragma once
 #include "arm_process_data.hpp"
 #include <jauscat/ethercat/slave/slave_description.hpp>

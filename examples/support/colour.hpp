@@ -1,4 +1,4 @@
-// Colours for people: on a terminal that has them, and not where NO_COLOR is set (no-color.org).
+// Coloured output on terminals that support it, and not if NO_COLOR is set (no-color.org).
 #pragma once
 #include "support/log_format.hpp"
 
@@ -9,7 +9,7 @@
 
 namespace example {
 
-/// What a terminal is told before and after a text; nothing where there are no colours.
+/// Escape sequences before and after a text; empty without colours.
 struct palette {
     const char *bold{""}, *good{""}, *bad{""}, *faint{""}, *end{""};
     static constexpr palette coloured() { return {"\033[1m", "\033[32m", "\033[31m", "\033[2m", "\033[0m"}; }

@@ -16,7 +16,7 @@ inline std::string explain(const jauscat::ethercat::master_error& error) {
     return why;
 }
 
-/// For programs that cannot go on without it.
+/// For programs that cannot continue without it.
 template <class T> void require(const jauscat::ethercat::master_result<T>& result, const std::string& what) {
     if (!result) throw std::runtime_error{what + ": " + explain(result.error())};
 }

@@ -10,7 +10,7 @@
 
 namespace example {
 
-/// The options that `with_table` looks at.
+/// The options of `with_table`.
 inline void add_table_options(boost::program_options::options_description& options) {
     namespace po = boost::program_options;
     // clang-format off
@@ -24,7 +24,7 @@ inline void add_table_options(boost::program_options::options_description& optio
     // clang-format on
 }
 
-/// The options that `with_link` looks at.
+/// The options of `with_link`.
 inline void add_medium_options(boost::program_options::options_description& options) {
     namespace po = boost::program_options;
     // clang-format off
@@ -75,7 +75,7 @@ inline opened_link open_link(const boost::program_options::variables_map& values
     return open_raw_link(values["interface"].as<std::string>());
 }
 
-/// Gives up for good what raw Ethernet needs. Before threads are started.
+/// Permanently drops the privileges for raw Ethernet. Call before threads are started.
 inline void give_up_privileges() {
     if (const auto dropped = jauscat::net::drop_privileges(); !dropped)
         throw std::runtime_error{dropped.error().message};

@@ -122,7 +122,7 @@ inline void say_error(const char* name, event_kind kind, const std::exception& e
                            colour.bad + (name + (": " + std::string{error.what()})) + colour.end + "\n" + more);
 }
 
-/// Runs `program`, and says on standard error why it ended early.
+/// Runs `program`, and prints on standard error why it ended early.
 int run(const char* name, auto&& program) {
     program_name() = name;
     std::setvbuf(stdout, nullptr, _IOLBF,
@@ -145,7 +145,7 @@ inline jauscat::net::jaus_config load_config(const boost::program_options::varia
     return values.count("this") != 0 ? config.with_this(values["this"].as<std::string>()) : config;
 }
 
-/// `2.2.33.1` as an address whose octets are all given.
+/// `2.2.33.1` as an address with all octets given.
 inline jauscat::jaus::address parse_address(const std::string& text) {
     unsigned s = 0, n = 0, c = 0, i = 0;
     int used = 0;
@@ -159,7 +159,7 @@ inline jauscat::jaus::address parse_address(const std::string& text) {
             .subsystem = static_cast<std::uint8_t>(s)};
 }
 
-/// A sequence number to begin with: not the one of the last time, whose messages may still be remembered.
+/// A first sequence number: another one than in the last run, whose messages may still be remembered.
 inline std::uint16_t any_number() { return static_cast<std::uint16_t>(std::random_device{}()); }
 
 } // namespace example

@@ -32,7 +32,7 @@ class repeated_lines {
 
   private:
     struct entry {
-        std::chrono::steady_clock::time_point last{}; ///< when it came
+        std::chrono::steady_clock::time_point last{}; ///< time of the line
         std::uint64_t count{};                        ///< how often
         std::uint64_t told{100};                      ///< it is shown again when it has come so often
     };

@@ -1,5 +1,5 @@
-// The messages that the example nodes show field by field. Others are shown in hex: a node that knows all 158 takes
-// long to compile, and jausdump is there for that.
+// The messages that the example nodes show field by field. Others are shown in hex, because a node with all 158 takes
+// long to compile; jausdump shows all.
 #pragma once
 #include <jauscat/schema/jaus/messages.hpp>
 

@@ -59,7 +59,7 @@ inline void write_limited(const std::string& cause, event_kind kind, const event
     if (const auto left_out = limit.admit(cause)) write_lines(log_lines(kind, members, text, *left_out));
 }
 
-/// Says lines that begin with a name.
+/// Writes lines that begin with a name.
 class speaker {
   public:
     /// `about`: members of each event.

@@ -105,14 +105,14 @@ inline std::string sdo_text(std::span<const std::byte> mailbox, event_members& m
            (has_data ? ", " + std::to_string(sdo.size) + " bytes" : "") + "\n    " + jauscat::text::hex(body);
 }
 
-/// A link that says each SDO that passes. Models the link concept over any other link.
+/// A link that logs each SDO. Models the link concept over any other link.
 template <class Link> class traced_link {
   public:
     /// `who` stands in front of each line; `about` are members of each event.
     explicit traced_link(Link& link, std::string who = {}, event_members about = {})
         : link_{link}, who_{std::move(who)}, about_{std::move(about)} {}
 
-    /// While this says so, nothing is shown.
+    /// While this returns true, nothing is shown.
     std::function<bool()> is_quiet{};
 
     bool send(std::span<const std::byte> frame) {

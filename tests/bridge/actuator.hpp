@@ -26,7 +26,7 @@ namespace bridge = jauscat::bridge;
 namespace ethercat = jauscat::ethercat;
 namespace jaus = jauscat::jaus;
 
-/// What the actuator does, and what it was told: the code of each message that it has executed.
+/// State of the actuator, and the code of each message that it has executed.
 class actuator {
   public:
     using table = jauscat::translation::seed_table;

@@ -121,7 +121,7 @@ TEST_CASE("a slave that is lost after confirming an emergency, before its answer
     const auto first = r.tell(rig::stop());
     r.run_until([&] { return r.watcher.lost == 1; });
     CHECK(is_answered);
-    r.run(20ms); // the answer is back
+    r.run(20ms); // the answer has returned
     CHECK(r.unit().debt().owes_emergency());
     r.motor().reset();
     const auto second = r.tell(rig::stop(), 0, ack_nak::request, rig::stranger);
@@ -211,7 +211,7 @@ TEST_CASE("a slave that does not accept zeros in time counts as lost") {
 TEST_CASE("answering a query from the inputs does not change the bytes of a running transfer") {
     rig r{1, true};
     r.run_until_ready();
-    r.actuators[0].hangs = true; // the download stays in the mailbox until it goes on
+    r.actuators[0].hangs = true; // the download remains in the mailbox until it continues
     r.motor().executed.clear();
     const auto number = r.tell(jaus::set_travel_speed{.desired_speed = 3});
     r.frames_to_lose = 1; // the write is repeated, out of the packet
@@ -239,7 +239,7 @@ TEST_CASE("the loss of one cyclic slave does not stop the process data of anothe
     CHECK(r.motor(0).effort == Approx(50).margin(0.01));
     CHECK(r.motor(1).effort == 0);
     CHECK(r.unit(0).state() == status::ready);
-    CHECK(r.bus.master().statistics().foreign == 0); // also the frames that were under way at the change
+    CHECK(r.bus.master().statistics().foreign == 0); // also the frames that were outstanding at the change
 }
 
 TEST_CASE("a process-data command that arrives before a stop order is confirmed waits, and is not sent by mailbox") {

@@ -88,7 +88,7 @@ TEST_CASE("a slave that refuses an emergency gets zeros") {
     const auto took = r.run_until([&] { return r.motor().effort == 0; });
     CHECK(took < 100ms);
     r.run(2s);
-    CHECK(!r.answer(number)); // not in an emergency, as far as it says
+    CHECK(!r.answer(number)); // not in an emergency, as far as it reports
     CHECK(r.unit().debt().owes_stop());
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("the loss of a slave sets its component to Failure and notifies the co
     CHECK(!r.received<jaus::reject_component_control>().empty());
     const auto refused = r.drive(60);
     CHECK(r.is_refused(refused));
-    CHECK(r.motor().effort != 0); // nobody could tell it
+    CHECK(r.motor().effort != 0); // it could not be notified
     r.cable_is_out = false;
     r.run_until([&] { return r.motor().effort == 0; }, 1s);
     r.run_until_ready();
@@ -215,7 +215,7 @@ TEST_CASE("a Clear Emergency for an absent slave is acknowledged after the slave
     r.cable_is_out = false;
     r.run_until([&] { return r.is_acknowledged(number); });
     CHECK(!r.motor().emergency);
-    // Whoever was in an emergency waits for a Resume.
+    // A component that was in an emergency waits for a Resume.
     CHECK(r.unit().state() == status::standby);
     r.tell(jaus::resume{});
     const auto moves = r.drive(10);
@@ -366,7 +366,7 @@ TEST_CASE("an emergency of a slave is detected without a message to that slave")
     rig r;
     r.options.keep_alive = 0s;
     r.run_until_ready();
-    // The answer to another master's upload becomes an emergency on its way back.
+    // The answer to another master's upload becomes an emergency before it returns.
     constexpr ethercat::slave_description areas{};
     constexpr std::size_t mailbox_size = 256;
     std::array<std::byte, ethercat::max_frame_size> frame{};

@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 namespace bridge = jauscat::bridge;
 using bytes = std::span<const std::byte>;
 
-/// Remembers what is told.
+/// Records the bridge's events.
 struct notes {
     unsigned up{}, lost{}, settled_debts{}, stops_refused{}, failed_bring_ups{};
     std::optional<bridge::loss> last_loss{};
@@ -147,7 +147,7 @@ class rig {
     }
     bool is_acknowledged(std::uint16_t number) const { return answer(number) == jaus::ack_nak::ack; }
     bool is_refused(std::uint16_t number) const { return answer(number) == jaus::ack_nak::nak; }
-    /// Messages of this type that came out.
+    /// Messages of this type that were sent.
     template <class T> [[nodiscard]] std::vector<T> received() const {
         std::vector<T> all;
         for (const auto& message : messages) {

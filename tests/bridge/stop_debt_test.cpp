@@ -1,4 +1,4 @@
-// What an actuator is owed, and in what order.
+// Pending stop orders, and their order.
 #include "support/catch.hpp"
 #include "support/instant.hpp"
 #include <jauscat/bridge/stop_debt.hpp>

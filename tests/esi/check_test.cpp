@@ -1,4 +1,4 @@
-// The check of ESI files: what is required is found, and anything taken away or spoilt is named.
+// The check of ESI files: a complete file passes, and each removed or invalid part is reported by name.
 #include "esi/sample.hpp"
 #include "support/catch.hpp"
 #include <jauscat/esi/check_esi.hpp>
@@ -23,7 +23,7 @@ std::string text_of(const pugi::xml_document& document) {
     return text.str();
 }
 
-/// The first element that the path names, or whose attribute it names.
+/// The first element at the path, or the one with its attribute.
 pugi::xml_node element_at(const pugi::xml_document& document, std::string_view path) {
     const auto place = path.substr(0, path.find("/@"));
     return document.select_node(("/EtherCATInfo/" + std::string{place}).c_str()).node();

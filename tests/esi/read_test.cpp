@@ -1,4 +1,4 @@
-// Reading ESI files: what is written comes back, other writers' ways are taken, and each fault is named.
+// Reading ESI files: written files are restored, variants of other writers are accepted, and each fault is reported.
 #include "esi/sample.hpp"
 #include "support/catch.hpp"
 #include <jauscat/esi/read_esi.hpp>
@@ -13,7 +13,7 @@ namespace {
 
 esi::device parse(const std::string& xml) { return esi::parse_esi(xml, "sample.xml"); }
 
-/// What the reader says, without the file and line in front.
+/// The reader's message, without the file and line.
 std::string complaint(const std::string& xml) {
     try {
         parse(xml);
@@ -25,7 +25,7 @@ std::string complaint(const std::string& xml) {
     }
 }
 
-/// What it says of the sample with one text replaced.
+/// The message for the sample with one text replaced.
 std::string complaint_about(const std::string& from, const std::string& to) {
     return complaint(replaced(sample_esi(), from, to));
 }

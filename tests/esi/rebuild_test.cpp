@@ -28,7 +28,7 @@ using bytes = std::vector<std::byte>;
 
 namespace {
 
-/// Keeps what was written, and gives it back. It takes anything: what is allowed is not its business.
+/// Stores written data, and returns them. It accepts any data.
 class store {
   public:
     object_read read(std::uint16_t index, std::uint8_t subindex, std::span<std::byte> out) noexcept {
@@ -111,7 +111,7 @@ class machine {
     ethercat::master master_{};
 };
 
-/// Both machines asked the same; true if they answer the same.
+/// Sends the same requests to both machines; true if the answers are equal.
 template <class Table> void compare_machines(std::size_t transfer_size, const slave_description& slave = sample_slave) {
     const auto xml = esi::write_esi(test::sample_device<Table>(slave, transfer_size != 0));
     const esi::emulated_device device{esi::parse_esi(xml, "sample.xml")};
@@ -130,7 +130,7 @@ template <class Table> void compare_machines(std::size_t transfer_size, const sl
     }
     CHECK(there == 6);
 
-    std::map<std::uint32_t, std::size_t> seen; // how often each abort code came, 0 for success
+    std::map<std::uint32_t, std::size_t> seen; // number of each abort code, 0 for success
     const auto same = [&](const machine::answer& one, const machine::answer& other, unsigned index, unsigned sub) {
         if (one != other) FAIL("subindex " << std::hex << index << ':' << sub << " answers differently");
         ++seen[static_cast<std::uint32_t>(one.error.abort)];
@@ -174,7 +174,7 @@ TEST_CASE("a slave of exact sizes rebuilt from its ESI file answers like the ori
 TEST_CASE(
     "a slave whose objects need segments, or exceed its memory, rebuilt from its ESI file answers like the original") {
     auto small = sample_slave;
-    small.mailbox_out_size = 32; // room for 16 bytes of an object
+    small.mailbox_out_size = 32; // for 16 bytes of an object
     small.mailbox_in_offset = 0x1400;
     small.mailbox_in_size = 40;
     compare_machines<translation::seed_table>(28, small);

@@ -23,7 +23,7 @@ using bytes = std::vector<std::byte>;
 using seed_table = translation::seed_table;
 using self_contained_table = translation::self_contained_table;
 
-/// Takes every object that stands for a message, and gives the object of the message `upwards`.
+/// Accepts every object of a message, and returns the object of the message `upwards`.
 template <class Table> class message_slave {
   public:
     explicit message_slave(const bridge::slave_identity& self) : self_{self} {}
@@ -200,7 +200,7 @@ TEMPLATE_TEST_CASE("the report of every query returns with the asker's address a
             question.destination.component = 38;
             question.destination.instance = 3;
             question.destination.subsystem = 4;
-            // The report lies in the slave as a message to itself.
+            // The report is stored in the slave as a message to itself.
             auto answer = random_header(g, report_code, told.size());
             answer.destination.component = 38;
             answer.destination.node = question.destination.node;

@@ -1,4 +1,4 @@
-// Recorded traffic of other people's masters and slaves: it parses completely, and rebuilding it gives the same bytes.
+// Recorded traffic of other masters and slaves: it parses completely, and rebuilding it gives the same bytes.
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include "support/pcap.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 using bytes = std::vector<std::byte>;
 
-// Decodes a T from the front and puts its encoding there instead. Returns what follows.
+// Decodes a T from the front and writes its encoding there. Returns the bytes after it.
 template <class T> std::span<std::byte> rebuild(T& message, std::span<std::byte> at) {
     const auto used = wire::decode_prefix(message, at);
     REQUIRE(used);
@@ -59,7 +59,7 @@ void rebuild_mailbox(std::span<std::byte> data) {
 void rebuild_data(const datagram_view& datagram, std::span<std::byte> data) {
     const auto& header = datagram.header;
     const bool written = header.cmd == command::bwr || header.cmd == command::fpwr || header.cmd == command::apwr;
-    if (!written && datagram.working_counter == 0) return; // a read on its way out carries nothing
+    if (!written && datagram.working_counter == 0) return; // a read before the slaves carries nothing
     if (header.ado >= esc_registers::process_ram.address) return rebuild_mailbox(data);
     if (header.ado == esc_registers::al_control.address) rebuild<al_control>(data);
     if (header.ado == esc_registers::al_status.address && header.length >= 6) rebuild<al_status>(data);

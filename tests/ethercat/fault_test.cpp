@@ -1,4 +1,4 @@
-// What goes wrong on a wire and in a slave: each fault ends in the right result or in its own error, never in a hang.
+// Faults of a wire and of a slave: each ends in the right result or in its own error, never in a hang.
 #include "ethercat/objects.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"
@@ -26,7 +26,7 @@ namespace {
 
 using bytes = std::vector<std::byte>;
 
-// One slave whose application can be stopped, a link and a master.
+// One slave with an application that can be stopped, a link and a master.
 struct bench {
     test::objects objects{};
     slave device;
@@ -129,7 +129,7 @@ TEST_CASE("the alias of another slave equal to the address is detected") {
     int frames = 0;
     b.link.on_way_back = [&](bytes&) {
         if (++frames != 2) return;
-        // The slave that was addressed goes, one with that alias stays.
+        // The addressed slave is removed, one with that alias remains.
         b.device.power_on();
         bytes frame(max_frame_size);
         frame_builder builder{frame};
@@ -153,7 +153,7 @@ TEST_CASE("an SII that stays busy or fails is reported, and a slow one is waited
         frame_view view;
         REQUIRE(view.parse(frame));
         const auto d = *view.begin();
-        if (d.header.ado == 0x0500) slow.works = d.header.more == false; // stops when the SII is taken
+        if (d.header.ado == 0x0500) slow.works = d.header.more == false; // stops when the SII is assigned
         if (d.header.ado == 0x0502 && d.header.cmd == command::fprd && ++polls % 4 == 3) slow.device.work();
     };
     CHECK(slow.bring_up());
@@ -263,7 +263,7 @@ TEST_CASE("a full mailbox is polled, and the request is sent when it is empty") 
     bench b;
     REQUIRE(b.bring_up());
     REQUIRE(b.download());
-    // Another request, put there by somebody else, keeps the mailbox full for a while.
+    // A foreign request keeps the mailbox full for a while.
     bytes frame(max_frame_size);
     frame_builder builder{frame};
     const auto mail = builder.add(command::fpwr, 0x1001, mailbox_out, std::size_t{256});
@@ -394,7 +394,7 @@ TEST_CASE("an upload whose size and data differ is refused") {
         return b.upload(into);
     };
     CHECK(upload_announced_as("1b000000").error() == master_error{.code = master_errc::size_mismatch, .bytes = 27});
-    // More than came: the master asks for the rest, of which the slave knows nothing.
+    // More than was sent: the master requests the rest, which the slave does not have.
     CHECK(upload_announced_as("1d000000").error() ==
           master_error{.code = master_errc::sdo_abort, .abort = abort_code::command_specifier});
     CHECK(upload_announced_as("ffffffff").error() == master_error{.code = master_errc::data_too_long, .bytes = 64});
@@ -455,7 +455,7 @@ TEST_CASE("late, duplicate and foreign replies change nothing") {
     bytes late(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(write));
     b.device.process(late);
     b.link.now += 20ms;
-    b.master.on_time(b.link.now); // given up, and asked again under another index
+    b.master.on_time(b.link.now); // abandoned, and requested again under another index
     REQUIRE(b.master.next_frame(out, b.link.now) == write);
     CHECK_FALSE(b.master.on_frame(late, b.link.now));
 }
@@ -564,7 +564,7 @@ tally try_downloads(bench& b, unsigned count) {
 } // namespace
 
 TEST_CASE("each of 100000 downloads over a bad link succeeds or ends in an error") {
-    // A frame is given up after a third of the time that it may be under way.
+    // A frame is abandoned after a third of its lifetime.
     bench b{{}, {.frame_timeout = 1ms, .frame_lifetime = 3ms}};
     b.link.faults = {.lose = 10, .duplicate = 10, .delay = 20};
     const auto result = try_downloads(b, 100'000);
@@ -588,7 +588,7 @@ TEST_CASE("a network that duplicates frames requires waiting for each frame's li
     unsigned more = 0;
     for (unsigned i = 0; i != 2'000; ++i) {
         const auto writes = hasty.objects.writes;
-        static_cast<void>(hasty.download()); // a late copy of a read may take its answer away
+        static_cast<void>(hasty.download()); // a late copy of a read may remove its answer
         more += hasty.objects.writes > writes + 1;
     }
     CHECK(more > 0); // a late copy of a message that is no longer the last one
@@ -683,7 +683,7 @@ TEST_CASE("a second master on the link is detected, and a late reply does not co
     bench b;
     REQUIRE(b.bring_up());
     CHECK(b.master.statistics().foreign == 0);
-    // Frames of another master pass by while a transfer is under way.
+    // Frames of another master pass while a transfer runs.
     bytes other(max_frame_size);
     b.link.on_way_back = [&](bytes&) {
         frame_builder builder{other, 200};

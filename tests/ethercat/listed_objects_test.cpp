@@ -21,7 +21,7 @@ using jauscat::test::to_hex;
 
 namespace {
 
-/// Remembers what reached it, and gives what it was told to.
+/// Records its accesses, and returns the configured data.
 struct application {
     std::vector<std::byte> held{};
     std::size_t reads{}, writes{};

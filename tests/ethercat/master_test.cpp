@@ -211,7 +211,7 @@ TEST_CASE("two slaves in a ring are brought up with separate objects") {
     REQUIRE(link.run(m, download{0x1002, 0x2002, 0, one}));
     CHECK(first.writes == 0);
     CHECK(second.writes == 1);
-    // A third position has nobody.
+    // There is no third slave.
     CHECK(link.run(m, bring_up{2, 0x1003}).error() == master_error{.code = master_errc::no_slave, .slaves = 2});
     CHECK(m.slaves().size() == 2);
     // The address of the first slave for the second one too.
@@ -269,7 +269,7 @@ TEST_CASE("the blocking driver runs a job over the loopback link") {
     const auto data = from_hex("5a");
     REQUIRE(jauscat::net::run(link, m, download{0x1001, 0x2002, 0, data}));
     CHECK(objects.entries.at({0x2002, 0}).value == data);
-    // No job: nothing to do, and the last result stands.
+    // No job: nothing to do, and the last result is kept.
     CHECK(jauscat::net::run(link, m));
 }
 

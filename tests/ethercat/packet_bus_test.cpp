@@ -99,7 +99,7 @@ TEST_CASE("a slave that was reset is brought up again on a state change") {
     bus b;
     REQUIRE(b.set(bus_state::op) == 0);
     b.devices[1].slave.power_on();
-    CHECK(b.read(0x200) == 0xC0650016); // nobody answers to its address
+    CHECK(b.read(0x200) == 0xC0650016); // no slave has its address
     CHECK(b.set(bus_state::op) == 0);
     b.expect(al_state::op);
     CHECK(b.read(0x200) == 0);
@@ -139,7 +139,7 @@ TEST_CASE("a slave that refuses a state fails the service") {
     constexpr std::array first{bus_slave{0, 0x100}};
     b.options.slaves = first;
     REQUIRE(b.set(bus_state::pre_op) == 0);
-    // The master asks for OP where the slave is still in PRE-OP: the answer is AL status code 0011h.
+    // The master requests OP while the slave is still in PRE-OP: the answer is AL status code 0011h.
     b.link.on_way_back = [](bytes& frame) {
         if (frame.at(20) == std::byte{0x30} && frame.at(21) == std::byte{0x01} && frame.at(26) == std::byte{4})
             frame.at(26) = std::byte{0x12}, frame.at(30) = std::byte{0x11};

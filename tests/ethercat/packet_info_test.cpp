@@ -1,4 +1,4 @@
-// Packets that ask for a slave's dictionary: confirmations to the byte, with a slave whose answers are given here.
+// Packets that read a slave's dictionary: confirmations byte for byte, with a slave with given answers.
 #include "ethercat/packet_bench.hpp"
 #include <jauscat/schema/ethercat/hilscher_info.hpp>
 
@@ -12,7 +12,7 @@ using bytes = std::vector<std::byte>;
 
 namespace {
 
-// A slave at station 100h with mailboxes of 1486 bytes, whose answers, CoE header on, are given here.
+// A slave at station 100h with mailboxes of 1486 bytes, with given answers from the CoE header on.
 struct bench : packet_bench {
     std::deque<bytes> replies{};
     bytes asked{}; ///< the last request, CoE header on

@@ -114,7 +114,7 @@ TEST_CASE("an impossible request is confirmed with the reason, and nothing is se
     CHECK(status_of(b.execute(with(request, 44, 0x10000))) == 0xC0000009);
     CHECK(status_of(b.execute(with(request, 48, 0x100))) == 0xC0000009);
     CHECK(status_of(b.execute(with(request, 40, 0x10100))) == 0xC065000F);
-    CHECK(status_of(b.execute(with(request, 40, 0x0101))) == 0xC065000F); // nobody has this station
+    CHECK(status_of(b.execute(with(request, 40, 0x0101))) == 0xC065000F); // no slave has this station address
     CHECK(status_of(b.execute(bytes(request.begin(), request.begin() + 55))) == 0xC0000007);
     CHECK(b.execute(bytes(request.begin(), request.begin() + 39)).empty());
     CHECK(b.m.statistics().sent == sent);

@@ -22,7 +22,7 @@ namespace {
 
 using bytes = std::vector<std::byte>;
 
-// A slave that knows only what was recorded: its SII words, and what it answered to each mailbox message.
+// A slave with recorded data only: its SII words, and its answer to each mailbox message.
 class recorded_slave {
   public:
     explicit recorded_slave(const char* capture) {

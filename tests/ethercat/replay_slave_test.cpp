@@ -1,4 +1,4 @@
-// The master's side of recorded traffic, replayed against our slave: a stranger's master gets what it expects.
+// The master's side of recorded traffic, replayed against our slave: foreign masters get the expected answers.
 #include "ethercat/objects.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"

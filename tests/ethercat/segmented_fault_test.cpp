@@ -1,5 +1,5 @@
-// Transfers in segments that are disturbed: each ends as done with the right value, or in its own error, and the
-// other side hears of it.
+// Disturbed segmented transfers: each ends as done with the right value, or in its own error, and the other side gets
+// an abort.
 #include "ethercat/segmented_bench.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using datagram = segmented_bench::datagram;
 void put(const datagram& d, std::string_view hex, std::size_t at = 8) {
     std::ranges::copy(from_hex(hex), d.data.subspan(at).begin());
 }
-// Changes the answer whose command byte is `command`, once.
+// Changes the answer with the command byte `command`, once.
 auto instead_of(std::byte command, std::string_view hex) {
     return [command, hex, done = false](const datagram& d) mutable {
         if (done || d.data[8] != command) return;
@@ -107,7 +107,7 @@ TEST_CASE("a segmented upload beyond the buffer is read to its end, and an endle
     CHECK(b.upload(none).error() == master_error{.code = master_errc::data_too_long});
     CHECK(b.mail.size() == 6);
 
-    b.before_read = instead_of(std::byte{0x00}, "80 2669 01 22000008"); // the slave gives up on the way
+    b.before_read = instead_of(std::byte{0x00}, "80 2669 01 22000008"); // the slave abandons it in between
     CHECK(b.upload(small) == too_long);
     CHECK(b.mail.size() == 4);
 
@@ -153,7 +153,7 @@ TEST_CASE("a slave that is silent between segments is abandoned, and gets an abo
     b.before_read = [&](const datagram& d) { b.works = d.data[8] != std::byte{0x20}; };
     CHECK(b.download(counting(40)).error() == master_error{.code = master_errc::mailbox_timeout});
     CHECK(b.objects.writes == 0);
-    // The abort stands in the mailbox, or waits for room there.
+    // The abort is in the mailbox, or waits for it.
     b.before_read = {};
     b.works = true;
     REQUIRE(b.download(counting(40, 5)));
@@ -180,7 +180,7 @@ TEST_CASE("a transfer cancelled between segments is aborted before the next one"
     segmented_bench c{24};
     c.set(bytes(28));
     c.before_read = [&](const datagram& d) {
-        if (d.data[8] == std::byte{0x20}) c.link.now += 1s; // the caller's patience ends here
+        if (d.data[8] == std::byte{0x20}) c.link.now += 1s; // the caller's timeout
     };
     CHECK(c.link.run(c.master, download{0x1001, c.index, c.subindex, other}, 500ms).error() ==
           master_error{.code = master_errc::timeout});

@@ -1,4 +1,4 @@
-// The emulated slave, register by register and frame by frame, as a stranger's master would find it.
+// The emulated slave, register by register and frame by frame, as foreign masters see it.
 #include "ethercat/objects.hpp"
 #include "ethercat/slave_bench.hpp"
 

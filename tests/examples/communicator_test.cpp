@@ -36,7 +36,7 @@ TEST_CASE("every line on a terminal can be edited and is in the history, and exi
     const std::string shown = "\x1b[K"; // before a line of the program, not of the keys
     const configuration config;
     support::terminal_program program{{COMMUNICATOR, "--config", config.path()}};
-    program.wait_for("help tells what can be typed");
+    program.wait_for("help lists the commands");
     program.wait_for("> ");
     program.type("log on\n");
     program.wait_for(shown + "log on\r\n");

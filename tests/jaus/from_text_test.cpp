@@ -1,4 +1,4 @@
-// What people type becomes a message, or they are told why not.
+// Text becomes a message, or gives an error message.
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include <jauscat/schema/jaus/messages.hpp>
@@ -81,7 +81,7 @@ TEST_CASE("a message is named by its schema's name, the standard's name or its c
     CHECK(body_of("set_wrench_efort") == "there is no message 'set_wrench_efort'; did you mean set_wrench_effort?");
     CHECK(body_of("0x0999") == "there is no message with the code 0x0999");
     CHECK(body_of("qqqqqqqqqqqqqq") == "there is no message 'qqqqqqqqqqqqqq'");
-    CHECK(body_of("query_time") == "the message query_time is not among those taken here");
+    CHECK(body_of("query_time") == "the message query_time is not handled here");
     CHECK(body_of(" ") == "the name of a message is missing");
 }
 

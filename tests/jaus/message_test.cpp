@@ -1,4 +1,4 @@
-// Whole messages put together and taken apart, against literal bytes.
+// Complete messages built and split, against literal bytes.
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include <jauscat/jaus/message/message.hpp>

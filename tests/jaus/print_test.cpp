@@ -1,4 +1,4 @@
-// Messages as people read them.
+// Messages as readable text.
 #include "support/bytes.hpp"
 #include "support/catch.hpp"
 #include <jauscat/schema/ethercat/frame.hpp>

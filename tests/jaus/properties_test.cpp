@@ -1,4 +1,4 @@
-// What holds for every message of the standard, whatever its fields are.
+// Properties of every message of the standard, for any fields.
 #include "jaus/messages.hpp"
 #include "support/catch.hpp"
 #include "support/hex.hpp"

@@ -1,4 +1,4 @@
-// Messages as people read them.
+// Messages with offsets, bytes and fields as text.
 #include "support/bytes.hpp"
 #include "support/catch.hpp"
 #include <jauscat/text/jaus.hpp>

@@ -179,7 +179,7 @@ TEST_CASE("missing segments make a transfer incomplete") {
 TEST_CASE("a transfer can be aborted by the master, and refused by the mailbox") {
     const auto given_up =
         run_ring("seed", {write_to(2, 1, begin_segments), write_to(2, 2, "0020 80 151b 1a 00000405")});
-    CHECK(given_up.says("         given up by the master: SDO abort 0x05040000: SDO protocol timeout\n"));
+    CHECK(given_up.says("         aborted by the master: SDO abort 0x05040000: SDO protocol timeout\n"));
     auto error = read_from(2, 1, "");
     error.data = "0400 0000 00 10 0100 0600" + std::string(100, '0');
     const auto refused = run_ring("seed --format json", {write_to(2, 1, download), error}).objects();

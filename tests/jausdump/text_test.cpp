@@ -1,4 +1,4 @@
-// What people read: columns, fields, colours; and how the program is called.
+// Readable output: columns, fields, colours; and the command line.
 #include "program.hpp"
 #include "support/catch.hpp"
 #include "support/terminal_program.hpp"
@@ -119,7 +119,7 @@ TEST_CASE("without arguments on a terminal the program states its input, and Ctr
 TEST_CASE("Ctrl-C on a terminal also ends it before any input, and inside a line") {
     for (const std::string keys : {"", "0602"}) {
         support::terminal_program program{{JAUSDUMP}};
-        program.wait_for("Ctrl-D or Ctrl-C ends it, --help says more");
+        program.wait_for("Ctrl-D or Ctrl-C ends it, --help explains more");
         program.type(keys + "\x03");
         program.wait_for("0 messages");
         REQUIRE(program.exit_code() == 0);

@@ -1,4 +1,4 @@
-// Who may send: spoofed sources, strangers, several addresses, and an open list.
+// Permitted senders: spoofed sources, strangers, several addresses, and an open list.
 #include "net/config_text.hpp"
 #include <jauscat/net/config/access_list.hpp>
 

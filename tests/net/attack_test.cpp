@@ -1,5 +1,5 @@
-// What an attacker can send, and what becomes of it: spoofed sources, replays, floods, and storms of malformed
-// datagrams, without sockets and through them.
+// Attacks and their effects: spoofed sources, replays, floods, and storms of malformed datagrams, without sockets and
+// through them.
 #include "net/defended_node.hpp"
 #include "support/allocations.hpp"
 #include "support/instant.hpp"
@@ -120,7 +120,7 @@ TEST_CASE("a replayed command is refused from another address, and executed once
         CHECK(robot.receive(recorded, at("10.0.0.1"), 1s + i * 10ms) == verdict::taken);
     }
     CHECK(robot.node.commands == 1);
-    // Nobody who can send from the peer's address is kept out: docs/security.md says so.
+    // A sender that can use the peer's address is not excluded: docs/security.md.
     CHECK(robot.receive(recorded, at("10.0.0.1"), 1min) == verdict::taken);
     CHECK(robot.node.commands == 2);
 }

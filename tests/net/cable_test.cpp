@@ -1,5 +1,5 @@
-// A master and a slave on a pair of virtual Ethernet interfaces, jc0 and jc1, whose cable is pulled and put back: see
-// support/in_veth.sh. And what else a wire does to frames.
+// A master and a slave on a pair of virtual Ethernet interfaces, jc0 and jc1, with a cable that is unplugged and
+// plugged in again: see support/in_veth.sh; and other faults of a wire.
 #include "ethercat/objects.hpp"
 #include "support/bytes.hpp"
 #include "support/catch.hpp"

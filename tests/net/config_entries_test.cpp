@@ -1,4 +1,4 @@
-// JausConfig.xml beyond who is where: several addresses, multicast, limits, nodes and components.
+// JausConfig.xml beyond addresses: several addresses, multicast, limits, nodes and components.
 #include "net/config_text.hpp"
 
 #include <chrono>

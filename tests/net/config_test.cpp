@@ -1,4 +1,4 @@
-// JausConfig.xml: what is read from a good file, and what is said about each kind of bad one.
+// JausConfig.xml: valid files, and the error for each kind of invalid one.
 #include "net/config_text.hpp"
 
 #include <filesystem>

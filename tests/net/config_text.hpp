@@ -1,4 +1,4 @@
-// Configurations from text, and what the reader says about bad ones.
+// Configurations from text, and the reader's errors.
 #pragma once
 
 #include "support/catch.hpp"
@@ -16,7 +16,7 @@ inline jauscat::net::jaus_config parse(const std::string& lines) {
     return jauscat::net::parse_jaus_config("<jausconfig>\n" + lines + "</jausconfig>\n", "test.xml");
 }
 
-/// What the reader says about `text`.
+/// The reader's error for `text`.
 inline std::string complaint(const std::string& text) {
     try {
         jauscat::net::parse_jaus_config(text, "test.xml");

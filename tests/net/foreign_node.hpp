@@ -1,4 +1,4 @@
-// A node that knows nothing of this library: a plain socket, and bytes put together by hand.
+// A node without this library: a plain socket, and bytes written by hand.
 #pragma once
 
 #include "support/until.hpp"

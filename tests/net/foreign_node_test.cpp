@@ -1,4 +1,4 @@
-// A node with nodes of other makers: found, asked and controlled as they do it, byte by byte.
+// A node with nodes of other vendors: discovered, queried and controlled as by them, byte by byte.
 #include "net/foreign_node.hpp"
 #include "net/node_program.hpp"
 #include "support/pcap.hpp"

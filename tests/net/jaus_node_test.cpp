@@ -120,7 +120,7 @@ TEST_CASE("a large data set is split, sent and reassembled") {
 
     const bytes too_large(2'000'000);
     REQUIRE(p.ocu.node.send(head, std::span<const std::byte>{too_large}));
-    REQUIRE(p.until([&] { return p.robot.logged("more bytes or packets than there is room for"); }));
+    REQUIRE(p.until([&] { return p.robot.logged("more bytes or packets than its memory holds"); }));
     const bytes unsendable((std::size_t{16} << 20U) + 1);
     REQUIRE_FALSE(p.ocu.node.send(head, std::span<const std::byte>{unsendable}));
 }
@@ -154,9 +154,9 @@ TEST_CASE("an acknowledged command and a large data set pass an intermediate nod
 
     // A node that nobody knows.
     REQUIRE(ocu.node.send({.destination = make(2, 9, 33), .source = ocu.self}, jaus::standby{}));
-    REQUIRE(support::until(context, [&] { return gateway.logged("no way to the destination is known"); }));
+    REQUIRE(support::until(context, [&] { return gateway.logged("no route to the destination is known"); }));
     const auto here = ocu.node.send({.destination = make(3, 1, 33), .source = ocu.self}, jaus::standby{});
-    REQUIRE(here.error().message.find("unroutable: no way") != std::string::npos);
+    REQUIRE(here.error().message.find("unroutable: no route") != std::string::npos);
 }
 
 TEST_CASE("a datagram with another system's source is refused, logged and counted") {

@@ -1,4 +1,4 @@
-// Large data sets on their way out, repeated packet by packet over a bad network, in simulated time.
+// Sending large data sets, repeated packet by packet over a bad network, in simulated time.
 #include "support/catch.hpp"
 #include "support/instant.hpp"
 #include <jauscat/jaus/component/component.hpp>

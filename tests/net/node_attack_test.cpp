@@ -1,5 +1,5 @@
 // Attacks on a running node, through its socket: spoofed and repeated commands, a flood, a storm of a million
-// datagrams, attempts to take control, and what a stranger can make a node send.
+// datagrams, attempts to take control, and the traffic that a stranger can cause.
 #include "net/foreign_node.hpp"
 #include "net/node_program.hpp"
 #include "support/random_message.hpp"

@@ -101,7 +101,7 @@ TEST_CASE("a log handler may stop the node while a large data set is sent") {
         const bytes image(100'000, std::byte{7});
         p.network.run(now + 1s);
         p.ocu.on_log = [&](std::string_view line) {
-            if (line.find("no way to the destination") != line.npos) p.ocu.node.stop();
+            if (line.find("no route to the destination") != line.npos) p.ocu.node.stop();
         };
         REQUIRE(p.ocu.node.send(
             {.ack_nak = how, .command_code = 0xD111, .destination = make(9, 1, 33), .source = p.ocu.self},
@@ -171,7 +171,7 @@ TEST_CASE("a packet of a large data set that waited for long does not become par
     arrives(first, 0, std::byte{1}, 700ms);
     arrives(last, 1, std::byte{2}, 0ms);
     REQUIRE(p.robot.large.empty());
-    REQUIRE(p.robot.logged("it has waited here for 700 ms"));
+    REQUIRE(p.robot.logged("waited in the socket for 700 ms"));
     // What lay there for a moment is taken, as far from the one before as it came.
     p.network.now += 5s;
     arrives(first, 0, std::byte{3}, 0ms);

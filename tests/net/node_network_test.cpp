@@ -139,7 +139,7 @@ TEST_CASE("messages between subsystems pass the nodes between them, both ways") 
                            [&] { return has(operator_node.appeared, make(2, 2)) && has(arm.appeared, make(1, 2)); }));
     // Nobody knows subsystem 3.
     REQUIRE(command(operator_node, make(3, 1, 33), context) == jaus::delivered::timed_out);
-    REQUIRE(operator_node.logged("no way to the destination is known"));
+    REQUIRE(operator_node.logged("no route to the destination is known"));
 }
 
 TEST_CASE("several programs of one host use the same port, each at its own address, or by an option") {

@@ -1,4 +1,4 @@
-// Lost peers of programs that no node manager tells about them, in simulated time.
+// Loss of peers that no node manager reports, in simulated time.
 #include "net/simulated_program.hpp"
 #include "support/instant.hpp"
 

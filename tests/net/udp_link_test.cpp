@@ -80,7 +80,7 @@ TEST_CASE("the slave's end answers the latest sender") {
 TEST_CASE("the slave's end reports that there was no request yet") {
     auto slave = serve();
     CHECK_FALSE(slave.send(support::frame(4)));
-    CHECK(slave.problem() == "no master has sent anything yet, so there is nobody to answer");
+    CHECK(slave.problem() == "no master has sent a frame yet, so there is no address to answer");
 }
 
 TEST_CASE("the master's end reports that there is no slave, and works when one starts") {
@@ -147,7 +147,7 @@ TEST_CASE("an unknown host and a port in use are explained") {
         net::udp_link::connect("no-such-host.invalid");
         FAIL("connected to nowhere");
     } catch (const net::open_error& error) {
-        CHECK(std::string{error.what()}.starts_with("no way to a slave at no-such-host.invalid:34980: "));
+        CHECK(std::string{error.what()}.starts_with("cannot reach a slave at no-such-host.invalid:34980: "));
     }
     const auto slave = serve();
     try {

@@ -1,4 +1,4 @@
-// JAUS over UDP on the loopback interface: framings, limits, closed ports, garbage, and a program that goes on.
+// JAUS over UDP on the loopback interface: framings, limits, closed ports, garbage, and continued operation.
 #include "support/allocations.hpp"
 #include "support/catch.hpp"
 #include "support/free_ports.hpp"
@@ -369,7 +369,7 @@ TEST_CASE("a message is sent to the system of its destination, in that system's 
     header.destination = {1, 33, 1, 7};
     REQUIRE(wire::encode(header, message));
     CHECK(net::send_to_next_hop(here.transport, config, message).error().message ==
-          "no way to 7.1.33.1: no <system> of test.xml has a jausip that covers it");
+          "no route to 7.1.33.1: no <system> of test.xml has a jausip that covers it");
     CHECK(net::send_to_next_hop(here.transport, config, std::span{message}.first(15)).error().message ==
           "no JAUS header in 15 bytes: truncated: the bytes end before the last field");
     CHECK(here.transport.counts().sent == 1);

@@ -1,4 +1,4 @@
-// Acknowledged messages: sent again until answered, handed on once.
+// Acknowledged messages: repeated until answered, delivered once.
 #include "node/lossy_channel.hpp"
 #include "support/catch.hpp"
 #include "support/instant.hpp"
@@ -47,7 +47,7 @@ struct ocu {
 };
 using outcomes = std::vector<std::pair<std::uint16_t, delivered>>;
 
-/// A receiver with eight places, and what was handed on.
+/// A receiver with eight places, and the delivered messages.
 struct arm {
     std::array<jaus::acknowledged_message, 8> places{};
     jaus::acknowledged_receiver commands{arm_address, places, 1s};

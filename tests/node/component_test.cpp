@@ -27,7 +27,7 @@ using jaus::state_event;
 
 constexpr jaus::address arm_address{1, 49, 2, 3}, ocu_address{1, 32, 1, 1}, boss_address{1, 40, 1, 9};
 
-/// What a component has been told by its core.
+/// Records the hooks of a component.
 struct told {
     std::vector<std::pair<primary_status_code, primary_status_code>> states{};
     std::vector<std::optional<jaus::controller>> controllers{};

@@ -62,7 +62,7 @@ class communicator {
               {"system", config.this_system},
               {"endpoint", net::detail::text(config.me().endpoint())}},
              "communicator: " + text::to_text(self_) + " of " + config.this_system + " at " + net_address(config.me()) +
-                 "; help tells what can be typed\n");
+                 "; help lists the commands\n");
     }
 
     /// Until the user quits, the input ends or a signal comes. True if nothing went wrong.
@@ -105,7 +105,7 @@ class communicator {
                  {{"address", self}, {"controller", text::to_text(who->address)}, {"authority", who->authority_code}},
                  "controlled by " + text::to_text(who->address) + "\n");
         else
-            tell("controller", events::controller_gone, {{"address", self}}, "controlled by nobody\n");
+            tell("controller", events::controller_gone, {{"address", self}}, "controlled by no component\n");
     }
     void on_delivered(const jaus::awaited_message& m, jaus::delivered what) {
         const auto line = text::message_name(m.header.command_code) + " to " + text::to_text(m.header.destination) +
@@ -247,10 +247,10 @@ class communicator {
                 return;
             }
         }
-        wrong("'" + line + "' is not understood; help tells what is");
+        wrong("'" + line + "' is not a command; help lists the commands");
     }
     void quit() { quitting_ = true; }
-    /// Quitting waits for answers; each comes or is given up within two seconds.
+    /// Quitting waits for answers; each arrives or times out within two seconds.
     [[nodiscard]] bool done() const { return quitting_ && core_.waiting() == 0 && awaited_.empty(); }
 
     void send(const words& all) {
@@ -303,7 +303,7 @@ class communicator {
                 [&](const jaus::address& who) { heard += (heard.empty() ? "" : " ") + text::to_text(who); });
             lines += ' ' + heard + "\n";
         } else
-            lines += "  nobody is heard\n";
+            lines += "  no peers\n";
         show(events::peers, {{"systems", names}, {"heard", heard}}, lines);
     }
 

@@ -47,7 +47,7 @@ class terminal final : public line_source {
     }
     [[nodiscard]] bool ended() const override { return at_end && lines.empty(); }
     void show(std::string_view text) override {
-        std::cout << "\r\033[K" << text << std::flush; // over the prompt, which follows anew
+        std::cout << "\r\033[K" << text << std::flush; // over the prompt, which is written again after it
         rl_forced_update_display();
     }
 };

@@ -6,7 +6,7 @@
 
 namespace jausdump {
 
-/// Who hears what a capture holds.
+/// Receives the content of a capture.
 struct capture_listener {
     std::function<void(std::span<const std::byte> payload, const origin&)> datagram{};
     /// An EtherCAT frame, its EtherCAT header on: of Ethernet, or the payload of UDP port 34980. Not set: passed over.
@@ -17,8 +17,8 @@ struct capture_listener {
 };
 
 /// Reads a capture file of libpcap's or the next generation's format. Link types: Ethernet (also with VLAN tags), Linux
-/// cooked, raw IP, loopback. Throws input_error when the file cannot be read, or not to its end; what came before has
-/// been told by then.
+/// cooked, raw IP, loopback. Throws input_error if the file cannot be read, or not to its end; everything before that
+/// has been passed on by then.
 void read_capture(const std::string& path, const capture_listener& listener);
 
 } // namespace jausdump

@@ -1,4 +1,4 @@
-// From a command code and the bytes of a body to what can be told of it, for any message of the standard.
+// Decodes a body from its command code and bytes to fields, for any message of the standard.
 #pragma once
 #include "payloads.hpp"
 #include "record.hpp"
@@ -9,7 +9,7 @@ namespace jausdump {
 /// Spaces in front of all lines below a message's own.
 inline constexpr std::size_t text_indent = 9;
 
-/// A body taken apart.
+/// A decoded body.
 struct decoded_body {
     wire::diagnosis fault{};          ///< why it did not decode
     json presence_vector{};           ///< as text; null where the message has none

@@ -10,7 +10,7 @@ namespace jausdump {
 
 enum class format { text_lines, json_lines };
 
-/// What the command line asks for.
+/// The options of the command line.
 struct options {
     jausdump::format format{};
     jausdump::translation translation{};
@@ -26,7 +26,7 @@ class dump {
   public:
     explicit dump(options how);
 
-    /// A line of hex digits: one message, decoded on its own whatever its flags say.
+    /// A line of hex digits: one message, decoded on its own with any flags.
     void on_line(const std::string& line, std::size_t number);
     /// A UDP payload: a message, a packet of a large data set, or something else.
     void on_datagram(std::span<const std::byte> payload, const origin& from);
@@ -34,7 +34,7 @@ class dump {
     void on_object(std::span<const std::byte> bytes, const origin& from);
     /// The data of a component's object that are no message.
     void on_unreadable_object(std::span<const std::byte> data, jauscat::translate::errc error, const origin& from);
-    /// A message that was not taken, or not given.
+    /// A message that a slave refused, or did not give.
     void on_refused(const jaus::header& head, const refusal& why, const origin& from);
     void on_lost_transfer() { summary_.lose_transfer(); }
     void on_skipped(const std::string& reason) { summary_.skip(reason); }
@@ -58,7 +58,7 @@ class dump {
     std::vector<jaus::partial_data_set> places_ = std::vector<jaus::partial_data_set>(16);
     std::vector<jaus::held_packet> packets_ = std::vector<jaus::held_packet>(16 * 4096);
     std::vector<std::byte> memory_ = std::vector<std::byte>(std::size_t{16} << 20);
-    // A capture may be made of parts, or typed in: what stands in it counts, not how fast it came.
+    // A capture may consist of parts, or be typed in: only its content counts, not its timing.
     jaus::reassembler data_sets_{
         places_, packets_, memory_, std::chrono::seconds{10}, {.longest_gap = std::chrono::seconds{10}}};
 };

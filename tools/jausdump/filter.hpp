@@ -1,4 +1,4 @@
-// Which messages the user wants to see.
+// Selects the messages to show.
 #pragma once
 #include "record.hpp"
 
@@ -30,7 +30,7 @@ struct filter {
 /// `set_wrench_effort` for "Set Wrench Effort".
 std::string snake_case(std::string_view standard_name);
 
-/// Parses what the options say; std::invalid_argument tells what is wrong.
+/// Parses the filter options; throws std::invalid_argument with the error.
 std::uint16_t parse_code(const std::string& text);
 std::string parse_name(const std::string& text);
 address_pattern parse_pattern(const std::string& text);

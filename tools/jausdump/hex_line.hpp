@@ -1,4 +1,4 @@
-// Bytes that people paste: hex digits with whatever separates them elsewhere.
+// Bytes as pasted text: hex digits with any usual separators.
 #pragma once
 #include <cctype>
 #include <cstddef>
@@ -14,7 +14,7 @@ struct hex_line {
     std::vector<std::byte> bytes{};
     std::string error{};  ///< "not_hex" or "odd_digits"; empty: read
     std::size_t column{}; ///< of the error, from 1
-    std::string what{};   ///< the error for people
+    std::string what{};   ///< the error message
 };
 
 /// Reads hex digits, two a byte. White space, `:`, `-` and `,` may stand anywhere, `0x` in front of any byte.

@@ -9,7 +9,7 @@
 
 namespace jausdump {
 
-/// Hands over each line, until the input ends or `stop` says so; a signal is noticed while nothing comes.
+/// Passes each line on, until the input ends or `stop` returns true; a signal is noticed also without input.
 inline void read_input_lines(const std::function<void(const std::string&)>& line, const std::function<bool()>& stop) {
     constexpr int look_again = 100; // milliseconds: the signal may come just before poll does
     std::string rest;

@@ -1,4 +1,4 @@
-// What stands in front of a UDP payload in a capture: link layers, IPv4, UDP.
+// Headers before a UDP payload in a capture: link layers, IPv4, UDP.
 #pragma once
 #include <jauscat/schema/ethercat/frame.hpp>
 #include <jauscat/wire/schema.hpp>

@@ -147,7 +147,7 @@ jausdump::options options_from(const po::variables_map& values) {
 
 bool stopped() { return example::stop_requested; }
 
-/// Says on a terminal how far a long capture has been read, unless the messages go there too.
+/// Shows on a terminal how far a long capture has been read, unless the messages are shown there too.
 class progress {
   public:
     void operator()(double part) {
@@ -167,7 +167,8 @@ class progress {
 
 void read_lines(jausdump::dump& dump) {
     if (isatty(STDIN_FILENO) == 1)
-        std::cerr << "jausdump: type messages as hex digits, one a line; Ctrl-D or Ctrl-C ends it, --help says more\n";
+        std::cerr
+            << "jausdump: type messages as hex digits, one a line; Ctrl-D or Ctrl-C ends it, --help explains more\n";
     std::size_t number = 0;
     jausdump::read_input_lines([&](const std::string& line) { dump.on_line(line, ++number); }, stopped);
 }
@@ -225,7 +226,7 @@ int read_input(const po::variables_map& values) {
             read_lines(dump);
     } catch (const jausdump::input_error& error) {
         if (!dump.has_seen_anything()) throw;
-        problem = error.what(); // what came before it is summed up first
+        problem = error.what(); // everything before it is summarised first
     }
     const bool all_decoded = dump.finish();
     if (!problem.empty()) throw jausdump::input_error{problem};

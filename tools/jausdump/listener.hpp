@@ -12,7 +12,7 @@
 
 namespace jausdump {
 
-/// Receives at a port of all interfaces until `stop` says so.
+/// Receives at a port of all interfaces until `stop` returns true.
 class udp_listener {
   public:
     /// Other programs may listen for the same multicast messages, so the port is shared. Throws input_error.

@@ -74,7 +74,7 @@ bool mailbox_reader::take(const datagram& each) {
         if (executed) note_setup(each);
         return false;
     }
-    // A read without a working counter is on its way out, or the mailbox was empty.
+    // A read without a working counter was captured before the slaves, or the mailbox was empty.
     if (!is_write(cmd) && !(is_read(cmd) && executed)) return false;
     const auto header = mailbox_header_of(each.data);
     if (!header) return false;
@@ -82,7 +82,7 @@ bool mailbox_reader::take(const datagram& each) {
     const auto message = each.data.first(mailbox_overhead + header->length);
     const auto slave = address_of(each);
     auto& direction = lanes_[{slave, is_write(cmd)}];
-    // Who counts gives each message another counter than the one before it.
+    // A sender that counts gives each message another counter than the previous one.
     const bool same_message = header->counter != 0 || direction.last_index == each.header.index;
     if (same_message && std::ranges::equal(message, direction.last)) return true;
     if (!executed) {
@@ -97,7 +97,7 @@ bool mailbox_reader::take(const datagram& each) {
     return true;
 }
 
-/// Registers that say who a slave is, and that its mailbox begins anew.
+/// Registers with the identity of a slave, or that reset its mailbox.
 void mailbox_reader::note_setup(const datagram& each) {
     const auto& header = each.header;
     ethercat::esc_word station{};
@@ -105,7 +105,7 @@ void mailbox_reader::note_setup(const datagram& each) {
         wire::decode_prefix(station, each.data))
         stations_[position_of(each)] = station.value;
     if (header.ado != registers::al_control.address) return;
-    // Another master may follow, whose counters begin anew too.
+    // Another master may follow, with counters from the start.
     if (header.cmd == command::bwr)
         lanes_.clear();
     else if (is_write(header.cmd))

@@ -27,8 +27,8 @@ struct mailbox_listener {
     std::function<void(const std::string& reason)> skipped{};
 };
 
-/// Finds each mailbox message once, although its frame passes the tap on its way out and on its way back, and although
-/// a message may be repeated. A mailbox is known by what is in it, so that a capture need not begin with the setup of
+/// Finds each mailbox message once, although its frame passes the tap before and after the slaves, and although a
+/// message may be repeated. A mailbox is recognised by its content, so that a capture need not begin with the setup of
 /// the SyncManagers.
 class mailbox_reader {
   public:
@@ -48,7 +48,7 @@ class mailbox_reader {
         std::uint8_t last_index{};        ///< of its datagram
         std::vector<std::byte> pending{}; ///< a write that no slave has executed yet
     };
-    /// A datagram with an address by position on its way out: each slave increments the address.
+    /// A datagram with an address by position, before the slaves: each slave increments the address.
     struct position_access {
         jauscat::ethercat::command cmd{};
         std::uint16_t ado{}, adp{};

@@ -12,7 +12,7 @@ namespace bridge = jauscat::bridge;
 namespace translate = jauscat::translate;
 namespace translation_tables = jauscat::translation;
 
-/// The component whose object it is; 0 or more than 255 for other objects.
+/// The component of the object; 0 or more than 255 for other objects.
 unsigned component_of(const object_transfer& object, const object_table& how) {
     return static_cast<unsigned>(object.index) - how.index_base;
 }

@@ -23,7 +23,7 @@ struct object_message {
     std::vector<std::byte> bytes{};
 };
 
-/// Whether the object stands for a message of a component.
+/// Whether the object is a message of a component.
 bool is_message(const object_transfer& object, const object_table& how);
 object_message message_of(const object_transfer& object, const object_table& how);
 /// What object and station say of the message's header: command code, destination component and node; the rest is 0.

@@ -14,11 +14,11 @@ struct payload_interfaces {
     std::vector<std::pair<double, double>> limits{}; ///< of each, for scaled types; empty: not known
 };
 
-/// Who has which interfaces.
+/// The interfaces of each payload.
 class payload_directory {
   public:
     payload_directory() = default;
-    /// Every payload has these, whatever it reports.
+    /// Every payload has these, in addition to those that it reports.
     explicit payload_directory(std::vector<jaus::payload_type> types)
         : given_{payload_interfaces{std::move(types), {}}} {}
 

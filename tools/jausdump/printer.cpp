@@ -120,7 +120,7 @@ std::string to_text(const record& message, const palette& colour, bool with_byte
     if (!from.object.empty()) text += indent + access_text(from) + "\n";
     text += message.text;
     if (message.refusal)
-        text += indent + colour.bad + (message.refusal->by == "master" ? "given up by the master: " : "refused: ") +
+        text += indent + colour.bad + (message.refusal->by == "master" ? "aborted by the master: " : "refused: ") +
                 reason_of(*message.refusal) + colour.end + "\n";
     if (message.dropped != 0)
         text += indent + std::to_string(message.dropped) +

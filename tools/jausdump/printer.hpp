@@ -1,4 +1,4 @@
-// Records as lines for people or as JSON.
+// Records as readable lines or as JSON.
 #pragma once
 #include "record.hpp"
 #include "support/colour.hpp"

@@ -23,7 +23,7 @@ struct input_error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Where a message came from.
+/// Origin of a message.
 struct origin {
     std::string place{};                            ///< "line" or "packet"
     std::size_t number{};                           ///< of the line or packet, from 1
@@ -32,7 +32,7 @@ struct origin {
     std::string object{};                           ///< "0x1B15:26", of an EtherCAT slave; empty for UDP and a line
 };
 
-/// Who did not let an SDO transfer come to its end, and why.
+/// The side that ended an SDO transfer before its end, and the reason.
 struct refusal {
     std::string by{};   ///< "slave" or "master"
     std::string what{}; ///< "SDO abort" or "mailbox error"
@@ -45,7 +45,7 @@ struct fault {
     std::string error{};               ///< name of the error
     std::string field{};               ///< path to the field; empty where none is at fault
     std::optional<std::size_t> byte{}; ///< of the message, header included, from 0
-    std::string what{};                ///< for people
+    std::string what{};                ///< readable text
 };
 
 enum class kind { decoded, acknowledgement, part, unknown, broken, refused };
@@ -62,7 +62,7 @@ struct record {
     std::optional<std::string> hex{};    ///< encoded again
     std::optional<std::string> packet{}; ///< translated, or the error's name
     std::optional<fault> error{};
-    std::optional<jausdump::refusal> refusal{}; ///< the message was not taken, or not given
+    std::optional<jausdump::refusal> refusal{}; ///< the message was refused, or not given
     std::size_t dropped{};  ///< bytes that the decoded values do not hold: of presence bits that the layout lacks
     std::string data_set{}; ///< what became of a packet of a large data set, or "reassembled"
 

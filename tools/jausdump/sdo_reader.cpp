@@ -59,7 +59,7 @@ void sdo_reader::read_response(const slave_address& slave, bytes sdo) {
     if (!wire::decode_prefix(first, sdo)) return listener_.skipped(cut);
     switch (first.specifier) {
     case sdo_specifier::upload_response: {
-        auto* const asked = find_asked(slave, sdo); // else it answers a request that was given up
+        auto* const asked = find_asked(slave, sdo); // else it answers an abandoned request
         const bool expected = asked != nullptr && !asked->object.download;
         if (auto* const begun = expected ? asked : begin(slave, sdo, false)) take_initial(*begun, sdo);
         return;
@@ -72,7 +72,7 @@ void sdo_reader::read_response(const slave_address& slave, bytes sdo) {
     listener_.skipped("SDO message of an unknown kind");
 }
 
-/// A new transfer, in place of one that is given up.
+/// A new transfer, which replaces an abandoned one.
 sdo_reader::transfer* sdo_reader::begin(const slave_address& slave, bytes sdo, bool download) {
     lose(slave);
     ethercat::sdo_header header{};
@@ -161,13 +161,13 @@ void sdo_reader::take_mailbox_error(const mailbox_message& message) {
     transfers_.erase(message.slave);
 }
 
-/// A download, or a part of one, was taken.
+/// A download, or a part of one, was accepted.
 void sdo_reader::confirm(const transfer* known) {
     if (known != nullptr && known->object.download && !known->open)
         transfers_.erase(slave_address{known->object.slave});
 }
 
-/// Forgets the slave's transfer, and says so where data of it are missing.
+/// Drops the slave's transfer, and reports missing data.
 void sdo_reader::lose(const slave_address& slave) {
     const auto node = transfers_.extract(slave);
     if (!node.empty() && node.mapped().open) listener_.lost(node.mapped().object);

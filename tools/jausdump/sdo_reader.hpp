@@ -20,7 +20,7 @@ struct object_transfer {
 };
 
 struct sdo_listener {
-    /// All data have come. Whether the slave takes a download is said later.
+    /// All data have been captured. Whether the slave accepts a download follows later.
     std::function<void(const object_transfer&)> carried{};
     std::function<void(const object_transfer&, const refusal&)> refused{};
     std::function<void(const object_transfer&)> lost{}; ///< segments are missing, or are not as announced
@@ -39,7 +39,7 @@ class sdo_reader {
   private:
     struct transfer {
         object_transfer object{};
-        bool in_segments{};        ///< not all data came in the first message
+        bool in_segments{};        ///< the first message had not all data
         bool open{};               ///< data are missing
         bool toggle{};             ///< of the next segment
         std::uint32_t announced{}; ///< bytes of all data

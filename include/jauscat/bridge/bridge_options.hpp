@@ -26,8 +26,8 @@ struct bridge_options {
     duration period{};
     /// A slave in OP without new outputs for so long stops by itself. Written to every cyclic slave, and read back.
     duration watchdog{};
-    /// A slave whose state has not been seen for so long is lost; a cyclic one that has not taken part in the exchange,
-    /// in OP.
+    /// A slave is lost if its state has not been read for this time; a cyclic slave also if it has not exchanged
+    /// process data in OP for this time.
     duration longest_silence{};
     /// Interval between checks of the slaves' states, while no slave has process data.
     duration check_interval{};
@@ -40,8 +40,8 @@ struct bridge_options {
     duration bring_up_interval{std::chrono::milliseconds{500}};
     /// Interval between attempts of a stop order that the slave refuses; see stop_debt.
     duration stop_interval{std::chrono::milliseconds{20}};
-    /// A job of the master for another slave that stands in the way of a stop order for longer is given up. If it was a
-    /// transfer, that slave is lost.
+    /// A job of the master for another slave that delays a stop order for longer is cancelled. If it was a transfer,
+    /// that slave is lost.
     duration stop_timeout{std::chrono::milliseconds{50}};
     /// A message that still waits for its slave after so long is refused.
     duration order_timeout{std::chrono::milliseconds{500}};
@@ -52,7 +52,7 @@ inline constexpr std::chrono::milliseconds at_rest_by_mailbox{500};
 inline constexpr std::chrono::milliseconds at_rest_in_cycles{100};
 
 /// Options that bring an actuator to rest within `limit` after its controller, the link, the slave's state or this
-/// program is lost; docs/safety.md says how the times add up. `period`: of the process data, 0 for none; `limit` is at
+/// program is lost; docs/safety.md has the sum of the times. `period`: of the process data, 0 for none; `limit` is at
 /// least 4 of them.
 [[nodiscard]] constexpr bridge_options at_rest_within(duration limit, duration period = {}) noexcept {
     constexpr auto second = duration{std::chrono::seconds{1}};

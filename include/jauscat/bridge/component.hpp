@@ -37,7 +37,7 @@ class component {
   public:
     using bytes = std::span<const std::byte>;
 
-    /// The front must outlive it and have room: component_capacity.
+    /// The front must outlive it and have a free place: component_capacity.
     component(const jaus::address& self, slave_front& front, const jaus::component_options& options = {}) noexcept
         : front_{front},
           debt_{front.timing().stop_interval},
@@ -145,7 +145,7 @@ class component {
         core_.finish(head, false, now, out);
     }
 
-    /// A command stands in the slave's outputs, and the slave has not taken it in time: it must not take it later.
+    /// A command is in the slave's outputs, and the slave has not executed it in time: it must not execute it later.
     void on_not_taken(const jaus::header& head, time_point now, jaus::message_sink out) {
         on_not_executed(head, {.why = refusal::not_taken}, now, out);
         if (!debt_.owes_stop()) owe_rest(stop_cause::not_taken);
@@ -188,7 +188,7 @@ class component {
         const auto known = std::span{waiting_}.first(waiting_count_);
         if (head.ack_nak != jaus::ack_nak::request || std::ranges::any_of(known, same)) return deferred;
         if (waiting_count_ == waiting_.size())
-            return refused; // obeyed; a repeat finds room when the others are confirmed
+            return refused; // executed; a repeat finds a place when the others are confirmed
         waiting_[waiting_count_++] = head;
         return deferred;
     }
@@ -202,7 +202,7 @@ class component {
         waiting_count_ = left;
     }
 
-    // In all other states the actuator is at rest already, or that is owed.
+    // In all other states the actuator is at rest already, or a stop order is pending.
     void changed_state(jaus::primary_status_code from, jaus::primary_status_code to) {
         front_.watcher().changed_state(*this, from, to);
         if (to == jaus::primary_status_code::emergency)
@@ -253,7 +253,7 @@ class component {
         }
         if (std::exchange(motion_is_dropped_, false)) {
             drop_motion(now, out, [](const jaus::address&) { return true; });
-            if (!debt_.owes_clear()) answer_waiting(true, false, now, out); // a new emergency came before
+            if (!debt_.owes_clear()) answer_waiting(true, false, now, out); // a new emergency arrived before
         }
         if (!front_.up() || !debt_.settled()) return;
         if (core_.state() == jaus::primary_status_code::failure) core_.change(jaus::state_event::reset);

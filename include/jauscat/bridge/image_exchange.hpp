@@ -1,9 +1,9 @@
 // JAUS on the cyclic path: commands go into a slave's outputs and so reach it in the next cycle, queries are answered
 // from its inputs. No mailbox, no I/O.
 //
-// The slave says in its inputs which command it has taken last (the command counter of the outputs). That is the only
-// proof that a command has arrived: a frame that comes back says that the outputs were written, not that the slave has
-// looked at them. Until then the next command is merged with the one before.
+// The slave repeats in its inputs the counter of the last command that it has executed. A frame that returns only
+// proves that the outputs were written. Until the counter is repeated, the next command is merged with the previous
+// one.
 #pragma once
 #include <jauscat/base/time.hpp>
 #include <jauscat/bridge/delivery.hpp>
@@ -37,13 +37,14 @@ class image_exchange {
     /// Commands that wait for their acknowledgement at one time.
     static constexpr std::size_t capacity = 16;
 
-    /// `timeout`: after which a command that the slave has not taken is answered with NAK.
+    /// `timeout`: a command that the slave has not executed after this time is answered with NAK.
     constexpr image_exchange(const slave_identity& slave, std::uint8_t component,
                              duration timeout = std::chrono::seconds{1}) noexcept
         : slave_{slave}, component_{component}, timeout_{timeout} {}
 
-    /// Before the first command, and after the slave was away: commands are counted on from what it has taken, so that
-    /// it does not take what stands in `outputs` for a new one. False where outputs or inputs are of another slave.
+    /// Call before the first command, and after the slave was lost: the counter continues from the last command that
+    /// the slave has executed, so that `outputs` do not count as a new one. False if outputs or inputs have the size of
+    /// another image.
     constexpr bool start(std::span<std::byte> outputs, std::span<const std::byte> inputs) noexcept {
         typename CommandTable::image_type image{};
         if (outputs.size() != command::image_size || inputs.size() != report::image_size ||
@@ -76,7 +77,7 @@ class image_exchange {
         return done;
     }
 
-    /// Writes the report that the query with this header and body asks for to `out`; returns its size, or 0 where the
+    /// Writes the report requested by the query with this header and body to `out`; returns its size, or 0 where the
     /// query is malformed or `out` too small.
     template <class Query>
     constexpr std::size_t on_query(const jaus::header& head, std::span<const std::byte> body,
@@ -96,7 +97,7 @@ class image_exchange {
     }
 
     /// After each cycle, until it returns 0: writes the next acknowledgement to `out`, which holds 16 bytes. ACK for a
-    /// command that the slave says it has taken, NAK for one that it has not in time.
+    /// command that the slave has executed, NAK for one that it has not executed in time.
     constexpr std::size_t acknowledgement(std::span<const std::byte> inputs, time_point now,
                                           std::span<std::byte> out) noexcept {
         const auto last = taken(inputs);
@@ -119,7 +120,7 @@ class image_exchange {
         static_cast<void>(wire::decode_prefix(image, outputs));
         return count_field::of(image);
     }
-    /// The counter in the inputs: the last command that the slave has taken; 0 for none.
+    /// The counter in the inputs: the last command that the slave has executed; 0 for none.
     [[nodiscard]] static constexpr auto taken(std::span<const std::byte> inputs) noexcept {
         typename ReportTable::image_type image{};
         static_cast<void>(wire::decode_prefix(image, inputs));

@@ -5,8 +5,8 @@
 
 namespace jauscat::bridge {
 
-/// Which messages go by process data: `command_table` into the outputs, `report_table` from the inputs, `query` asks
-/// for the report, `component` is the JAUS component ID they are for.
+/// Messages carried by process data: `command_table` into the outputs, `report_table` from the inputs, `query` requests
+/// the report, `component` is their JAUS component ID.
 struct wrench_effort_path {
     using command_table = translation::set_wrench_effort_table;
     using report_table = translation::report_wrench_effort_table;

@@ -65,8 +65,8 @@ template <class Table, class Row> constexpr std::uint32_t number_of(auto value) 
 }
 
 // RA 3.3 part 2, command codes: below 2000h commands, below 4000h queries, below 6000h informs. A command or query is
-// written only. An inform is read after its query, and written where it comes from another component. What a message
-// beyond that is for, its user knows: it is both.
+// written only. An inform is read after its query, and written where it comes from another component. A message of
+// another class is both.
 constexpr bool is_readable(std::uint16_t command_code) noexcept { return command_code >= 0x4000; }
 
 template <class Table, class T> constexpr sub_object sub_object_of() noexcept {

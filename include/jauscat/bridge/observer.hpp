@@ -22,7 +22,7 @@ class slave_front;
 
 /// Cause of the loss of a slave.
 enum class loss : std::uint8_t {
-    no_answer,       ///< frames do not come back, or the slave does not answer its mail
+    no_answer,       ///< frames do not return, or the slave does not answer mailbox messages
     no_station,      ///< no reply at its station address: the slave was reset
     left_state,      ///< it is in another state than it has to be in, or in none that is known
     no_process_data, ///< it does not take part in the exchange, or takes no commands
@@ -35,10 +35,10 @@ enum class refusal : std::uint8_t {
     too_large,      ///< more bytes than an SDO carries
     expired,        ///< it waited too long
     superseded,     ///< a newer command of the same sender replaced it
-    stopped,        ///< a stop order came first
+    stopped,        ///< a stop order was executed first
     not_translated, ///< see `error`
     by_slave,       ///< the slave or the master refused it: see `status` and `of_master`
-    not_taken,      ///< the slave has not taken the command out of its process data in time
+    not_taken,      ///< the slave has not executed the command from its process data in time
     stale,          ///< the slave's inputs are too old to answer from
 };
 
@@ -55,8 +55,8 @@ enum class stop_cause : std::uint8_t {
     state,           ///< the component has gone to a state other than Ready
     controller_lost, ///< the controller was lost without releasing control
     slave_away,      ///< the slave does not answer: what it does is not known
-    slave_back,      ///< it answers: the first thing that it is told
-    not_taken,       ///< the slave has not taken a command out of its outputs in time
+    slave_back,      ///< it answers: its first order
+    not_taken,       ///< the slave has not executed a command from its outputs in time
     program_ends,
 };
 
@@ -69,7 +69,7 @@ struct observer {
     jaus::hook<void(const slave_front& slave, const ethercat::slave_record& record, bool ready)> slave_up{};
     /// An attempt to bring it up has failed.
     jaus::hook<void(const slave_front& slave, const ethercat::master_error& why)> bring_up_failed{};
-    /// `why` says more where the master does.
+    /// `why` has details of the master's error.
     jaus::hook<void(const slave_front& slave, loss what, const ethercat::master_error& why)> slave_lost{};
     jaus::hook<void(const slave_front& slave, const ethercat::coe_emergency& emergency)> slave_emergency{};
     /// The slave does not take Report Heartbeat Pulse: nothing stops it when this program ends without a word.

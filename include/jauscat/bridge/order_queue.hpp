@@ -17,14 +17,14 @@ class component;
 
 /// A message that waits for its slave: a place in the memory of an order_queue.
 struct order {
-    jaus::header header{};  ///< as it came
+    jaus::header header{};  ///< unchanged
     component* unit{};      ///< the component that the message is for
     deadline expires{};     ///< refused if it still waits then
     std::uint16_t size{};   ///< bytes of the body
     std::uint64_t number{}; ///< order of arrival; 0: the place is free
 };
 
-/// Whether a message asks for a report, and so moves nothing.
+/// Whether a message requests a report, and so moves nothing.
 [[nodiscard]] constexpr bool is_query(const jaus::header& head) noexcept {
     return jaus::report_code_of(head.command_code) != 0;
 }
@@ -38,7 +38,7 @@ template <std::size_t Orders = 16, std::size_t Size = 1532> struct order_memory 
 /// Result of queueing a message.
 enum class queued : std::uint8_t {
     last,      ///< behind all others
-    merged,    ///< into an older command of the same sender and code, whose place it takes
+    merged,    ///< merged into an older command of the same sender and code, which it replaces
     full,      ///< not queued: no free place
     too_large, ///< not queued: the body does not fit a place
 };

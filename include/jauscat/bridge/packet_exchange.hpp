@@ -17,8 +17,8 @@ namespace jauscat::bridge {
 /// State of an exchange after a step.
 enum class exchange_progress : std::uint8_t {
     ignored, ///< not the confirmation that is waited for: nothing has changed
-    request, ///< the next request packet stands in the buffer: have it executed
-    done,    ///< the slave has taken the message; after a query its report, a JAUS message, stands in the buffer
+    request, ///< the next request packet is in the buffer: have it executed
+    done,    ///< the slave has accepted the message; after a query the buffer has its report, a JAUS message
     failed,  ///< see `status()` and `error()`
 };
 
@@ -36,8 +36,8 @@ struct exchange_step {
 ///     if (step.what == exchange_progress::done && step.size != 0) send(std::span{buffer}.first(step.size)); // report
 ///     if (const auto size = exchange.acknowledgement(buffer)) send(std::span{buffer}.first(size));
 ///
-/// A message becomes an SDO download. A query goes down to its own subindex, because an upload has no body to carry
-/// what is asked for; the slave prepares the report, which an SDO upload of the report's subindex then fetches.
+/// A message becomes an SDO download. A query is downloaded to its own subindex, because an upload has no body for its
+/// fields; the slave prepares the report, and an SDO upload of the report's subindex returns it.
 template <class Table> class packet_exchange {
   public:
     using delivery = bridge::delivery<Table>;
@@ -46,11 +46,11 @@ template <class Table> class packet_exchange {
     /// Bytes of buffer that every step can do with: the largest packet or message.
     static constexpr std::size_t buffer_size = std::max(translator::max_packet_size, translator::max_message_size);
 
-    /// With `slave`, which stands in for octets of the destination that say "all".
+    /// `slave` replaces octets of 255 ("all") of the destination.
     constexpr explicit packet_exchange(const slave_identity& slave) noexcept : slave_{slave} {}
 
-    /// Starts to deliver a JAUS message: its download request to `buffer`, with what is the caller's own, such as a
-    /// packet number, taken from `given`. Fails with the errors of translator::to_packet, and of delivery:
+    /// Starts to deliver a JAUS message: writes its download request to `buffer`; fields set by the caller, such as a
+    /// packet number, come from `given`. Fails with the errors of translator::to_packet, and of delivery:
     /// fragment_to_slave, broadcast_names_no_slave.
     constexpr exchange_step begin(std::span<const std::byte> message, std::span<std::byte> buffer,
                                   const packet& given = {}) noexcept {
@@ -64,9 +64,9 @@ template <class Table> class packet_exchange {
         return {exchange_progress::request, translated->size()};
     }
 
-    /// Takes a confirmation packet. What comes next is written to `buffer`, which does not overlap it and has
-    /// buffer_size bytes. Fails where the packet reports an error, and where what a slave uploads is no report: errors
-    /// of translator::from_packet, and wrong_packet.
+    /// Processes a confirmation packet. The next packet or message is written to `buffer`, which does not overlap it
+    /// and has buffer_size bytes. Fails if the packet reports an error, and if the uploaded object is not a report:
+    /// errors of translator::from_packet, and wrong_packet.
     constexpr exchange_step on_confirmation(std::span<const std::byte> confirmation,
                                             std::span<std::byte> buffer) noexcept {
         hilscher::packet_header answer{};
@@ -79,8 +79,8 @@ template <class Table> class packet_exchange {
         return ask_for(report, buffer);
     }
 
-    /// Writes the ACK or NAK that the message asked for to `out` and returns its size, 16. 0 while the exchange is
-    /// running, if none was requested, and if its source would be 255 ("all").
+    /// Writes the requested ACK or NAK to `out` and returns its size, 16. 0 while the exchange is running, if none was
+    /// requested, and if its source would be 255 ("all").
     [[nodiscard]] constexpr std::size_t acknowledgement(std::span<std::byte> out) const noexcept {
         if (end_ == exchange_progress::ignored || head_.ack_nak != jaus::ack_nak::request) return 0;
         jaus::header request = head_;
@@ -90,7 +90,7 @@ template <class Table> class packet_exchange {
         return jaus::make_acknowledgement(request, done ? jaus::ack_nak::ack : jaus::ack_nak::nak, out)->size();
     }
 
-    /// ulSta of the last confirmation that was taken.
+    /// ulSta of the last confirmation that was processed.
     [[nodiscard]] constexpr hilscher::packet_status status() const noexcept { return status_; }
     /// Error of the translation of message or report; `ok` if the last confirmation has the error.
     [[nodiscard]] constexpr translate::errc error() const noexcept { return error_; }
@@ -99,7 +99,7 @@ template <class Table> class packet_exchange {
     using packet_command = hilscher::packet_command;
     static constexpr packet_command nothing{};
 
-    // A confirmation keeps what its request said of the sender.
+    // A confirmation repeats the sender fields of its request.
     [[nodiscard]] constexpr bool is_awaited(const hilscher::packet_header& answer) const noexcept {
         return awaited_ != nothing && answer.ul_cmd == awaited_ && answer.ul_src == given_.head.ul_src &&
                answer.ul_src_id == given_.head.ul_src_id && answer.ul_id == given_.head.ul_id;
@@ -140,7 +140,7 @@ template <class Table> class packet_exchange {
                                                    slave_, buffer);
         if (!restored) return fail(restored.error());
 
-        // The slave's object carries the slave's addresses: the answer goes from the one asked to the asker.
+        // The slave's object has the slave's addresses: the answer is sent from the queried component to the asker.
         jaus::header report{};
         static_cast<void>(wire::decode_prefix(report, buffer));
         report.source = slave_.answering_as(head_.destination, report.source.component);

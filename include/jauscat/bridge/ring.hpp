@@ -18,11 +18,11 @@
 
 namespace jauscat::bridge {
 
-/// `Image` says which messages go by the process data of cyclic slaves.
+/// `Image` lists the messages carried by the process data of cyclic slaves.
 ///
-/// Call `on_time` at `next_event()` and after the components have got messages, `on_frame` for each frame that arrives,
-/// and after either send what `next_frame` gives until it gives nothing. `out` takes the JAUS messages:
-/// acknowledgements and reports.
+/// Call `on_time` at `next_event()` and after the components have received messages, and `on_frame` for each received
+/// frame; after either, send the frames from `next_frame` until it returns none. JAUS messages (acknowledgements and
+/// reports) are passed to `out`.
 template <class Image = wrench_effort_path> class basic_ring {
   public:
     using bytes = std::span<const std::byte>;
@@ -32,7 +32,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     basic_ring(const basic_ring&) = delete;
     basic_ring& operator=(const basic_ring&) = delete;
 
-    /// A slave of this link; before the first frame. It must outlive the ring. False where there is no room.
+    /// Adds a slave of this link, before the first frame. It must outlive the ring. False if the ring is full.
     [[nodiscard]] bool add(slave_front& front) noexcept {
         if (place_count_ == places_.size()) return false;
         places_[place_count_++].front = &front;
@@ -66,7 +66,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (cycles() && next_cycle_ - now <= reserve()) return 0; // the process data must not wait behind it
         return master_.next_frame(frame, now);
     }
-    /// The link has not taken the last frame.
+    /// The link has not sent the last frame.
     void not_sent() noexcept { master_.cancel(ethercat::master_errc::not_sent); }
 
     /// When `on_time` or `next_frame` will next have something to do, if nothing arrives first.
@@ -76,7 +76,7 @@ template <class Image = wrench_effort_path> class basic_ring {
             if (other && (!next || *other < *next)) next = other;
         };
         if (!master_.idle()) {
-            // A frame may be due since long, and held back for the process data all the same.
+            // A frame may be overdue and still delayed in favour of the process data.
             if (const auto frame = master_.next_event()) {
                 const auto at = std::max(*frame, last_turn_);
                 consider(cycles() && next_cycle_ - at <= reserve() ? std::max(at, next_cycle_) : at);
@@ -92,7 +92,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         return next;
     }
 
-    /// Every actuator has confirmed that it stops, also those of slaves that were away.
+    /// Every actuator has confirmed that it stops, also those of lost slaves.
     [[nodiscard]] bool at_rest() const noexcept {
         return std::ranges::all_of(places(), [](const place& each) {
             return std::ranges::none_of(each.front->components(),
@@ -131,7 +131,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         settling,   // in OP; until its inputs are there
         up,
     };
-    // A command that the slave has not yet taken out of its outputs.
+    // A command in the outputs that the slave has not executed yet.
     struct image_wait {
         component* unit{};
         jaus::header header{};
@@ -150,7 +150,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         bool takes_keep_alive{true};
         bool has_mail{};
         bool is_exchanged{};     // it is in data_
-        bool has_rest_outputs{}; // no command but zeros stands in its outputs
+        bool has_rest_outputs{}; // no command but zeros is in its outputs
         std::optional<image_type> image{};
         std::array<image_wait, waiting_capacity> waiting{};
         std::size_t waiting_count{};
@@ -393,7 +393,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         tell_emergencies(at);
         if (!answers) lose(at, loss::no_answer, error, now, out);
     }
-    // The slave has said no, and so is there.
+    // The slave has refused, and so is present.
     static bool is_of_slave(const ethercat::master_error& error) noexcept {
         using enum ethercat::master_errc;
         return error.code == ok || error.code == sdo_abort || error.code == clear_refused ||
@@ -418,7 +418,7 @@ template <class Image = wrench_effort_path> class basic_ring {
 
     // ---- What ends by time.
 
-    // A job that stands in the way of a stop order is given up; one that is itself a stop order is not.
+    // A job that delays a stop order is cancelled; one that is itself a stop order is not.
     [[nodiscard]] std::optional<time_point> hindered_until() const {
         if (!hindered_since_) return std::nullopt;
         return saturating_add(*hindered_since_, options_.stop_timeout);
@@ -489,7 +489,7 @@ template <class Image = wrench_effort_path> class basic_ring {
                                      });
         if (was_up)
             for (component* unit : at.front->components()) unit->on_slave_lost(now, out);
-        // A command that is under way would be asked for again, and reach a slave that comes back.
+        // A pending command would be requested again, and reach a slave that returns.
         if (work_ == work::message && purpose_ == purpose::order && served_ == &at)
             master_.cancel(ethercat::master_errc::timeout);
         rebuild_process_data(now);
@@ -608,7 +608,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         at.has_rest_outputs = true;
         if (!is_awaited) --at.waiting_count;
     }
-    // Commands in the outputs that a stop order replaces: it is unknown whether the slave has taken them.
+    // Commands in the outputs that a stop order replaces: it is unknown whether the slave has executed them.
     void drop_waiting(place& at, const component& unit, time_point now, jaus::message_sink out) {
         const auto dropped = at.waiting;
         const std::size_t count = std::exchange(at.waiting_count, 0);
@@ -662,7 +662,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         const auto seen = status(at);
         if (!seen.has_inputs_within(options_.longest_silence, now))
             return unit.on_not_executed(query.header, {.why = refusal::stale}, now, out);
-        // Not packet_: a transfer may be under way out of it.
+        // Not packet_, which a running transfer may use.
         std::array<std::byte, jaus::header_size + wire::max_size<typename Image::report_table::message_type>> report{};
         const auto size =
             at.image->template on_query<typename Image::query>(addressed(query), body, inputs(at), report);
@@ -687,8 +687,9 @@ template <class Image = wrench_effort_path> class basic_ring {
                 at.waiting[left++] = each;
         }
         at.waiting_count = left;
-        // A later command in the same outputs may have come before the slave looked: only the one that it has taken
-        // last is known to be executed. A stop order is confirmed by any, for nothing else is put there before it is.
+        // A later command in the same outputs may have arrived before the slave read them: only the last one that it
+        // repeats is known to be executed. A stop order is confirmed by any, because nothing else is written before it
+        // is.
         bool takes_zeros = true;
         for (const image_wait& each : std::span{over}.first(over_count)) {
             const bool was_reached = image_type::has_reached(each.count, taken);
@@ -715,7 +716,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     std::size_t place_count_{};
     std::size_t last_served_{};
     std::size_t exchanged_{}; // slaves in the cyclic exchange
-    bool has_process_data_{}; // some of them; else it only looks at their states
+    bool has_process_data_{}; // some of them; else it only reads their states
     bool is_cleared_{};       // the slaves, of what an earlier master has left in them
     bool has_begun_{};
     std::uint32_t logical_base_{};

@@ -46,7 +46,7 @@ class slave_front {
     void wake() const {
         if (wake_) wake_();
     }
-    /// False where there is no room for another.
+    /// False if there is no free place.
     [[nodiscard]] bool add(component& unit) noexcept {
         if (component_count_ == components_.size()) return false;
         components_[component_count_++] = &unit;

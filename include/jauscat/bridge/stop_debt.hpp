@@ -70,8 +70,8 @@ class stop_debt {
         if (what == stop_order::rest && emergency_is_unknown_) emergency_ = false;
         begin();
     }
-    /// The actuator has refused `what`. `unknown`: it has no object for it. An actuator that does not know emergencies
-    /// owes rest alone. False where the end of an emergency is given up.
+    /// The actuator has refused `what`. `unknown`: it has no object for it. An actuator without emergencies only needs
+    /// rest. False if the end of an emergency is dropped.
     constexpr bool refused(stop_order what, bool unknown, time_point now) noexcept {
         ++refusals_;
         next_attempt_ = saturating_add(now, interval_ * std::min(refusals_, slowest));
@@ -83,7 +83,7 @@ class stop_debt {
         clear_ = false;
         return false;
     }
-    /// The slave is away, or back: the next attempt is the first.
+    /// The slave is lost, or has returned: the next attempt is the first.
     constexpr void begin() noexcept {
         refusals_ = 0;
         next_attempt_ = time_point::min();

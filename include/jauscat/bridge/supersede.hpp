@@ -61,8 +61,8 @@ merge_fields(std::span<const std::byte> older, std::span<const std::byte> newer,
 } // namespace detail
 
 /// Merges two commands into `out`, which may be the memory of `older`; returns the size. Fields under a presence vector
-/// that `newer` leaves out are taken from `older`. Nothing where a body does not decode or `out` is too small; `out` is
-/// then unchanged.
+/// that `newer` omits are those of `older`. Empty if a body does not decode or `out` is too small; `out` is then
+/// unchanged.
 [[nodiscard]] constexpr std::optional<std::size_t> merge(std::uint16_t command_code, std::span<const std::byte> older,
                                                          std::span<const std::byte> newer,
                                                          std::span<std::byte> out) noexcept {

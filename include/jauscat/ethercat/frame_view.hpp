@@ -117,7 +117,7 @@ template <class Byte> class basic_frame_view {
 using datagram_view = basic_datagram<const std::byte>;
 /// A frame to read.
 using frame_view = basic_frame_view<const std::byte>;
-/// A frame whose datagrams a slave works on.
+/// A frame with datagrams that a slave processes.
 using mutable_frame_view = basic_frame_view<std::byte>;
 
 } // namespace jauscat::ethercat

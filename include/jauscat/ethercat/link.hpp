@@ -24,10 +24,10 @@ concept receives_frames = requires(L& medium, std::span<std::byte> buffer, std::
 /// A medium for EtherCAT frames.
 ///
 /// A frame is a full Ethernet frame, whatever the medium: 14-byte Ethernet header with EtherType 88A4h, EtherCAT
-/// header, datagrams, zeros up to 60 bytes; no check sequence. A source address of all zeros asks the link to
-/// put its own there; any other is sent as it is, because a slave returns the master's.
+/// header, datagrams, zeros up to 60 bytes; no check sequence. The link replaces a source address of all zeros by its
+/// own; any other is sent unchanged, because a slave returns the master's.
 ///
-/// - `send(frame)`: false when the medium did not take the frame; nobody will answer it.
+/// - `send(frame)`: false if the medium did not send the frame; there will be no reply.
 /// - `receive(buffer, timeout)`: the size of the frame now in `buffer`, or 0 when none came in time or the medium
 ///   failed. A frame that does not fit the buffer is dropped; 1514 bytes hold every frame. A timeout of 0 looks once
 ///   and does not wait.

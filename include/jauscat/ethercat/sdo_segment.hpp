@@ -34,8 +34,8 @@ inline std::size_t encode_segment(sdo_segment_header header, std::span<const std
     return size;
 }
 
-/// The data of the segment `segment`, whose header has been read as `header`. Segments that were not filled up, as some
-/// senders leave them, are taken too.
+/// The data of the segment `segment` with the decoded header `header`. Segments that are not filled up, as some senders
+/// leave them, are accepted.
 [[nodiscard]] inline std::span<const std::byte> segment_data(const sdo_segment_header& header,
                                                              std::span<const std::byte> segment) noexcept {
     const auto data = segment.subspan(segment_overhead);

@@ -16,7 +16,7 @@ enum class errc : std::uint8_t {
     not_encodable,   ///< a value of the body does not encode; `reason` is a wire::errc
     invalid_message, ///< header and body are no message; `reason` is a jaus::errc, or a wire::errc without a header
     queue_full,      ///< too many bytes wait to be sent
-    unroutable,      ///< no way to the destination; in a node `reason` is a jaus::routed
+    unroutable,      ///< no route to the destination; in a node `reason` is a jaus::routed
     empty_message,   ///< nothing to send
     too_large,       ///< larger than a datagram
     back_pressure,   ///< the network takes less than is sent; `reason` is the system's
@@ -32,7 +32,7 @@ enum class errc : std::uint8_t {
     case errc::not_encodable: return "a value of the body does not encode";
     case errc::invalid_message: return "header and body are no message";
     case errc::queue_full: return "too many bytes wait to be sent";
-    case errc::unroutable: return "no way to the destination";
+    case errc::unroutable: return "no route to the destination";
     case errc::empty_message: return "an empty message is not sent";
     case errc::too_large: return "the message does not fit a datagram";
     case errc::back_pressure: return "the network takes less than is sent";

@@ -22,7 +22,7 @@ inline std::string path_text(const wire::diagnosis& at) {
     return text;
 }
 
-/// Watches decoding and writes a line for whatever it has passed.
+/// Traces decoding and writes a line for each item.
 class annotating_trace : public wire::decode_trace {
   public:
     annotating_trace(std::span<const std::byte> bytes, std::size_t first_offset, std::string indent)
@@ -61,7 +61,7 @@ class annotating_trace : public wire::decode_trace {
                                     !requires { typename Item::inner; } && !requires { typename Item::gated_item; } &&
                                     !requires { typename Item::element_type; } && !requires { Item::max_depth; };
 
-    // A selected value whose fields have been told one by one.
+    // A selected value that was written field by field.
     template <class Value> static bool is_structure([[maybe_unused]] const Value& value) {
         if constexpr (wire::is_variant<Value>)
             return std::visit([]<class T>(const T&) { return wire::message<T>; }, value);

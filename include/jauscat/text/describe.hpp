@@ -6,7 +6,7 @@ namespace jauscat::text {
 
 namespace detail {
 
-template <class Count> struct counter_of { // stands before what it counts
+template <class Count> struct counter_of { // precedes the elements that it counts
     static constexpr bool before = true;
 };
 template <auto Member> struct counter_of<wire::counted_by<Member>> {
@@ -19,7 +19,7 @@ template <auto Member> struct counter_of<wire::one_less_than<Member>> : counter_
 };
 template <auto A, auto B, auto... More> struct counter_of<wire::counted_by<A, B, More...>> {
     static constexpr bool before = false;
-    static constexpr other_member at{}; // a structure that is told as its bytes
+    static constexpr other_member at{}; // a structure that is written as its bytes
     static constexpr std::size_t excess = 0;
 };
 template <class Selector> struct selector_of;
@@ -47,7 +47,7 @@ template <class T, class... Items> constexpr void append_all(member*& out, std::
     (append<T, Items>(out), ...);
 }
 
-/// Adds what an item tells, in wire order.
+/// Adds the members of an item, in wire order.
 template <class T, class Item> constexpr void append(member*& out) {
     if constexpr (requires { typename Item::fields; }) {
         append_all<T>(out, static_cast<typename Item::fields*>(nullptr));
@@ -105,7 +105,7 @@ template <class T, class Item> constexpr void append(member*& out) {
     }
 }
 
-/// Members that a layout tells beside those it carries: presence vectors, and counts that stand before what they count.
+/// Members of a layout beside its items: presence vectors, and counts before their lists.
 template <class Item> inline constexpr std::size_t added = 0;
 template <class Item>
 requires requires { typename Item::count_type; }

@@ -30,7 +30,7 @@ class filler {
         wrong_ = path_.empty() ? why : path_ + " " + why;
         return false;
     }
-    /// Goes on one step deeper in the path that errors name.
+    /// Enters the next level of the path that errors name.
     bool inside(const std::string& step, auto&& go) {
         const std::size_t size = path_.size();
         if (!path_.empty() && step.front() != '[') path_ += '.';

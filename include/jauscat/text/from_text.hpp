@@ -6,7 +6,7 @@
 //     report_identification query_type=system_identification authority_code=1 type=10001 identification="left arm"
 //
 // Names are those of to_text and JSON. Numbers may carry their unit; enumerators are named or numbered, flags joined by
-// |; bytes are hex; counts may be left out. All functions return what is wrong in a line for the person who typed, or
+// |; bytes are hex; counts may be left out. All functions return an error message for the author of the line, or
 // an empty text.
 #pragma once
 #include <jauscat/schema/jaus/catalog.hpp>
@@ -105,7 +105,7 @@ template <class List>
         wrong = from_words(std::span<const std::string>{words}.subspan(1), message, memory);
         if (wrong.empty()) use(message);
     });
-    return known ? wrong : "the message " + words.front() + " is not among those taken here";
+    return known ? wrong : "the message " + words.front() + " is not handled here";
 }
 
 } // namespace jauscat::text

@@ -11,7 +11,7 @@ inline std::size_t size_of(const form& how, const void* at) {
     return 0;
 }
 
-/// Walks over a message and says the first contradiction, or nothing.
+/// Walks over a message and returns the first contradiction, or nothing.
 class inconsistency {
   public:
     [[nodiscard]] std::string find(const structure& type, const void* object) {

@@ -49,7 +49,7 @@ class json_writer {
             switch (one.what) {
             case member::role::flag:
             case member::role::not_on_wire: break;
-            case member::role::presence_vector: // the message's own stands beside the fields
+            case member::role::presence_vector: // the message's own is beside the fields
                 if (!outermost) made[std::string{one.name}] = one.number(object);
                 break;
             case member::role::count:
@@ -127,7 +127,7 @@ class json_writer {
     const scope* inner_{};
 };
 
-// What lies deeper than a message can reach is left out: the stack is not the sender's.
+// Values deeper than a message can be are ignored: a sender cannot exhaust the stack.
 inline input input_of(const json& value, std::size_t level = 0) {
     input made{.what = input::kind::leaf};
     if (value.is_null() || level == most_levels) {
@@ -150,7 +150,7 @@ inline input input_of(const json& value, std::size_t level = 0) {
 
 } // namespace detail
 
-/// The fields of a message as JSON. Its presence vector stands beside them, see presence_vector_of.
+/// The fields of a message as JSON. For its presence vector see presence_vector_of.
 [[nodiscard]] inline json to_json(const structure& type, const void* object) {
     return detail::json_writer{}.fields(type, object, true);
 }
@@ -169,10 +169,10 @@ template <wire::message T> [[nodiscard]] json presence_vector_of(const T& messag
     return presence_vector_of(describe<T>(), &message);
 }
 
-/// A message from the JSON of its fields. `presence_vector`, as a number or text in hex, may be among them: it says
-/// which members list elements have where the lists are empty. Counts may be left out, scaled fields may be numbers,
-/// and all that from_text takes may stand as text. Lists, texts and bytes lie in `memory`. Returns what is wrong, or an
-/// empty text; after an error the message is valid but unspecified.
+/// A message from the JSON of its fields. `presence_vector`, as a number or text in hex, may be among them: it
+/// determines the members of list elements if the lists are empty. Counts may be omitted, scaled fields may be numbers,
+/// and all values of from_text are accepted as text. Lists, texts and bytes are stored in `memory`. Returns an error
+/// message, or an empty text; after an error the message is valid but unspecified.
 template <wire::message T> [[nodiscard]] std::string from_json(const json& fields, T& message, wire::arena& memory) {
     return from_input(detail::input_of(fields), message, memory);
 }

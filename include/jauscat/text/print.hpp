@@ -99,7 +99,7 @@ class printer {
         case integer_form::meaning::number: break;
         }
         if (name.ends_with("presence_vector") || name == "command_code" || name == "message_code")
-            return hex_number(number, is.bits / 4); // nobody reads these in decimal
+            return hex_number(number, is.bits / 4); // more readable in hex
         return with_unit(digits(number, is.is_signed), is.unit);
     }
     static std::string one_line(std::string_view, const real_form& is, const void* at) {

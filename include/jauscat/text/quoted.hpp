@@ -1,5 +1,5 @@
-// Text of messages between quotes, safe for a terminal. Messages hold octets: text in UTF-8 stays readable,
-// any other octet is escaped.
+// Text of messages between quotes, safe for a terminal. Messages contain octets: UTF-8 text remains readable, any other
+// octet is escaped.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -68,7 +68,7 @@ inline std::string_view without_unit(std::string_view text, std::string_view uni
         text = trimmed(text.substr(0, text.size() - unit.size()));
     return text;
 }
-/// Takes `raw:` away.
+/// Removes `raw:`.
 inline bool is_raw(std::string_view& text) {
     if (!text.starts_with("raw:")) return false;
     text.remove_prefix(4);

@@ -27,7 +27,7 @@ namespace jauscat::text {
 }
 
 namespace detail {
-/// Takes `digits` digits and what follows them off the front of `text`; false where something else stands there.
+/// Removes `digits` digits and the expected text after them from the front of `text`; false if there is other text.
 [[nodiscard]] inline bool take_number(std::string_view& text, std::size_t digits, std::string_view follows,
                                       unsigned& number) {
     if (text.size() < digits) return false;

@@ -20,7 +20,7 @@ struct form;
 /// An integer of up to 64 bits; also enumerations, sets of flags and bool.
 struct integer_form {
     enum class meaning : std::uint8_t { number, enumeration, flags, boolean };
-    meaning what{};                            ///< what the integer stands for
+    meaning what{};                            ///< meaning of the integer
     bool is_signed{};                          ///< in two's complement
     unsigned bits{};                           ///< of the value on the wire
     std::string_view unit{};                   ///< empty: none
@@ -65,7 +65,7 @@ struct structure_form {
     const structure* of{}; ///< its members
 };
 
-/// A structure whose bit-fields fill one integer: a time stamp.
+/// A structure of bit-fields in one integer: a time stamp.
 struct packed_form {
     const structure* of{}; ///< the structure with the bit-fields
     unsigned bits{};       ///< of the integer
@@ -83,7 +83,7 @@ struct encoded_form {
 
 /// Any number of the same, or always as many (`least` is `most`).
 struct list_form {
-    const form* element{};    ///< how an element is told
+    const form* element{};    ///< form of an element
     std::string_view field{}; ///< name of the value in an element; empty where elements are structures themselves
     std::size_t stride{};     ///< bytes from one element to the next
     std::size_t least{};      ///< how many there must be
@@ -104,7 +104,7 @@ struct other_member {
 
 /// Nodes of one structure, depth first; the rest as in a list.
 struct tree_form {
-    list_form nodes{};       ///< how the nodes are told
+    list_form nodes{};       ///< form of the nodes
     std::size_t max_depth{}; ///< most levels
     other_member children{}; ///< the node's member that counts them
 };
@@ -116,7 +116,7 @@ struct choice_case {
     const void* (*get)(const void* value){}; ///< nullptr where another case is held
     void* (*make)(void* value){};
 };
-/// A value in one of several forms; a member elsewhere says which.
+/// A value in one of several forms; a member elsewhere selects it.
 struct choice_form {
     std::span<const choice_case> cases{}; ///< all of them
 };
@@ -146,7 +146,7 @@ struct member {
     void* (*make)(void* object){};             ///< its value, made present
     std::uint64_t (*number)(const void* object){}; ///< of a presence vector or count, which are no members
     other_member gate{};                           ///< the flag that announces it
-    other_member counter{};                        ///< the member that says how many it has
+    other_member counter{};                        ///< the member with its number of elements
     std::size_t counter_excess{};                  ///< by how much the counter is larger
     other_member tag{};                            ///< the member that selects among a choice_form's cases
 };

@@ -11,7 +11,7 @@ template <wire::message T> [[nodiscard]] constexpr const structure& describe() n
 
 namespace detail {
 
-// A structure whose length is counted inside another of its structures is a message in a message: told as its bytes.
+// A structure with its length in another of its structures is an embedded message: written as its bytes.
 template <class Count> inline constexpr bool counted_deep = false;
 template <auto A, auto B, auto... More> inline constexpr bool counted_deep<wire::counted_by<A, B, More...>> = true;
 template <class T> consteval bool told_as_bytes() {

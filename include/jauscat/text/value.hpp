@@ -21,7 +21,7 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Names are looked for among the values 0 to 255. All in one spelling, of which little more is read than the names:
 // anything else took the compiler longer than the messages themselves. An underscore at the end, where the standard's
-// word is taken, is left out.
+// word is a keyword, is omitted.
 template <class Enum>
 inline constexpr auto enumerator_names = [] {
     constexpr std::string_view spelling = []<std::size_t... I>(std::index_sequence<I...>) {

@@ -28,7 +28,7 @@ enum class errc : std::uint8_t {
     case errc::ok: return "ok";
     case errc::truncated: return "truncated: shorter than its header says";
     case errc::no_space: return "no space: the output buffer is too small";
-    case errc::wrong_size: return "wrong size: the size in the header is not the size of what follows";
+    case errc::wrong_size: return "wrong size: the size in the header is not the size of the data";
     case errc::too_large: return "too large: the data does not fit one SDO packet or its object";
     case errc::unknown_command_code: return "unknown command code: it has no rank in this table";
     case errc::unknown_index: return "unknown index: no component has this object";

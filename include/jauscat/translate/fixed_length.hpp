@@ -30,12 +30,12 @@ namespace jauscat::translate {
 ///     n bytes         the data as under `Table`: its rest, then the body
 ///     zeros           up to the object's size
 ///
-/// and ulDataCnt says the object's size: 2 + the table's rest + the most that the message's body takes, or all of
-/// `max_data` for a message without a limit. Commands and reports, both directions: a packet of another size is refused
-/// (`wrong_size`), a body longer than its message may be does not fit (`too_large`). What fills up is not looked at.
+/// and ulDataCnt is the object's size: 2 + the table's rest + the largest body of the message, or all of `max_data` for
+/// a message without a limit. Commands and reports, both directions: a packet of another size is refused
+/// (`wrong_size`), a body longer than its message allows does not fit (`too_large`). The padding is not checked.
 ///
-/// `Messages` are those that have objects, or one list of them such as jaus::messages: their schemas say the sizes. A
-/// message that is not among them is refused (`unknown_command_code`).
+/// `Messages` are those that have objects, or one list of them such as jaus::messages: the sizes are derived from their
+/// schemas. A message that is not among them is refused (`unknown_command_code`).
 ///
 ///     using table = translate::fixed_length<translation::seed_table, jaus::message_list<jaus::set_wrench_effort>>;
 ///

@@ -1,5 +1,5 @@
-// A message on its way into a process image: integers as on the wire, and an element that is absent still has a value,
-// the last one. So the image's value needs no decision of its own, which made a translation twice as fast.
+// A message during its translation to a process image: integers as on the wire, and an absent element still has a
+// value, the last one. So no decision is needed for each value, which made a translation twice as fast.
 #pragma once
 #include <jauscat/wire/raw.hpp>
 #include <jauscat/wire/visit.hpp>
@@ -9,7 +9,7 @@
 
 namespace jauscat::translate {
 
-/// An optional element whose value outlives its absence. Does for the codec what std::optional does.
+/// An optional element that keeps its value while it is absent. Implements for the codec what std::optional has.
 template <class T> class lasting {
   public:
     using value_type = T;
@@ -83,7 +83,7 @@ template <class T> class image_message : detail::image_slots<T> {
 
   public:
     using raw_of = T;
-    /// The pointer to what stands for `Member`.
+    /// The pointer to the slot of `Member`.
     template <auto Member>
     static constexpr auto place = image_message::find<Member>(static_cast<image_message*>(nullptr));
 

@@ -7,8 +7,8 @@
 
 namespace jauscat::translate {
 
-/// An optional element of the message, as the integer on the wire. Absent, it leaves the image's value as it was: the
-/// last one commanded. In reverse it is present, unless `presence_bits` says that it is absent.
+/// An optional element of the message, as the integer on the wire. If absent, the image's value does not change: the
+/// last one commanded. In reverse it is present, unless its bit in `presence_bits` is clear.
 template <class From, class To> struct element {
     using uses = path_list<From>;
     using writes = path_list<To>;
@@ -48,7 +48,7 @@ template <class To> struct presence_bits {
         To::of(image) = static_cast<typename To::type>(message.presence);
         return errc::ok;
     }
-    /// Runs after the rows that set the elements. Error: reserved_value, a bit that stands for nothing.
+    /// Runs after the rows that set the elements. Error: reserved_value, a bit without an element.
     [[gnu::always_inline]] static constexpr errc from_packet(const auto& image, auto& message, sizes) noexcept {
         using type = std::remove_cvref_t<decltype(message)>;
         check<type>();
@@ -72,8 +72,8 @@ template <class To> struct presence_bits {
     }
 };
 
-/// The image's field that every message raises by one, so that the other side can tell a new command from the last one
-/// sent again. 0 stands for "none yet" and is left out when the counter starts over.
+/// The image's field that each message increments, so that the receiver distinguishes a new command from the last one
+/// sent again. 0 means "none yet" and is skipped when the counter wraps.
 template <class To> struct counter {
     using uses = path_list<>;
     using writes = path_list<To>;

@@ -13,7 +13,7 @@ struct says_presence {
 struct counts_messages {
     template <class Row> static constexpr bool is = requires { typename Row::counts_messages; };
 };
-// A row that deals with sizes, or carries what other rows leave.
+// A row about sizes, or that carries the fields that other rows do not use.
 struct is_for_packets {
     template <class Row>
     static constexpr bool is = carries_rest::is<Row> || states_body_size::is<Row> || counts_data::is<Row>;
@@ -21,9 +21,9 @@ struct is_for_packets {
 
 } // namespace detail
 
-/// A table between the message `Message` and `Image`, a struct whose schema is the layout of a slave's outputs or
-/// inputs. Values go as they are on the wire, scaled ones as their integers. Rows: `copy`, `map_values`, `constant`,
-/// `caller_set` as in a table into packets; `element`, `presence_bits` and `counter` besides.
+/// A table between the message `Message` and `Image`, a struct with the layout of a slave's outputs or inputs. Values
+/// are those on the wire, scaled ones are integers. Rows: `copy`, `map_values`, `constant`, `caller_set` as in a table
+/// into packets; `element`, `presence_bits` and `counter` besides.
 template <wire::message Message, wire::fixed_message Image, class... Rows> struct image_table {
     using message_type = Message;
     using image_type = Image;

@@ -1,5 +1,5 @@
-// The translator that an image table makes: a message's body into the bytes of a process image, and back by the same
-// rows. Integers all the way; no byte of the image changes unless the whole message is good.
+// The translator of an image table: translates a message's body to the bytes of a process image, and the reverse by the
+// same rows. All values are integers; no byte of the image changes unless the whole message is valid.
 #pragma once
 #include <jauscat/translate/image_table.hpp>
 #include <jauscat/wire/decode.hpp>
@@ -58,8 +58,8 @@ template <class Table> struct image_translator {
         return fill_image(body, image);
     }
 
-    /// The same, where the message before it may not have been seen: its presence bits stay set beside the new ones, so
-    /// that the image says both commands.
+    /// The same if the slave may not have read the previous message: its presence bits remain set beside the new ones,
+    /// so that the image contains both commands.
     [[nodiscard, gnu::always_inline]] static constexpr result<void, errc> merge(std::span<const std::byte> body,
                                                                                 std::span<std::byte> image) noexcept {
         static_assert(!std::is_void_v<typename Table::presence_row>, "merge: the table has no row presence_bits");

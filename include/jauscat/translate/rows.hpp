@@ -147,7 +147,7 @@ template <class To> struct caller_set {
     }
 };
 
-/// The JAUS field that states the body's size: not carried, because the packet's data count says the same.
+/// The JAUS field that states the body's size: not carried, because the packet's data count determines it.
 template <class From> struct body_size {
     using uses = path_list<From>;
     using writes = path_list<>;
@@ -182,8 +182,8 @@ template <class To> struct data_count {
     }
 };
 
-/// The packet field that states the length: `Fixed` bytes and the data. A packet may be longer than its data count
-/// says, as some senders fill the data field up; the count decides.
+/// The packet field that states the length: `Fixed` bytes and the data. A packet may be longer than its data count,
+/// because some senders pad the data field; the count decides.
 template <class To, std::size_t Fixed> struct packet_length {
     using uses = path_list<>;
     using writes = path_list<To>;

@@ -88,7 +88,7 @@ struct row_of_kind<Kind, Row, Rows...>
 
 template <class... Rows> struct row_list {};
 
-/// A table between the message header `Header` and the packet `Packet`, whose data holds at most `MaxData` bytes.
+/// A table between the message header `Header` and the packet `Packet`, with at most `MaxData` bytes of data.
 template <wire::fixed_message Header, wire::fixed_message Packet, std::size_t MaxData, class... Rows> struct table {
     using header_type = Header;
     using packet_type = Packet;
@@ -118,7 +118,7 @@ template <wire::fixed_message Header, wire::fixed_message Packet, std::size_t Ma
     using data_count_row = typename detail::row_of_kind<detail::counts_data, Rows...>::type;
     static_assert(MaxData <= std::numeric_limits<typename data_count_row::counts_data::type>::max(),
                   "table: the packet field that counts the data is too narrow for the largest data");
-    /// The rows that say at which object a message lies; void where the packet is not for an object dictionary.
+    /// The rows that determine the object of a message; void if the packet is not for an object dictionary.
     using index_row = typename detail::row_of_kind<detail::gives_index, Rows...>::type;
     using subindex_row = typename detail::row_of_kind<detail::gives_subindex, Rows...>::type;
 

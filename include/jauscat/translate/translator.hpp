@@ -27,7 +27,7 @@ template <class Table> struct translator {
         return fill_packet(message, packet).of(packet);
     }
 
-    /// The same with what is the caller's own, such as a packet number, taken from `given`.
+    /// The same with the fields set by the caller, such as a packet number, from `given`.
     [[nodiscard, gnu::always_inline]] static constexpr result<std::span<std::byte>, errc>
     to_packet(std::span<const std::byte> message, std::span<std::byte> packet, const packet_type& given) noexcept {
         return fill_packet(message, packet, given).of(packet);
@@ -41,7 +41,7 @@ template <class Table> struct translator {
         return fill_message(packet, message).of(message);
     }
 
-    /// The same for a packet whose fields and data are at hand apart.
+    /// The same for a packet with separate fields and data.
     [[nodiscard, gnu::always_inline]] static constexpr result<std::span<std::byte>, errc>
     from_packet(const packet_type& fields, std::span<const std::byte> data, std::span<std::byte> message) noexcept {
         return fill_message(fields, data, message).of(message);
@@ -133,8 +133,8 @@ template <class Table> struct translator {
         });
         copy_body(in, s.body, message.data() + header_size);
 
-        if constexpr (Table::body_size_row::uses::size == 0) { // the size came with the rest: is it true?
-            // Not get_message, which may be a call: only one field is looked at.
+        if constexpr (Table::body_size_row::uses::size == 0) { // the size was in the rest: check it
+            // Not get_message, which may be a call: only one field is needed.
             wire::layout_of<header_type>::get(header, {message.data(), 0},
                                               wire::object_scope{header, wire::plain_root{}});
             if (const errc error = Table::body_size_row::to_packet(header, fields, s); error != errc::ok) return error;

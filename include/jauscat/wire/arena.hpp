@@ -14,7 +14,7 @@ class arena {
     /// `memory` must outlive the decoded messages.
     constexpr explicit arena(std::span<std::byte> memory) noexcept : memory_{memory} {}
 
-    /// `count` default values of `T`, or nullptr where no room is left.
+    /// `count` default values of `T`, or nullptr if the arena is full.
     template <class T> [[nodiscard]] T* allocate(std::size_t count) noexcept {
         static_assert(std::is_trivially_destructible_v<T>, "arena: its elements are never destroyed");
         void* at = memory_.data() + used_;
@@ -28,7 +28,7 @@ class arena {
 
     /// All of the memory is free again; lists in it are gone.
     constexpr void reset() noexcept { used_ = 0; }
-    /// Bytes that are taken, with what alignment costs.
+    /// Bytes in use, including alignment.
     [[nodiscard]] constexpr std::size_t used() const noexcept { return used_; }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return memory_.size(); }
 

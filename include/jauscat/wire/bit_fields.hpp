@@ -145,7 +145,7 @@ template <class Carrier, class... Fields> struct bit_fields {
 
     JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) { (Fields::visit(object, visitor), ...); }
 
-    /// Where a member lies: its first bit, counted from the least significant.
+    /// Position of a member: its first bit, counted from the least significant.
     template <auto Member>
     static constexpr std::size_t first_bit = [] {
         std::size_t at = 0;

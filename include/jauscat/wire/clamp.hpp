@@ -1,4 +1,4 @@
-// Limits a message's scaled values before it is encoded, where that is what the caller wants.
+// Limits a message's scaled values before it is encoded.
 #pragma once
 #include <jauscat/wire/nested.hpp>
 #include <jauscat/wire/visit.hpp>

@@ -116,8 +116,8 @@ template <std::size_t Less, auto... Path> struct count_elsewhere {
 /// The common base of `counted_by` (`Less` is 0) and `one_less_than` (1).
 template <std::size_t Less, auto... Path> using count_elsewhere = detail::count_elsewhere<Less, Path...>;
 
-/// The count is a member of this structure or of one around it; further pointers lead into it. Encoding a list of
-/// another size says count_mismatch.
+/// The count is a member of this structure or of an enclosing one; further pointers lead into it. Encoding a list of
+/// another size gives count_mismatch.
 template <auto... Path> struct counted_by : detail::count_elsewhere<0, Path...> {};
 /// The same where the member counts one more than there are elements; 0 counts none.
 template <auto... Path> struct one_less_than : detail::count_elsewhere<1, Path...> {};

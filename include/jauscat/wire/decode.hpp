@@ -38,7 +38,7 @@ decode_prefix(T& value, std::span<const std::byte> in) noexcept {
     static_assert(!needs_memory<T>, "decode: the message has lists; give an arena as the third argument");
     return detail::decode<false>(value, in, plain_root{}).taken();
 }
-/// The same for a message with lists, whose elements are taken from `memory`. Errors: also arena_full.
+/// The same for a message with lists; the elements are stored in `memory`. Errors: also arena_full.
 template <message T>
 [[nodiscard, gnu::always_inline]] constexpr result<std::size_t, errc>
 decode_prefix(T& value, std::span<const std::byte> in, arena& memory) noexcept {
@@ -52,7 +52,7 @@ template <message T>
     static_assert(!needs_memory<T>, "decode: the message has lists; give an arena as the third argument");
     return detail::decode<true>(value, in, plain_root{}).taken();
 }
-/// The same for a message with lists, whose elements go to `memory`.
+/// The same for a message with lists; the elements are stored in `memory`.
 template <message T>
 [[nodiscard, gnu::always_inline]] constexpr result<std::size_t, errc> decode(T& value, std::span<const std::byte> in,
                                                                              arena& memory) noexcept {

@@ -9,7 +9,7 @@ namespace jauscat::wire {
 
 /// A structure or list that a walk is inside of.
 struct diagnosis_step {
-    /// Stands for: not a list.
+    /// Not a list.
     static constexpr std::size_t no_element = unbounded;
     std::string_view name{};
     std::size_t element = no_element; ///< place in a list, from 0
@@ -59,8 +59,8 @@ class path_trace {
     diagnosis found_{};
 };
 
-/// Watches decoding, and checks each field against the end of the bytes. Given the error that it looks for, it passes
-/// the other ones, as far as what follows can still be found.
+/// Traces decoding, and checks each field against the end of the bytes. If it searches for a given error, it skips
+/// others while the following fields can still be located.
 class decode_trace : public path_trace {
   public:
     constexpr explicit decode_trace(std::span<const std::byte> bytes, errc wanted = errc::ok) noexcept
@@ -126,7 +126,7 @@ class encode_trace : public path_trace {
     constexpr void advance(std::size_t size) noexcept { found_.offset += size; }
 
   private:
-    // The bit-field whose value does not fit, so that not all of its integer is blamed.
+    // The bit-field with a value that does not fit, so that the diagnosis does not name the whole integer.
     template <class... Fields>
     static constexpr std::string_view too_wide(std::tuple<Fields...>*, const auto& object) noexcept {
         std::string_view name;

@@ -16,8 +16,8 @@ JAUSCAT_FLATTEN constexpr out_cursor put_message(const T& __restrict value, std:
 }
 } // namespace detail
 
-/// Bytes that `value` takes on the wire.
-// Out of line, so that encode, which asks only when the buffer is short, stays small enough to be inlined itself.
+/// Encoded size of `value` in bytes. Out of line, so that encode, which only calls it when the buffer is short, is
+/// small enough to be inlined.
 template <message T>
 [[nodiscard, gnu::noinline]] JAUSCAT_FLATTEN constexpr std::size_t encoded_size(const T& value) noexcept {
     if constexpr (fixed_message<T>)

@@ -25,7 +25,7 @@ template <auto Member, class Codec> struct field {
     /// The member's name, for text.
     static consteval std::string_view name() { return name_of<Member>(); }
 
-    /// The type that stands for this field in a `raw`.
+    /// The type of this field in a `raw`.
     using raw_value = std::conditional_t<std::is_same_v<codec_in_mode<Codec, true>, Codec>, value_type,
                                          typename codec_in_mode<Codec, true>::value_type>;
     using raw_type = std::conditional_t<optional, std::optional<raw_value>, raw_value>;
@@ -52,7 +52,7 @@ template <auto Member, class Codec> struct field {
         using value = typename used::value_type;
         value loaded{};
         [[maybe_unused]] const errc error = used::load(in, loaded);
-        // A real reading of a scaled value can meet the one raw value that stands for nothing.
+        // Decoding a scaled value as a real one can meet the one raw value without a meaning.
         if constexpr (Mode == reading::real && requires { typename Codec::raw_codec; })
             return error == errc::ok ? std::optional<value>{loaded} : std::optional<value>{};
         else
@@ -64,7 +64,8 @@ template <auto Member, class Codec> struct field {
     }
 };
 
-/// A member that does not travel: the caller sets it before decoding, where the type of what follows was agreed before.
+/// A member that is not on the wire: the caller sets it before decoding, where the type of the following bytes was
+/// agreed before.
 template <auto Member> struct not_on_wire {
     static constexpr auto key = Member;
     using keys = key_list<Member>;

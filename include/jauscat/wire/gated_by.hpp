@@ -4,8 +4,8 @@
 
 namespace jauscat::wire {
 
-/// `Item`, whose member is a std::optional, travels only when the bool `Flag`, a member of this structure or of one
-/// around it, is set. Encoding a value without its flag, or a flag without its value, says presence_mismatch.
+/// `Item`, with a std::optional member, is encoded only if the bool `Flag`, a member of this structure or of an
+/// enclosing one, is set. Encoding a value without its flag, or a flag without its value, gives presence_mismatch.
 template <auto Flag, class Item> struct gated_by {
     static_assert(detail::checked_item<Item>, "gated_by: the item lacks an operation");
     using gated_item = Item;

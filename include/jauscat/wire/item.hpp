@@ -27,8 +27,8 @@ struct out_cursor {
     errc error;
 };
 
-/// Position of decoding. `slack` counts the bytes beyond the layout's minimum: only variable items spend it, so a fixed
-/// field is never checked twice. A null pointer says that decoding failed; `slack` then holds the errc.
+/// Position of decoding. `slack` counts the bytes beyond the layout's minimum: only variable items use it, so a fixed
+/// field is never checked twice. A null pointer means that decoding has failed; `slack` then holds the errc.
 struct in_cursor {
     const std::byte* at;
     std::size_t slack;
@@ -70,17 +70,17 @@ template <class... Sizes> [[nodiscard]] constexpr std::size_t total_size(Sizes..
     return total;
 }
 
-/// An item says `contextual` when it looks at members of the structures around it.
+/// An item is `contextual` if it reads members of enclosing structures.
 template <class Item> inline constexpr bool is_contextual = false;
 template <class Item>
 requires requires { Item::contextual; }
 inline constexpr bool is_contextual<Item> = Item::contextual;
-/// An item says `needs_memory` when it decodes into an arena.
+/// An item has `needs_memory` if it decodes into an arena.
 template <class Item> inline constexpr bool item_needs_memory = false;
 template <class Item>
 requires requires { Item::needs_memory; }
 inline constexpr bool item_needs_memory<Item> = Item::needs_memory;
-/// An item says `takes_rest` when it takes all bytes that are left.
+/// An item has `takes_rest` if it contains all remaining bytes.
 template <class Item> inline constexpr bool takes_rest = false;
 template <class Item>
 requires requires { Item::to_the_end; }
@@ -107,15 +107,15 @@ JAUSCAT_INLINE constexpr auto& emplace_in(auto& member) noexcept {
         return member;
 }
 
-/// Marks an object whose scaled fields are raw integers.
+/// Marks an object with raw integers as scaled fields.
 template <class Object> concept raw_object = requires { typename std::remove_cvref_t<Object>::raw_of; };
 
-/// The pointer to `Member` in an object of this type: itself, or one to the slot that stands for it in a `raw`.
-/// A constant, where a function for each member would be compiled for each message.
+/// The pointer to `Member` in an object of this type: itself, or one to its slot in a `raw`. A constant, because a
+/// function would be compiled for each member of each message.
 template <class Object, auto Member> inline constexpr auto place_in = Member;
 template <raw_object Object, auto Member>
 inline constexpr auto place_in<Object, Member> = std::remove_cvref_t<Object>::template place<Member>;
-/// The member `Member` of a value, or the slot that stands for it in a `raw`.
+/// The member `Member` of a value, or its slot in a `raw`.
 template <auto Member> constexpr auto& member_of(auto& object) noexcept {
     return object.*place_in<decltype(object), Member>;
 }

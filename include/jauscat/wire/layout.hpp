@@ -59,7 +59,7 @@ JAUSCAT_INLINE constexpr void element([[maybe_unused]] const auto& here, [[maybe
 JAUSCAT_INLINE constexpr void leave([[maybe_unused]] const auto& here) noexcept {
     if constexpr (traced<decltype(here)>) root_of(here).tracer.leave();
 }
-/// The error that decoding ends with; ok where a trace looks for another one and goes on.
+/// The error of decoding; ok if a trace searches for another one and continues.
 JAUSCAT_INLINE constexpr errc unless_passed(errc error, [[maybe_unused]] const auto& here) noexcept {
     if constexpr (traced<decltype(here)>) {
         if (root_of(here).tracer.passes(error)) return errc::ok;

@@ -33,8 +33,8 @@ template <class T, std::size_t Capacity> class inline_list {
     static constexpr std::size_t capacity = Capacity;
 
     constexpr inline_list() noexcept = default;
-    /// More elements than the capacity do not compile in a constant; else those that do not fit are left out, and
-    /// size() says so: push_back tells.
+    /// More elements than the capacity do not compile in a constant; at run time those that do not fit are omitted.
+    /// push_back returns whether its element fits.
     constexpr inline_list(std::initializer_list<T> elements) noexcept {
         for (const T& element : elements)
             if (!push_back(element)) return;

@@ -62,8 +62,8 @@ inline constexpr std::size_t spelling_behind =
 } // namespace detail
 
 /// Name of a member, from the compiler's own spelling of the pointer, so that no name is written twice. An underscore
-/// at its end, where the standard's word is taken (a keyword, `command_code`), is left out. Consteval: firmware that
-/// never asks for a name carries no text.
+/// at its end, where the standard's word is a keyword, is omitted. Consteval: firmware that uses no names contains no
+/// text.
 template <auto Member> consteval std::string_view name_of() {
     constexpr std::string_view spelling = detail::spelling_of<Member>();
     std::size_t stop = spelling.size() - detail::spelling_behind;

@@ -16,9 +16,9 @@ template <class T, class Outer> class view;
 namespace detail {
 template <class Item> concept copied_item = requires { requires Item::codec_type::as_in_memory; };
 
-// A small structure whose bytes on the wire are those in memory. Clang 14 moves it byte by byte unless it is copied
-// whole: a JAUS header, with its two addresses, took a third longer. GCC merges the moves by itself, and a copy would
-// keep the structure in memory: back through the seed table took a quarter longer.
+// A small structure with the same bytes on the wire and in memory. Clang 14 moves it byte by byte unless it is copied
+// as a whole: a JAUS header, with its two addresses, took a third longer. GCC merges the moves by itself, and a copy
+// would keep the structure in memory: back through the seed table took a quarter longer.
 #ifdef __clang__
 inline constexpr std::size_t largest_copied_whole = 8;
 #else
@@ -30,7 +30,7 @@ inline constexpr bool copied_whole = [] {
     constexpr bool only_copies = layout::all_items([]<class Item>() { return copied_item<Item>; });
     if constexpr (only_copies && sizeof(T) == layout::max_size && sizeof(T) <= largest_copied_whole &&
                   std::has_unique_object_representations_v<T>) {
-        // One pattern of distinct bytes tells whether the members lie in the order of the layout.
+        // One pattern of distinct bytes shows whether the members are in the order of the layout.
         std::array<std::byte, sizeof(T)> memory{}, wire{};
         for (std::size_t i = 0; i != sizeof(T); ++i) memory[i] = static_cast<std::byte>(i);
         layout::put(std::bit_cast<T>(memory), {wire.data(), errc::ok}, plain_root{});

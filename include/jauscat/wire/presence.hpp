@@ -41,8 +41,8 @@ inline constexpr auto sizes_by_nibble = [] {
 }();
 } // namespace detail
 
-/// A bit of the presence vector as a bool member: it announces something that stands elsewhere (see gated_by) and takes
-/// no bytes itself.
+/// A bit of the presence vector as a bool member: it announces a field elsewhere (see gated_by) and has no bytes
+/// itself.
 template <auto Member> struct presence_flag {
     static constexpr auto key = Member;
     using keys = key_list<Member>;
@@ -71,9 +71,9 @@ template <class Item>
 requires requires { Item::takes_bit; }
 inline constexpr bool takes_bit<Item> = true;
 
-/// A presence vector in `Carrier`, then its items. Each item with a std::optional member takes the next bit, from the
-/// least significant up, and is there when its bit is set; so does a `presence_flag`. Any other item is always there.
-// Where all items have a fixed size the vector alone tells the size of the whole, and the bytes are checked once.
+/// A presence vector in `Carrier`, then its items. Each item with a std::optional member uses the next bit, from the
+/// least significant up, and is present if its bit is set; so does a `presence_flag`. Any other item is always present.
+/// If all items have a fixed size, the vector alone determines the total size, and the length is checked once.
 template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_group {
     static_assert((detail::checked_item<Items> && ... && true), "presence: an item lacks an operation");
     using carrier_codec = Carrier;

@@ -58,7 +58,7 @@ template <class T> class raw : raw_slots_of<T> {
   public:
     using raw_of = T;
 
-    /// The pointer to the slot that stands for `Member`.
+    /// The pointer to the slot of `Member`.
     template <auto Member> static constexpr auto place = raw::find<Member>(static_cast<raw*>(nullptr));
 
     template <auto Member> [[nodiscard]] constexpr const auto& get() const noexcept { return this->*place<Member>; }
@@ -66,7 +66,7 @@ template <class T> class raw : raw_slots_of<T> {
     template <auto Member> constexpr void set(const auto& value) noexcept { this->*place<Member> = value; }
     /// The stored value itself, to be changed in place.
     template <auto Member> [[nodiscard]] constexpr auto& slot() noexcept { return this->*place<Member>; }
-    /// Where a member's integer stands.
+    /// Position of a member's integer.
     template <auto Member> [[nodiscard]] constexpr const auto& slot() const noexcept { return this->*place<Member>; }
 
     friend constexpr bool operator==(const raw&, const raw&) = default;

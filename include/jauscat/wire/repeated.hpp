@@ -91,9 +91,9 @@ template <class Value> struct raw_element<record, Value> {
 
 template <class Item, class Outer> class list_view;
 
-/// A list: `Count` says how many (count, counted_by, one_less_than), `Element` what (record, element).
-/// Decoding a `list` takes its elements from the arena (`arena_full`); an `inline_list` holds up to its capacity
-/// (`count_above_capacity`).
+/// A list: `Count` is the number of elements (count, counted_by, one_less_than), `Element` their form (record,
+/// element). Decoding a `list` stores its elements in the arena (`arena_full`); an `inline_list` holds up to its
+/// capacity (`count_above_capacity`).
 template <auto Member, class Count, class Element = record> struct repeated {
     static constexpr auto key = Member;
     using keys = key_list<Member>;

@@ -1,6 +1,6 @@
-// Codecs of single values of a fixed size: integers and floating point in either byte order, enumerations, octets.
-// A codec has `value_type`, `size` in bytes, `store(bytes, value)` and `load(bytes, value)`; both say errc::ok or why
-// not. One that says `as_in_memory` stores the value's own bytes, and takes any bytes.
+// Codecs of single values of a fixed size: integers and floating point in either byte order, enumerations, octets. A
+// codec has `value_type`, `size` in bytes, `store(bytes, value)` and `load(bytes, value)`; both return errc::ok or an
+// error. One with `as_in_memory` stores the value's bytes unchanged, and accepts any bytes.
 #pragma once
 #include <jauscat/wire/errc.hpp>
 #include <jauscat/wire/inlining.hpp>

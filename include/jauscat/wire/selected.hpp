@@ -1,4 +1,4 @@
-// A value whose layout depends on another member: a type code, a tag, an index.
+// A value with a layout that depends on another member: a type code, a tag, an index.
 #pragma once
 #include <jauscat/wire/nested.hpp>
 
@@ -80,7 +80,7 @@ template <> struct case_form<std::monostate> {
 };
 
 /// Operations on a value of the type `Value`, by its tag. For all members with the same cases, and out of line: a
-/// payload's interface has three values of 22 cases each. A structure in a case looks at nothing around it.
+/// payload's interface has three values of 22 cases each. A structure in a case reads no enclosing members.
 template <class Value, bool Raw, class... Cases> struct case_table {
     static constexpr std::size_t min_size = std::min({case_form<typename Cases::form>::min_size...});
     static constexpr std::size_t max_size = std::max({case_form<typename Cases::form>::max_size...});

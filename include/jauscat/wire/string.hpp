@@ -7,7 +7,7 @@ namespace jauscat::wire {
 
 namespace detail {
 
-/// Octets of a member that is a std::string_view or a blob, with the length `Extent` says.
+/// Octets of a member that is a std::string_view or a blob; `Extent` determines the length.
 template <auto Member, class Extent> struct octet_run {
     static constexpr auto key = Member;
     using keys = key_list<Member>;
@@ -40,7 +40,7 @@ template <auto Member, class Extent> struct octet_run {
         while (size != 0 && in[size - 1] == std::byte{}) --size;
         return size;
     }
-    /// Writes the octets behind what stands before them.
+    /// Writes the octets after the preceding items.
     JAUSCAT_INLINE static constexpr out_cursor append(const value_type& value, out_cursor c,
                                                       const auto& here) noexcept {
         if (c.error != errc::ok) return c;

@@ -1,4 +1,4 @@
-// A tree as a flat list, depth first: each node says how many children follow it.
+// A tree as a flat list, depth first: each node has its number of children.
 #pragma once
 #include <jauscat/wire/list.hpp>
 #include <jauscat/wire/nested.hpp>
@@ -8,7 +8,7 @@ namespace jauscat::wire {
 /// Depth of a depth-first walk over nodes; `MaxDepth` levels, the root's included.
 template <std::size_t MaxDepth> class tree_walk {
   public:
-    /// A node with `children` is passed. False when it lies deeper than allowed.
+    /// Called for a node with `children`. False if it is deeper than allowed.
     [[nodiscard]] constexpr bool pass(std::size_t children) noexcept {
         if (depth_ == MaxDepth) return false;
         open_[depth_++] = children;
@@ -29,8 +29,7 @@ template <std::size_t MaxDepth> class tree_walk {
 template <class Item, class Outer> class list_view;
 
 /// A tree of at least its root, of at most `MaxDepth` levels (`too_deep`), in a `list` of nodes, depth first.
-/// `Children` is the node's member with the number of its children; where they do not add up, encoding says
-/// count_mismatch.
+/// `Children` is the node's member with the number of its children; inconsistent numbers give count_mismatch.
 template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
     static constexpr auto key = Member;
     using keys = key_list<Member>;
@@ -129,7 +128,7 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
     }
 
   private:
-    // Steps over all nodes and counts them. A node looks at nothing outside itself.
+    // Iterates over all nodes and counts them. A node reads no enclosing members.
     static constexpr in_cursor walk_bytes(in_cursor c, std::size_t& count, const auto& here) noexcept {
         tree_walk<MaxDepth> walk;
         do {

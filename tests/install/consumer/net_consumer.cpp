@@ -1,4 +1,4 @@
-// The I/O floor links and opens a socket.
+// jauscat::net links and opens a socket.
 #include <jauscat/net.hpp>
 
 int main() {

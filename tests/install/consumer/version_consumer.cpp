@@ -1,4 +1,4 @@
-// Code that knows which version it is compiled with.
+// Code that checks the version of the library.
 #include <jauscat/version.hpp>
 
 // [version]

@@ -15,7 +15,7 @@ namespace jauscat::hilscher {
     case od_status::object_exists: return "the object exists already";
     case od_status::subobject_exists: return "the subobject exists already";
     case od_status::not_owner: return "the object belongs to another application";
-    case od_status::too_many_subobjects: return "the object has room for fewer subobjects";
+    case od_status::too_many_subobjects: return "the object was announced with fewer subobjects";
     case od_status::creation_incomplete: return "the object is not created completely";
     case od_status::wrong_total_data_bytes: return "ulTotalDataBytes and ulLen disagree";
     }

@@ -31,7 +31,7 @@ class packet_job {
                const packet_options& options = {}) noexcept
         : io_{request, confirmation.first(std::min(confirmation.size(), confirmation_size)), options} {}
 
-    /// Starts what the request asks for. False if no job of the master runs: `finish` then.
+    /// Starts the requested service. If it returns false, no job of the master runs: call `finish`.
     bool start(master& m) noexcept {
         if (!wire::decode_prefix(head_, io_.request) || is_answer(head_)) return false;
         status_ = check_header();
@@ -158,7 +158,7 @@ class packet_job {
         service_{};
     packet_status status_{};
     master_error error_{};
-    bool runs_{};    // a job of the master whose end `next` has not been told
+    bool runs_{};    // a job of the master with an end not yet passed to `next`
     bool has_run_{}; // a job of the master was started
 };
 

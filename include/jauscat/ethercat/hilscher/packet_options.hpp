@@ -21,7 +21,7 @@ struct packet_options {
     download_options download{};
     /// The slaves of the bus, at most 16, as in a card's configuration. Without it the bus consists of the slaves that
     /// the master has brought up, or that a bus scan has found: they are then stations 1, 2, 3 in the order of the
-    /// ring. Stays in place while a packet is executed.
+    /// ring. Must not be moved while a packet is executed.
     std::span<const bus_slave> slaves{};
     /// Refuses headers that a card would not take: an ulDest other than 20h or a channel, 1 to 4 (unknown_destination),
     /// an ulDestId (unknown_destination_id), a place in a sequence in ulExt (invalid_extension). Not for packets of the

@@ -15,9 +15,9 @@ namespace jauscat::ethercat {
     return configured != io.options.slaves.end() ? configured->station : static_cast<std::uint16_t>(position + 1);
 }
 
-/// Takes all slaves to INIT, counts them, and brings each one up to PRE-OP, the first 16 of them: SDO packets reach
-/// them then. Those that refuse are counted all the same; what is wrong with them says get_bus_scan_info. ulTimeout is
-/// the caller's, who drives the master's jobs.
+/// Takes all slaves to INIT, counts them, and brings each one up to PRE-OP, the first 16 of them: SDO packets then
+/// reach them. Those that refuse are counted too; get_bus_scan_info reports their errors. The caller, which drives the
+/// master's jobs, implements ulTimeout.
 class packet_start_scan
     : public packet_service<hilscher::start_bus_scan_request, hilscher::start_bus_scan_confirmation> {
   public:
@@ -55,7 +55,7 @@ class packet_start_scan
     std::size_t position_{}; // of the slave that is next
 };
 
-/// Who a slave is and what its ports are connected to. A slave that no scan has brought up is brought up now.
+/// Identity of a slave and state of its ports. A slave that no scan has brought up is brought up first.
 class packet_scan_info
     : public packet_service<hilscher::get_bus_scan_info_request, hilscher::get_bus_scan_info_confirmation> {
   public:

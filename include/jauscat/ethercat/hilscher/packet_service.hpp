@@ -70,7 +70,7 @@ template <class Request, class Confirmation, std::size_t Repeated = 0> struct pa
     }
 };
 
-/// A service that asks a slave something over its mailbox. Where the slave does not answer, its state says why.
+/// A service that uses the mailbox of a slave. If the slave does not answer, its state gives the reason.
 template <class Request, class Confirmation, std::size_t Repeated = 0>
 struct packet_coe_service : packet_service<Request, Confirmation, Repeated> {
     using base = packet_service<Request, Confirmation, Repeated>;

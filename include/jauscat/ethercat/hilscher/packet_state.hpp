@@ -82,7 +82,7 @@ class packet_set_state : public packet_service<hilscher::set_state_request, hils
         al_status status{}; ///< state 0: the slave is lost, or was never brought up
     };
 
-    // What a slave says of a refused state has statuses of its own, but how they are numbered is not documented.
+    // A slave's reasons for refusing a state have statuses of their own, but their numbering is not documented.
     [[nodiscard]] static hilscher::packet_status status_of(const master_error& error) noexcept {
         if (error.code == master_errc::al_error || error.code == master_errc::state_timeout)
             return hilscher::packet_status::fail;

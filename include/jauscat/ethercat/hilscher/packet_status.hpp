@@ -127,7 +127,7 @@ template <class Meaning, std::size_t N>
     case packet_status::critical_error_state: return "the EtherCAT master has failed and needs a reset";
     case packet_status::wrong_internal_state: return "the EtherCAT master is not in a state for this service";
     case packet_status::coe_invalid_slave_id: return "no slave has this station address";
-    case packet_status::coe_no_resource: return "the EtherCAT master has no room for another transfer";
+    case packet_status::coe_no_resource: return "the EtherCAT master has no resources for another transfer";
     case packet_status::coe_internal_error: return "internal error of the EtherCAT master's CoE service";
     case packet_status::coe_invalid_index: return "no slave has this position";
     case packet_status::coe_invalid_communication_state: return "CoE needs a slave that is at least in PRE-OP";

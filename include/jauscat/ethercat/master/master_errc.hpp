@@ -29,14 +29,14 @@ enum class master_errc : std::uint8_t {
     no_coe,            ///< the slave's mailbox carries no CoE
     al_error,          ///< the slave refused a state; al_status
     state_timeout,     ///< the slave did not reach a state; state
-    too_many_slaves,   ///< the master has no room for another slave
+    too_many_slaves,   ///< more slaves than the master supports
     no_fmmu,           ///< the slave has fewer FMMUs than it has process data; fmmus
     too_many_managers, ///< more than four SyncManagers carry process data
     image_full,        ///< the process image has no room for the slave's data; bytes
     watchdog_range,    ///< a watchdog time that the registers cannot express
     watchdog_not_kept, ///< the slave does not keep its watchdog's settings; watchdog_divider, watchdog_units
-    not_configured,    ///< the slave's process data and watchdog are not set: OP is not asked for
-    mailbox_full,      ///< the slave does not take its mail
+    not_configured,    ///< the slave's process data and watchdog are not set: OP is not requested
+    mailbox_full,      ///< the slave does not read its mailbox
     mailbox_timeout,   ///< the slave took the request and did not answer
     mailbox_error,     ///< the slave refused the message; mailbox
     unexpected_reply,  ///< the answer was to something else; specifier
@@ -55,7 +55,7 @@ enum class master_errc : std::uint8_t {
     case master_errc::ok: return "ok";
     case master_errc::busy: return "the master is busy with another job: run that to its end, then start again";
     case master_errc::not_sent: return "the link did not take a frame: check that the interface is up";
-    case master_errc::no_reply: return "frames do not come back: check cable, interface and that a slave is running";
+    case master_errc::no_reply: return "frames do not return: check cable, interface and that a slave is running";
     case master_errc::timeout: return "the deadline passed before the work was done: allow more time";
     case master_errc::no_slave: return "no slave at this position: check position, cabling and power";
     case master_errc::wrong_station: return "no slave has this station address: bring it up first";
@@ -69,15 +69,15 @@ enum class master_errc : std::uint8_t {
     case master_errc::no_coe: return "the slave's mailbox does not carry CoE: this slave cannot take SDOs";
     case master_errc::al_error: return "the slave refused the state: see its AL status code";
     case master_errc::state_timeout: return "the slave did not reach the state in time: allow more time or reset it";
-    case master_errc::too_many_slaves:
-        return "the master has room for 16 slaves: leave one out or raise slave_capacity";
+    case master_errc::too_many_slaves: return "the master supports 16 slaves: remove one or raise slave_capacity";
     case master_errc::no_fmmu: return "the slave has too few FMMUs for its process data: it cannot be mapped";
     case master_errc::too_many_managers: return "the slave spreads its process data over more than four SyncManagers";
     case master_errc::image_full: return "the process data do not fit one frame: map fewer PDOs";
     case master_errc::watchdog_range: return "the watchdog time is out of range: give 0.1 ms to 6553.5 ms";
     case master_errc::watchdog_not_kept: return "the slave does not keep its watchdog's settings: it must not go to OP";
     case master_errc::not_configured: return "the slave's watchdog is not set: configure the slave before OP";
-    case master_errc::mailbox_full: return "the slave does not take its mail: it hangs or is not in PRE-OP";
+    case master_errc::mailbox_full:
+        return "mailbox full: the slave is not reading it; check that it is in PRE-OP or higher";
     case master_errc::mailbox_timeout: return "the slave took the request and did not answer: allow more time";
     case master_errc::mailbox_error: return "the slave refused the mailbox message: see the mailbox error code";
     case master_errc::unexpected_reply: return "the slave answered something else: it does not follow the protocol";

@@ -21,7 +21,7 @@ namespace jauscat::ethercat {
 struct process_statistics {
     std::uint64_t sent{};
     std::uint64_t complete{};   ///< every slave took part
-    std::uint64_t incomplete{}; ///< came back with a smaller or larger working counter: inputs are the ones before
+    std::uint64_t incomplete{}; ///< returned with a smaller or larger working counter: the inputs are the previous ones
     std::uint64_t lost{};       ///< did not come back before the next cycle
 };
 
@@ -35,9 +35,9 @@ struct process_options {
     std::uint32_t logical_base{};
 };
 
-/// Sends the process image when a cycle is due; a frame that is not back by then is lost, and the next one goes all the
-/// same: the freshest outputs count. Runs beside a master on the same link: give each frame that arrives to `on_frame`
-/// first, and to the master if it was not taken.
+/// Sends the process image when a cycle is due; a frame that has not returned by then is lost, and the next one is sent
+/// nevertheless, because the newest outputs count. Runs beside a master on the same link: pass each received frame to
+/// `on_frame` first, and to the master if it was not accepted.
 class process_data {
   public:
     process_data() noexcept = default;
@@ -61,7 +61,7 @@ class process_data {
         statistics_ = before.statistics_;
     }
 
-    /// Whether one frame has room for all that it has to carry. If not, none is ever sent.
+    /// Whether one frame holds all data. If not, no frame is ever sent.
     [[nodiscard]] bool fits() const noexcept { return fits_; }
 
     /// The addresses of each slave's data.
@@ -135,7 +135,7 @@ class process_data {
 
     /// The cycle's frame is not back yet.
     [[nodiscard]] bool waits() const noexcept { return outstanding_.waits(); }
-    /// Every slave took part in the last cycle: its frame came back, with the working counter that it has to have.
+    /// Every slave took part in the last cycle: its frame has returned, with the expected working counter.
     [[nodiscard]] bool is_complete() const noexcept { return is_complete_; }
     /// Working counter of the process data in the last reply; the sum if each slave has its own datagram.
     [[nodiscard]] std::uint16_t working_counter() const noexcept { return working_counter_; }

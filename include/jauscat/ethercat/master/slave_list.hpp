@@ -17,7 +17,7 @@ class slave_list {
   public:
     /// All of them, in no particular order.
     [[nodiscard]] std::span<const slave_record> all() const noexcept { return std::span{records_}.first(count_); }
-    /// Whether there is no room for another.
+    /// Whether the list is full.
     [[nodiscard]] bool full() const noexcept { return count_ == records_.size(); }
 
     /// By its station address; nullptr where there is none.

@@ -22,7 +22,7 @@ class emergency_log {
   public:
     static constexpr std::size_t capacity = 5;
 
-    /// Keeps `emergency`; where there is no room, the oldest one goes.
+    /// Stores `emergency`; if the memory is full, the oldest one is dropped.
     constexpr void note(const coe_emergency& emergency) noexcept {
         if (count_ == capacity) {
             std::ranges::copy(std::span{kept_}.subspan(1), kept_.begin());
@@ -85,8 +85,8 @@ struct slave_record {
     al_status al{};                   ///< as the last `check` has found it; state 0: it failed
     bool mail_waits{};                ///< at the last `check` its reply mailbox was full: collect its emergencies
     std::uint8_t last_counter{};      ///< of the last mailbox request; 0: none yet
-    std::uint32_t last_reply_mark{};  ///< of the last mailbox message received: tells it from the next one
-    std::uint8_t abandoned_counter{}; ///< of a request that was given up: its answer may still come
+    std::uint32_t last_reply_mark{};  ///< of the last mailbox message received: distinguishes it from the next one
+    std::uint8_t abandoned_counter{}; ///< of an abandoned request: its answer may still arrive
     bool drained{};                   ///< no old message waits in the reply mailbox
     /// Pending abort of a cancelled segmented transfer; sent before the next transfer.
     std::optional<sdo_abort> unfinished{};

@@ -13,7 +13,7 @@ namespace jauscat::ethercat {
 
 /// Whether a slave runs; if not, why.
 enum class slave_condition : std::uint8_t {
-    silent,     ///< no frame came back
+    silent,     ///< no frame returned
     running,    ///< in OP, and its process data were exchanged
     incomplete, ///< in OP, but its process data were not exchanged
     not_in_op,  ///< in another state, or in one that is not known: see slave_status::al
@@ -24,7 +24,7 @@ enum class slave_condition : std::uint8_t {
 /// The condition in one line: what happened and what to do.
 [[nodiscard]] constexpr std::string_view describe(slave_condition condition) noexcept {
     switch (condition) {
-    case slave_condition::silent: return "frames do not come back: check cable, interface and that a slave is running";
+    case slave_condition::silent: return "frames do not return: check cable, interface and that a slave is running";
     case slave_condition::running: return "in OP, process data exchanged";
     case slave_condition::incomplete: return "in OP, process data not exchanged: configure the slave again";
     case slave_condition::not_in_op: return "not in OP: see its AL status code";
@@ -36,7 +36,7 @@ enum class slave_condition : std::uint8_t {
 
 /// Each time is that at which the frame was sent, so that its content is never older.
 struct slave_status {
-    slave_condition condition{}; ///< in the last frame that came back
+    slave_condition condition{}; ///< in the last returned frame
     al_status al{};              ///< as the slave reported it last
     bool mail_waits{};           ///< its reply mailbox was full: unless a transfer runs, collect its emergencies
     std::optional<time_point> last_frame{};   ///< that came back

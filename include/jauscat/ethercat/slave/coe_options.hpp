@@ -23,12 +23,12 @@ struct coe_options {
     /// outlives it. Without it an object has to fit one message: a larger one is aborted with 06010005h.
     std::span<std::byte> transfer_memory{};
     /// Subindex 0 of mapping and assignment objects is kept here, and their entries are aborted with 06010003h while it
-    /// is not 0: see subindex_0_rule. Objects that describe themselves as read only are none of its business.
+    /// is not 0: see subindex_0_rule. Objects described as read-only are not affected.
     bool subindex_0_rule{};
     /// An upload in segments starts without data, as some slaves do, in place of as much as fits.
     bool empty_start{};
     /// An entry is accessed only in states that its description allows, else aborted with 08000022h; those of mapping
-    /// and assignment objects are written in PRE-OP only, whatever they say.
+    /// and assignment objects are written in PRE-OP only, whatever their description.
     bool state_rule{};
     /// Frames that pass before a request is answered, besides the one that brought it.
     std::uint32_t answer_delay{};

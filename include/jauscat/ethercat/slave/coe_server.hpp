@@ -27,7 +27,7 @@ class coe_server {
     explicit coe_server(object_dictionary objects, const coe_options& options = {}) noexcept
         : objects_{objects, options}, options_{options} {}
 
-    /// The transfer that is under way, if any, is forgotten.
+    /// Drops a running transfer.
     void forget_transfer() noexcept {
         segments_ = segments::none;
         information_.forget();
@@ -56,7 +56,7 @@ class coe_server {
         }
         sdo_normal request{};
         if (!wire::decode_prefix(request, sdo)) return {.error = mailbox_error_code::size_too_short};
-        forget_transfer(); // the master gave up, or begins another one
+        forget_transfer(); // the master has abandoned it, or begins another one
         const auto& header = request.header;
         object_ = {.index = header.index, .subindex = header.subindex, .complete = header.complete_access};
         if (header.specifier == sdo_specifier::abort) return {};
@@ -146,7 +146,7 @@ class coe_server {
             return store(std::span{expedited.data}.first(header.size_indicated ? 4u - header.unused : 4u), out);
         }
         const auto data = sdo.subspan(wire::max_size<sdo_normal>);
-        if (request.size > data.size()) { // the rest follows, and all of it if no data came
+        if (request.size > data.size()) { // the rest follows, or all of it if this message had no data
             if (request.size > options_.transfer_memory.size()) return put_abort(out, abort_code::exceeds_mailbox);
             begin(segments::download, request.size);
             keep(data);
@@ -157,7 +157,7 @@ class coe_server {
         return store(data, out);
     }
 
-    // All of a download that came in one message.
+    // All of a download in one message.
     coe_answer store(std::span<const std::byte> data, std::span<std::byte> out) noexcept {
         const auto error = objects_.write(object_, data);
         if (error != abort_code::none) return put_abort(out, error);

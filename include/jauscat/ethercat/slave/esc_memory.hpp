@@ -69,7 +69,7 @@ class esc_memory {
     [[nodiscard]] constexpr sync_manager manager(std::size_t n) const noexcept {
         return load(nth(esc_registers::sync_manager, n));
     }
-    /// The memory of a SyncManager; empty when it lies outside.
+    /// The memory of a SyncManager; empty if it is outside of the memory.
     [[nodiscard]] constexpr std::span<std::byte> area(const sync_manager& sm) noexcept {
         if (std::size_t{sm.start} + sm.length > memory_size) return {};
         return std::span{memory_}.subspan(sm.start, sm.length);
@@ -81,7 +81,7 @@ class esc_memory {
         sm.read_event = !full;
         store(nth(esc_registers::sync_manager, n), sm);
     }
-    /// The application has done what the master's repeat request of SyncManager `n` asked.
+    /// The application has completed the master's repeat request of SyncManager `n`.
     constexpr void acknowledge_repeat(std::size_t n) noexcept {
         auto sm = manager(n);
         sm.repeat_acknowledge = sm.repeat_request;
@@ -98,7 +98,7 @@ class esc_memory {
     }
     /// The FMMU `n`, from 0.
     [[nodiscard]] constexpr fmmu mapping(std::size_t n) const noexcept { return load(nth(esc_registers::fmmu, n)); }
-    /// Memory, whatever the SyncManagers say; within `memory_size`.
+    /// Memory, regardless of the SyncManagers; within `memory_size`.
     [[nodiscard]] constexpr std::span<std::byte> bytes(std::size_t start, std::size_t size) noexcept {
         return std::span{memory_}.subspan(start, size);
     }
@@ -144,8 +144,8 @@ class esc_memory {
         }
     }
 
-    // A SyncManager's area opens with its first byte, and for one direction; a mailbox only while there is something to
-    // read or room to write.
+    // A SyncManager's area opens with its first byte, and for one direction; a mailbox only if it has a message to read
+    // or is empty for writing.
     [[nodiscard]] constexpr bool may_access(std::size_t address, std::size_t size,
                                             sync_manager_direction direction) noexcept {
         if (size == 0 || address + size > memory_size) return false;
@@ -207,7 +207,7 @@ class esc_memory {
 
     [[nodiscard]] constexpr bool sii_is_masters() const noexcept { return !load(esc_registers::sii_owner).pdi; }
 
-    // Read-only bits stay; the command and the write enable are taken over, and any command makes the SII busy.
+    // Read-only bits keep their value; the command and the write enable are copied, and any command makes the SII busy.
     constexpr void start_sii(std::size_t address, std::span<const std::byte> in) noexcept {
         if (!sii_is_masters() || address > esc_registers::sii_control.address) return;
         const auto written = in.subspan(esc_registers::sii_control.address - address);

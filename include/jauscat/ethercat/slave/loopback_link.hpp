@@ -12,7 +12,7 @@
 
 namespace jauscat::ethercat {
 
-/// Models `link`. Holds one frame: the next one is taken when it has been received.
+/// Models `link`. Holds one frame: the next one is accepted after it has been received.
 class loopback_link {
   public:
     /// `slaves`, in ring order, outlive the link. None at all returns frames as they are.

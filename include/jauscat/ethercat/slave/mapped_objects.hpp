@@ -18,7 +18,7 @@ namespace jauscat::ethercat {
 /// where only its subindex 0 is mapped. Models object_source.
 class mapped_objects {
   public:
-    /// Whatever `description` and `application` refer to must outlive this object.
+    /// All objects that `description` and `application` refer to must outlive this object.
     constexpr mapped_objects(const slave_description& description, object_dictionary application) noexcept
         : outputs_{pdo_contents(description.outputs)},
           inputs_{pdo_contents(description.inputs)},

@@ -25,7 +25,7 @@ struct pdo_entry {
     return (bits + 7) / 8;
 }
 
-/// Where an emulated slave has its process data, each with room for three buffers, as a slave controller needs them.
+/// Areas of an emulated slave's process data, each with three buffers, as in a slave controller.
 namespace process_memory {
 inline constexpr std::uint16_t outputs = 0x1C00;
 inline constexpr std::uint16_t inputs = 0x2400;

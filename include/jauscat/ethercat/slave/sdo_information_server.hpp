@@ -19,7 +19,7 @@ namespace jauscat::ethercat {
 /// Answers the part of messages that follows the CoE header. `Objects` models described_object_source.
 template <class Objects> class sdo_information_server {
   public:
-    static constexpr std::size_t max_name = 64; ///< characters of a name that are told
+    static constexpr std::size_t max_name = 64; ///< characters of a name that are sent
 
     /// The fragments that are still to come, if any, are forgotten.
     void forget() noexcept { left_ = 0; }
@@ -66,7 +66,7 @@ template <class Objects> class sdo_information_server {
         return out.size() - room.size() + wire::encode(sdo_information_error{code}, room)->size();
     }
 
-    // The first of as many fragments as `size` bytes need, whose pieces are of `unit` bytes.
+    // The first of as many fragments as `size` bytes need, in units of `unit` bytes.
     std::size_t begin(const Objects& objects, sdo_information_opcode opcode, std::size_t size, std::size_t unit,
                       std::span<std::byte> out) noexcept {
         const auto room = (out.size() - wire::max_size<sdo_information_header>) / unit * unit;
@@ -124,7 +124,7 @@ template <class Objects> class sdo_information_server {
         return count;
     }
 
-    // A list is not kept: each fragment goes on behind the index that the one before ended with.
+    // A list is not stored: each fragment continues after the last index of the previous one.
     std::size_t put_indices(const Objects& objects, std::span<std::byte> room) noexcept {
         std::size_t size = 0;
         const auto put = [&](std::size_t number) {

@@ -58,7 +58,7 @@ struct sii_coe_features {
 
 namespace detail {
 
-/// Writes the categories of one slave. Whatever the description, they fit: names that do not are left out.
+/// Writes the categories of one slave. They fit for any description: names that do not fit are omitted.
 class sii_writer {
   public:
     constexpr sii_writer(const slave_description& slave, const sii_coe_features& coe,
@@ -105,7 +105,7 @@ class sii_writer {
         return wire::max_size<sii_category_header> + wire::max_size<sii_pdo> + entries * wire::max_size<sii_pdo_entry>;
     }
 
-    // Strings 1: the slave, 2 and 3: its PDOs, then one for each entry, outputs first, as long as there is room.
+    // Strings 1: the slave, 2 and 3: its PDOs, then one for each entry, outputs first, while they fit.
     constexpr void write_strings() noexcept {
         constexpr std::size_t others = 128; // general, FMMU, SyncM, the end, and headers
         const auto reserved =

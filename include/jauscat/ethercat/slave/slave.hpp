@@ -73,8 +73,8 @@ class slave {
         mailbox_.set_state(lost.state);
     }
 
-    /// The outputs that are in force: what a master wrote last in OP. What is safe without a master, the application
-    /// knows: see `state`.
+    /// The outputs in force: those that a master wrote last in OP. The application decides which state is safe without
+    /// a master: see `state`.
     [[nodiscard]] std::span<const std::byte> outputs() const noexcept { return process_data_.outputs(); }
     /// True once after each write of the outputs in OP.
     bool take_outputs() noexcept { return process_data_.take_outputs(); }

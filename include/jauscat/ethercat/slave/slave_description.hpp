@@ -27,7 +27,7 @@ struct slave_description {
     /// outlive the slave. A slave with more than process_memory allows refuses SAFE-OP.
     std::span<const pdo_entry> outputs{};
     std::span<const pdo_entry> inputs{}; ///< slave to master: TxPDO 1A00h in SyncManager 3, at process_memory::inputs
-    bool error_register{};               ///< it has object 1001h, which says 0: no error
+    bool error_register{};               ///< it has object 1001h, with the value 0: no error
     std::string_view hardware_version{}; ///< object 1009h; empty: it has none
     std::string_view software_version{}; ///< object 100Ah; empty: it has none
     bool synchronization{};              ///< with process data: it has objects 1C32h and 1C33h, which say free run

@@ -43,7 +43,7 @@ class slave_mailbox {
     }
     void set_state(al_state state) noexcept { coe_.set_state(state); }
 
-    /// The SyncManagers are what the description says.
+    /// The SyncManagers equal the description.
     [[nodiscard]] bool is_configured(esc_memory& memory) const noexcept {
         const auto matches = [&memory](const sync_manager& sm, std::uint16_t start, std::uint16_t length,
                                        sync_manager_direction direction) {
@@ -60,14 +60,14 @@ class slave_mailbox {
     /// A frame has passed, and the slave is not in INIT.
     void work(esc_memory& memory) noexcept {
         const auto in = memory.manager(manager_numbers::mailbox_in);
-        // Checked on the way to PRE-OP, but a master may have changed the SyncManagers since: it then gets silence.
+        // Checked before PRE-OP, but a master may have changed the SyncManagers since: it then gets no answer.
         const bool configured = is_configured(memory);
         if (in.repeat_request != in.repeat_acknowledge) {
             if (replied_ && configured) repeat(memory, in);
             memory.acknowledge_repeat(manager_numbers::mailbox_in);
         }
         const auto out = memory.manager(manager_numbers::mailbox_out);
-        if (memory.manager(manager_numbers::mailbox_in).full) return; // an answer needs room first
+        if (memory.manager(manager_numbers::mailbox_in).full) return; // an answer needs an empty mailbox first
         if (out.full) {
             if (!waiting_) waited_ = 0;
             waiting_ = waited_++ != delay_;
@@ -84,8 +84,8 @@ class slave_mailbox {
     }
 
   private:
-    // What was read last stands in the memory still, unless the answer has gone on since: then it was kept, and the
-    // memory's message, which nobody has read, comes after it.
+    // The last read message is still in the memory, unless the answer has continued since: then it was stored, and the
+    // memory's message, which was not read, follows it.
     void repeat(esc_memory& memory, const sync_manager& in) noexcept {
         if (!in.full) return memory.set_full(manager_numbers::mailbox_in, true);
         if (!continued_ || going_back_) return;
@@ -140,7 +140,7 @@ class slave_mailbox {
         memory.set_full(manager_numbers::mailbox_in, true);
     }
 
-    // 1 to 7; 0 stays: a master that does not count is not counted for.
+    // 1 to 7; 0 remains 0: a master that does not count gets no counter.
     static constexpr std::uint8_t after(std::uint8_t counter) noexcept {
         return static_cast<std::uint8_t>(counter == 0 ? 0 : counter % 7 + 1);
     }

@@ -101,7 +101,7 @@ class slave_process_data {
     area outputs_, inputs_;
     std::array<std::byte, process_memory::max_outputs> in_force_{};
     bool taken_over_{}; // and the application has not looked yet
-    bool fed_{};        // the watchdog, since it looked at the time
+    bool fed_{};        // the watchdog's time of the last check
     time_point last_{};
 };
 

@@ -35,8 +35,8 @@ inline constexpr std::uint16_t input_synchronization = 0x1C33;  ///< the same of
 } // namespace standard_indices
 
 /// The standard objects of an emulated slave, all read only, in front of the objects of its application: with process
-/// data also their mapping (1600h, 1A00h) and assignment (1C12h, 1C13h). The description says which others there are.
-/// Models object_source.
+/// data also their mapping (1600h, 1A00h) and assignment (1C12h, 1C13h). The description determines the others. Models
+/// object_source.
 class standard_objects {
   public:
     /// What `description` and `application` refer to must outlive this.
@@ -176,7 +176,7 @@ class standard_objects {
     // Error no_object: it is none of the standard ones.
     [[nodiscard]] abort_code find(std::uint16_t index, std::uint8_t subindex, value& out) const noexcept {
         const bool process_data = description_.has_process_data();
-        // An object whose subindices 1 to `count` are put by `put_entry`.
+        // An object with subindices 1 to `count` written by `put_entry`.
         const auto entries = [&](std::size_t count, auto&& put_entry) {
             if (subindex > count) return abort_code::no_subindex;
             if (subindex == 0) {
@@ -228,7 +228,7 @@ class standard_objects {
             if (subindex != 0) return abort_code::no_subindex;
             for (const char c : description_.name.substr(0, out.bytes.size())) out.put(static_cast<unsigned char>(c));
             return abort_code::none;
-        case standard_indices::identity: // subindices 1 to 4: what the SII says, too
+        case standard_indices::identity: // subindices 1 to 4: as in the SII
             return entries(4, [&](std::size_t i) {
                 std::array<std::byte, wire::max_size<sii_identity>> words{};
                 static_cast<void>(wire::encode(

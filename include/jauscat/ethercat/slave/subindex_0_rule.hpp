@@ -1,5 +1,5 @@
-// The rule of PDO mapping and assignment objects in an emulated slave: their entries can be written only while
-// subindex 0, the number of entries in force, is 0. ETG.1000.6; real slaves enforce it, whatever the entries hold.
+// The rule of PDO mapping and assignment objects in an emulated slave: their entries can be written only while subindex
+// 0, the number of entries in force, is 0. ETG.1000.6; real slaves enforce it for any entries.
 #pragma once
 
 #include <jauscat/schema/ethercat/coe.hpp>

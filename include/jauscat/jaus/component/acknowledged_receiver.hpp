@@ -22,38 +22,37 @@ struct acknowledged_message {
 
 /// Result of a received message.
 enum class received : std::uint8_t {
-    handed_on, ///< handed on; acknowledged by the handler's outcome if that was asked for, or by `finish`
-    repeated,  ///< handed on before: acknowledged again as then, and dropped
-    pending,   ///< handed on before and not finished yet: dropped without an answer
-    no_room,   ///< dropped without an answer, for it could not be told from its repeats: the sender will try again
+    handed_on, ///< delivered; acknowledged by the handler's outcome if requested, or by `finish`
+    repeated,  ///< delivered before: acknowledged again with the same answer, and dropped
+    pending,   ///< delivered before and not finished yet: dropped without an answer
+    no_room,   ///< dropped without an answer, because its repeats could not be recognised: the sender will retry
 };
 
-/// Hands messages on and acknowledges them: ACK if the handler has taken one, NAK if not. Messages that request no
-/// acknowledgement are handed on without this check, as are messages to all of a level: they are not acknowledged, for
-/// all their receivers would answer at once.
+/// Delivers messages and acknowledges them: ACK if the handler has executed one, NAK if not. Messages without
+/// acknowledgement request are delivered without this check, as are messages to a broadcast address: these are not
+/// acknowledged, because all receivers would answer at once.
 ///
-/// A repeat has source, command code, sequence number and body of a message that came within `memory`. The RA sets no
-/// time: it must be longer than a sender goes on repeating (a second with acknowledged_sender's defaults) and than
-/// copies are delayed on their way, and shorter than a sender takes to use its 65536 numbers. Within it no message is
-/// handed on twice: when the places are used up, or one source has half of them, its next message is not taken. So
-/// there must be twice as many places as one source sends messages that ask for an acknowledgement within `memory`.
+/// A repeat has source, command code, sequence number and body of a message received within `memory`. The RA sets no
+/// time: it must be longer than a sender repeats (a second with acknowledged_sender's defaults) and than copies are
+/// delayed by the network, and shorter than a sender needs to use its 65536 numbers. Within it no message is delivered
+/// twice: when all places are used, or one source has half of them, its next message is dropped. So there must be twice
+/// as many places as one source sends messages with acknowledgement request within `memory`.
 ///
 /// A handler may defer its message: it is then pending, and its repeats are dropped without an answer, until `finish`
 /// acknowledges it. A pending message keeps its place however long that takes.
 ///
-/// There are nodes that number all messages 0, and programs that begin again with the same numbers. So the body counts
-/// too, and a number that is used for another message ends what was remembered: of the number 0 for what had it, of
-/// another for all of the source, which must have begun anew. What cannot be told from a repeat is taken for one: an
-/// old command must not move anything again.
+/// Some nodes number all messages 0, and some programs restart with the same numbers. So the body is compared too, and
+/// a number that is used for another message removes remembered messages: the number 0 those with this number, any
+/// other number all of the source, which must have restarted. A message that cannot be distinguished from a repeat
+/// counts as one: an old command must not move anything again.
 ///
-/// Of a source of which only the number 0 is known, whatever happens in between makes the same message a new one:
-/// another command of the source, also one that is not remembered, a command of another source that was obeyed, and
-/// what the component does by itself (`on_change`). Standby after Standby and Resume is no repeat, nor is Resume after
-/// Resume and the loss of what is controlled. If it is not obeyed then, it is not answered: it may be a repeat after
-/// all, of what was executed.
+/// Of a source that has used only the number 0, any event in between makes the same message a new one: another command
+/// of the source, also one that is not remembered, an executed command of another source, and a change by the component
+/// itself (`on_change`). Standby after Standby and Resume is not a repeat, nor is Resume after Resume and a failure. If
+/// it is then refused, it is not answered: it may be a repeat of an executed message.
 ///
-/// What does no harm when it is done twice is always handed on and never remembered: Set Emergency, for one that is new
-/// must not be taken for the one before, and queries, for the answer may have been lost.
+/// Set Emergency and queries are always delivered and never remembered: a new emergency must not count as a repeat, and
+/// the answer to a query may have been lost.
 class acknowledged_receiver {
   public:
     /// `places` must outlive this.
@@ -61,8 +60,8 @@ class acknowledged_receiver {
                                     duration memory = std::chrono::seconds{2}) noexcept
         : self_{self}, places_{places}, memory_{memory} {}
 
-    /// A message, no acknowledgement itself. `handle()` does what it says and returns a message_outcome; the answer is
-    /// sent after it.
+    /// Processes a message that is not an acknowledgement. `handle()` executes it and returns a message_outcome; the
+    /// answer is sent after it.
     constexpr received on_message(const header& head, std::span<const std::byte> body, time_point now, message_sink out,
                                   auto&& handle) {
         at_ = now;
@@ -107,13 +106,13 @@ class acknowledged_receiver {
         }
         return received::handed_on;
     }
-    /// The component has changed by itself, other than by a message: its state, or who controls it.
+    /// The component has changed without a message: its state, or its controller.
     constexpr void on_change() noexcept {
         end_unnumbered(at_, [](const address&) { return true; });
     }
     /// Acknowledges a message that its handler deferred: ACK if it was executed, NAK if not. The answer is remembered
-    /// for `memory` from now on. Several with the same header are finished in the order in which they came. False: the
-    /// message is not pending, or asked for no acknowledgement; nothing is sent.
+    /// for `memory` from now on. Several with the same header are finished in order of arrival. False: the message is
+    /// not pending, or requested no acknowledgement; nothing is sent.
     constexpr bool finish(const header& head, bool executed, time_point now, message_sink out) noexcept {
         if (!is_acknowledged(head)) return false;
         const ack_nak answer = executed ? ack_nak::ack : ack_nak::nak;
@@ -216,8 +215,8 @@ class acknowledged_receiver {
         }
     }
     // Whether the number 0 of `zero` is one of a sender that counts: others came after it, or the last numbers before
-    // it. What else came before may be of a program that counted and was started again as one that does not; what came
-    // in the same instant, too, for it may have waited in the socket.
+    // it. Other messages before may be from a program that counted and was restarted as one that does not; so may those
+    // of the same instant, because they may have waited in the socket.
     [[nodiscard]] static constexpr bool shows_count(const acknowledged_message& other,
                                                     const acknowledged_message& zero) noexcept {
         if (other.source != zero.source || other.sequence_number == 0) return false;

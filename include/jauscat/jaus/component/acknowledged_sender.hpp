@@ -15,15 +15,15 @@ struct awaited_message {
     jaus::header header{}; ///< as sent
     std::size_t size{};    ///< of the message, header included; 0: the place is free
     std::uint32_t sent{};  ///< how often
-    time_point due{};      ///< when it is sent again or given up
+    time_point due{};      ///< when it is repeated or abandoned
     deadline until{};      ///< from then on it is not sent again, however often it was
 };
 
 /// Outcome of a message that requested an acknowledgement.
 enum class delivered : std::uint8_t {
-    acknowledged, ///< ACK: the receiver has taken it
-    refused,      ///< NAK: the receiver has not done what it says
-    timed_out,    ///< no answer to any copy: it may have arrived all the same
+    acknowledged, ///< ACK: the receiver has executed it
+    refused,      ///< NAK: the receiver has not executed it
+    timed_out,    ///< no answer to any copy: it may have arrived
 };
 
 /// The outcome in one line, for logs.
@@ -40,7 +40,7 @@ enum class send_errc : std::uint8_t {
     ok,
     no_room,         ///< as many messages wait for an acknowledgement as there are places: send it again later
     too_large,       ///< more bytes than a place holds, or more than one packet
-    not_one_address, ///< an octet of the destination is 0 or 255: it is not known who would have to acknowledge
+    not_one_address, ///< an octet of the destination is 0 or 255: no single receiver would acknowledge it
     invalid,         ///< not a message, or a value that does not encode
 };
 
@@ -59,15 +59,15 @@ enum class send_errc : std::uint8_t {
 /// Result of sending: the sequence number that identifies the outcome, or the error.
 struct [[nodiscard]] send_result {
     send_errc error{};               ///< why it was not sent
-    std::uint16_t sequence_number{}; ///< the message's, by which its outcome is told
+    std::uint16_t sequence_number{}; ///< identifies the message when its outcome is reported
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return error == send_errc::ok; }
 };
 
 struct acknowledgement_options {
     /// By default a message times out after one second. The receiver must remember it for longer than `retry.total()`.
     retry_policy retry{.interval = std::chrono::milliseconds{250}, .attempts = 4};
-    /// The first sequence number; 1 instead of 0. A program that is started again should not begin where it did before:
-    /// who remembers its messages would take the new ones for repeats. A random number will do.
+    /// The first sequence number; 1 instead of 0. A restarted program should not begin with the same number: receivers
+    /// that remember its messages would treat the new ones as repeats. A random number suffices.
     std::uint16_t first_number{};
 };
 
@@ -96,7 +96,7 @@ class acknowledged_sender {
           options_{options},
           next_{counted(options.first_number)} {}
 
-    /// Sends `body` with `head`, whose command code, sequence number and wish for an acknowledgement are filled in.
+    /// Sends `body` with `head`, after setting its command code, sequence number and acknowledgement request.
     template <coded_message T>
     constexpr send_result send(const header& head, const T& body, time_point now, message_sink out) noexcept {
         return send(head, command_code_of<T>, now, out, [&](const header& numbered, std::span<std::byte> copy) {
@@ -118,8 +118,8 @@ class acknowledged_sender {
                     });
     }
 
-    /// A message that came, body or not. True: it was an ACK or NAK that a message waited for, and
-    /// `tell(const awaited_message&, delivered)` got the outcome. Late and strange acknowledgements are false.
+    /// A received message, with or without a body. True: it is an ACK or NAK of a waiting message, and `tell(const
+    /// awaited_message&, delivered)` was called with the outcome. False for late and unknown acknowledgements.
     constexpr bool on_message(const header& head, auto&& tell) {
         if (!is_acknowledgement(head)) return false;
         const auto found = std::ranges::find_if(places_, [&](const awaited_message& m) {

@@ -11,8 +11,8 @@ namespace jauscat::jaus {
 
 enum class message_outcome : std::uint8_t {
     not_mine,  ///< not handled here
-    taken,     ///< done, and answered where the standard has an answer; an ACK is due if one was asked for
-    refused,   ///< understood, but not done: a NAK is due if an acknowledgement was asked for
+    taken,     ///< done, and answered where the standard has an answer; an ACK is due if it was requested
+    refused,   ///< understood, but not done: a NAK is due if an acknowledgement was requested
     malformed, ///< its own, but the body does not decode; nothing was done, a NAK is due
     deferred,  ///< executed later; acknowledged by component::finish
 };
@@ -20,7 +20,7 @@ enum class message_outcome : std::uint8_t {
 /// The outcome in one line, for logs.
 [[nodiscard]] constexpr std::string_view describe(message_outcome what) noexcept {
     switch (what) {
-    case message_outcome::not_mine: return "no message that is handled here";
+    case message_outcome::not_mine: return "not handled here";
     case message_outcome::taken: return "taken";
     case message_outcome::refused: return "refused";
     case message_outcome::malformed: return "malformed: the body does not decode";
@@ -29,7 +29,8 @@ enum class message_outcome : std::uint8_t {
     return "unknown";
 }
 
-/// Decodes a body and hands it to `use(const T&)`, which returns a message_outcome or nothing (then it is taken).
+/// Decodes a body and passes it to `use(const T&)`, which returns a message_outcome or nothing (then it counts as
+/// executed).
 template <coded_message T, class F>
 constexpr message_outcome decode_for(std::span<const std::byte> body, F&& use) noexcept {
     T message{};
@@ -43,7 +44,7 @@ constexpr message_outcome decode_for(std::span<const std::byte> body, F&& use) n
 }
 
 namespace detail {
-// Out of line: g++ 12 warns about the room where it sees the size of the body and of the room, but not the check.
+// Out of line: g++ 12 warns about the size of the buffer where it sees the sizes of body and buffer, but not the check.
 template <coded_message T>
 [[gnu::noinline]] constexpr bool put_in(std::span<std::byte> room, const header& head, const T& body,
                                         message_sink out) noexcept {

@@ -9,9 +9,9 @@ namespace jauscat::jaus {
 
 /// When a message is obeyed. docs/safety.md has the reason for each command.
 enum class command_rule : std::uint8_t {
-    open,       ///< from anybody, in every state
-    controlled, ///< in every state, and while somebody has control only from the controller
-    moving,     ///< in Ready only, and while somebody has control only from the controller
+    open,       ///< from any sender, in every state
+    controlled, ///< in every state; if there is a controller, only from it
+    moving,     ///< in Ready only; if there is a controller, only from it
 };
 
 /// A command and its rule.

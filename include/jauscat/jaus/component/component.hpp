@@ -16,17 +16,17 @@
 namespace jauscat::jaus {
 
 /// The core of the component `self`. A message goes through it in this order: an acknowledgement ends here; a repeat is
-/// acknowledged again and ends; a command of one that has no control is refused, and one that moves something unless
-/// the state is Ready (see command_rules); then state, control, clock, the parts and the application each get it until
-/// one takes it. ACK or NAK follow when that is done.
+/// acknowledged again and ends; a command from a sender without control is refused, and one that moves something unless
+/// the state is Ready (see command_rules); then state, control, clock, the parts and the application get it in turn
+/// until one handles it. ACK or NAK follow.
 ///
 /// A Clear Emergency passes the control check if its sender holds the emergency: otherwise a sender that has stopped a
-/// machine under another's control could not release it, and neither could the controller.
+/// machine under control of another component could not release it, and neither could the controller.
 ///
 /// `component_hooks` notify the application, and can defer commands of the state. `Parts` are further state machines,
 /// such as service_connections, events and held_control: see component_part.
 ///
-/// Messages must be whole (large data sets put together) and meant for this component: the node sees to that.
+/// Messages must be complete (large data sets reassembled) and addressed to this component; the node ensures both.
 ///
 ///     jaus::component_memory<> memory{};
 ///     jaus::component core{self, memory, {.on_state = rest}, {}, connections, events};
@@ -75,8 +75,8 @@ template <class... Parts> class component {
         return first;
     }
 
-    /// Acknowledges a message whose outcome was deferred: `request` is its header, `executed` makes an ACK, otherwise a
-    /// NAK. False: no such message is pending, or no acknowledgement was asked for.
+    /// Acknowledges a deferred message: `request` is its header; ACK if `executed`, else NAK. False: no such message is
+    /// pending, or no acknowledgement was requested.
     constexpr bool finish(const header& request, bool executed, time_point now, message_sink out) noexcept {
         return receiver_.finish(request, executed, now, out);
     }
@@ -87,7 +87,7 @@ template <class... Parts> class component {
         head.source = self_;
         return sender_.send(head, body, now, out);
     }
-    /// The same for a whole message, whose source is this component.
+    /// The same for a complete message with this component as source.
     constexpr send_result send(std::span<const std::byte> message, time_point now, message_sink out) noexcept {
         header head{};
         if (!wire::decode_prefix(head, message) || head.source != self_) return {send_errc::invalid};
@@ -99,7 +99,7 @@ template <class... Parts> class component {
         tell_own_changes();
         return changed;
     }
-    /// Ends an emergency whoever holds it.
+    /// Ends an emergency of any sender.
     constexpr void end_emergency() {
         state_.end_emergency();
         tell_own_changes();
@@ -118,7 +118,7 @@ template <class... Parts> class component {
         each_part([&](auto& part) { part.on_lost(who); });
     }
 
-    /// Asks the parts that have such a function for the messages that they take and send.
+    /// Collects from the parts that have such a function the messages that they handle and send.
     constexpr void list_messages(auto&& takes, auto&& sends) const {
         each_part([&](const auto& part) {
             if constexpr (requires { part.list_messages(takes, sends); }) part.list_messages(takes, sends);

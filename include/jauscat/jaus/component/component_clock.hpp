@@ -56,9 +56,9 @@ using civil_time = std::chrono::sys_time<std::chrono::nanoseconds>;
 /// has set.
 ///
 /// Set Time may carry the time, the date, or both. The time alone keeps the date: it is the one nearest to the clock's
-/// that has the stamp's day of the month, so a clock that is a little behind at the end of a month is moved on into the
-/// next. The date alone keeps the time of day. A day of 0 in a time stamp, as nodes send that do not fill it in, is
-/// taken for the date stamp's, or for the clock's own.
+/// that has the stamp's day of the month, so a slow clock at the end of a month is advanced into the next. The date
+/// alone keeps the time of day. A day of 0 in a time stamp, as some nodes send it, means that of the date stamp, or of
+/// the clock.
 class component_clock {
   public:
     constexpr explicit component_clock(const address& self) noexcept : self_{self} {}
@@ -83,8 +83,8 @@ class component_clock {
         return report;
     }
 
-    /// Takes Set Time, and answers Query Time with the fields that it asks for. Refused: a Set Time with values outside
-    /// their ranges, a day that there is not, or two days that contradict each other.
+    /// Handles Set Time, and answers Query Time with the requested fields. Refused: a Set Time with values outside
+    /// their ranges, an impossible day, or two contradicting days.
     constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
                                          message_sink out) noexcept {
         switch (head.command_code) {

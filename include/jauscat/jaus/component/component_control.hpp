@@ -15,7 +15,7 @@ namespace jauscat::jaus {
 
 struct controller {
     jaus::address address{};       ///< of the component in control
-    std::uint8_t authority_code{}; ///< 0 lowest to 255 highest, as its request told
+    std::uint8_t authority_code{}; ///< 0 lowest to 255 highest, as in its request
     friend constexpr bool operator==(const controller&, const controller&) = default;
 };
 
@@ -24,7 +24,7 @@ enum class control_change : std::uint8_t {
     granted,    ///< control was granted, or the controller's authority changed
     taken_over, ///< one of higher authority has it
     released,   ///< the controller has given it back
-    rejected,   ///< the component has taken it back
+    rejected,   ///< the component has revoked it
     lost,       ///< the controller has disappeared, or was silent for the timeout
 };
 
@@ -54,7 +54,7 @@ class component_control {
     [[nodiscard]] constexpr control_change last_change() const noexcept { return last_change_; }
     /// The component's own authority code.
     [[nodiscard]] constexpr std::uint8_t authority_code() const noexcept { return authority_; }
-    /// Commands that others than the controller sent: how often `admits` said no.
+    /// Number of commands from senders other than the controller that `admits` refused.
     [[nodiscard]] constexpr std::uint64_t refused() const noexcept { return refused_; }
 
     [[nodiscard]] constexpr command_rule rule(std::uint16_t command_code) const noexcept {
@@ -62,7 +62,7 @@ class component_control {
         const bool is_harmless = std::ranges::find(harmless, command_code) != harmless.end();
         return is_harmless ? command_rule::open : rule_of(command_code);
     }
-    /// Whether the message may be taken, to be asked once for each that comes: counts refusals.
+    /// Whether the message is admitted. Call once for each received message: counts refusals.
     constexpr bool admits(const header& head) noexcept {
         if (controls(head.source) || !controller_ || rule(head.command_code) == command_rule::open) return true;
         ++refused_;
@@ -117,12 +117,12 @@ class component_control {
 
     /// The component takes control back: the controller, if there is one, gets Reject Component Control.
     constexpr void reject(message_sink out) noexcept { take_back(control_change::rejected, out); }
-    /// The components that `gone(const address&)` says yes to are no longer there: a controller among them loses
-    /// control. No message is sent to it.
+    /// Removes the components for which `gone(const address&)` is true: a controller among them loses control. No
+    /// message is sent to it.
     constexpr void on_lost(auto&& gone) noexcept {
         if (controller_ && gone(std::as_const(controller_->address))) end(control_change::lost);
     }
-    /// Asks a silent controller for its pulse, and takes control from one that has been silent for the timeout.
+    /// Queries the pulse of a silent controller, and ends the control of one that has been silent for the timeout.
     constexpr void on_time(time_point now, message_sink out) noexcept {
         const auto due = next_event();
         if (!due || now < *due) return;
@@ -171,8 +171,8 @@ class component_control {
     std::optional<jaus::controller> controller_{};
     control_change last_change_{};
     time_point heard_{};
-    std::int64_t asked_{};  // quarters of the timeout that the controller has been silent for, when it was asked last
-    std::uint8_t pulses_{}; // asked for and not yet come
+    std::int64_t asked_{};  // quarters of the timeout without a message from the controller, at the last query
+    std::uint8_t pulses_{}; // queried and not yet received
     std::uint64_t refused_{};
 };
 

@@ -16,11 +16,11 @@ struct component_hooks {
     hook<void(primary_status_code from, primary_status_code to)> on_state{};
     /// The controller has changed; empty if there is none. `why` is the cause.
     hook<void(const std::optional<controller>& now_it_is, control_change why)> on_controller{};
-    /// A message that the component sent was acknowledged, refused or given up.
+    /// A message that the component sent was acknowledged, refused or abandoned.
     hook<void(const awaited_message& message, delivered outcome)> on_delivered{};
-    /// The state has taken Shutdown, Standby, Resume, Reset, Set or Clear Emergency, also one that has changed nothing;
-    /// on_state has been called if it has. The result is the outcome of the message: taken, refused, or deferred until
-    /// the actuator has obeyed.
+    /// The state has processed Shutdown, Standby, Resume, Reset, Set or Clear Emergency, with or without a change;
+    /// on_state has been called for a change. Returns the outcome of the message: handled, refused, or deferred until
+    /// the actuator has executed it.
     hook<message_outcome(const header& head)> on_state_command{};
 };
 

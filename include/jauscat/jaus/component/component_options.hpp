@@ -20,7 +20,7 @@ struct component_options {
 
 /// The memory of a component, which must outlive it: `Waiting` messages at a time that it sent and that are not yet
 /// acknowledged, of `Size` bytes at most; `Remembered` ones that it acknowledged, half of them of one source: with the
-/// default memory of two seconds, one source may send 128 a second that ask for an acknowledgement.
+/// default memory of two seconds, one source may send 128 a second with acknowledgement request.
 ///
 /// For more, `Remembered` is twice that rate times component_options::memory: a thousand a second that are remembered
 /// for two seconds are 4000 places of 24 bytes. All of them are looked at for each message that asks for an

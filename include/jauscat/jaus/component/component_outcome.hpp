@@ -11,15 +11,15 @@ namespace jauscat::jaus {
 enum class component_outcome : std::uint8_t {
     taken,          ///< done
     deferred,       ///< executed later, see component::finish
-    stopped_anyway, ///< taken or deferred: a Set Emergency whose code or body does not say so
+    stopped_anyway, ///< handled or deferred: a Set Emergency with an unexpected code or body
     refused,        ///< understood, but not done
     malformed,      ///< the body does not decode
     unknown,
     not_controller,  ///< a command that only the controller may send, from another
     not_ready,       ///< a command that is obeyed in Ready only, in another state
-    repeated,        ///< came before: acknowledged again, and dropped
-    pending,         ///< came before and is not finished yet: dropped, its sender is answered when it is
-    no_room,         ///< asks for an acknowledgement, and cannot be remembered: dropped, its sender will try again
+    repeated,        ///< a repeat: acknowledged again, and dropped
+    pending,         ///< a repeat of a message that is being executed: dropped, its sender is answered at the end
+    no_room,         ///< requests acknowledgement, and cannot be remembered: dropped, its sender will retry
     acknowledgement, ///< the ACK or NAK that one of the component's own messages waited for
     not_waited_for,  ///< an ACK or NAK that no message waits for: late, or strange
 };

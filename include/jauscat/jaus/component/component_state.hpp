@@ -1,5 +1,5 @@
-// State of a component, and who may change it: Shutdown, Standby, Resume, Reset, Set and Clear Emergency, Query
-// Component Status, and the application. RA 3.3 part 3, core subgroup.
+// State of a component, and the senders that may change it: Shutdown, Standby, Resume, Reset, Set and Clear Emergency,
+// Query Component Status, and the application. RA 3.3 part 3, core subgroup.
 #pragma once
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/component/answer.hpp>
@@ -13,18 +13,17 @@ namespace jauscat::jaus {
 /// Events that change the state. The first two come only from the application, the others also from messages.
 enum class state_event : std::uint8_t {
     initialized, ///< the application has done what it does first
-    failed,      ///< the application cannot go on
+    failed,      ///< the application has failed
     shutdown,
     standby,
     resume,
     reset,
     emergency,         ///< Set Emergency
-    emergency_cleared, ///< Clear Emergency with its bit, when nobody is left who holds the emergency
+    emergency_cleared, ///< Clear Emergency with its bit, when no sender holds the emergency any more
 };
 
-/// The state that follows; empty where the event is refused. The RA names the states, not every way between them: a
-/// component that is shut down stays so (its work is ended, what it held is free), and nothing but Clear Emergency and
-/// Shutdown leads out of an emergency.
+/// The next state; empty if the event is refused. The RA names the states, not every transition: a component that is
+/// shut down remains so, and only Clear Emergency and Shutdown end an emergency.
 ///
 ///     state      | initialized failed   shutdown standby  resume reset       emergency emergency_cleared
 ///     -----------+--------------------------------------------------------------------------------------
@@ -35,8 +34,8 @@ enum class state_event : std::uint8_t {
 ///     Failure    | -           Failure  Shutdown -        -      Initialize  Emergency Failure
 ///     Emergency  | *           *        Shutdown -        -      -           Emergency *
 ///
-/// * In an emergency initialized and failed change the state that comes after it, see component_state. Set Emergency is
-/// never refused: where there is nothing left to stop it is taken without a change.
+/// * In an emergency, initialized and failed change the state that follows it, see component_state. Set Emergency is
+/// never refused; in Shutdown it changes nothing.
 [[nodiscard]] constexpr std::optional<primary_status_code> state_after(primary_status_code from,
                                                                        state_event event) noexcept {
     using enum primary_status_code;
@@ -63,8 +62,7 @@ enum class state_event : std::uint8_t {
     return command_code >= command_code_of<shutdown> && command_code <= command_code_of<clear_emergency>;
 }
 
-/// Whether the body of a Set Emergency says what the message is for. A component stops without it, too: there are nodes
-/// that send the code 0.
+/// Whether the body of a Set Emergency has its bit. A component stops without it, too: some nodes send the code 0.
 [[nodiscard]] constexpr bool says_emergency(std::span<const std::byte> body) noexcept {
     set_emergency message{};
     return wire::decode(message, body) && message.emergency_code.test(set_emergency_code::transition_to_emergency);
@@ -76,16 +74,16 @@ enum class after_emergency : std::uint8_t {
     resume,  ///< back to Ready
 };
 
-/// A component's state, and what it answers to Query Component Status. It begins in Initialize.
+/// A component's state, and its answer to Query Component Status. It begins in Initialize.
 ///
-/// An emergency is held by each component that has set it, and by the application if that has. Each takes its own hold
-/// away and no other; the emergency ends with the last one. Who holds nothing cannot clear it, not even a controller,
-/// as long as a holder is there; the hold of one that is gone (on_lost) can be cleared by any that holds none itself.
-/// `Holders`: how many components are remembered; the emergency of one more is in force all the same, and can be
-/// cleared in the same way.
+/// An emergency is held by each component that has set it, and by the application if it has. Each can only clear its
+/// own hold; the emergency ends with the last one. A sender without a hold cannot clear it, not even a controller,
+/// while a holder is present; the hold of a lost component (on_lost) can be cleared by any sender that has none itself.
+/// `Holders`: number of components that are remembered; the emergency of a further one also takes effect, and is
+/// cleared like that of a lost component.
 ///
-/// After an emergency the component is in Standby, or in Ready with after_emergency::resume, if it was ready; what was
-/// in another state is in that again: who has not initialised or has failed cannot be made to work by an emergency.
+/// After an emergency the component is in Standby, or in Ready with after_emergency::resume, if it was Ready; a
+/// component in another state returns to that state.
 template <std::size_t Holders = 8> class component_state {
   public:
     /// The state is Initialize.
@@ -106,16 +104,16 @@ template <std::size_t Holders = 8> class component_state {
         }
         return apply(event);
     }
-    /// Ends an emergency whoever holds it: for a person at the machine, when a holder cannot be reached.
+    /// Ends an emergency of any sender: for an operator at the machine, when a holder cannot be reached.
     constexpr void end_emergency() noexcept {
         held_ = 0;
         own_hold_ = anyones_hold_ = false;
         end_if_unheld();
     }
 
-    /// Takes the messages above; answers Query Component Status. Set Emergency is taken whatever its body is. Refused:
-    /// what the table refuses, and a Clear Emergency from one that holds nothing. A Clear Emergency without its bit is
-    /// taken and changes nothing.
+    /// Handles the messages above; answers Query Component Status. Set Emergency is handled with any body. Refused:
+    /// what the table refuses, and a Clear Emergency from a sender without a hold. A Clear Emergency without its bit is
+    /// handled and changes nothing.
     constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point,
                                          message_sink out) noexcept {
         switch (head.command_code) {
@@ -142,7 +140,7 @@ template <std::size_t Holders = 8> class component_state {
     [[nodiscard]] constexpr bool holds_emergency(const address& who) const noexcept {
         return std::ranges::find(held(), who) != held().end();
     }
-    /// The components that `gone(const address&)` says yes to are no longer there: any may clear what they have set.
+    /// Marks the components for which `gone(const address&)` is true as lost: any sender may clear their holds.
     constexpr void on_lost(auto&& gone) noexcept {
         const std::size_t before = held_;
         drop_holders(gone);

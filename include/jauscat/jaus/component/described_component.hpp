@@ -44,7 +44,7 @@ struct heartbeat {
 /// subsystem or node is refused, since the node manager has those.
 class described_component {
   public:
-    /// `memory`, which must outlive this: room for Report Services, see answer.
+    /// `memory`, which must outlive this: for Report Services, see answer.
     constexpr described_component(const address& self, const component_description& description, const heartbeat& beat,
                                   std::span<std::byte> memory) noexcept
         : self_{self}, description_{description}, beat_{beat}, memory_{memory} {

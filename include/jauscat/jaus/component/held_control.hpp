@@ -17,11 +17,11 @@ namespace jauscat::jaus {
 /// State of the control of another component.
 enum class control_state : std::uint8_t {
     none,       ///< not wanted, or released
-    asking,     ///< asked for, no answer yet
+    asking,     ///< requested, no answer yet
     held,       ///< confirmed
     refused,    ///< not confirmed: another of at least this authority has it
-    lost,       ///< taken away by Reject Component Control: another of higher authority has it, or it ran out
-    unanswered, ///< given up: no answer to as many requests as were to be made
+    lost,       ///< ended by Reject Component Control: another component of higher authority has it, or it expired
+    unanswered, ///< abandoned: no answer to the maximum number of requests
 };
 
 struct held_control_options {
@@ -38,19 +38,19 @@ class held_control {
                            hook<void(control_state)> changed = {}) noexcept
         : self_{self}, target_{target}, options_{options}, changed_{changed} {}
 
-    /// Whether control is held, asked for or gone.
+    /// Whether control is held, requested or lost.
     [[nodiscard]] constexpr control_state state() const noexcept { return state_; }
     [[nodiscard]] constexpr const address& target() const noexcept { return target_; }
 
-    /// Asks for control, or for another authority if it is held already. `authority_code`: 0 lowest to 255 highest.
+    /// Requests control, or another authority if it is held already. `authority_code`: 0 lowest to 255 highest.
     constexpr void ask(std::uint8_t authority_code, time_point now, message_sink out) noexcept {
         authority_ = authority_code;
         asked_ = 0;
         if (state_ != control_state::held) enter(control_state::asking);
         request(now, out);
     }
-    /// Gives control back, or the wish for it. The message is not answered: ask for an acknowledgement of one's own
-    /// (component::send) where it must not get lost.
+    /// Releases control, or ends the request. The message is not answered: send it with acknowledgement request
+    /// (component::send) where it must not be lost.
     constexpr void release(message_sink out) noexcept {
         const bool tell = is_wanted();
         enter(control_state::none);
@@ -106,7 +106,7 @@ class held_control {
             return saturating_add(at_, options_.renewal);
         return std::nullopt;
     }
-    /// The component `who` has disappeared, or all of a level for which an octet is 255.
+    /// The component `who` is lost; an octet of 255 means all of that level.
     constexpr void on_lost(const address& who) noexcept {
         if (is_wanted() && stands_for(who, target_)) enter(control_state::lost);
     }
@@ -147,7 +147,7 @@ class held_control {
     control_state state_{};
     std::uint8_t authority_{};
     std::uint32_t asked_{}; // requests since the last answer
-    unsigned releases_{};   // sent when the target still asks for the pulse
+    unsigned releases_{};   // sent when the target still queries the pulse
     time_point at_{};       // of the last request or answer
 };
 

@@ -15,37 +15,37 @@ enum class consumed_state : std::uint8_t {
     stale,      ///< no report for three periods; asked again at each interval
     suspended,  ///< by suspend()
     refused,    ///< by the provider, for the reason in `response`
-    unanswered, ///< given up: no answer to as many requests as were to be made
+    unanswered, ///< abandoned: no answer to the maximum number of requests
     ending,     ///< by end(); until the provider is silent
 };
 
 /// A service connection of a consumer.
 struct consumed_connection {
-    address provider{}; ///< who sends the reports
+    address provider{}; ///< provider of the reports
     consumed_state state{};
     std::uint8_t instance_id{};             ///< as confirmed
     service_connection_response response{}; ///< of the last confirmation
     bool confirmed{};                       ///< the instance ID is known
     bool heard{};                           ///< `sequence_number` is that of a report
     std::uint16_t sequence_number{};        ///< the highest so far
-    create_service_connection request{};    ///< what was asked for
+    create_service_connection request{};    ///< as requested
     double rate{};                          ///< hertz, as confirmed
     time_point due{};                       ///< when to ask again, notice the silence, or be done
     time_point asked_at{};                  ///< when a message was last sent to the provider
     std::uint32_t requests{};               ///< that were not answered
     std::uint64_t received{};               ///< reports in order
     std::uint64_t lost{};                   ///< reports missing between those in order
-    std::uint64_t dropped{};                ///< reports that came twice or after a later one
+    std::uint64_t dropped{};                ///< duplicate and out-of-order reports
 };
 
 /// Meaning of a message to a consumer.
 enum class consumer_news : std::uint8_t {
-    not_mine,   ///< another's business
+    not_mine,   ///< handled by other parts
     malformed,  ///< a confirmation that does not decode
     confirmed,  ///< the provider has accepted
     refused,    ///< the provider has not
     report,     ///< the body is the newest report of the connection
-    old_report, ///< a report that came before, or after a later one; nothing to do with its body
+    old_report, ///< a duplicate or out-of-order report; ignore its body
     ignored,    ///< of a connection that is not wanted any more
 };
 /// The news, and the connection it is of.

@@ -60,8 +60,8 @@ template <class A, class B> constexpr std::partial_ordering compare_numbers(A a,
 }
 
 /// Compares a field with a limit of any type by value, not by bits. A scaled field is compared with an integer as it is
-/// on the wire, and with a Float or Long Float as the real value that it stands for: the limit is first rounded to the
-/// steps of the field, so that `equal` can be met. Unordered: a limit that is no number, NaN.
+/// on the wire, and with a Float or Long Float as its real value: the limit is first rounded to the steps of the field,
+/// so that `equal` can be met. Unordered if the limit is NaN.
 [[nodiscard]] constexpr std::partial_ordering compare(const field_value& field, const typed_value& limit) noexcept {
     const auto with = [&](auto value) -> std::partial_ordering {
         wire_number number{};
@@ -89,7 +89,7 @@ template <class A, class B> constexpr std::partial_ordering compare_numbers(A a,
         limit.value);
 }
 
-/// The part of an event's setup that says which values count.
+/// The condition of an event's setup.
 struct event_condition {
     std::optional<event_boundary> boundary{};             ///< none: any value
     std::optional<std::uint8_t> field{};                  ///< number in the report; none: the whole report
@@ -98,8 +98,8 @@ struct event_condition {
     friend constexpr bool operator==(const event_condition&, const event_condition&) = default;
 };
 
-/// The one limit of a boundary that takes one. Equal and not equal: the state limit, else the lower, else the upper.
-/// Greater: the lower, else the upper. Less: the upper, else the lower. Null where there is none, or two are taken.
+/// The limit of a boundary with one limit. Equal and not equal: the state limit, else the lower, else the upper.
+/// Greater: the lower, else the upper. Less: the upper, else the lower. Null if there is none, or the boundary has two.
 [[nodiscard]] constexpr const typed_value* single_limit(const event_condition& c) noexcept {
     const auto first = [](const auto&... limits) {
         const typed_value* found = nullptr;

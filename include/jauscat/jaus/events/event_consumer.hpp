@@ -12,8 +12,8 @@ namespace jauscat::jaus {
 /// that it survives a restart of the provider or a link failure.
 ///
 /// A periodic event is stale after three periods without one. For the others Query Events is sent after a timeout; the
-/// event is stale when no answer lists it. Report Events does not say whose an event is: another requester's event of
-/// the same report and ID counts as this one.
+/// event is stale when no answer lists it. Report Events does not name the requester of an event: an event of another
+/// requester with the same report and ID counts as this one.
 ///
 /// An event that was not requested is cancelled: it is from before a restart of this program. So a component has one
 /// event_consumer.
@@ -26,8 +26,8 @@ template <std::size_t Capacity> class event_consumer {
                                       duration silence = std::chrono::seconds{5}) noexcept
         : self_{self}, retry_{retry}, silence_{silence} {}
 
-    /// Sends `wanted`, whose local request ID is replaced. Returns the event's place in requested(); none where all are
-    /// taken, a rate rounds to 0 or the message cannot be made.
+    /// Sends `wanted`, with a local request ID assigned here. Returns the event's place in requested(); empty if all
+    /// are in use, a rate rounds to 0 or the message cannot be made.
     [[nodiscard]] constexpr std::optional<std::size_t> create(const address& provider, create_event wanted,
                                                               time_point now, message_sink out) noexcept {
         const auto place = std::ranges::find_if(requested_, [](const requested_event& e) {
@@ -42,9 +42,9 @@ template <std::size_t Capacity> class event_consumer {
         ask(*place, now, out);
         return static_cast<std::size_t>(place - requested_.begin());
     }
-    /// Has an active event set up anew, as `wanted` says, whose local request ID is replaced. A rejection leaves the
-    /// event unchanged; without an answer its setup is unknown. False where the event is not active, and where `wanted`
-    /// is of another report or cannot be sent.
+    /// Changes an active event to `wanted`, with a local request ID assigned here. A rejection leaves the event
+    /// unchanged; without an answer its setup is unknown. False if the event is not active, and if `wanted` is of
+    /// another report or cannot be sent.
     [[nodiscard]] constexpr bool update(std::size_t place, create_event wanted, time_point now,
                                         message_sink out) noexcept {
         if (place >= Capacity || requested_[place].state != requested_state::active) return false;
@@ -69,7 +69,7 @@ template <std::size_t Capacity> class event_consumer {
         ask(e, now, out);
     }
 
-    /// Takes Confirm and Reject Event Request, and Event. Looks at Report Events, which is not_mine all the same.
+    /// Handles Confirm and Reject Event Request, and Event. Reads Report Events, and returns not_mine for it.
     constexpr event_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
                                        message_sink out) noexcept {
         event_outcome outcome{};
@@ -174,7 +174,7 @@ template <std::size_t Capacity> class event_consumer {
         e.state = requested_state::active;
         e.due = saturating_add(now, comes_at_rate(e) ? silent_periods * period_of(e.rate) : silence_);
     }
-    // A confirmation that comes late makes an event at the provider all the same, which must be cancelled.
+    // A late confirmation also makes an event at the provider, which must be cancelled.
     [[nodiscard]] static constexpr bool may_be_answered(const requested_event& e) noexcept {
         return waits(e) || (e.state == requested_state::unanswered && !e.confirmed);
     }
@@ -191,7 +191,7 @@ template <std::size_t Capacity> class event_consumer {
         const auto encoded = wire::encode(wanted, std::span{e.request.begin(), e.request.size()});
         return encoded && e.request.resize(encoded->size());
     }
-    // A cancel before the ID is known repeats the request, whose answer has the ID.
+    // A cancel before the ID is known repeats the request, and the answer has the ID.
     constexpr void ask(requested_event& e, time_point now, message_sink out) noexcept {
         create_event wanted{};
         static_cast<void>(wire::decode(wanted, std::span<const std::byte>{e.request.begin(), e.request.size()}));
@@ -212,7 +212,7 @@ template <std::size_t Capacity> class event_consumer {
         ++e.requests;
         e.due = saturating_add(now, retry_.interval);
     }
-    // A list without an event may be the answer about another, so it says nothing about this one.
+    // A list without an event may answer another query, so it proves nothing about this event.
     constexpr void listed(const address& source, std::span<const std::byte> body, time_point now) noexcept {
         const wire::view<report_events> report{body};
         if (!report) return;
@@ -252,7 +252,7 @@ template <std::size_t Capacity> class event_consumer {
         } else if (e.confirmed) {
             e = {};
             outcome.what = event_news::cancelled;
-        } else { // cancelled before its ID was known, or given up
+        } else { // cancelled before its ID was known, or abandoned
             e.confirmed = true;
             e.state = requested_state::cancelling;
             e.local_request_id = ++last_id_;
@@ -319,7 +319,7 @@ template <std::size_t Capacity> class event_consumer {
     retry_policy retry_;
     duration silence_;
     std::array<requested_event, Capacity> requested_{};
-    requested_event unwanted_{}; ///< cancelled last, without having been asked for
+    requested_event unwanted_{}; ///< cancelled last, without a request
     std::uint8_t last_id_{};
 };
 

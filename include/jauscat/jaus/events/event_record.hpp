@@ -1,13 +1,12 @@
 // One event of a provider: what triggers it, and when it is due. The RA only names the types; here they are
 // - periodic: at the confirmed rate, the first at once, on absolute instants; a late one is sent once.
-// - periodic_without_repeat: the same, but only where a change was told since the last.
+// - periodic_without_repeat: the same, but only after a change since the last one.
 // - every_change: with each change, or each new value of the limited field; with a boundary, while that is met.
 // - first_change: the first of these, then nothing until Update Event.
 // - first_change_in_and_out_of_boundary: whenever a value meets the boundary and the one before did not, or reverse.
-// - one_time_on_demand: at once, and the event is over; without a report to send, with the first change.
-// Those on change are held back to the periodic rate that was asked for, or to the report's highest: what is sent then
-// is the newest report. A minimum periodic rate has them sent without a change too. Boundaries are ignored in the other
-// types.
+// - one_time_on_demand: at once, and the event is over; without a report to send, with the first change. Events on
+//   change are limited to the requested periodic rate, or to the report's highest; the newest report is then sent. A
+//   minimum periodic rate also sends them without a change. Boundaries are ignored in the other types.
 #pragma once
 #include <jauscat/base/time.hpp>
 #include <jauscat/jaus/events/event_setup.hpp>
@@ -22,8 +21,8 @@ struct event_record {
     std::uint8_t local_request_id{};   ///< of the last request for it
     std::uint8_t priority{};           ///< of that request, and of the events
     std::uint8_t sequence_number{};    ///< of the next one
-    std::uint32_t order{};             ///< the higher, the later it was asked for
-    event_setup setup{};               ///< what it was asked to be
+    std::uint32_t order{};             ///< increases with each request
+    event_setup setup{};               ///< the requested setup
     bool pending{};                    ///< to be sent as soon as the rate allows
     bool done{};                       ///< a first change that has been
     bool inside{};                     ///< the boundary, by the last value
@@ -54,7 +53,7 @@ constexpr void arm(event_record& e, const event_setup& setup, const eventful_rep
     if (e.done) return false;
     if (!condition.field) return true;
     const auto value = report.read_field(body, *condition.field).value;
-    if (!value) return false; // a report without the field says nothing about it
+    if (!value) return false; // a report without the field does not count
     const bool is_new = std::exchange(e.last, value) != value;
     const bool meets = holds(condition, *value);
     if (e.setup.event_type == event_type::first_change_in_and_out_of_boundary)
@@ -93,7 +92,7 @@ constexpr void note_sent(event_record& e, bool sent, time_point now) noexcept {
     if (e.setup.min_rate != 0) e.silent_until = now + period_of(e.setup.min_rate);
 }
 
-/// Whether the requester of both seems to have asked for `later` instead of `earlier`: it has restarted and counts its
+/// Whether the requester of both seems to have sent `later` instead of `earlier`: it has restarted and counts its
 /// requests from the same number. `earlier` will then never be cancelled.
 [[nodiscard]] constexpr bool supersedes(const event_record& later, const event_record& earlier) noexcept {
     return later.message_code == earlier.message_code && later.requester == earlier.requester &&

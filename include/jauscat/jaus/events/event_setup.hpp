@@ -16,7 +16,7 @@ struct eventful_report {
     field_reader read_field{};         ///< &read_field<Report>; null: its events have no boundaries
     double max_rate{update_rate::max}; ///< hertz; more events a second than this are not sent
     bool periodic{true};               ///< may be sent periodically
-    bool on_change{true};              ///< changes are told, so it may be sent on change
+    bool on_change{true};              ///< changes are reported to events, so it may be sent on change
 };
 
 /// Writes the body of report `command_code` to the front of `body` and returns its size; nothing where there is nothing
@@ -30,30 +30,30 @@ using event_judge = hook<event_response(const header&, std::uint16_t message_cod
 struct event_setup {
     jaus::event_type event_type{};                         ///< when it is sent
     event_condition condition{};                           ///< which values count
-    double min_rate{};                                     ///< hertz; 0: none was asked for
-    double rate{};                                         ///< hertz; 0: none was asked for
+    double min_rate{};                                     ///< hertz; 0: not requested
+    double rate{};                                         ///< hertz; 0: not requested
     wire::inline_list<std::byte, max_event_query> query{}; ///< body of the query that selects fields
     friend constexpr bool operator==(const event_setup&, const event_setup&) = default;
 };
 
-/// The types that are sent at instants, whatever the report says.
+/// The types that are sent at fixed times, with any content of the report.
 [[nodiscard]] constexpr bool is_periodic(event_type type) noexcept {
     return type == event_type::periodic || type == event_type::periodic_without_repeat;
 }
-/// The types that are sent because of what the report says.
+/// The types that are sent on conditions of the report.
 [[nodiscard]] constexpr bool is_on_change(event_type type) noexcept {
     return type == event_type::every_change || type == event_type::first_change ||
            type == event_type::first_change_in_and_out_of_boundary;
 }
 
-/// A request that was looked at: a setup, or why there is none.
+/// A checked request: a setup, or the reason for a refusal.
 struct judged_setup {
     event_setup setup{};              ///< only where the response is successful
     event_response response{};        ///< successful, or the code to reject with
     std::string_view error_message{}; ///< the reason in words
 };
 
-/// Looks at a Create Event or Update Event for the report `of`; null: no such report.
+/// Checks a Create Event or Update Event for the report `of`; null: no such report.
 template <class Request>
 [[nodiscard]] constexpr judged_setup judge_setup(const Request& request, const eventful_report* of) noexcept {
     using enum event_response;

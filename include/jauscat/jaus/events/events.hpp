@@ -107,7 +107,7 @@ template <std::size_t Capacity> class events {
 
     /// All places; those with message code 0 are free.
     [[nodiscard]] constexpr std::span<const event_record> records() const noexcept { return events_; }
-    /// Events that were due but not sent: there was nothing to report, or no room for it.
+    /// Events that were due but not sent, because there was no report or it exceeded the memory.
     [[nodiscard]] constexpr std::uint64_t skipped() const noexcept { return skipped_; }
 
   private:

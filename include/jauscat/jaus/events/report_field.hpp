@@ -65,8 +65,7 @@ template <class T> constexpr wire_number number_of(const T& value) noexcept {
         return static_cast<std::uint64_t>(value);
 }
 
-/// Counts fields down to the wanted one. Each overload takes the fields of an item; a null view stands for one that is
-/// not there.
+/// Counts fields down to the wanted one. Each overload handles the fields of an item; a null view means an absent one.
 class field_search {
   public:
     explicit constexpr field_search(std::uint8_t number) noexcept : left_{number}, over_{number == 0} {}
@@ -96,7 +95,7 @@ class field_search {
             if constexpr (requires { typename Codec::raw_codec; }) {
                 found.value->scale = &scale_of<Codec>;
                 if (std::is_signed_v<raw_value> && *value == std::numeric_limits<raw_value>::min())
-                    found.value.reset(); // stands for nothing
+                    found.value.reset(); // no valid value
             }
         }
     }

@@ -10,18 +10,18 @@ enum class requested_state : std::uint8_t {
     asking,     ///< not answered yet; asked again at each interval
     active,     ///< confirmed
     stale,      ///< the provider is silent, or has not the event any more; asked for again at each interval
-    updating,   ///< by update(), not answered yet; until then it goes on as it was, or as it will be
+    updating,   ///< by update(), not answered yet; until then the old or the new setup applies
     rejected,   ///< by the provider, for the reason in `response`
-    unanswered, ///< given up: no answer to as many requests as were to be made, or the provider has disappeared
+    unanswered, ///< abandoned: no answer to the maximum number of requests, or the provider is lost
     cancelling, ///< by cancel(); until the provider has answered, or as many cancels were not
 };
 
-/// Bytes of a Create Event whose query has max_event_query.
+/// Bytes of a Create Event with the largest query, max_event_query.
 inline constexpr std::size_t max_create_event_size = 42 + max_event_query;
 
 /// An event of a consumer.
 struct requested_event {
-    address provider{}; ///< who sends the events
+    address provider{}; ///< provider of the events
     requested_state state{};
     event_response response{};       ///< of the last answer
     std::uint16_t message_code{};    ///< of the report
@@ -33,7 +33,7 @@ struct requested_event {
     std::uint8_t sequence_number{};  ///< of the last event
     double rate{};                   ///< hertz, as confirmed; 0: none was
     time_point due{};                ///< when to ask again, or notice the silence
-    time_point heard_at{};           ///< when the last event came
+    time_point heard_at{};           ///< time of the last event
     std::uint32_t requests{};        ///< that were not answered
     std::uint64_t received{};        ///< events
     std::uint64_t lost{};            ///< events missing between those, as far as 8 bits can count
@@ -43,14 +43,14 @@ struct requested_event {
 
 /// Meaning of a message to an event consumer.
 enum class event_news : std::uint8_t {
-    not_mine,  ///< another's business
+    not_mine,  ///< handled by other parts
     malformed, ///< one of its messages that does not decode
     confirmed, ///< the provider has accepted
     rejected,  ///< the provider has not
     cancelled, ///< the event is gone
     event,     ///< `report` is the body of a report
-    repeated,  ///< an event that came before, or after a later one
-    unknown,   ///< an event that was not asked for, or answers a request that was not made
+    repeated,  ///< a duplicate or out-of-order event
+    unknown,   ///< an event that was not requested, or an answer to no request
 };
 struct event_outcome {
     event_news what{};

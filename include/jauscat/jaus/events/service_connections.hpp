@@ -21,8 +21,8 @@ struct connectable_report {
     std::uint32_t presence_vector{0xFFFFFFFF}; ///< bits that a request may have set
 };
 
-/// Writes the body of report `command_code`, with the fields that `presence_vector` asks for, to the front of `body`
-/// and returns its size; nothing where there is nothing to report now.
+/// Writes the body of report `command_code`, with the fields selected by `presence_vector`, to the front of `body` and
+/// returns its size; empty if there is no report now.
 using report_filler = hook<std::optional<std::size_t>(std::uint16_t command_code, std::uint32_t presence_vector,
                                                       std::span<std::byte> body)>;
 /// Whether a component may connect: connection_created, or the reason why not, for example insufficient_authority.
@@ -43,11 +43,11 @@ struct service_connection {
 /// Answers requests for service connections and sends the reports.
 ///
 /// A component has one connection for each report code: the header of a report names no connection, so two could not be
-/// told apart. A repeated request changes rate and presence vector and keeps instance ID and sequence number, so that a
-/// lost confirmation is harmless. Only the requester may activate, suspend and terminate. The RA has no answer to these
-/// three; an acknowledgement that was asked for is the caller's (see message_outcome). Reports lie on absolute
-/// instants, one period apart, from the request on; one that is late is sent once, however many periods have passed. A
-/// report may have 4080 bytes: its sequence number counts sends, so it cannot be cut.
+/// distinguished. A repeated request changes rate and presence vector and keeps instance ID and sequence number, so
+/// that a lost confirmation is harmless. Only the requester may activate, suspend and terminate. The RA has no answer
+/// to these three; the caller acknowledges them on request (see message_outcome). Reports are due at absolute times,
+/// one period apart, from the request on; a late one is sent once, however many periods have passed. A report may have
+/// 4080 bytes: its sequence number counts sends, so it cannot be cut.
 ///
 ///     const auto fill = [&](std::uint16_t code, std::uint32_t fields, std::span<std::byte> body) { ... };
 ///     jaus::service_connections<16> connections{self, reports, fill, memory};
@@ -55,8 +55,8 @@ template <std::size_t Capacity> class service_connections {
     static_assert(Capacity >= 1 && Capacity <= 256, "service_connections: instance IDs are one byte");
 
   public:
-    /// `memory` is room for a header and the longest report. All but `self` must outlive this. Without a judge all
-    /// requests are accepted, so that any sender can direct reports at any component.
+    /// `memory` holds a header and the longest report. All but `self` must outlive this. Without a judge all requests
+    /// are accepted, so that any sender can direct reports at any component.
     constexpr service_connections(const address& self, std::span<const connectable_report> reports, report_filler fill,
                                   std::span<std::byte> memory, connection_judge judge = {}) noexcept
         : self_{self},
@@ -130,7 +130,7 @@ template <std::size_t Capacity> class service_connections {
 
     /// All places; the index is the instance ID. Those with command code 0 are free.
     [[nodiscard]] constexpr std::span<const service_connection> connections() const noexcept { return connections_; }
-    /// Reports that were due but not sent: there was nothing to report, or no room for it.
+    /// Reports that were due but not sent, because there was no report or it exceeded the memory.
     [[nodiscard]] constexpr std::uint64_t skipped() const noexcept { return skipped_; }
 
   private:

@@ -21,9 +21,9 @@ template <std::size_t Capacity> class service_consumer {
                                         hook<void(const consumed_connection&)> changed = {}) noexcept
         : self_{self}, options_{options}, changed_{changed} {}
 
-    /// Asks `provider` for report `code` at `rate` hertz (at most 1092) with the fields of `presence_vector`, also when
-    /// there is a connection, to change it: if the provider refuses that, the connection ends. Returns its place in
-    /// connections(); none where all are taken, or the rate cannot be said.
+    /// Requests report `code` from `provider` at `rate` hertz (at most 1092) with the fields of `presence_vector`, or
+    /// changes the existing connection: if the provider refuses that, the connection ends. Returns its place in
+    /// connections(); empty if all are in use, or the rate cannot be encoded.
     [[nodiscard]] constexpr std::optional<std::size_t> ask(const address& provider, std::uint16_t code, double rate,
                                                            std::uint32_t presence_vector, time_point now,
                                                            message_sink out) noexcept {
@@ -68,7 +68,7 @@ template <std::size_t Capacity> class service_consumer {
         enter(c, consumed_state::ending);
     }
 
-    /// Takes Confirm Service Connection, and the reports of connections, whose bodies are the caller's.
+    /// Handles Confirm Service Connection, and the reports of connections; the caller reads their bodies.
     constexpr consumer_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
                                           message_sink out) noexcept {
         if (is_acknowledgement(head)) return {};
@@ -190,7 +190,7 @@ template <std::size_t Capacity> class service_consumer {
         }
         c->rate = answered.confirmed_periodic_update_rate;
         if (c->state != consumed_state::active) {
-            if (c->state == consumed_state::stale) c->heard = false; // it may have started anew, and count from 0
+            if (c->state == consumed_state::stale) c->heard = false; // it may have restarted, and count from 0
             c->due = saturating_add(now, silence(*c));
             enter(*c, consumed_state::active);
         }

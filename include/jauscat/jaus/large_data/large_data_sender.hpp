@@ -8,24 +8,24 @@
 
 namespace jauscat::jaus {
 
-/// Cuts one body into packets: data flag first, middle or last, sequence number from 0, the rest of the header on each.
-/// A body that fits one packet is sent as such, with the sequence number of the header.
+/// Splits one body into packets: data flag first, middle or last, sequence number from 0, the rest of the header on
+/// each. A body that fits one packet is sent in one, with the sequence number of the header.
 ///
 ///     std::array<std::byte, jaus::header_size + jaus::max_body_size> packet{};
 ///     jaus::large_data_sender image{{.command_code = 0x4807, .destination = ocu, .source = camera}, jpeg, packet};
 ///     if (image.error() != jaus::errc::ok) ...
 ///     while (image.next(send)) wait_a_little();
 ///
-/// The RA has no message that asks for a packet again. A sender that wants each packet acknowledged sets
-/// `head.ack_nak`, and repeats the packets whose acknowledgement does not come.
+/// The RA has no message that requests a packet again. A sender that needs an acknowledgement of each packet sets
+/// `head.ack_nak`, and repeats the packets that are not acknowledged.
 class large_data_sender {
   public:
     /// Packets that sequence numbers can count.
     static constexpr std::size_t most_packets = 65536;
 
     /// `head` gives all of the packets' headers but data size, data flag and, where there are several, sequence number.
-    /// `packet` is room for one packet: all that is left of it behind the header is filled, up to 4080 bytes. `body`
-    /// and `packet` must outlive this.
+    /// `packet` holds one packet: its bytes after the header are filled, up to 4080. `body` and `packet` must outlive
+    /// this.
     constexpr large_data_sender(const header& head, std::span<const std::byte> body,
                                 std::span<std::byte> packet) noexcept
         : header_{head}, body_{body}, packet_{packet} {
@@ -56,8 +56,8 @@ class large_data_sender {
         ++sent_;
         return true;
     }
-    /// Hands packet `sequence_number` to `out` once more, whether next() has sent it or not; false when there is no
-    /// such packet. Its flag is `repeated`, but that of the last packet stays `last`: nothing else says how many there
+    /// Sends packet `sequence_number` to `out` again, whether next() has sent it or not; false if there is no such
+    /// packet. Its flag is `repeated`, but that of the last packet remains `last`: nothing else states how many there
     /// are, and the one sent before may be lost.
     [[nodiscard]] constexpr bool repeat(std::size_t sequence_number, message_sink out) {
         if (sequence_number >= packets_) return false;

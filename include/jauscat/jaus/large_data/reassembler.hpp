@@ -15,9 +15,9 @@ namespace jauscat::jaus {
 /// Result of a packet.
 enum class reassembled : std::uint8_t {
     only,      ///< no part of a large data set, or an acknowledgement: it is the caller's
-    waiting,   ///< kept; others are missing. A last packet that asks for acknowledgement is not kept: it is repeated
-    whole,     ///< the last one that was missing: the whole has been handed on
-    repeated,  ///< held already, or a straggler of the data set that was just handed on, and dropped
+    waiting,   ///< kept; others are missing. A last packet with acknowledgement request is not kept: it is repeated
+    whole,     ///< the last missing one: the complete body has been delivered
+    repeated,  ///< a duplicate, or a late packet of the data set that was just delivered; dropped
     doubtful,  ///< not to be acknowledged: equal to a part of the data set that was handed on before; it may be a late
                ///< copy
     no_room,   ///< dropped: every place, or its source's share of them, is taken by data sets that go on
@@ -33,21 +33,21 @@ enum class reassembled : std::uint8_t {
     case reassembled::repeated: return "part of a large data set that was received already";
     case reassembled::doubtful: return "equal to part of the large data set before, and may be a late copy of that";
     case reassembled::no_room: return "too many large data sets at a time: send it again later";
-    case reassembled::too_large: return "the large data set has more bytes or packets than there is room for";
+    case reassembled::too_large: return "the large data set has more bytes or packets than its memory holds";
     }
     return "unknown";
 }
 
 /// A place for one data set of which packets are missing, and what is known of it.
 struct partial_data_set {
-    jaus::header header{};               ///< of packet 0, or of the first that came
+    jaus::header header{};               ///< of packet 0, or of the first received one
     std::size_t packets{};               ///< how many are held; 0: the place is free
     std::size_t bytes{};                 ///< of body that are held
     std::optional<std::uint16_t> last{}; ///< sequence number of the last packet, once that has come
-    bool last_is_doubtful{};             ///< the last packet came once, and may have been a late copy
+    bool last_is_doubtful{};             ///< the last packet was received once, and may have been a late copy
     bool begun{};                        ///< packet 0 is held
-    time_point begun_at{};               ///< when packet 0 last came; before it came, when the first other did
-    time_point last_heard_at{};          ///< when a packet of it last came
+    time_point begun_at{};               ///< time of the last packet 0; before there is one, of the first other packet
+    time_point last_heard_at{};          ///< time of its last packet
     std::uint64_t order{};               ///< the higher the later, among packets of one time too
     std::size_t handed_on{};             ///< packets of the whole that was made here last; the place is free then
 };
@@ -62,34 +62,33 @@ struct held_packet {
 struct reassembly_limits {
     /// Places that one source may take, with several command codes at a time; 0: half of them, at least one.
     std::size_t places_per_source{};
-    /// So long after a data set is whole, packets equal to its own are taken for stragglers of it, not for parts of an
-    /// equal or similar next one; and so long other packets may come before packet 0. As long as packets overtake each
-    /// other, and shorter than senders pause.
+    /// For this time after a data set is complete, packets equal to its own count as late copies of it, not as parts of
+    /// an equal or similar next one; and for this time other packets may precede packet 0. As long as packets overtake
+    /// each other, and shorter than senders pause.
     duration linger{std::chrono::milliseconds{2}};
-    /// So long after a data set is whole, the first packet that asks for acknowledgement and is equal to that of its
-    /// number is doubtful: the network may have made a copy, and to acknowledge that would tell the sender that a
-    /// packet of its next data set is here. It is kept, but for a last one; the second such packet is acknowledged.
-    /// Longer than the network holds packets back.
+    /// For this time after a data set is complete, the first packet with acknowledgement request that is equal to that
+    /// of its number is doubtful: the network may have copied it, and acknowledging the copy would confirm a packet of
+    /// the next data set. It is kept, except a last one; the second such packet is acknowledged. Longer than the
+    /// network delays packets.
     duration linger_of_copies{};
-    /// The same for a last packet that asks for acknowledgement: its sender repeats it until it gets one, and that may
-    /// be lost. As long as senders repeat.
+    /// The same for a last packet with acknowledgement request: its sender repeats it until it is acknowledged, and the
+    /// acknowledgement may be lost. As long as senders repeat.
     duration linger_of_repeats{std::chrono::seconds{2}};
-    /// A data set whose packets ask for no acknowledgement is given up when the next one comes after so long a silence:
-    /// it may be of another data set. Shorter than senders pause between two of them.
+    /// A data set without acknowledgement request is dropped when the next packet arrives after this silence: it may be
+    /// of another data set. Shorter than senders pause between two of them.
     duration longest_gap{std::chrono::milliseconds{125}};
 };
 
-/// Puts data sets together by command code and source. Packets may come out of order and more than once.
+/// Reassembles data sets by command code and source. Packets may be reordered and duplicated.
 ///
-/// All memory is the caller's. A data set of which a second packet has come goes on, and keeps its place until it has
-/// been silent for the timeout. One with a single packet gives its place to the packet 0 of a newcomer where no other
-/// is free, the longest silent one first, so a flood of first packets, from whatever sources, neither displaces what
-/// goes on nor keeps others out.
+/// All memory is the caller's. A data set with a second packet is active, and keeps its place until it has been silent
+/// for the timeout. One with a single packet is replaced by packet 0 of a new one if no place is free, the longest
+/// silent one first, so a flood of first packets from any sources neither displaces active data sets nor blocks others.
 ///
-/// Packets carry nothing that names their data set: the next one of the same source and code uses the same numbers.
-/// What cannot be told apart is given up, never put together. A data set is given up when a packet comes
-/// - that contradicts it: another body or another end under a number that it has, or no wish for acknowledgement like
-/// the first's;
+/// Packets do not identify their data set: the next one of the same source and code uses the same numbers. Packets that
+/// may be of two data sets are dropped, never combined. A data set is dropped when a packet arrives
+/// - that contradicts it: another body or another end under a number that it has, or another acknowledgement request
+///   than the first's;
 /// - and packet 0 has not come within `linger` of the first other one;
 /// - after `longest_gap`, or with another packet 0 after `linger`, where no acknowledgement is asked for. Who asks for
 ///   it sends the last packet when all others are acknowledged, and these have been compared with what is held.
@@ -105,18 +104,18 @@ struct reassembly_limits {
 ///                     [&](const jaus::partial_data_set& incomplete) { ... });
 class reassembler {
   public:
-    /// Each place has an equal share of `packets` and of `memory`. A packet that
-    /// comes late has what is held behind it moved: a place's share bounds what that costs. `timeout`: a data set that
-    /// has been silent so long is given up when its place is wanted, or by on_time. All three must outlive this.
+    /// Each place has an equal share of `packets` and of `memory`. A late packet moves the packets held after it; the
+    /// share bounds this cost. `timeout`: a data set that has been silent for this time is dropped when its place is
+    /// needed, or by on_time. All three must outlive this.
     constexpr reassembler(std::span<partial_data_set> places, std::span<held_packet> packets,
                           std::span<std::byte> memory, duration timeout, reassembly_limits limits = {}) noexcept
         : places_{places}, packets_{packets}, memory_{memory}, timeout_{timeout}, limits_{limits} {
         if (limits_.places_per_source == 0) limits_.places_per_source = (places.size() + 1) / 2;
     }
 
-    /// A packet that came at `now`. `take(const header&, std::span<const std::byte>)` gets a whole data set: the header
+    /// A packet received at `now`. `take(const header&, std::span<const std::byte>)` gets a whole data set: the header
     /// of its packet 0, whose data size and flag are that packet's, and the whole body, valid during the call.
-    /// `lost(const partial_data_set&)` hears of one that is given up.
+    /// `lost(const partial_data_set&)` is called for a dropped one.
     constexpr reassembled on_packet(const header& head, std::span<const std::byte> body, time_point now, auto&& take,
                                     auto&& lost) {
         // There are nodes that repeat the data flag when they acknowledge.
@@ -180,7 +179,7 @@ class reassembler {
 
     /// The data set to which a packet with this header belongs, as far as it has come, or nullptr.
     [[nodiscard]] constexpr const partial_data_set* incomplete(const header& head) const noexcept { return find(head); }
-    /// The places, for those who want to see what is incomplete.
+    /// The places, to inspect incomplete data sets.
     [[nodiscard]] constexpr std::span<const partial_data_set> places() const noexcept { return places_; }
 
   private:
@@ -206,8 +205,8 @@ class reassembler {
         const bool ended = set.last == head.sequence_number;
         return (ends != ended && head.data_flag != data_flag::repeated) || !std::ranges::equal(body_of(set, *at), body);
     }
-    // A last packet that asks for acknowledgement is not kept while others are missing: a packet of a later data set
-    // that fills the gap would make a whole of both. It is repeated.
+    // A last packet with acknowledgement request is not kept while others are missing: a packet of a later data set
+    // that fills the gap would combine both. It is repeated.
     [[nodiscard]] static constexpr bool comes_too_early(const partial_data_set* set, const header& head) noexcept {
         if (head.data_flag != data_flag::last || !is_requested(head)) return false;
         return set == nullptr || !set->begun || set->packets < head.sequence_number;
@@ -235,7 +234,7 @@ class reassembler {
         const bool repeats = head.data_flag == data_flag::last && is_requested(head);
         return std::max(limits_.linger, repeats ? limits_.linger_of_repeats : limits_.linger);
     }
-    // Its body still lies in the memory of its place.
+    // Its body is still in the memory of its place.
     [[nodiscard]] constexpr bool is_straggler(const header& head, std::span<const std::byte> body, time_point now,
                                               duration linger) const noexcept {
         return std::ranges::any_of(places_, [&](const partial_data_set& set) {
@@ -253,8 +252,8 @@ class reassembler {
                                                                              std::uint16_t number) noexcept {
         return std::ranges::lower_bound(held, number, {}, &held_packet::sequence_number);
     }
-    // The place that a newcomer takes: a free one, the longest unused first, so that stragglers are known for long;
-    // else that of a data set that went silent; else, for packet 0 alone, that of one with a single packet.
+    // The place for a new data set: a free one, the longest unused first, so that late packets are recognised for long;
+    // else that of a silent data set; else, for packet 0 only, that of one with a single packet.
     [[nodiscard]] constexpr partial_data_set* free_place(const header& head, time_point now, auto& lost) {
         const auto of_source = [&](const partial_data_set& set) {
             return set.packets != 0 && set.header.source == head.source;

@@ -28,7 +28,7 @@ constexpr std::span<const std::byte> prefix(framing f) noexcept {
     return f == framing::bare ? std::span<const std::byte>{} : std::span<const std::byte>{detail::jaus01_prefix};
 }
 
-/// A datagram taken apart. `message` points into the datagram and may be empty.
+/// Parts of a datagram. `message` points into the datagram and may be empty.
 struct framed_message {
     framing how{};                        ///< the framing found
     std::span<const std::byte> message{}; ///< header and body

@@ -28,10 +28,10 @@ enum class errc : std::uint8_t {
     truncated,      ///< shorter than a header
     wrong_size,     ///< the header states another body size than there is
     wrong_version,  ///< the version field is not that of RA 3.2 and 3.3
-    invalid_source, ///< an octet of the source is 0 or 255: nobody could be answered
+    invalid_source, ///< an octet of the source is 0 or 255: it cannot be answered
     no_space,       ///< the output span is too small
     invalid_header, ///< a value of the header is wider than its bits
-    invalid_body,   ///< a value of the body does not encode; wire::diagnose says which
+    invalid_body,   ///< a value of the body does not encode; wire::diagnose names it
     body_too_large, ///< more than 4080 bytes: needs a large data set, also in a header that states 4081 to 4095
 };
 
@@ -51,7 +51,7 @@ enum class errc : std::uint8_t {
     return "unknown error";
 }
 
-/// A message taken apart; `body` points into the received bytes.
+/// Parts of a message; `body` points into the received bytes.
 struct split_message {
     errc error{};                      ///< why it is no message; then the rest is empty
     jaus::header header{};             ///< as received
@@ -125,7 +125,7 @@ constexpr auto make_message(const header&, const T&, auto&&...) noexcept {
     return result<std::span<std::byte>, errc>{errc::invalid_body};
 }
 
-/// An acknowledgement carries no body, whatever its command code. RA 3.3 part 2, ACK/NAK.
+/// An acknowledgement has no body, for any command code. RA 3.3 part 2, ACK/NAK.
 [[nodiscard]] constexpr bool is_acknowledgement(const header& head) noexcept {
     return head.ack_nak == ack_nak::ack || head.ack_nak == ack_nak::nak;
 }

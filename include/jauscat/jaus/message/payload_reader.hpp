@@ -40,7 +40,7 @@ class payload_reader {
         if (error_ == wire::errc::ok) --left_;
         return error_ == wire::errc::ok;
     }
-    /// ok, or why the last call of next() said no: truncated, unknown_tag (an interface without a type, or a type that
+    /// ok, or why the last call of next() failed: truncated, unknown_tag (an interface without a type, or a type that
     /// the standard does not have), trailing_bytes.
     [[nodiscard]] constexpr wire::errc error() const noexcept { return error_; }
     /// Bytes that were read.
@@ -85,7 +85,7 @@ encode_payload_elements(std::span<const payload_element> elements, std::span<std
 }
 
 /// The real value of a scaled element, by the formula of wire::scaled. `min` and `max` are the interface's limits.
-/// Empty where the type is not a scaled one, or the raw value stands for nothing.
+/// Empty if the type is not scaled, or the raw value is not a valid one.
 [[nodiscard]] constexpr std::optional<double> real_value(const payload_value& element, double min,
                                                          double max) noexcept {
     if (!is_scaled(element.type_code)) return std::nullopt;

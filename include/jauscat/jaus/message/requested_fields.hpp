@@ -1,4 +1,4 @@
-// What a query's presence vector asks for, applied to the report.
+// Applies the presence vector of a query to its report.
 #pragma once
 #include <jauscat/wire/visit.hpp>
 
@@ -7,8 +7,7 @@
 
 namespace jauscat::jaus {
 
-/// Removes from `report` every optional field whose bit is not set in `presence_vector`, the one that the query
-/// carries.
+/// Removes from `report` every optional field with a clear bit in `presence_vector`, that of the query.
 template <wire::message Report>
 constexpr void keep_requested(Report& report, std::unsigned_integral auto presence_vector) noexcept {
     std::size_t bit = 0;

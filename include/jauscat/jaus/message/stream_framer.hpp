@@ -10,7 +10,7 @@
 
 namespace jauscat::jaus {
 
-/// Whether these can be the first bytes of a message whose body has at most `max_body` bytes: version 2, no reserved
+/// Whether these can be the first bytes of a message with a body of at most `max_body` bytes: version 2, no reserved
 /// bit, a defined data flag, and a source that names one component. RA 3.3 part 2, message header.
 [[nodiscard]] constexpr bool possible_header(const header& head, std::size_t max_body) noexcept {
     const auto flag = static_cast<unsigned>(head.data_flag); // a single packet has none of the four bits, others one
@@ -18,8 +18,8 @@ namespace jauscat::jaus {
            names_one_component(head.source);
 }
 
-/// Takes bytes as they arrive and hands on whole messages. A header that announces more than the buffer holds counts as
-/// noise.
+/// Processes bytes as they arrive and delivers complete messages. A header that announces more than the buffer holds
+/// counts as noise.
 ///
 ///     std::array<std::byte, jaus::header_size + 256> buffer{};
 ///     jaus::stream_framer framer{buffer, 20ms};
@@ -27,8 +27,8 @@ namespace jauscat::jaus {
 ///     framer.on_time(now, the same); // every few milliseconds, also when nothing is received
 class stream_framer {
   public:
-    /// `buffer` holds one message and must outlive the framer. `idle` is the silence after which an unfinished message
-    /// is given up: senders must not pause that long inside a message.
+    /// `buffer` holds one message and must outlive the framer. `idle` is the silence after which an incomplete message
+    /// is dropped: senders must not pause that long inside a message.
     template <std::size_t Size>
     requires(Size >= header_size)
     constexpr stream_framer(std::array<std::byte, Size>& buffer, duration idle) noexcept
@@ -48,15 +48,15 @@ class stream_framer {
         }
     }
 
-    /// Gives up an unfinished message once the line has been silent for the idle time. What only seemed to be its
-    /// header was noise, so messages that follow in its bytes are found and handed to `take`.
+    /// Drops an incomplete message once the line has been silent for the idle time. Its header was noise, so messages
+    /// inside its bytes are found and passed to `take`.
     constexpr void on_time(time_point now, auto&& take) {
         if (size_ != 0 && now - heard_ >= idle_) search(true, take);
     }
 
   private:
-    // Takes what is whole and drops what is noise; when no more will come, also what is unfinished. A possible header
-    // promises a message that fits the buffer, so there is always room for the next byte.
+    // Delivers complete messages and drops noise; at the end also an incomplete message. A possible header announces a
+    // message that fits the buffer, so there is always space for the next byte.
     constexpr void search(bool no_more, auto& take) {
         std::size_t at = 0;
         wanted_ = header_size;

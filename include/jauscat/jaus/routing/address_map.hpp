@@ -13,7 +13,7 @@ namespace jauscat::jaus {
 
 /// A place in the memory of an address_map.
 template <class Value> struct address_place {
-    jaus::address address{}; ///< of the entry; a level of 0 stands for every ID of that level
+    jaus::address address{}; ///< of the entry; a level of 0 matches every ID of that level
     bool taken{};            ///< whether there is an entry
     Value value{};           ///< the caller's
 };
@@ -22,13 +22,13 @@ template <class Value> struct address_place {
 enum class inserted : std::uint8_t {
     ok,
     full,      ///< no place is left; see address_map::capacity
-    duplicate, ///< there is an entry with exactly this address, which stays as it is
+    duplicate, ///< there is an entry with exactly this address, which is not changed
 };
 
-/// Finds the entry for an address. An entry's level of 0 stands for every ID of that level, 255 is an ID like others.
-/// Of several entries that cover an address, the one that names the higher level is found: 1.2.0.0 before 1.0.33.0
-/// before 1.0.0.0 before 0.0.0.0. A look-up costs one probe for each pattern of named levels that is in use, at most
-/// 16, whatever the number of entries. Memory is the caller's: open addressing, at most three quarters full, so that a
+/// Finds the entry for an address. An entry's level of 0 matches every ID of that level, 255 is an ID like others. Of
+/// several entries that cover an address, the one that names the higher level is found: 1.2.0.0 before 1.0.33.0 before
+/// 1.0.0.0 before 0.0.0.0. A look-up costs one probe for each pattern of named levels that is in use, at most 16,
+/// whatever the number of entries. Memory is the caller's: open addressing, at most three quarters full, so that a
 /// probe seldom sees more than a few places. Not safe for several threads.
 ///
 ///     std::array<jaus::address_place<int>, 64> places{};
@@ -72,18 +72,18 @@ template <class Value> class address_map {
         return nullptr;
     }
 
-    /// The entry whose own address is `entry`, or nullptr.
+    /// The entry with exactly this address, or nullptr.
     [[nodiscard]] constexpr place* exactly(const address& entry) const noexcept {
         return uses_[rank_of(entry)] == 0 ? nullptr : probe(key_of(entry));
     }
 
-    /// Removes the entry whose own address is `entry`; false if there is none. Moves others.
+    /// Removes the entry with exactly this address; false if there is none. Moves others.
     constexpr bool erase(const address& entry) noexcept {
         place* const found = exactly(entry);
         if (found == nullptr) return false;
         if (--uses_[rank_of(entry)] == 0) note_patterns();
         --size_;
-        // Whatever stands behind the gap and would no longer be reached from its home moves into the gap.
+        // Entries after the gap that would no longer be reached from their home are moved into the gap.
         std::size_t gap = static_cast<std::size_t>(found - places_.data());
         for (std::size_t at = after(gap); places_[at].taken; at = after(at)) {
             if (distance(home(key_of(places_[at].address)), at) < distance(gap, at)) continue;
@@ -101,10 +101,10 @@ template <class Value> class address_map {
         size_ = 0;
     }
 
-    /// All places, taken or not, in no order: for those who want to go through the entries.
+    /// All places, used or not, in no order, to iterate over the entries.
     [[nodiscard]] constexpr std::span<place> places() const noexcept { return places_; }
 
-    /// The most places that finding an entry by its own address looks at; 0 when there is none. For tests and logs.
+    /// The maximum number of probes to find an entry by its own address; 0 without entries. For tests and logs.
     [[nodiscard]] constexpr std::size_t longest_probe() const noexcept {
         std::size_t longest = 0;
         for (std::size_t at = 0; at != places_.size(); ++at)

@@ -11,7 +11,7 @@ namespace jauscat::jaus {
 /// When a component was heard of.
 struct presence {
     time_point last_heard_at{};
-    time_point gone_at{}; ///< when it is given up unless it is heard again; max: never
+    time_point gone_at{}; ///< when it is lost unless it is heard again; max: never
 };
 
 /// Result of a message from a component.
@@ -43,7 +43,7 @@ class liveness_table {
         next_check_ = std::min(next_check_, gone_at);
         return heard::appeared;
     }
-    /// `who` is there for good, whether it is heard or not; false when the table is full.
+    /// `who` is kept permanently, also without messages; false if the table is full.
     constexpr bool keep(const address& who) noexcept {
         return on_heard(who, time_point{}, duration::max()) != heard::no_room;
     }
@@ -66,8 +66,8 @@ class liveness_table {
         return next_check_;
     }
 
-    /// Removes those for whom `unwanted(const place&)` holds, which may be asked about one more than once; `gone(const
-    /// address&)` hears of each.
+    /// Removes the entries for which `unwanted(const place&)` is true, which may be called more than once for one;
+    /// calls `gone(const address&)` for each.
     constexpr void remove_if(auto&& unwanted, auto&& gone) {
         const auto places = map_.places();
         for (std::size_t at = 0; at != places.size();) {
@@ -81,7 +81,7 @@ class liveness_table {
         }
     }
 
-    /// When `who` was heard, or nullptr.
+    /// When the last message of `who` arrived, or nullptr.
     [[nodiscard]] constexpr const presence* find(const address& who) const noexcept {
         const place* const found = map_.exactly(who);
         return found == nullptr ? nullptr : &found->value;

@@ -26,7 +26,7 @@ struct node_description {
 };
 
 struct node_manager_options {
-    heartbeat beat = heartbeat_to_all(); ///< to whom, and how often
+    heartbeat beat = heartbeat_to_all(); ///< destination and interval
     /// A component that sends no heartbeat for so long is gone; with a node manager goes what it reported.
     duration timeout{std::chrono::seconds{3}};
     /// Interval of queries to the other nodes of the subsystem for their components; 0: only when a node appears.

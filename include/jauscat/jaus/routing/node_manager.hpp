@@ -10,12 +10,13 @@
 namespace jauscat::jaus {
 
 /// A part of the component <subsystem>.<node>.1.1 that
-/// - sends heartbeats to all node managers and remembers who sends it some: node managers, components of the own node;
-/// - asks the other nodes of the subsystem, when they appear and then again and again, which components they have;
+/// - sends heartbeats to all node managers and stores the senders of received ones: node managers, components of the
+///   own node;
+/// - queries the other nodes of the subsystem for their components, when they appear and periodically;
 /// - answers Query Identification (2B00h) for system, subsystem, node and component, Query Configuration (2B01h) for
-///   subsystem and node, Query Subsystem List (2B02h), and what every described_component answers.
-/// Reported is what the description has and what is there at the moment. Reserved query types are refused, as is what
-/// the memory does not suffice for. A heartbeat for which there is no room is refused and counted.
+///   subsystem and node, Query Subsystem List (2B02h), and what every described_component answers. Reports contain the
+///   description and the components alive. Reserved query types are refused, as are reports that exceed the memory. A
+///   heartbeat beyond the capacity is refused and counted.
 class node_manager {
   public:
     /// `description` and the memory must outlive this. `self`: with component 1 and instance 1.
@@ -80,10 +81,10 @@ class node_manager {
 
     /// The components that are present.
     [[nodiscard]] const liveness_table& present() const noexcept { return present_; }
-    /// `who` counts as there for good, also if it sends no heartbeats; false when there is no room.
+    /// `who` counts as alive permanently, also without heartbeats; false if the table is full.
     bool keep(const address& who) noexcept { return present_.keep(who); }
-    /// The body of Report Configuration of the subsystem or the node, at the front of `body`; its size, or nothing
-    /// where `what` is neither or there is no room. For events of this report.
+    /// Writes the body of Report Configuration of the subsystem or the node to the front of `body`; returns its size,
+    /// or nothing if `what` is neither or the memory is too small. For events of this report.
     std::optional<std::size_t> configuration(query_field what, std::span<std::byte> body) const noexcept {
         std::optional<std::size_t> used;
         with_components(what, [&](const report_configuration& report) {
@@ -92,7 +93,7 @@ class node_manager {
         });
         return used;
     }
-    /// Components that were not remembered for want of room, counted at each heartbeat and report.
+    /// Components that were not stored because the table is full, counted at each heartbeat and report.
     [[nodiscard]] std::uint64_t not_remembered() const noexcept { return not_remembered_; }
 
   private:
@@ -119,7 +120,7 @@ class node_manager {
         static_cast<void>(
             put({.destination = who, .source = self_}, query_configuration{query_field::node_configuration}, out));
     }
-    // Taken from those who are asked, about themselves.
+    // From the reports of the queried components, about themselves.
     message_outcome on_configuration(const header& head, std::span<const std::byte> body, time_point now) noexcept {
         const auto& from = head.source;
         const bool is_asked = from.subsystem == self_.subsystem && from.node != self_.node && is_node_manager(from);
@@ -155,8 +156,8 @@ class node_manager {
         }
     }
 
-    // Those that are wanted, and this one, in memory from `lists`, sorted by `key` and each once; none for want of
-    // room.
+    // The selected ones and this one, in memory from `lists`, sorted by `key`, each once; empty if the memory is too
+    // small.
     std::span<address> collect(wire::arena& lists, auto&& wanted, auto&& key) const noexcept {
         const std::size_t most = 1 + description_.components.size() + present_.size();
         address* const first = lists.allocate<address>(most);
@@ -183,7 +184,7 @@ class node_manager {
         std::ranges::sort(listed, {}, [](const auto& one) { return std::pair{one.component_id, one.instance_id}; });
         return listed;
     }
-    // False, and no report, for another field and for want of room; else what `use(report)` says.
+    // False, and no report, for another field and without memory; else the result of `use(report)`.
     bool with_components(query_field what, auto&& use) const noexcept {
         const bool of_node = what == query_field::node_configuration;
         if (!of_node && what != query_field::subsystem_configuration) return false;

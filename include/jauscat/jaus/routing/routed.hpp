@@ -5,20 +5,20 @@
 
 namespace jauscat::jaus {
 
-/// A neighbour that messages are exchanged with, or a multicast group: a small number to which the program gives a
-/// meaning, such as the index of a UDP endpoint.
+/// A peer that messages are exchanged with, or a multicast group: a small number to which the program gives a meaning,
+/// such as the index of a UDP endpoint.
 using hop = std::uint16_t;
 
 /// The hop of messages sent by components of this program.
 inline constexpr hop here = 0xFFFF;
-/// The hop of messages from an unknown neighbour. It has the rights of another subsystem.
+/// The hop of messages from an unknown peer. It has the rights of another subsystem.
 inline constexpr hop unknown_hop = 0xFFFE;
 
-/// Kind of a neighbour, by the innermost of the addresses routed to it.
+/// Kind of a hop, by the innermost of the addresses routed to it.
 enum class hop_kind : std::uint8_t {
     unused,    ///< no address leads to it
     subsystem, ///< only addresses of other subsystems
-    node,      ///< a node of the own subsystem, with whatever lies behind it
+    node,      ///< a node of the own subsystem, and all that is reached through it
     component, ///< a component of the own node, in another program
     manager,   ///< the program that has the own node's node manager: this program has a few of the node's components
 };
@@ -26,7 +26,7 @@ enum class hop_kind : std::uint8_t {
 /// Result of adding a route or a component.
 enum class added : std::uint8_t {
     ok,
-    full,            ///< no place is left in the memory of ways or of components
+    full,            ///< the memory for routes or components is full
     duplicate,       ///< there is an entry with exactly this address
     invalid_address, ///< a component must have IDs of 1 to 254
     invalid_hop,     ///< not a number below the number of places for hops
@@ -36,7 +36,7 @@ enum class added : std::uint8_t {
 [[nodiscard]] constexpr std::string_view describe(added what) noexcept {
     switch (what) {
     case added::ok: return "ok";
-    case added::full: return "too many ways or components for the memory given";
+    case added::full: return "too many routes or components for the memory given";
     case added::duplicate: return "there is an entry with this address already";
     case added::invalid_address: return "component and instance IDs are 1 to 254";
     case added::invalid_hop: return "no such hop";
@@ -46,11 +46,11 @@ enum class added : std::uint8_t {
 
 /// Result of routing. From `no_such_component` on the message was dropped; log it.
 enum class routed : std::uint8_t {
-    ok,                  ///< handed to somebody
+    ok,                  ///< delivered or forwarded
     nobody,              ///< to all of a kind, and there is none here or beyond
     no_such_component,   ///< to this node, which has no such component
     no_way,              ///< no entry covers the destination, or only one that leads out of the subsystem again
-    would_return,        ///< the way to the destination leads back to where the message came from
+    would_return,        ///< the route leads back to the sender of the message
     between_subsystems,  ///< from another subsystem to another subsystem: none forwards for others
     not_the_relay,       ///< from a node to another node, and this is not the primary node that forwards such
     invalid_destination, ///< an octet of the destination is 0
@@ -63,11 +63,10 @@ enum class routed : std::uint8_t {
 [[nodiscard]] constexpr std::string_view describe(routed what) noexcept {
     switch (what) {
     case routed::ok: return "ok";
-    case routed::nobody: return "nobody here is of the kind that is addressed";
+    case routed::nobody: return "no receiver: nothing here matches the broadcast address";
     case routed::no_such_component: return "unroutable: this node has no such component";
-    case routed::no_way: return "unroutable: no way to the destination is known";
-    case routed::would_return:
-        return "unroutable: the way to the destination leads back to where the message came from";
+    case routed::no_way: return "unroutable: no route to the destination is known";
+    case routed::would_return: return "unroutable: the route to the destination leads back to the sender";
     case routed::between_subsystems: return "unroutable: messages between other subsystems are not forwarded";
     case routed::not_the_relay: return "unroutable: only the primary node forwards from node to node";
     case routed::invalid_destination: return "unroutable: an octet of the destination ID is 0";

@@ -1,10 +1,10 @@
-// Routes messages to local components and neighbours without loops, although the header has no hop count.
+// Routes messages to local components and to hops without loops, although the header has no hop count.
 #pragma once
 #include <jauscat/jaus/routing/routing_table.hpp>
 
 namespace jauscat::jaus {
 
-/// Routes the messages of one node by its table. What kind of neighbour a message comes from decides where it may go:
+/// Routes the messages of one node by its table. The kind of hop that a message comes from decides where it may go:
 ///
 /// | comes from                 | with a source in            | to one goes on to  | to all goes on to          |
 /// | -------------------------- | --------------------------- | ------------------ | -------------------------- |
@@ -16,31 +16,31 @@ namespace jauscat::jaus {
 ///
 /// C: components of the own node, N: nodes of the own subsystem, S: other subsystems.
 ///
-/// Nothing goes back to where it came from; what comes with another source than the table has is refused. The primary
-/// is the one node that relays within its subsystem; there may be none, where every node has a way to every other.
-/// A primary relays a broadcast only where it comes from the node of its source, or from a group: several nodes that
-/// are all told to be the primary would pass it on among each other without end.
+/// No message is sent back to its hop; a message from another hop than the table has for its source is refused. The
+/// primary is the one node that relays within its subsystem; there may be none if every node has a route to every
+/// other. A primary relays a broadcast only if it comes from the node of its source, or from a group: otherwise several
+/// nodes configured as primary would forward it to each other without end.
 ///
-/// `up` is the node manager's program, or else the primary where that is another node: it does the broadcasting for
-/// this one. So a message goes from its node to at most the primary, a gateway, another's gateway, its primary and the
-/// destination, and each step is one that those behind it cannot make again.
+/// `up` is the node manager's program, or else the primary where that is another node: it sends the broadcasts for this
+/// one. So a message passes at most its node, the primary, a gateway, the gateway of another subsystem, its primary and
+/// the destination, and no step can be repeated.
 ///
 /// A broadcast goes once to each hop that it concerns; of entries that cover each other only to the widest that names
-/// the subsystem (2.0.0.0, not 2.1.0.0). So another subsystem with a primary is entered by one way, which leads to
-/// that; one without by a way for each of its nodes; and a primary's ways to other subsystems do not lead through its
-/// own. A multicast group between subsystems takes the place of single ways for subsystem 255; one between the nodes of
-/// the own subsystem that of the ways to them, and all of them must have it. Whoever sent a broadcast does not get it.
+/// the subsystem (2.0.0.0, not 2.1.0.0). So another subsystem with a primary has one route, to the primary; one without
+/// has a route for each of its nodes; and a primary's routes to other subsystems do not lead through its own. A
+/// multicast group between subsystems replaces single routes for subsystem 255; one between the nodes of the own
+/// subsystem replaces the routes to them, and all of them must have it. The sender of a broadcast does not get it.
 ///
-/// A message is never changed. One to one node costs two look-ups in an address_map; a broadcast that goes beyond the
-/// node passes once over all ways.
+/// A message is never changed. One to one node costs two look-ups in an address_map; a broadcast beyond the node
+/// iterates once over all routes.
 class router {
   public:
     /// `routes` must outlive this. `primary`: the node that relays within the own subsystem; 0 for none.
     constexpr explicit router(routing_table& routes, std::uint8_t primary = 0) noexcept
         : table_{routes}, primary_{primary} {}
 
-    /// A message that came from `from`. `to_component(number, address)` is called for each component of this program
-    /// that gets it, with the component's own address, for which the header may have 255; `to_hop(hop)` for each hop.
+    /// A message received from `from`. `to_component(number, address)` is called for each receiving component of this
+    /// program, with the component's own address, where the header may have 255; `to_hop(hop)` for each hop.
     constexpr routing route(const header& head, hop from, auto&& to_component, auto&& to_hop) {
         const auto& to = head.destination;
         routing all{.outcome = check(head, from)};
@@ -128,7 +128,7 @@ class router {
         if (from_own_node(from)) return to_nodes || to_others ? send_out(to, to_nodes, to_others, send) : routed::ok;
 
         const bool within = of_own_subsystem(head.source), enters = table_.kind_of(from) == hop_kind::subsystem;
-        // Nodes that share a group have heard their neighbour already.
+        // Nodes that share a group have received it from the same sender already.
         const bool heard = within && table_.group(table_.subsystem(), to) != nullptr;
         const bool is_relayed = within && !heard && table_.next_hop(head.source) != from;
         const bool relays = primary_ == table_.node() && !is_relayed;

@@ -1,4 +1,4 @@
-// Routing table of a node: components, neighbours, routes.
+// Routing table of a node: components, hops, routes.
 #pragma once
 #include <jauscat/jaus/message/message.hpp>
 #include <jauscat/jaus/routing/address_map.hpp>
@@ -27,13 +27,13 @@ struct node_component {
     way where{}; ///< in which program
 };
 
-/// The addresses that one node knows. An address's level of 0 stands for every ID of that level, and the most specific
-/// entry counts, as in an address_map. What a hop is follows from the addresses that lead to it: see hop_kind. An entry
-/// 255.255.0.0 is a multicast group between subsystems, <own>.255.0.0 one between the nodes of the own subsystem.
-/// What a known neighbour sends to a group comes from that neighbour's hop; from others it comes from the group's.
+/// The addresses that one node knows. An address's level of 0 matches every ID of that level, and the most specific
+/// entry counts, as in an address_map. The kind of a hop follows from the addresses that lead to it: see hop_kind. An
+/// entry 255.255.0.0 is a multicast group between subsystems, <own>.255.0.0 one between the nodes of the own subsystem.
+/// A message to a group comes from the hop of its sender, if that is known; otherwise from the group's.
 class routing_table {
   public:
-    /// The memory must outlive this: `ways` for addresses (three quarters of a power of two can be used), `hops` with a
+    /// The memory must outlive this: `ways` for routes (three quarters of a power of two can be used), `hops` with a
     /// place for each hop number from 0, `components` for those of the own node.
     constexpr routing_table(std::uint8_t subsystem, std::uint8_t node, std::span<address_place<way>> ways,
                             std::span<hop_state> hops, std::span<node_component> components) noexcept
@@ -64,7 +64,7 @@ class routing_table {
         if (kind == hop_kind::manager) manager_ = by;
         return what;
     }
-    /// The hop does not hear multicast groups: it gets a copy of its own of what goes to a group.
+    /// The hop does not receive multicast groups: it gets its own copy of each message to a group.
     constexpr void keep_outside_groups(hop which) noexcept {
         if (which < hops_.size()) hops_[which].outside_groups = true;
     }
@@ -75,8 +75,8 @@ class routing_table {
         const auto* const found = ways_.find(one);
         return found == nullptr || (is_own_node(one) && !is_own_node(found->address)) ? nullptr : &found->value;
     }
-    /// Where messages to this one component go: a hop, `here`, or nothing where no way is known. Also tells by which
-    /// hop messages of this source are expected.
+    /// The hop for messages to this one component: a hop, `here`, or nothing without a route. Also the hop from which
+    /// messages of this source are expected.
     [[nodiscard]] constexpr std::optional<hop> next_hop(const address& one) const noexcept {
         const way* const found = find(one);
         if (found == nullptr) return std::nullopt;
@@ -103,19 +103,19 @@ class routing_table {
         for (auto& state : hops_) state.turn = 0; // all numbers have been used
         turn_ = 1;
     }
-    /// Whether this hop is asked for the first time in this turn.
+    /// Whether this is the first call for this hop in this turn.
     [[nodiscard]] constexpr bool first_time(hop which) noexcept {
         return std::exchange(hops_[which].turn, turn_) != turn_;
     }
 
-    /// The way of the multicast group between subsystems (255) or between the nodes of the own subsystem, or nullptr.
+    /// The route of the multicast group between subsystems (255) or between the nodes of the own subsystem, or nullptr.
     [[nodiscard]] constexpr const way* group(std::uint8_t subsystem, const address& to) const noexcept {
         const auto* const found = ways_.find({to.instance, to.component, 255, subsystem});
         const bool is_group = found != nullptr && found->address.subsystem == subsystem &&
                               (subsystem == 255 || found->address.node == 255);
         return is_group ? &found->value : nullptr;
     }
-    /// `send(hop)` for each way to other nodes of the own subsystem that the destination covers.
+    /// Calls `send(hop)` for each route to other nodes of the own subsystem that the destination covers.
     constexpr void to_nodes(const address& to, auto&& send) const {
         const way* const all = group(subsystem_, to);
         if (all != nullptr) send(all->number);
@@ -123,14 +123,14 @@ class routing_table {
             return entry.subsystem == subsystem_ && entry.node != node_ && entry.node != 255;
         });
     }
-    /// `send(hop)` for each way to other subsystems that the destination covers.
+    /// Calls `send(hop)` for each route to other subsystems that the destination covers.
     constexpr void to_subsystems(const address& to, auto&& send) const {
         const way* const all = to.subsystem == 255 ? group(255, to) : nullptr;
         if (all != nullptr) send(all->number);
         const bool named = along_ways(to, hop_kind::subsystem, all != nullptr, send, [this](const address& entry) {
             return entry.subsystem != subsystem_ && entry.subsystem != 255 && entry.subsystem != 0;
         });
-        if (to.subsystem == 255 || !named) // the way to all other subsystems
+        if (to.subsystem == 255 || !named) // the route to all other subsystems
             along_ways(to, hop_kind::subsystem, all != nullptr, send,
                        [](const address& entry) { return entry.subsystem == 0; });
     }

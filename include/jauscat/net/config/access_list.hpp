@@ -56,9 +56,9 @@ class access_list {
     access_list(const access_list&) = delete;
     access_list& operator=(const access_list&) = delete;
 
-    /// Whether a message of this source may come from there: `taken`, `unknown_peer` or `wrong_sender`. The system with
-    /// the most specific jausip counts, as for sending: if there is a system 1.2.0.0, its messages are not accepted
-    /// from 1.0.0.0. An open list accepts all, and finds a peer only where a closed one would.
+    /// Whether a message of this source is accepted from there: `taken`, `unknown_peer` or `wrong_sender`. The system
+    /// with the most specific jausip counts, as for sending: if there is a system 1.2.0.0, its messages are not
+    /// accepted from 1.0.0.0. An open list accepts all, and finds a peer only where a closed one would.
     [[nodiscard]] finding check(const jaus::address& source, const endpoint& from) const noexcept {
         const auto* const found = peers_.find(source);
         if (!found) return refused(verdict::unknown_peer);

@@ -40,7 +40,7 @@ struct node_entry {
 
 /// The EtherCAT master of a system, and the program that runs it. The slave's station address is the system's node.
 struct ethercat_entry {
-    std::string controller{};     ///< the name of the system whose program runs the master
+    std::string controller{};     ///< name of the system that runs the master
     std::string interface_name{}; ///< network interface, such as `eth0`; empty: EtherCAT in UDP
     std::string udp_host{};       ///< host of the slave, for EtherCAT in UDP
     std::uint16_t udp_port{};     ///< its port, for EtherCAT in UDP
@@ -106,7 +106,7 @@ struct jaus_config {
     /// selected: 1.2.0.0 before 1.0.33.0 before 1.0.0.0 before 0.0.0.0.
     const system_entry* next_hop(const jaus::address& destination) const noexcept;
 
-    /// The systems whose masters the program of the system `controller` runs, in the order of the file.
+    /// The systems with masters run by the system `controller`, in the order of the file.
     std::vector<const system_entry*> masters_of(std::string_view controller) const;
 };
 

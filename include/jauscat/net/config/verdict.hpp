@@ -20,7 +20,7 @@ enum class verdict : std::uint8_t {
     case verdict::taken: return "taken";
     case verdict::malformed: return "malformed: no JAUS header that could be answered";
     case verdict::unknown_peer: return "unknown peer: no system has the message's JAUS source";
-    case verdict::wrong_sender: return "wrong sender: the message's JAUS source is another's";
+    case verdict::wrong_sender: return "wrong sender: the message's JAUS source belongs to another system";
     case verdict::rate_limited: return "rate-limited: the peer sends too much";
     }
     return "unknown verdict";

@@ -59,7 +59,7 @@ class udp_link {
             link.socket_.connect(link.peer_, error);
         }
         if (error)
-            throw open_error{"no way to a slave at " + host + ':' + std::to_string(port) + ": " + error.message()};
+            throw open_error{"cannot reach a slave at " + host + ':' + std::to_string(port) + ": " + error.message()};
         detail::limit_blocking(link.socket_.native_handle());
         return link;
     }
@@ -76,7 +76,7 @@ class udp_link {
             return false;
         }
         if (peer_.port() == 0) {
-            problem_ = "no master has sent anything yet, so there is nobody to answer";
+            problem_ = "no master has sent a frame yet, so there is no address to answer";
             return false;
         }
         const auto sent = ::sendto(socket_.native_handle(), payload.data(), *read + header.length, MSG_DONTWAIT,

@@ -45,7 +45,7 @@ class udp_transport {
         std::function<void(std::span<const std::byte> message, const endpoint& from, jaus::framing framing)>;
 
     /// Called with a line of text for each asynchronous error: a closed port at a peer, a datagram without a message, a
-    /// failed receive. The transport continues to receive. Errors on the way to a peer are reported once, until a
+    /// failed receive. The transport continues to receive. Errors of sending to a peer are reported once, until a
     /// message from that peer arrives or the reason changes.
     using error_handler = std::function<void(std::string_view text)>;
 

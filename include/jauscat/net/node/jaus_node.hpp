@@ -117,7 +117,7 @@ class jaus_node {
     [[nodiscard]] static time_point now() noexcept { return net::now(); }
     /// The node manager's address, also if it is in another program.
     [[nodiscard]] const jaus::address& manager() const noexcept { return machine_.manager(); }
-    /// The components alive at the node manager; nullptr without a node manager or before the first start.
+    /// The components alive, as the node manager has them; nullptr without a node manager or before the first start.
     [[nodiscard]] const jaus::liveness_table* present() const noexcept { return machine_.present(); }
     [[nodiscard]] const jaus_config& config() const noexcept { return machine_.config(); }
     /// Sum of both sockets, since the last start.

@@ -26,7 +26,7 @@ namespace jauscat::net {
     if (!hop)
         return error{.code = errc::unroutable,
                      .reason = {},
-                     .message = "no way to " + to_jausip(header.destination) + ": no <system> of " + config.source +
+                     .message = "no route to " + to_jausip(header.destination) + ": no <system> of " + config.source +
                                 " has a jausip that covers it"};
     return transport.send(message, hop->endpoint(), hop->framing);
 }

@@ -34,8 +34,7 @@ class node_machine {
     /// A message, or its body.
     using bytes = std::span<const std::byte>;
     using endpoint = access_list::endpoint;
-    /// Sends a message to a neighbour or to the multicast group with the given framing. The bytes are valid during the
-    /// call.
+    /// Sends a message to a peer or to the multicast group with the given framing. The bytes are valid during the call.
     using send_handler = detail::node_core::send_handler;
 
     /// `seed` is a random number. `options.socket` is ignored. Throws `config_error` if this system's jausip has no
@@ -240,7 +239,7 @@ class node_machine {
 
     /// The node manager's address, also if it is in another program.
     [[nodiscard]] const jaus::address& manager() const noexcept { return self_; }
-    /// The components alive at the node manager; nullptr without a node manager or before the first start.
+    /// The components alive, as the node manager has them; nullptr without a node manager or before the first start.
     [[nodiscard]] const jaus::liveness_table* present() const noexcept {
         return manager_ ? &manager_->present() : nullptr;
     }

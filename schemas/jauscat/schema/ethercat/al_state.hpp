@@ -84,11 +84,11 @@ enum class al_status_code : std::uint16_t {
     controller_available = 0x00F0,
 };
 
-/// AL control (0x0120): the state a master asks for.
+/// AL control (0x0120): the state requested by a master.
 struct al_control {
-    al_state state{};         ///< the state that is asked for
+    al_state state{};         ///< the requested state
     bool acknowledge{};       ///< clears an error indication
-    bool request_device_id{}; ///< asks for the slave's identification in the AL status code
+    bool request_device_id{}; ///< requests the slave's identification in the AL status code
 };
 
 /// AL status (0x0130) up to AL status code (0x0134), 6 bytes: one datagram reads both.

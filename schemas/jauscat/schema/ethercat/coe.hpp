@@ -61,7 +61,7 @@ struct sdo_expedited {
 /// With size 0 and no data: upload request, download response.
 struct sdo_normal {
     sdo_header header{};  ///< without `expedited`
-    std::uint32_t size{}; ///< bytes of the whole transfer; more than there is room for: segments follow
+    std::uint32_t size{}; ///< bytes of the whole transfer; if more than fit, segments follow
 };
 
 /// First byte of a download segment request, of an upload segment response, and of their answers.

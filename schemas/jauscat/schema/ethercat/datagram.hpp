@@ -28,7 +28,7 @@ enum class command : std::uint8_t {
 
 /// Datagram header, 10 bytes. `length` bytes of data and a datagram_trailer follow.
 struct datagram_header {
-    command cmd{};          ///< who reads or writes, and how it is addressed
+    command cmd{};          ///< reader or writer, and form of the address
     std::uint8_t index{};   ///< the master's tag, returned unchanged
     std::uint16_t adp{};    ///< position, station address, or low half of a logical address
     std::uint16_t ado{};    ///< offset in the slave's memory, or high half of a logical address
@@ -40,7 +40,7 @@ struct datagram_header {
 
 /// What follows a datagram's data, 2 bytes.
 struct datagram_trailer {
-    std::uint16_t working_counter{}; ///< how many slaves did what the command asks, see `command`
+    std::uint16_t working_counter{}; ///< number of slaves that executed the command, see `command`
 };
 
 } // namespace jauscat::ethercat

@@ -11,7 +11,7 @@
 
 namespace jauscat::ethercat {
 
-/// Where a register stands in a slave's memory, and its size in bytes.
+/// Address of a register in a slave's memory, and its size in bytes.
 struct esc_register {
     std::uint16_t address{}; ///< in the slave's memory
     std::uint16_t size{};    ///< bytes
@@ -54,16 +54,16 @@ inline constexpr esc_register_of<esc_word> station_address{{0x0010, 2}}; ///< by
 inline constexpr esc_register_of<esc_word> station_alias{{0x0012, 2}};   ///< a second one, out of the SII
 inline constexpr esc_register dl_control{0x0100, 4}; ///< which ports are open, and whether the alias counts
 inline constexpr esc_register_of<esc_word> dl_status{{0x0110, 2}};              ///< which ports have a link
-inline constexpr esc_register_of<ethercat::al_control> al_control{{0x0120, 2}}; ///< the state that a master asks for
+inline constexpr esc_register_of<ethercat::al_control> al_control{{0x0120, 2}}; ///< the state requested by a master
 inline constexpr esc_register_of<ethercat::al_status> al_status{
     {0x0130, 6}};                                        ///< the state it is in, up to `al_status_code`
-inline constexpr esc_register al_status_code{0x0134, 2}; ///< why it is not in the state that was asked for
+inline constexpr esc_register al_status_code{0x0134, 2}; ///< the reason if it is not in the requested state
 inline constexpr esc_register_of<esc_word> pdi_control{
     {0x0140, 2}};                                            ///< kind of the interface to the slave's application
 inline constexpr esc_register ecat_event_mask{0x0200, 2};    ///< which events go into the datagrams' `irq`
 inline constexpr esc_register ecat_event_request{0x0210, 2}; ///< the events there are
 inline constexpr esc_register error_counters{0x0300, 20};    ///< a write to any of them clears its group
-inline constexpr esc_register_of<ethercat::sii_owner> sii_owner{{0x0500, 1}};     ///< who may access the SII memory
+inline constexpr esc_register_of<ethercat::sii_owner> sii_owner{{0x0500, 1}};     ///< owner of the SII memory
 inline constexpr esc_register_of<ethercat::sii_request> sii_request{{0x0502, 6}}; ///< command, status and address
 inline constexpr esc_register_of<ethercat::sii_access> sii_access{{0x0502, 14}};  ///< the same and the data
 inline constexpr esc_register sii_control{0x0502, 2};                             ///< command and status of an access
@@ -111,7 +111,7 @@ struct esc_description {
 /// How a SyncManager hands memory over.
 enum class sync_manager_mode : std::uint8_t { buffered = 0, mailbox = 2 };
 
-/// Who writes a SyncManager's memory.
+/// Writer of a SyncManager's memory.
 enum class sync_manager_direction : std::uint8_t { master_reads = 0, master_writes = 1 };
 
 /// SyncManager (0x0800 + 8 n), 8 bytes.
@@ -119,7 +119,7 @@ struct sync_manager {
     std::uint16_t start{};              ///< where its memory begins
     std::uint16_t length{};             ///< bytes
     sync_manager_mode mode{};           ///< buffered for process data, or a mailbox
-    sync_manager_direction direction{}; ///< who writes the memory
+    sync_manager_direction direction{}; ///< writer of the memory
     bool ecat_interrupt{};              ///< an access is an event for the master
     bool pdi_interrupt{};               ///< an access is an event for the slave's application
     bool watchdog{};                    ///< a write restarts the process data watchdog
@@ -172,7 +172,7 @@ struct fmmu {
 /// SII owner (0x0500).
 struct sii_owner {
     bool pdi{};   ///< true gives the memory to the slave's application
-    bool force{}; ///< takes it back whatever the application does
+    bool force{}; ///< revokes it regardless of the application
 };
 
 /// Command to the SII memory.

@@ -1,4 +1,4 @@
-// The Ethernet header and the EtherCAT frame header: what stands before the datagrams. ETG.1000.4, clause 5.3.
+// The Ethernet header and the EtherCAT frame header, which precede the datagrams. ETG.1000.4, clause 5.3.
 #pragma once
 
 #include <jauscat/wire/schema.hpp>

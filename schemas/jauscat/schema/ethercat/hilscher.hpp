@@ -6,7 +6,7 @@
 
 namespace jauscat::hilscher {
 
-/// ulCmd: what a packet asks for. An answer is its request plus 1.
+/// ulCmd: the service of a packet. An answer is its request plus 1.
 enum class packet_command : std::uint32_t {
     get_slave_handles_req = 0x2F08,
     get_slave_handles_cnf = 0x2F09,
@@ -112,7 +112,7 @@ struct packet_header {
     std::uint32_t ul_len{};     ///< bytes of body, 0 to 1556 (before 2011-09: 1560)
     std::uint32_t ul_id{};      ///< packet number of the sender's choice, returned untouched
     packet_status ul_sta{};     ///< result, in an answer; 0 in a request
-    packet_command ul_cmd{};    ///< what is asked for
+    packet_command ul_cmd{};    ///< requested information
     std::uint32_t ul_ext{};     ///< place in a sequence: 0x80 first, 0xC0 middle, 0x40 last, 0x200 will be retried
     std::uint32_t ul_rout{};    ///< 0; firmware internal
     friend constexpr bool operator==(const packet_header&, const packet_header&) = default;

@@ -90,7 +90,7 @@ struct get_entry_description_confirmation {
 
 /// The unit in a slave's entry description, in front of the values; 4 bytes.
 struct entry_unit {
-    std::uint32_t ul_unit_type{}; ///< as the slave says it
+    std::uint32_t ul_unit_type{}; ///< as reported by the slave
 };
 
 } // namespace jauscat::hilscher

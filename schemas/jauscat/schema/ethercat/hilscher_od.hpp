@@ -52,7 +52,7 @@ enum class od_access : std::uint16_t {
     write_init = 15,
 };
 
-/// bIndicationFlags: when the stack asks the application, bit numbers.
+/// bIndicationFlags: accesses reported to the application, bit numbers.
 enum class od_indication : std::uint8_t {
     on_read = 0,
     on_write = 1,
@@ -109,7 +109,7 @@ struct od_create_subobject_request {
     bool has_maximum{};                                ///< 0x40
     bool variable_size{};                              ///< 0x80
     wire::bit_set<od_indication> b_indication_flags{}; ///< which accesses the application hears of
-    wire::bit_set<od_access> us_access_rights{};       ///< who may read and write it, in which state
+    wire::bit_set<od_access> us_access_rights{};       ///< permitted accesses, by state
     od_data_type us_datatype{};                        ///< of its value
     std::uint32_t ul_max_field_units{};                ///< elements, bytes of a string
     std::uint32_t ul_total_data_bytes{};               ///< n, bytes of abData over all fragments

@@ -8,7 +8,7 @@
 
 namespace jauscat::ethercat {
 
-inline constexpr std::size_t min_mailbox_size = 24;   ///< bytes: room for any SDO response
+inline constexpr std::size_t min_mailbox_size = 24;   ///< bytes: sufficient for any SDO response
 inline constexpr std::size_t max_mailbox_size = 1486; ///< bytes: what one datagram carries
 
 /// The protocol that a mailbox message carries.

@@ -9,7 +9,7 @@
 
 namespace jauscat::ethercat {
 
-/// What an SDO information message asks or answers.
+/// Service of an SDO information message.
 enum class sdo_information_opcode : std::uint8_t {
     list_request = 1,
     list_response = 2,
@@ -27,7 +27,7 @@ struct sdo_information_header {
     std::uint16_t fragments_left{};  ///< how many
 };
 
-/// What follows the header where the slave refuses to answer, 4 bytes.
+/// Follows the header if the slave refuses to answer, 4 bytes.
 struct sdo_information_error {
     abort_code code{}; ///< why
 };
@@ -70,7 +70,7 @@ struct entry_query {
     std::uint8_t value_info{}; ///< bits: 0 access, 1 category, 2 PDO mapping, 3 unit, 4 default, 5 minimum, 6 maximum
 };
 
-/// Who may access an entry in which state.
+/// Permitted accesses to an entry, by state.
 struct entry_access {
     bool read_pre_op{};   ///< may be read in PRE-OP
     bool read_safe_op{};  ///< may be read in SAFE-OP
@@ -91,7 +91,7 @@ struct entry_answer {
     std::uint8_t value_info{}; ///< which values are there
     std::uint16_t data_type{}; ///< of its value, as in ETG.1000.6
     std::uint16_t bits{};      ///< size of the entry
-    entry_access access{};     ///< who may access it in which state
+    entry_access access{};     ///< permitted accesses, by state
 };
 
 } // namespace jauscat::ethercat

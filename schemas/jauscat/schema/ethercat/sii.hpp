@@ -1,4 +1,4 @@
-// Slave Information Interface (SII): what a slave's EEPROM says about it. ETG.2010. Addresses are in words of 2 bytes.
+// Slave Information Interface (SII): the content of a slave's EEPROM. ETG.2010. Addresses are in words of 2 bytes.
 #pragma once
 
 #include <jauscat/wire/schema.hpp>
@@ -12,10 +12,10 @@ namespace jauscat::ethercat {
 /// Word addresses of the fixed part, and of the first category.
 namespace sii_words {
 inline constexpr std::uint16_t configuration = 0x00; ///< what the slave controller loads at power-on
-inline constexpr std::uint16_t identity = 0x08;      ///< who made the slave
+inline constexpr std::uint16_t identity = 0x08;      ///< vendor of the slave
 inline constexpr std::uint16_t mailbox = 0x18;       ///< offsets, sizes and protocols of the standard mailbox
 inline constexpr std::uint16_t size = 0x3E;          ///< of the memory
-inline constexpr std::uint16_t categories = 0x40;    ///< the first category; each says where the next one begins
+inline constexpr std::uint16_t categories = 0x40;    ///< the first category; each states the position of the next one
 } // namespace sii_words
 
 /// Words 0x00 to 0x07: what the slave controller loads at power-on, 16 bytes.
@@ -29,10 +29,10 @@ struct sii_configuration {
     std::uint16_t checksum{};            ///< low byte: CRC-8 of the 14 bytes before it, polynomial 0x07, start 0xFF
 };
 
-/// Bytes of words 0x00 to 0x06: what the checksum behind them covers, and what an ESI file says of the SII.
+/// Bytes of words 0x00 to 0x06: covered by the checksum, and copied to an ESI file.
 inline constexpr std::size_t sii_configuration_checked = 14;
 
-/// Words 0x08 to 0x0F: who made the slave, 16 bytes.
+/// Words 0x08 to 0x0F: identity of the slave, 16 bytes.
 struct sii_identity {
     std::uint32_t vendor{};   ///< number that the EtherCAT Technology Group gave the vendor; object 1018h:1
     std::uint32_t product{};  ///< the vendor's product code; object 1018h:2

@@ -31,7 +31,7 @@ struct resume {
     friend constexpr bool operator==(const resume&, const resume&) = default;
 };
 
-/// Reset: makes the receiving component start anew.
+/// Reset: restarts the receiving component.
 /// Code 0005h, command class, no body.
 struct reset {
     friend constexpr bool operator==(const reset&, const reset&) = default;
@@ -42,7 +42,7 @@ enum class set_emergency_code : std::uint16_t {
     transition_to_emergency = 0, ///< go to the emergency state
 };
 
-/// Set Emergency: tells the receiving component of an emergency.
+/// Set Emergency: notifies the receiving component of an emergency.
 /// Code 0006h, command class, 2 bytes.
 struct set_emergency {
     wire::bit_set<set_emergency_code> emergency_code{}; ///< bits 1 to 15 are unassigned, sent as zero
@@ -123,7 +123,7 @@ struct request_component_control {
     friend constexpr bool operator==(const request_component_control&, const request_component_control&) = default;
 };
 
-/// Release Component Control: gives up the control that the sender holds.
+/// Release Component Control: ends the control of the sender.
 /// Code 000Eh, command class, no body.
 struct release_component_control {
     friend constexpr bool operator==(const release_component_control&, const release_component_control&) = default;
@@ -143,7 +143,7 @@ struct confirm_component_control {
     friend constexpr bool operator==(const confirm_component_control&, const confirm_component_control&) = default;
 };
 
-/// Reject Component Control: tells a component that it does not, or no longer, control the sender.
+/// Reject Component Control: notifies a component that it does not, or no longer, control the sender.
 /// Code 0010h, command class, no body.
 struct reject_component_control {
     friend constexpr bool operator==(const reject_component_control&, const reject_component_control&) = default;
@@ -178,7 +178,7 @@ struct query_component_control {
 /// Query Time: asks for Report Time.
 /// Code 2011h, query class, 1 byte.
 struct query_time {
-    std::uint8_t presence_vector{}; ///< the fields of Report Time that are asked for
+    std::uint8_t presence_vector{}; ///< the requested fields of Report Time
     friend constexpr bool operator==(const query_time&, const query_time&) = default;
 };
 
@@ -207,7 +207,7 @@ struct report_component_status {
     friend constexpr bool operator==(const report_component_status&, const report_component_status&) = default;
 };
 
-/// Report Component Control: who controls the component; all zero where nobody does.
+/// Report Component Control: the controller of the component; all zero if there is none.
 /// Code 400Dh, inform class, 5 bytes. The address begins with the subsystem, unlike the header's.
 struct report_component_control {
     std::uint8_t subsystem_id{};   ///< of the controlling component

@@ -4,7 +4,7 @@
 
 namespace jauscat::jaus {
 
-/// Whose identification is meant. Other values are reserved.
+/// Level to be identified. Other values are reserved.
 enum class query_type : std::uint8_t {
     system_identification = 1,
     subsystem_identification = 2,
@@ -15,11 +15,11 @@ enum class query_type : std::uint8_t {
 /// Query Identification: asks for Report Identification.
 /// Code 2B00h, query class, 1 byte.
 struct query_identification {
-    jaus::query_type query_type{}; ///< whose identification
+    jaus::query_type query_type{}; ///< level to be identified
     friend constexpr bool operator==(const query_identification&, const query_identification&) = default;
 };
 
-/// Whose configuration is meant. Other values are reserved; some peers name 1 system, 4 component, 5 instance.
+/// Level of the configuration. Other values are reserved; some peers name 1 system, 4 component, 5 instance.
 enum class query_field : std::uint8_t {
     subsystem_configuration = 2,
     node_configuration = 3,
@@ -28,7 +28,7 @@ enum class query_field : std::uint8_t {
 /// Query Configuration: asks for Report Configuration.
 /// Code 2B01h, query class, 1 byte.
 struct query_configuration {
-    jaus::query_field query_field{}; ///< whose configuration
+    jaus::query_field query_field{}; ///< level of the configuration
     friend constexpr bool operator==(const query_configuration&, const query_configuration&) = default;
 };
 
@@ -49,7 +49,7 @@ struct query_services {
 /// Types: 10001 vehicle, 20001 operator control unit, 30001 other subsystem, 40001 node, 50001 payload, 60001
 /// component.
 struct report_identification {
-    jaus::query_type query_type{};     ///< whose identification
+    jaus::query_type query_type{};     ///< level to be identified
     std::uint8_t authority_code{};     ///< 0 lowest to 255 highest
     std::uint16_t type{};              ///< kind of the named thing
     std::string_view identification{}; ///< up to 80 characters

@@ -125,46 +125,46 @@ struct set_camera_format_options {
     friend constexpr bool operator==(const set_camera_format_options&, const set_camera_format_options&) = default;
 };
 
-/// Query Camera Pose: asks where a camera is and where it looks.
+/// Query Camera Pose: requests position and direction of a camera.
 /// Code 2800h, query class, 3 bytes.
 struct query_camera_pose {
-    std::uint16_t presence_vector{}; ///< the fields of Report Camera Pose that are asked for
+    std::uint16_t presence_vector{}; ///< the requested fields of Report Camera Pose
     std::uint8_t camera_id{};        ///< which camera
     friend constexpr bool operator==(const query_camera_pose&, const query_camera_pose&) = default;
 };
 
-/// Query Camera Count: asks how many cameras there are.
+/// Query Camera Count: requests the number of cameras.
 /// Code 2801h, query class, no body.
 struct query_camera_count {
     friend constexpr bool operator==(const query_camera_count&, const query_camera_count&) = default;
 };
 
-/// Query Relative Object Position: asks where an object is.
+/// Query Relative Object Position: requests the position of an object.
 /// Code 2802h, query class, 1 byte.
 struct query_relative_object_position {
-    std::uint8_t presence_vector{}; ///< the fields of Report Relative Object Position that are asked for
+    std::uint8_t presence_vector{}; ///< the requested fields of Report Relative Object Position
     friend constexpr bool operator==(const query_relative_object_position&,
                                      const query_relative_object_position&) = default;
 };
 
-/// Query Selected Camera: asks which camera is selected.
+/// Query Selected Camera: requests the selected camera.
 /// Code 2804h, query class, no body.
 struct query_selected_camera {
     friend constexpr bool operator==(const query_selected_camera&, const query_selected_camera&) = default;
 };
 
-/// Query Camera Capabilities: asks what a camera can do.
+/// Query Camera Capabilities: requests the functions of a camera.
 /// Code 2805h, query class, 3 bytes.
 struct query_camera_capabilities {
-    std::uint16_t presence_vector{}; ///< the fields of Report Camera Capabilities that are asked for
+    std::uint16_t presence_vector{}; ///< the requested fields of Report Camera Capabilities
     std::uint8_t camera_id{};        ///< which camera
     friend constexpr bool operator==(const query_camera_capabilities&, const query_camera_capabilities&) = default;
 };
 
-/// Query Camera Format Options: asks which codings of sound and pictures a camera has.
+/// Query Camera Format Options: requests the codings of sound and pictures of a camera.
 /// Code 2806h, query class, 2 bytes.
 struct query_camera_format_options {
-    std::uint8_t presence_vector{}; ///< the fields of Report Camera Format Options that are asked for
+    std::uint8_t presence_vector{}; ///< the requested fields of Report Camera Format Options
     std::uint8_t camera_id{};       ///< which camera
     friend constexpr bool operator==(const query_camera_format_options&, const query_camera_format_options&) = default;
 };
@@ -223,7 +223,7 @@ struct report_selected_camera {
     friend constexpr bool operator==(const report_selected_camera&, const report_selected_camera&) = default;
 };
 
-/// Report Camera Capabilities: what a camera can do; a control bit says that the control is available.
+/// Report Camera Capabilities: the functions of a camera; a control bit means that the control is available.
 /// Code 4805h, inform class, 3 to 81 bytes.
 struct report_camera_capabilities {
     std::uint8_t camera_id{};                                                ///< which camera

@@ -31,7 +31,7 @@ template <std::size_t Capacity> struct basic_set_joint_velocities {
 };
 using set_joint_velocities = basic_set_joint_velocities<255>;
 
-/// Set Tool Point: says where the tip of the tool is in the end effector's coordinate system.
+/// Set Tool Point: sets the position of the tool's tip in the end effector's coordinate system.
 /// Code 0604h, command class, 12 bytes.
 struct set_tool_point {
     double x_coordinate_of_tool_tip{}; ///< metres, -15 to 15

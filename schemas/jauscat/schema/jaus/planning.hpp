@@ -65,7 +65,7 @@ struct pause_mission {
     friend constexpr bool operator==(const pause_mission&, const pause_mission&) = default;
 };
 
-/// Resume Mission: lets a paused mission or task go on. Code 0E04h, command class, 4 bytes.
+/// Resume Mission: continues a paused mission or task. Code 0E04h, command class, 4 bytes.
 struct resume_mission {
     std::uint16_t mission_id{}; ///< the mission
     std::uint16_t task_id{};    ///< the task, 0 for the whole mission

@@ -162,7 +162,7 @@ struct set_local_path_segment {
 /// Query Platform Specifications: asks for size, balance and limits of the platform.
 /// Code 2400h, query class, 4 bytes.
 struct query_platform_specifications {
-    std::uint32_t presence_vector{}; ///< the fields of Report Platform Specifications that are asked for
+    std::uint32_t presence_vector{}; ///< the requested fields of Report Platform Specifications
     friend constexpr bool operator==(const query_platform_specifications&,
                                      const query_platform_specifications&) = default;
 };
@@ -170,7 +170,7 @@ struct query_platform_specifications {
 /// Query Platform Operational Data: asks for the gauges of the platform.
 /// Code 2401h, query class, 1 byte.
 struct query_platform_operational_data {
-    std::uint8_t presence_vector{}; ///< the fields of Report Platform Operational Data that are asked for
+    std::uint8_t presence_vector{}; ///< the requested fields of Report Platform Operational Data
     friend constexpr bool operator==(const query_platform_operational_data&,
                                      const query_platform_operational_data&) = default;
 };
@@ -178,42 +178,42 @@ struct query_platform_operational_data {
 /// Query Global Pose: asks for position by latitude and longitude, and attitude.
 /// Code 2402h, query class, 2 bytes.
 struct query_global_pose {
-    std::uint16_t presence_vector{}; ///< the fields of Report Global Pose that are asked for
+    std::uint16_t presence_vector{}; ///< the requested fields of Report Global Pose
     friend constexpr bool operator==(const query_global_pose&, const query_global_pose&) = default;
 };
 
 /// Query Local Pose: asks for position and attitude in local coordinates.
 /// Code 2403h, query class, 2 bytes.
 struct query_local_pose {
-    std::uint16_t presence_vector{}; ///< the fields of Report Local Pose that are asked for
+    std::uint16_t presence_vector{}; ///< the requested fields of Report Local Pose
     friend constexpr bool operator==(const query_local_pose&, const query_local_pose&) = default;
 };
 
 /// Query Velocity State: asks for the velocities of the platform.
 /// Code 2404h, query class, 2 bytes.
 struct query_velocity_state {
-    std::uint16_t presence_vector{}; ///< the fields of Report Velocity State that are asked for
+    std::uint16_t presence_vector{}; ///< the requested fields of Report Velocity State
     friend constexpr bool operator==(const query_velocity_state&, const query_velocity_state&) = default;
 };
 
 /// Query Wrench Effort: asks for the efforts in force.
 /// Code 2405h, query class, 2 bytes.
 struct query_wrench_effort {
-    std::uint16_t presence_vector{}; ///< the fields of Report Wrench Effort that are asked for
+    std::uint16_t presence_vector{}; ///< the requested fields of Report Wrench Effort
     friend constexpr bool operator==(const query_wrench_effort&, const query_wrench_effort&) = default;
 };
 
 /// Query Discrete Devices: asks for the state of engine, brake, horn, gear and transfer case.
 /// Code 2406h, query class, 1 byte.
 struct query_discrete_devices {
-    std::uint8_t presence_vector{}; ///< the fields of Report Discrete Devices that are asked for
+    std::uint8_t presence_vector{}; ///< the requested fields of Report Discrete Devices
     friend constexpr bool operator==(const query_discrete_devices&, const query_discrete_devices&) = default;
 };
 
 /// Query Global Vector: asks for the global vector in force.
 /// Code 2407h, query class, 1 byte.
 struct query_global_vector {
-    std::uint8_t presence_vector{}; ///< the fields of Report Global Vector that are asked for
+    std::uint8_t presence_vector{}; ///< the requested fields of Report Global Vector
     friend constexpr bool operator==(const query_global_vector&, const query_global_vector&) = default;
 };
 
@@ -229,7 +229,7 @@ struct query_travel_speed {
     friend constexpr bool operator==(const query_travel_speed&, const query_travel_speed&) = default;
 };
 
-/// Query Waypoint Count: asks how many waypoints there are.
+/// Query Waypoint Count: requests the number of waypoints.
 /// Code 240Bh, query class, no body.
 struct query_waypoint_count {
     friend constexpr bool operator==(const query_waypoint_count&, const query_waypoint_count&) = default;
@@ -249,7 +249,7 @@ struct query_local_waypoint {
     friend constexpr bool operator==(const query_local_waypoint&, const query_local_waypoint&) = default;
 };
 
-/// Query Path Segment Count: asks how many path segments there are.
+/// Query Path Segment Count: requests the number of path segments.
 /// Code 240Eh, query class, no body.
 struct query_path_segment_count {
     friend constexpr bool operator==(const query_path_segment_count&, const query_path_segment_count&) = default;
@@ -259,7 +259,7 @@ struct query_path_segment_count {
 /// Code 240Fh, query class, 3 bytes. The number comes first here, unlike in the report.
 struct query_global_path_segment {
     std::uint16_t path_segment_number{}; ///< which path segment
-    std::uint8_t presence_vector{};      ///< the fields of Report Global Path Segment that are asked for
+    std::uint8_t presence_vector{};      ///< the requested fields of Report Global Path Segment
     friend constexpr bool operator==(const query_global_path_segment&, const query_global_path_segment&) = default;
 };
 
@@ -267,7 +267,7 @@ struct query_global_path_segment {
 /// Code 2410h, query class, 3 bytes. The number comes first here, unlike in the report.
 struct query_local_path_segment {
     std::uint16_t path_segment_number{}; ///< which path segment
-    std::uint8_t presence_vector{};      ///< the fields of Report Local Path Segment that are asked for
+    std::uint8_t presence_vector{};      ///< the requested fields of Report Local Path Segment
     friend constexpr bool operator==(const query_local_path_segment&, const query_local_path_segment&) = default;
 };
 

@@ -134,11 +134,11 @@ struct query_vector_knowledge_store_bounds {
                                      const query_vector_knowledge_store_bounds&) = default;
 };
 
-/// Query Vector Knowledge Store Objects: asks for the objects that have all that is given.
+/// Query Vector Knowledge Store Objects: requests the objects that match all given properties.
 /// Code 2A23h, query class, 3 bytes or more. A peer is known to send the region buffer by the region type's bit.
 struct query_vector_knowledge_store_objects {
     using feature_class_filter = vks_feature_class_filter<query_vector_knowledge_store_objects>;
-    std::uint8_t report_presence_vector{}; ///< the fields of Report Vector Knowledge Store Objects that are asked for
+    std::uint8_t report_presence_vector{}; ///< the requested fields of Report Vector Knowledge Store Objects
     std::uint8_t local_request_id{};       ///< returned with the answer
     std::optional<wire::list<std::uint32_t>> object_id{};            ///< the objects by name
     std::optional<jaus::region_type> region_type{};                  ///< what the region points are

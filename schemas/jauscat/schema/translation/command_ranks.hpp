@@ -1,4 +1,4 @@
-// The list of command codes whose order gives the subindex.
+// The list of command codes; the position in it is the subindex.
 #pragma once
 #include <jauscat/schema/jaus/catalog.hpp>
 

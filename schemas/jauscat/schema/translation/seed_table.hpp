@@ -30,7 +30,7 @@ struct seed_table_of {
             translate::value_pair<jaus::data_flag::middle, 0x0C0>,
             translate::value_pair<jaus::data_flag::last, 0x040>,
             translate::value_pair<jaus::data_flag::repeated, 0x2C0>>, // middle, will be retried
-        translate::body_size<translate::at<&J::data_size>>,     // ulDataCnt says it
+        translate::body_size<translate::at<&J::data_size>>,     // stated by ulDataCnt
         translate::data_count<translate::at<&P::ul_data_cnt>>,
         translate::packet_length<translate::at<&P::head, &H::ul_len>, 16>,
         translate::constant<translate::at<&P::head, &H::ul_cmd>, hilscher::packet_command::sdo_download_req>,

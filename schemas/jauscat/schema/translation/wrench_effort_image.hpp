@@ -1,5 +1,5 @@
 // Wrench efforts in the process image: Set Wrench Effort into a slave's outputs (RxPDO), Report Wrench Effort out of
-// its inputs (TxPDO). One layout serves both ways; the slave copies what it has in force to its inputs.
+// its inputs (TxPDO). One layout serves both directions; the slave copies its values in force to its inputs.
 #pragma once
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/translate/image_table.hpp>
@@ -8,7 +8,8 @@ namespace jauscat::translation {
 
 /// Twelve efforts as JAUS has them on the wire (-32767 to 32767 is -100 to 100 %, 0 to 255 is 0 to 100 %). 22 bytes.
 struct wrench_effort_image {
-    /// Outputs: goes up with each command, 0 before the first. Inputs: that of the last command the slave has taken.
+    /// Outputs: incremented by each command, 0 before the first. Inputs: that of the last command that the slave has
+    /// executed.
     std::uint16_t command_count{};
     /// Outputs: the elements that the last command had. Inputs: the elements that the slave has. Bits as in the
     /// message.
@@ -77,7 +78,7 @@ template <class M, class Count> struct wrench_effort_table_of {
 using set_wrench_effort_table =
     wrench_effort_table_of<jaus::set_wrench_effort,
                            translate::counter<translate::at<&wrench_effort_image::command_count>>>::type;
-/// Report Wrench Effort from the inputs, whose counter the slave's application sets.
+/// Report Wrench Effort from the inputs; the slave's application sets the counter.
 using report_wrench_effort_table =
     wrench_effort_table_of<jaus::report_wrench_effort,
                            translate::caller_set<translate::at<&wrench_effort_image::command_count>>>::type;

@@ -1,4 +1,4 @@
-// The text of a configuration file: elements whose values are attributes or children, and complaints with their line.
+// The text of a configuration file: elements with values in attributes or children, and errors with their line.
 #pragma once
 
 #include <jauscat/net/config_error.hpp>

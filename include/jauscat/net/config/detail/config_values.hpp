@@ -12,7 +12,7 @@
 
 namespace jauscat::net::detail {
 
-/// A number from `first` to `last`; the complaint says that it is not `what`.
+/// A number from `first` to `last`; the error states that it is not `what`.
 template <class T>
 T config_number(const config_source& source, const config_value& value, T first, T last, std::string_view what) {
     T number{};
@@ -24,7 +24,7 @@ T config_number(const config_source& source, const config_value& value, T first,
     return number;
 }
 
-/// As above, or what stands there already if there is no such value.
+/// As above, or the present value if there is no such element.
 template <class T>
 T config_number_or(const config_source& source, const config_value& value, T otherwise, T first, T last,
                    std::string_view what) {

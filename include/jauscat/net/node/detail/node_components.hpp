@@ -78,8 +78,8 @@ class node_components {
     [[nodiscard]] auto tell_lost(time_point now, const jaus::address& self) {
         return [this, now, &self](const jaus::partial_data_set& set) {
             log_(now, [&] {
-                return in_text(set.header) + ": at " + to_jausip(self) + ": a large data set is given up, of which " +
-                       std::to_string(set.packets) + " packets came";
+                return in_text(set.header) + ": at " + to_jausip(self) + ": a large data set is dropped after " +
+                       std::to_string(set.packets) + " packets";
             });
         };
     }
@@ -94,7 +94,7 @@ class node_components {
             return;
         }
         if (at.waited > longest_gap()) { // its sender may have started the next data set
-            log_(at.now, [&] { return in_text(head) + ": dropped: it has waited here for " + in_ms(at.waited); });
+            log_(at.now, [&] { return in_text(head) + ": dropped: waited in the socket for " + in_ms(at.waited); });
             return;
         }
         hand_on_packet(all_[to], head, body, at, out);

@@ -1,4 +1,4 @@
-// Routing of messages to components and neighbours, without sockets.
+// Routing of messages to components and peers, without sockets.
 #pragma once
 
 #include <jauscat/base/time.hpp>
@@ -26,7 +26,7 @@ class node_core {
           send_{std::move(send)},
           local_{options.most_waiting} {}
 
-    /// `strangers`: see node_routes. Throws `config_error`.
+    /// `strangers`: as in node_routes. Throws `config_error`.
     void start(const jaus_config& config, const jaus::address& manager, std::uint8_t primary,
                std::optional<duration> strangers) {
         local_.clear();

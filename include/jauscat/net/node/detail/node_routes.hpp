@@ -1,4 +1,4 @@
-// Neighbours and routes of a configuration, numbered for the router.
+// Peers and routes of a configuration, numbered for the router.
 #pragma once
 
 #include <jauscat/base/time.hpp>
@@ -46,8 +46,7 @@ class node_routes {
     };
 
     /// `components` are those of this program, all of one node; the router identifies them by position. `strangers`:
-    /// routes to subsystems that are not in the configuration are learned and kept for this time. Throws
-    /// `config_error`.
+    /// how long a learned route to a subsystem outside of the configuration is kept. Throws `config_error`.
     node_routes(const jaus_config& config, std::span<const jaus::address> components, std::uint8_t subsystem,
                 std::uint8_t node, std::optional<duration> strangers)
         : config_{config},
@@ -71,8 +70,8 @@ class node_routes {
 
     [[nodiscard]] jaus::routing_table& table() noexcept { return table_; }
     [[nodiscard]] const neighbour& operator[](jaus::hop hop) const noexcept { return neighbours_[hop]; }
-    /// The hop from which a message comes: the neighbour with this endpoint, or one with any source port that has the
-    /// JAUS source; else the multicast group that has received it, or none.
+    /// The hop from which a message comes: the peer with this endpoint, or one with any source port that has the JAUS
+    /// source; else the multicast group that has received it, or none.
     [[nodiscard]] jaus::hop origin(const jaus::address& source, const endpoint& from, jaus::framing framing,
                                    bool by_group, const access_list& list, time_point now) {
         if (strangers_) learn(source, {from, framing, saturating_add(now, *strangers_)}, by_group);

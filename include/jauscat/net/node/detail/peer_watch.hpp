@@ -58,7 +58,7 @@ class peer_watch {
                              !jaus::is_acknowledgement(head) && head.destination == peer.component;
         return answers && std::exchange(peer.asked, false);
     }
-    /// Removes all peers that `who` covers, which are lost already.
+    /// Removes all peers that `who` covers.
     void forget(const jaus::address& who) {
         std::erase_if(peers_, [&](const auto& peer) { return jaus::stands_for(who, peer.first); });
     }
