@@ -1,4 +1,4 @@
-// Finding the way to a JAUS address among 250 subsystems of 254 nodes: address_map against std::unordered_map, whose
+// Finding the route to a JAUS address among 250 subsystems of 254 nodes: address_map against std::unordered_map, whose
 // keys are packed addresses and which is asked once for each pattern of named levels, as the map does.
 #include "pair.hpp"
 #include <jauscat/jaus/routing/router.hpp>
@@ -28,13 +28,14 @@ constexpr std::uint32_t of_node = packed({0, 0, 255, 255}), of_component = packe
 
 /// The same entries in both.
 struct both_maps {
-    std::vector<jaus::address_place<jaus::way>> places = std::vector<jaus::address_place<jaus::way>>(131072);
-    jaus::address_map<jaus::way> ours{places};
-    std::unordered_map<std::uint32_t, jaus::way> theirs{};
+    std::vector<jaus::address_place<jaus::route_entry>> places =
+        std::vector<jaus::address_place<jaus::route_entry>>(131072);
+    jaus::address_map<jaus::route_entry> ours{places};
+    std::unordered_map<std::uint32_t, jaus::route_entry> theirs{};
     std::vector<std::uint32_t> patterns{};
 
     bool add(const jaus::address& to, std::uint16_t number) {
-        theirs.emplace(packed(to), jaus::way{number});
+        theirs.emplace(packed(to), jaus::route_entry{number});
         return ours.insert(to, {number}) == jaus::inserted::ok;
     }
 };
@@ -61,12 +62,13 @@ bool add(const std::string& name, const both_maps& maps, const std::vector<jaus:
     return agree;
 }
 
-/// The router of node 251.1 with a way to each of the others.
+/// The router of node 251.1 with a route to each of the others.
 struct whole_router {
-    std::vector<jaus::address_place<jaus::way>> ways = std::vector<jaus::address_place<jaus::way>>(131072);
+    std::vector<jaus::address_place<jaus::route_entry>> routes =
+        std::vector<jaus::address_place<jaus::route_entry>>(131072);
     std::vector<jaus::hop_state> hops = std::vector<jaus::hop_state>(subsystem_count * node_count);
     std::array<jaus::node_component, 1> components{};
-    jaus::routing_table table{251, 1, ways, hops, components};
+    jaus::routing_table table{251, 1, routes, hops, components};
     jaus::router router{table};
 };
 
@@ -84,7 +86,7 @@ bool bench::add_route_benchmarks() {
         for (unsigned n = 1; n <= node_count; ++n) {
             const auto number = static_cast<std::uint16_t>((s - 1) * node_count + n - 1);
             all_added = all_added && by_node.add(make(s, n), number) &&
-                        whole.table.add_way(make(s, n), number) == jaus::added::ok;
+                        whole.table.add_route(make(s, n), number) == jaus::added::ok;
             // Two thirds of the nodes, a component of every tenth of them.
             if (n % 3 != 0) all_added = all_added && by_three.add(make(s, n), number);
             if (n % 30 == 1) all_added = all_added && by_three.add(make(s, n, 33), number);

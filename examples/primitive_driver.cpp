@@ -29,8 +29,8 @@ int main(int argc, char** argv) try {
 
     jaus::report_wrench_effort effort{};
     jaus::dispatcher own{
-        jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const jaus::set_wrench_effort& told) {
-            jaus::copy_present(told, effort); // and set the motors
+        jaus::on<jaus::set_wrench_effort>([&](const jaus::header&, const jaus::set_wrench_effort& commanded) {
+            jaus::copy_present(commanded, effort); // and set the motors
         }),
         jaus::on<jaus::query_wrench_effort>([&](const jaus::header& head, const jaus::query_wrench_effort& query) {
             auto answer = effort;

@@ -1,5 +1,5 @@
 # jauscat_test_messages: all messages of the standard behind functions that are the same for each (jaus/messages.hpp), for
-# the tests of several rooms. One translation unit for each subgroup, that is for each third digit of a command code.
+# the tests of several modules. One translation unit for each subgroup, that is for each third digit of a command code.
 foreach(digit IN ITEMS 0x0 0x1 0x2 0x4 0x6 0x8 0xA 0xB 0xD 0xE)
     configure_file(${CMAKE_CURRENT_LIST_DIR}/jaus/message_group.cpp.in messages/message_group_${digit}.cpp @ONLY)
     list(APPEND message_groups ${CMAKE_CURRENT_BINARY_DIR}/messages/message_group_${digit}.cpp)

@@ -73,11 +73,11 @@ class lamp {
 
     jaus::message_outcome on_message(const jaus::header& head, std::span<const std::byte> body, time_point now,
                                      jaus::message_sink) {
-        if (head.command_code != switch_on) return jaus::message_outcome::not_mine;
+        if (head.command_code != switch_on) return jaus::message_outcome::unhandled;
         if (body.size() != 1) return jaus::message_outcome::malformed;
         user_ = head.source;
         off_at_ = now + std::to_integer<int>(body[0]) * 1s;
-        return jaus::message_outcome::taken;
+        return jaus::message_outcome::handled;
     }
     void on_time(time_point now, jaus::message_sink) {
         if (off_at_ && now >= *off_at_) off_at_.reset();
@@ -157,8 +157,8 @@ int main() {
     constexpr jaus::address visitor{.instance = 1, .component = 32, .node = 1, .subsystem = 1};
     const auto on_state = [](jaus::primary_status_code, jaus::primary_status_code) {}; // bring actuators to rest
     const auto send = [](std::span<const std::byte>) {};                               // to the network
-    const auto not_mine = [](const jaus::header&, std::span<const std::byte>) {
-        return jaus::message_outcome::not_mine;
+    const auto unhandled = [](const jaus::header&, std::span<const std::byte>) {
+        return jaus::message_outcome::unhandled;
     };
 
     jaus::component_memory<> memory{};
@@ -170,7 +170,7 @@ int main() {
     counted_component<decltype(unit)> counted{unit};
     static_assert(net::node_component<decltype(counted)>);
     counted.on_message({.command_code = lamp::switch_on, .destination = self, .source = visitor},
-                       std::array{std::byte{30}}, time_point{}, send, not_mine);
+                       std::array{std::byte{30}}, time_point{}, send, unhandled);
     std::cout << "the lamp is " << (light.is_on() ? "on" : "off");
     counted.on_lost(visitor);
     std::cout << ", and " << (light.is_on() ? "on" : "off") << " when the visitor is lost; " << counted.messages

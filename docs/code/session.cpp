@@ -32,8 +32,10 @@ class driver {
     struct application_type {
         driver& mine;
         jaus::message_outcome operator()(const header& head, std::span<const std::byte> body) const {
-            jaus::dispatcher handlers{jaus::on<jaus::set_wrench_effort>(
-                [&](const header&, const jaus::set_wrench_effort& told) { jaus::copy_present(told, mine.effort_); })};
+            jaus::dispatcher handlers{
+                jaus::on<jaus::set_wrench_effort>([&](const header&, const jaus::set_wrench_effort& commanded) {
+                    jaus::copy_present(commanded, mine.effort_);
+                })};
             return jaus::outcome_of(handlers(head, body));
         }
     };

@@ -28,8 +28,9 @@ constinit jaus::stream_framer framer{message_buffer, 20ms};               // 20 
 void on_message(std::span<const std::byte> bytes) {
     const auto message = jaus::split(bytes);
     if (!message) return;
-    jaus::dispatcher handlers{jaus::on<command>([](const jaus::header&, const command& told) {
-        if (const auto effort = told.get<&jaus::set_wrench_effort::propulsive_linear_effort_x>()) set_motor(*effort);
+    jaus::dispatcher handlers{jaus::on<command>([](const jaus::header&, const command& commanded) {
+        if (const auto effort = commanded.get<&jaus::set_wrench_effort::propulsive_linear_effort_x>())
+            set_motor(*effort);
     })};
     const bool done = handlers(message.header, message.body) == jaus::dispatched::handled;
     if (message.header.ack_nak != jaus::ack_nak::request) return;

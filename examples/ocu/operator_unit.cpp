@@ -154,7 +154,7 @@ void operator_unit::on_delivered(const jaus::awaited_message& m, jaus::delivered
 
 // Reports of the robot are for the operator; commands are for robots.
 jaus::message_outcome operator_unit::application_type::operator()(const jaus::header& head, bytes) const noexcept {
-    return head.command_code >= 0x4000 ? jaus::message_outcome::taken : jaus::message_outcome::not_mine;
+    return head.command_code >= 0x4000 ? jaus::message_outcome::handled : jaus::message_outcome::unhandled;
 }
 
 void operator_unit::shown_output::operator()(bytes message) const {

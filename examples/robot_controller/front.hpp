@@ -115,7 +115,7 @@ class front {
     // The node identifies its components; they handle all other messages.
     struct no_application {
         jauscat::jaus::message_outcome operator()(const jauscat::jaus::header&, std::span<const std::byte>) const {
-            return jauscat::jaus::message_outcome::not_mine;
+            return jauscat::jaus::message_outcome::unhandled;
         }
         /// The slave has objects for these, and may have more.
         static void list_messages(auto&& takes, auto&& sends) {
@@ -134,7 +134,7 @@ class front {
         return {.control = {.authority_code = authority, .timeout = timing_.control_timeout}};
     }
     jauscat::net::jaus_node_options node_options(std::uint8_t node, jauscat::net::access who) {
-        return {.who = who,
+        return {.accept = who,
                 .node = node,
                 .log =
                     [this](std::string_view line) {

@@ -30,7 +30,7 @@ class narrator {
                 .no_keep_alive = bound<&narrator::no_keep_alive>(*this),
                 .changed_state = bound<&narrator::changed_state>(*this),
                 .changed_controller = bound<&narrator::changed_controller>(*this),
-                .owed = bound<&narrator::owed>(*this),
+                .stop_required = bound<&narrator::stop_required>(*this),
                 .stop_refused = bound<&narrator::stop_refused>(*this),
                 .settled = bound<&narrator::settled>(*this),
                 .translated = bound<&narrator::translated>(*this),
@@ -102,7 +102,7 @@ class narrator {
         else
             say_(events::controller_gone, {{"address", name(unit)}}, name(unit) + " is controlled by no component");
     }
-    void owed(const bridge::component& unit, bridge::stop_order what, bridge::stop_cause why) {
+    void stop_required(const bridge::component& unit, bridge::stop_order what, bridge::stop_cause why) {
         const auto when = unit.front().up() ? ": efforts go to zero" : ": efforts go to zero when the slave is back";
         say_(events::stop_owed,
              {{"address", name(unit)},
@@ -183,9 +183,9 @@ class narrator {
         switch (why) {
         case bridge::stop_cause::state: return "state";
         case bridge::stop_cause::controller_lost: return "controller_lost";
-        case bridge::stop_cause::slave_away: return "slave_away";
-        case bridge::stop_cause::slave_back: return "slave_back";
-        case bridge::stop_cause::not_taken: return "not_taken";
+        case bridge::stop_cause::slave_absent: return "slave_absent";
+        case bridge::stop_cause::slave_returned: return "slave_returned";
+        case bridge::stop_cause::not_accepted: return "not_accepted";
         case bridge::stop_cause::program_ends: return "program_ends";
         }
         return "unknown";
@@ -208,7 +208,7 @@ class narrator {
         case bridge::refusal::stopped: return "stopped";
         case bridge::refusal::not_translated: return "not_translated";
         case bridge::refusal::by_slave: return "by_slave";
-        case bridge::refusal::not_taken: return "not_taken";
+        case bridge::refusal::not_accepted: return "not_accepted";
         case bridge::refusal::stale: return "stale";
         }
         return "unknown";
@@ -227,9 +227,9 @@ class narrator {
         switch (why) {
         case bridge::stop_cause::state: return jauscat::text::to_text(unit.state());
         case bridge::stop_cause::controller_lost: return "its controller is lost";
-        case bridge::stop_cause::slave_away: return "the slave is away";
-        case bridge::stop_cause::slave_back: return "the slave is back";
-        case bridge::stop_cause::not_taken: return "the slave has not taken a command in time";
+        case bridge::stop_cause::slave_absent: return "the slave is away";
+        case bridge::stop_cause::slave_returned: return "the slave is back";
+        case bridge::stop_cause::not_accepted: return "the slave has not taken a command in time";
         case bridge::stop_cause::program_ends: return "the program ends";
         }
         return "stop";
@@ -269,7 +269,7 @@ class narrator {
         case bridge::refusal::by_slave:
             return jauscat::text::explain(why.status) + reason_text(why) + ", asked at " +
                    place_text(slave, why.status);
-        case bridge::refusal::not_taken: return "the slave has not taken the command out of its process data";
+        case bridge::refusal::not_accepted: return "the slave has not taken the command out of its process data";
         case bridge::refusal::stale: return "the slave's inputs are too old to answer from";
         }
         return "refused";

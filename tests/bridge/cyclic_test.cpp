@@ -122,7 +122,7 @@ TEST_CASE("a slave that is lost after confirming an emergency, before its answer
     r.run_until([&] { return r.watcher.lost == 1; });
     CHECK(is_answered);
     r.run(20ms); // the answer has returned
-    CHECK(r.unit().debt().owes_emergency());
+    CHECK(r.unit().stops().emergency_is_pending());
     r.motor().reset();
     const auto second = r.tell(rig::stop(), 0, ack_nak::request, rig::stranger);
     r.run(200ms);
@@ -190,7 +190,7 @@ TEST_CASE("a command that the slave does not accept in time is removed from its 
     const auto number = r.drive(50);
     r.run_until([&] { return r.answer(number).has_value(); });
     CHECK(r.is_refused(number));
-    CHECK(r.unit().debt().owes_stop());
+    CHECK(r.unit().stops().stop_is_pending());
     r.run(20ms);
     r.actuators[0].hangs = false;
     r.run(500ms);
@@ -248,7 +248,7 @@ TEST_CASE("a process-data command that arrives before a stop order is confirmed 
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
     r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
     r.lose(rig::operator_unit);
-    REQUIRE(r.unit().debt().owes_stop());
+    REQUIRE(r.unit().stops().stop_is_pending());
     REQUIRE(r.unit().state() == status::ready);
     const auto number = r.drive(20);
     r.run_until([&] { return r.is_acknowledged(number); });

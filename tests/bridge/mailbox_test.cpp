@@ -34,20 +34,22 @@ TEST_CASE("the status lists stop orders that the actuator has not confirmed") {
         return r.received<jaus::report_component_status>().front();
     };
     using namespace bridge::secondary_status;
-    CHECK(asks() == jaus::report_component_status{status::initialize, slave_away | rest_owed});
+    CHECK(asks() == jaus::report_component_status{status::initialize, slave_absent | rest_unconfirmed});
     r.run_until_ready();
     CHECK(asks() == jaus::report_component_status{status::ready, 0});
     r.motor().abort_code_of = jaus::command_code_of<jaus::set_emergency>;
     r.motor().aborts = 1;
     const auto number = r.tell(rig::stop());
-    CHECK(asks() == jaus::report_component_status{status::emergency, rest_owed | emergency_owed});
+    CHECK(asks() == jaus::report_component_status{status::emergency, rest_unconfirmed | emergency_unconfirmed});
     r.run_until([&] { return r.is_acknowledged(number); });
     CHECK(asks() == jaus::report_component_status{status::emergency, 0});
     r.cable_is_out = true;
     r.run_until([&] { return r.watcher.lost == 1; });
-    CHECK(asks() == jaus::report_component_status{status::emergency, slave_away | rest_owed | emergency_owed});
+    CHECK(asks() ==
+          jaus::report_component_status{status::emergency, slave_absent | rest_unconfirmed | emergency_unconfirmed});
     r.tell(rig::clear());
-    CHECK(asks().secondary_status_code == (slave_away | rest_owed | emergency_owed | clear_owed));
+    CHECK(asks().secondary_status_code ==
+          (slave_absent | rest_unconfirmed | emergency_unconfirmed | clear_unconfirmed));
 }
 
 TEST_CASE("a command that the slave aborts is refused") {
@@ -75,7 +77,7 @@ TEST_CASE("an emergency stop that the slave aborts is repeated until it is confi
     CHECK(r.motor().aborted == 3);
     r.run_until([&] { return r.is_acknowledged(number); }, 1s);
     CHECK(r.motor().effort == 0);
-    CHECK(r.unit().debt().settled());
+    CHECK(r.unit().stops().settled());
 }
 
 TEST_CASE("a slave that refuses an emergency gets zeros") {
@@ -89,7 +91,7 @@ TEST_CASE("a slave that refuses an emergency gets zeros") {
     CHECK(took < 100ms);
     r.run(2s);
     CHECK(!r.answer(number)); // not in an emergency, as far as it reports
-    CHECK(r.unit().debt().owes_stop());
+    CHECK(r.unit().stops().stop_is_pending());
 }
 
 TEST_CASE("a slave without an object for emergencies is stopped by zeros") {
@@ -181,7 +183,7 @@ TEST_CASE("an emergency stop for an absent slave is acknowledged after the slave
     const auto number = r.tell(rig::stop());
     r.run(3s);
     CHECK(!r.answer(number));
-    CHECK(r.unit().debt().owes_stop());
+    CHECK(r.unit().stops().stop_is_pending());
     r.cable_is_out = false;
     r.run_until([&] { return r.motor().emergency; }, 1s);
     r.run_until([&] { return r.is_acknowledged(number); }, 100ms);
@@ -272,7 +274,7 @@ TEST_CASE("a command that arrives while the slave refuses zeros is not executed 
     r.motor().aborts = 1;
     r.lose(rig::operator_unit);
     r.run_until([&] { return r.motor().aborted == 1; });
-    REQUIRE(r.unit().debt().owes_stop());
+    REQUIRE(r.unit().stops().stop_is_pending());
     const auto number = r.drive(20);
     r.run_until([&] { return r.is_acknowledged(number); });
     REQUIRE(r.motor().efforts.size() >= 3);
@@ -340,7 +342,7 @@ TEST_CASE("each Standby numbered 0 that comes while the first one is pending is 
     r.repeat(jaus::resume{}, 0);
     r.repeat(jaus::standby{}, 0);
     CHECK(acknowledged() == 0);
-    r.run_until([&] { return r.unit().debt().settled(); });
+    r.run_until([&] { return r.unit().stops().settled(); });
     r.run(1ms);
     CHECK(acknowledged() == 2);
     r.repeat(jaus::standby{}, 0);
@@ -442,7 +444,7 @@ TEST_CASE(
     CHECK(r.is_refused(hung));
     CHECK(r.watcher.lost == 1);
     r.actuators[1].hangs = false;
-    r.run_until([&] { return r.fronts[1].up() && r.units[1].debt().settled(); });
+    r.run_until([&] { return r.fronts[1].up() && r.units[1].stops().settled(); });
     CHECK(r.motor(1).effort == 0);
 }
 
@@ -469,7 +471,7 @@ TEST_CASE("a program that was suspended does not continue requests from before")
     bool has_moved = false;
     r.run_until([&] {
         has_moved = has_moved || r.motor().effort != 0;
-        return r.watcher.lost == 1 && r.fronts[0].up() && r.unit().debt().settled();
+        return r.watcher.lost == 1 && r.fronts[0].up() && r.unit().stops().settled();
     });
     CHECK_FALSE(has_moved);
     CHECK(r.is_refused(number));

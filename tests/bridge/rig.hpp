@@ -96,7 +96,7 @@ class rig {
     void run_until_ready() {
         run_until([&] {
             return std::ranges::all_of(units, [](const auto& each) {
-                return each.state() == jaus::primary_status_code::ready && each.debt().settled();
+                return each.state() == jaus::primary_status_code::ready && each.stops().settled();
             });
         });
     }
@@ -120,8 +120,8 @@ class rig {
         std::array<std::byte, 256> buffer{};
         const auto encoded = jauscat::wire::encode(body, buffer);
         REQUIRE(encoded);
-        last_outcome = units[to].on_message(head, *encoded, now, out_,
-                                            [](const jaus::header&, bytes) { return jaus::message_outcome::not_mine; });
+        last_outcome = units[to].on_message(
+            head, *encoded, now, out_, [](const jaus::header&, bytes) { return jaus::message_outcome::unhandled; });
         bus.on_time(now, out_);
     }
     std::uint16_t drive(double percent, std::size_t to = 0, jaus::ack_nak ack = jaus::ack_nak::request) {

@@ -6,5 +6,5 @@ namespace jaus = jauscat::jaus;
 jaus::component_memory<> memory;
 jaus::component core{{}, memory, {}, {}};
 void hear(jaus::message_sink out) {
-    core.on_message({}, {}, {}, out, [](std::span<const std::byte>) { return jaus::message_outcome::taken; });
+    core.on_message({}, {}, {}, out, [](std::span<const std::byte>) { return jaus::message_outcome::handled; });
 }

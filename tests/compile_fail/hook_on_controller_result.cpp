@@ -4,6 +4,6 @@
 namespace jaus = jauscat::jaus;
 
 constexpr auto function = [](const std::optional<jaus::controller>&, jaus::control_change) {
-    return jaus::message_outcome::taken;
+    return jaus::message_outcome::handled;
 };
 const jaus::component_hooks hooks{.on_controller = function};

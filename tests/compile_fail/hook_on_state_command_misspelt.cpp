@@ -3,5 +3,5 @@
 
 namespace jaus = jauscat::jaus;
 
-constexpr auto function = [](const jaus::header&) { return jaus::message_outcome::taken; };
+constexpr auto function = [](const jaus::header&) { return jaus::message_outcome::handled; };
 const jaus::component_hooks hooks{.on_state_comand = function};

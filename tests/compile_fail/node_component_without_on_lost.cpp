@@ -8,14 +8,14 @@ struct lamp {
     jaus::address self() const { return {}; }
     jaus::component_outcome on_message(const jaus::header&, std::span<const std::byte>, time_point, jaus::message_sink,
                                        auto&&) {
-        return jaus::component_outcome::taken;
+        return jaus::component_outcome::handled;
     }
     void on_time(time_point, jaus::message_sink) {}
     std::optional<time_point> next_event() const { return std::nullopt; }
 } one;
 struct nothing {
     jaus::message_outcome operator()(const jaus::header&, std::span<const std::byte>) {
-        return jaus::message_outcome::not_mine;
+        return jaus::message_outcome::unhandled;
     }
 } application;
 void add(jauscat::net::node_machine& node) { node.add(one, application); }

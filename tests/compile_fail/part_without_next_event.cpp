@@ -6,7 +6,7 @@ using jauscat::time_point;
 
 struct lamp {
     jaus::message_outcome on_message(const jaus::header&, std::span<const std::byte>, time_point, jaus::message_sink) {
-        return jaus::message_outcome::not_mine;
+        return jaus::message_outcome::unhandled;
     }
     void on_time(time_point, jaus::message_sink) {}
     void on_lost(const jaus::address&) {}

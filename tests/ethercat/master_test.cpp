@@ -296,17 +296,17 @@ TEST_CASE("a check reports the state of a slave and whether its mailbox has a me
     REQUIRE(jauscat::net::run(link, m, bring_up{0, 7}));
     REQUIRE(jauscat::net::run(link, m, check{7}));
     CHECK(m.find(7)->al.state == al_state::pre_op);
-    CHECK_FALSE(m.find(7)->mail_waits);
+    CHECK_FALSE(m.find(7)->reply_waiting);
 
     auto request = from_hex("0a00 0000 00 13 0020 40 0220 00 00000000"); // an upload of another master's
     request.resize(m.find(7)->mailbox.receive_size);
     REQUIRE(
         jauscat::net::run(link, m, exchange_datagram{command::fpwr, 7, m.find(7)->mailbox.receive_offset, request}));
     REQUIRE(jauscat::net::run(link, m, check{7}));
-    CHECK(m.find(7)->mail_waits);
+    CHECK(m.find(7)->reply_waiting);
     REQUIRE(jauscat::net::run(link, m, collect_emergencies{7}));
     REQUIRE(jauscat::net::run(link, m, check{7}));
-    CHECK_FALSE(m.find(7)->mail_waits);
+    CHECK_FALSE(m.find(7)->reply_waiting);
 
     devices[0].power_on();
     CHECK(jauscat::net::run(link, m, check{7}).error().code == master_errc::working_counter);

@@ -452,7 +452,7 @@ TEST_CASE("each cycle reports for each watched slave whether it is present and i
         CHECK(status(station).condition == slave_condition::running);
         CHECK(status(station).al.state == al_state::op);
         CHECK(status(station).last_running == instant{10ms});
-        CHECK_FALSE(status(station).mail_waits);
+        CHECK_FALSE(status(station).reply_waiting);
     }
 
     // A master that took the first one's state: its inputs count in SAFE-OP, but it does not run.
@@ -598,16 +598,16 @@ TEST_CASE("slaves without process data are watched too, and a full reply mailbox
     const auto& status = data.status(b.master.slaves().front());
     CHECK(status.condition == slave_condition::not_in_op);
     CHECK(status.al.state == al_state::pre_op);
-    CHECK_FALSE(status.mail_waits);
+    CHECK_FALSE(status.reply_waiting);
 
     auto request = from_hex("0a00 0000 00 13 0020 40 0220 00 00000000"); // an upload of another master's
     request.resize(plain.mailbox_out_size);
     write_register(b.at(0), command::fpwr, 1, plain.mailbox_out_offset, to_hex(request));
     REQUIRE(b.cycle(data));
-    CHECK(status.mail_waits);
+    CHECK(status.reply_waiting);
     REQUIRE(b.run(collect_emergencies{1}));
     REQUIRE(b.cycle(data));
-    CHECK_FALSE(status.mail_waits);
+    CHECK_FALSE(status.reply_waiting);
 }
 
 TEST_CASE("one frame watches as many slaves as a master supports, and more are refused beforehand") {

@@ -130,8 +130,8 @@ TEST_CASE("four large data sets are assembled at a time, and a silent one is rep
         for (const std::uint16_t number : {std::uint16_t{0}, std::uint16_t{1}})
             CHECK(a.give(part_from(subsystem, number)) == reassembled::waiting);
     CHECK(a.give(part_from(4)) == reassembled::repeated);
-    CHECK(a.give(part_from(5)) == reassembled::no_room);
+    CHECK(a.give(part_from(5)) == reassembled::no_capacity);
     a.now = instant{6s};
     CHECK(a.give(part_from(5)) == reassembled::waiting);
-    CHECK(describe(reassembled::no_room) == "too many large data sets at a time: send it again later");
+    CHECK(describe(reassembled::no_capacity) == "too many large data sets at a time: send it again later");
 }

@@ -28,11 +28,11 @@ TEST_CASE("a message is accepted only from the address of the system that has it
     const auto check = [&](const char* source, const char* ip, std::uint16_t port) {
         return list.check(id(source), at(ip, port)).what;
     };
-    CHECK(check("2.1.33.1", "10.0.0.2", 3794) == verdict::taken);
-    CHECK(check("2.254.254.254", "10.0.0.2", 3794) == verdict::taken);
-    CHECK(check("2.1.33.1", "10.0.1.2", 3794) == verdict::taken);
-    CHECK(check("2.1.33.1", "fd00::2", 3794) == verdict::taken);
-    CHECK(check("2.1.33.1", "::ffff:10.0.0.2", 3794) == verdict::taken);
+    CHECK(check("2.1.33.1", "10.0.0.2", 3794) == verdict::accepted);
+    CHECK(check("2.254.254.254", "10.0.0.2", 3794) == verdict::accepted);
+    CHECK(check("2.1.33.1", "10.0.1.2", 3794) == verdict::accepted);
+    CHECK(check("2.1.33.1", "fd00::2", 3794) == verdict::accepted);
+    CHECK(check("2.1.33.1", "::ffff:10.0.0.2", 3794) == verdict::accepted);
     // a stranger, a port that any user of the peer's machine may open, another peer
     CHECK(check("2.1.33.1", "10.0.0.9", 3794) == verdict::wrong_sender);
     CHECK(check("2.1.33.1", "10.0.0.2", 3795) == verdict::wrong_sender);
@@ -42,13 +42,13 @@ TEST_CASE("a message is accepted only from the address of the system that has it
     CHECK(check("9.1.33.1", "10.0.0.2", 3794) == verdict::unknown_peer);
     // this system's own address, claimed from outside
     CHECK(check("1.1.33.1", "10.0.0.2", 3794) == verdict::wrong_sender);
-    CHECK(check("1.1.33.1", "127.0.0.1", 39777) == verdict::taken);
+    CHECK(check("1.1.33.1", "127.0.0.1", 39777) == verdict::accepted);
 }
 
 TEST_CASE("a system that is a node of another sends from its own address, from any port if configured") {
     const access_list list{config};
-    CHECK(list.check(id("2.7.33.1"), at("10.0.0.7", 3794)).what == verdict::taken);
-    CHECK(list.check(id("2.7.33.1"), at("10.0.0.7", 50000)).what == verdict::taken);
+    CHECK(list.check(id("2.7.33.1"), at("10.0.0.7", 3794)).what == verdict::accepted);
+    CHECK(list.check(id("2.7.33.1"), at("10.0.0.7", 50000)).what == verdict::accepted);
     CHECK(list.check(id("2.7.33.1"), at("10.0.0.2", 3794)).what == verdict::wrong_sender);
     CHECK(list.check(id("2.8.33.1"), at("10.0.0.7", 3794)).what == verdict::wrong_sender);
 }
@@ -64,8 +64,8 @@ TEST_CASE("a verdict names the system, unless the sender is another") {
 TEST_CASE("an open list accepts every sender, but not a stranger in place of a peer") {
     const access_list list{config, net::access::open};
     CHECK(list.is_open());
-    CHECK(list.check(id("9.1.33.1"), at("10.0.0.9", 1)).what == verdict::taken);
-    CHECK(list.check(id("2.1.33.1"), at("10.0.0.9", 1)).what == verdict::taken);
+    CHECK(list.check(id("9.1.33.1"), at("10.0.0.9", 1)).what == verdict::accepted);
+    CHECK(list.check(id("2.1.33.1"), at("10.0.0.9", 1)).what == verdict::accepted);
     CHECK_FALSE(list.check(id("2.1.33.1"), at("10.0.0.9", 1)).peer);
     CHECK(list.check(id("2.1.33.1"), at("10.0.0.2", 3794)).peer == 1U);
 }
@@ -96,7 +96,7 @@ TEST_CASE("a list of 200 subsystems and 50 nodes agrees with the configuration's
         const jaus::address source{level(254), level(254), level(60), i % 3 == 0 ? std::uint8_t{7} : level(254)};
         const auto* hop = large.next_hop(source);
         const auto from = hop ? hop->endpoint() : at("10.0.0.1", 3794);
-        CHECK(list.check(source, from).what == (hop ? verdict::taken : verdict::unknown_peer));
+        CHECK(list.check(source, from).what == (hop ? verdict::accepted : verdict::unknown_peer));
         if (!hop) continue;
         ++known;
         CHECK(&large.systems[list.check(source, from).peer.value()] == hop);

@@ -97,16 +97,16 @@ TEST_CASE("any spoofed source is refused without an answer") {
     target robot;
     for (const auto& source : {ocu, camera, robot_arm, jaus::address{1, 32, 1, 77}})
         for (const auto& from : {at("10.0.0.66"), at("10.0.0.1", 40000), at("::1")}) {
-            CHECK(robot.receive(message(source, forward), from, 1s) != verdict::taken);
-            CHECK(robot.receive(message(source, status_query), from, 1s) != verdict::taken);
+            CHECK(robot.receive(message(source, forward), from, 1s) != verdict::accepted);
+            CHECK(robot.receive(message(source, status_query), from, 1s) != verdict::accepted);
         }
     CHECK(robot.receive(message(camera, forward), at("10.0.0.1"), 1s) == verdict::wrong_sender); // a peer as another
     CHECK(robot.receive(message({1, 32, 1, 77}, forward), at("10.0.0.1"), 1s) == verdict::unknown_peer);
     CHECK(robot.node.well_formed == 0);
     CHECK(robot.answers == 0);
 
-    CHECK(robot.receive(message(ocu, forward), at("10.0.0.1"), 1s) == verdict::taken);
-    CHECK(robot.receive(message(ocu, status_query), at("10.0.0.1"), 1s) == verdict::taken);
+    CHECK(robot.receive(message(ocu, forward), at("10.0.0.1"), 1s) == verdict::accepted);
+    CHECK(robot.receive(message(ocu, status_query), at("10.0.0.1"), 1s) == verdict::accepted);
     CHECK(robot.node.commands == 1);
     CHECK(robot.answers == 1);
 }
@@ -114,14 +114,14 @@ TEST_CASE("any spoofed source is refused without an answer") {
 TEST_CASE("a replayed command is refused from another address, and executed once while it is remembered") {
     target robot;
     const auto recorded = message(ocu, forward, {.ack_nak = jaus::ack_nak::request, .sequence_number = 7});
-    CHECK(robot.receive(recorded, at("10.0.0.1"), 1s) == verdict::taken);
+    CHECK(robot.receive(recorded, at("10.0.0.1"), 1s) == verdict::accepted);
     for (int i = 0; i != 50; ++i) {
         CHECK(robot.receive(recorded, at("10.0.0.66"), 1s) == verdict::wrong_sender);
-        CHECK(robot.receive(recorded, at("10.0.0.1"), 1s + i * 10ms) == verdict::taken);
+        CHECK(robot.receive(recorded, at("10.0.0.1"), 1s + i * 10ms) == verdict::accepted);
     }
     CHECK(robot.node.commands == 1);
     // A sender that can use the peer's address is not excluded: docs/security.md.
-    CHECK(robot.receive(recorded, at("10.0.0.1"), 1min) == verdict::taken);
+    CHECK(robot.receive(recorded, at("10.0.0.1"), 1min) == verdict::accepted);
     CHECK(robot.node.commands == 2);
 }
 
@@ -131,8 +131,8 @@ TEST_CASE("a flooding peer is limited to its rate, without effect on other peers
     const auto flood = message(ocu, forward), other = message(camera, forward);
     for (int i = 0; i != 200'000; ++i) { // 100 a millisecond, for two seconds
         const auto now = 1s + i * 10us;
-        taken += robot.receive(flood, at("10.0.0.1"), now) == verdict::taken ? 1 : 0;
-        if (i % 200 == 0) of_camera += robot.receive(other, at("10.0.0.3"), now) == verdict::taken ? 1 : 0;
+        taken += robot.receive(flood, at("10.0.0.1"), now) == verdict::accepted ? 1 : 0;
+        if (i % 200 == 0) of_camera += robot.receive(other, at("10.0.0.3"), now) == verdict::accepted ? 1 : 0;
     }
     CHECK(taken >= 2099);
     CHECK(taken <= 2101);
@@ -143,7 +143,7 @@ TEST_CASE("strangers cannot use up a peer's rate") {
     target robot;
     for (int i = 0; i != 10'000; ++i)
         CHECK(robot.receive(message(ocu, forward), at("10.0.0.66"), 1s) == verdict::wrong_sender);
-    CHECK(robot.receive(message(ocu, forward), at("10.0.0.1"), 1s) == verdict::taken);
+    CHECK(robot.receive(message(ocu, forward), at("10.0.0.1"), 1s) == verdict::accepted);
 }
 
 TEST_CASE("one million random datagrams allocate nothing, and the node continues to work") {
@@ -151,7 +151,7 @@ TEST_CASE("one million random datagrams allocate nothing, and the node continues
     storm datagrams{20260711};
     std::map<verdict, std::uint64_t> verdicts;
     for (const auto v :
-         {verdict::taken, verdict::malformed, verdict::unknown_peer, verdict::wrong_sender, verdict::rate_limited})
+         {verdict::accepted, verdict::malformed, verdict::unknown_peer, verdict::wrong_sender, verdict::rate_limited})
         verdicts[v] = 0;
     std::uint64_t answers_to_refused = 0;
     jauscat::time_point now{1s};
@@ -162,7 +162,7 @@ TEST_CASE("one million random datagrams allocate nothing, and the node continues
         const auto answered = robot->answers;
         const auto what = robot->receive(datagram, datagrams.from(), now);
         ++verdicts[what];
-        if (what != verdict::taken) answers_to_refused += robot->answers - answered;
+        if (what != verdict::accepted) answers_to_refused += robot->answers - answered;
         if (i % 100 == 0) robot->node.on_time(now, [&](auto) { ++robot->answers; });
     }
     CHECK(support::allocations() - before == 0);
@@ -170,12 +170,12 @@ TEST_CASE("one million random datagrams allocate nothing, and the node continues
     CHECK(verdicts[verdict::malformed] > 50'000);
     CHECK(verdicts[verdict::unknown_peer] > 100'000);
     CHECK(verdicts[verdict::wrong_sender] > 100'000);
-    CHECK(verdicts[verdict::taken] > 300'000);
+    CHECK(verdicts[verdict::accepted] > 300'000);
     CHECK(robot->node.well_formed > 300'000);
 
     // It still does its work; a storm that asked for Shutdown got that.
     const auto answered = robot->answers;
-    CHECK(robot->receive(message(ocu, status_query), at("10.0.0.1"), now + 1h) == verdict::taken);
+    CHECK(robot->receive(message(ocu, status_query), at("10.0.0.1"), now + 1h) == verdict::accepted);
     CHECK(robot->answers == answered + 1);
 }
 

@@ -39,7 +39,7 @@ class defended_node {
     verdict receive(bytes message, const jauscat::net::access_list::endpoint& from, jauscat::time_point now,
                     auto&& answer) {
         const auto what = gate_(message, from, now);
-        if (what == verdict::taken) take(message, now, answer);
+        if (what == verdict::accepted) take(message, now, answer);
         return what;
     }
     void take(bytes message, jauscat::time_point now, auto&& answer) {

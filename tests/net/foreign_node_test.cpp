@@ -29,7 +29,7 @@ struct robot {
         node.start();
     }
     net::jaus_node_options options(net::access who) {
-        net::jaus_node_options made{.who = who};
+        net::jaus_node_options made{.accept = who};
         made.beat.period = period;
         made.timeout = patience;
         made.log = [this](std::string_view line) { log.emplace_back(line); };
@@ -48,7 +48,7 @@ struct robot {
         std::vector<jaus::set_wrench_effort> efforts{};
         jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) {
             if (head.command_code != jaus::command_code_of<jaus::set_wrench_effort>)
-                return jaus::message_outcome::not_mine;
+                return jaus::message_outcome::unhandled;
             return jaus::decode_for<jaus::set_wrench_effort>(body, [&](const auto& m) { efforts.push_back(m); });
         }
     } application{};
@@ -385,7 +385,7 @@ TEST_CASE("the requests of a recorded foreign node are answered as by its record
                 return decode_for<jaus::set_global_waypoint>(body, [&](const auto&) { ++waypoints; });
             if (head.command_code == jaus::command_code_of<jaus::set_travel_speed>)
                 return decode_for<jaus::set_travel_speed>(body, [&](const auto&) { ++speeds; });
-            return jaus::message_outcome::not_mine;
+            return jaus::message_outcome::unhandled;
         }
     } application{};
     std::vector<jaus::address> appeared;

@@ -215,7 +215,7 @@ TEST_CASE("a caller can branch on why a message is not sent, and on the reason b
     CHECK(beyond.reason.message() == wire::describe(wire::errc::out_of_range));
     const auto nowhere = why(make(9, 1), jaus::standby{});
     CHECK(nowhere.code == net::errc::unroutable);
-    CHECK(nowhere.reason == net::reason_of(jaus::routed::no_way));
+    CHECK(nowhere.reason == net::reason_of(jaus::routed::no_route));
     p.ocu.node.stop();
     CHECK(why(p.robot.self, jaus::standby{}).code == net::errc::not_running);
 }
@@ -269,7 +269,7 @@ TEST_CASE("a component that its node cannot have is refused with the reason") {
         jaus::component_memory<> memory{};
         jaus::component core{id, memory, {}, {}};
         const auto application = [](const jaus::header&, std::span<const std::byte>) {
-            return jaus::message_outcome::taken;
+            return jaus::message_outcome::handled;
         };
         try {
             node.add(core, application);
@@ -319,7 +319,7 @@ TEST_CASE("a handler may stop the node, but not add components while it is calle
     const auto ports = free_ports<1>();
     jaus::component_memory<> memory{};
     jaus::component first{make(2, 1, 33), memory, {}, {}}, second{make(2, 1, 34), memory, {}, {}};
-    const auto other = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::taken; };
+    const auto other = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::handled; };
     bool heard = false, refused = false;
     net::jaus_node* node = nullptr;
     const auto application = [&](const jaus::header&, std::span<const std::byte>) {
@@ -330,7 +330,7 @@ TEST_CASE("a handler may stop the node, but not add components while it is calle
         } catch (const std::logic_error&) {
             refused = true;
         }
-        return jaus::message_outcome::taken;
+        return jaus::message_outcome::handled;
     };
     net::jaus_node robot{context, config("robot", system("robot", "2.0.0.0", ports[0]))};
     node = &robot;

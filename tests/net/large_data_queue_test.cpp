@@ -86,7 +86,7 @@ struct transfer {
     }
     jaus::message_outcome keep(std::span<const std::byte> whole) {
         arrived.emplace_back(whole.begin(), whole.end());
-        return network.takes ? jaus::message_outcome::taken : jaus::message_outcome::refused;
+        return network.takes ? jaus::message_outcome::handled : jaus::message_outcome::refused;
     }
 
     std::mt19937 random{5};
@@ -258,7 +258,7 @@ TEST_CASE("a large data set that the component refused is refused again if the N
     core.change(jaus::state_event::initialized);
     unsigned count = 0;
     auto application = [&](const jaus::header&, std::span<const std::byte>) {
-        return ++count % 2 == 1 ? jaus::message_outcome::refused : jaus::message_outcome::taken;
+        return ++count % 2 == 1 ? jaus::message_outcome::refused : jaus::message_outcome::handled;
     };
     const jauscat::net::jaus_node_options options{};
     jauscat::net::limited_log log{{}};
@@ -295,13 +295,13 @@ TEST_CASE("a large data set that the component refused is refused again if the N
     late.ack_nak = jaus::ack_nak::ack;
     late.data_flag = first;
     components.hand_on(0, late, {}, {.now = now}, [](std::span<const std::byte>) { FAIL("answered"); });
-    REQUIRE(core.count(jaus::component_outcome::not_waited_for) == 1);
+    REQUIRE(core.count(jaus::component_outcome::unmatched_acknowledgement) == 1);
 }
 
 TEST_CASE("an unlimited timeout never expires and requests no timer") {
     jaus::component_memory<> memory{};
     jaus::component core{screen, memory, {}, {}};
-    auto application = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::taken; };
+    auto application = [](const jaus::header&, std::span<const std::byte>) { return jaus::message_outcome::handled; };
     const jauscat::net::jaus_node_options options{.large_data_timeout = nanoseconds::max()};
     std::size_t lines = 0;
     jauscat::net::limited_log log{[&](std::string_view) { ++lines; }};

@@ -23,7 +23,8 @@ struct asked_node {
     jaus::component<> core{self, memory, {}, {.memory = 20ms}};
     std::size_t efforts{};
     jaus::message_outcome apply(const jaus::header& head, std::span<const std::byte> body) {
-        if (head.command_code != jaus::command_code_of<jaus::set_wrench_effort>) return jaus::message_outcome::not_mine;
+        if (head.command_code != jaus::command_code_of<jaus::set_wrench_effort>)
+            return jaus::message_outcome::unhandled;
         return jaus::decode_for<jaus::set_wrench_effort>(body, [&](const auto&) { ++efforts; });
     }
     struct handler {

@@ -20,7 +20,7 @@ struct besieged {
                                     system("second", "3.0.0.0", second.port(), "<framing>JAUS01.0</framing>")),
                 make(2, 1, 33), options(who)} {}
     static net::jaus_node_options options(net::access who) {
-        net::jaus_node_options made{.who = who};
+        net::jaus_node_options made{.accept = who};
         made.socket.receive_buffer = 4'000'000;
         return made;
     }
@@ -34,7 +34,7 @@ struct besieged {
     }
     [[nodiscard]] std::size_t efforts() const {
         return static_cast<std::size_t>(std::ranges::count_if(robot.seen, [](const seen_message& m) {
-            return m.head.command_code == 0x0405 && m.what == jaus::component_outcome::taken;
+            return m.head.command_code == 0x0405 && m.what == jaus::component_outcome::handled;
         }));
     }
 
@@ -195,7 +195,7 @@ TEST_CASE("one million random and mutated datagrams are all counted, and the nod
     std::uint64_t obeyed = 0;
     const auto application = [&](const jaus::header&, std::span<const std::byte>) {
         ++obeyed;
-        return jaus::message_outcome::taken;
+        return jaus::message_outcome::handled;
     };
     net::jaus_node node{b.context, b.robot.node.config(), options};
     node.add(core, application);

@@ -164,7 +164,7 @@ TEST_CASE("a packet of a large data set that waited for long does not become par
         of.sequence_number = number;
         std::array<std::byte, 64> packet{};
         const auto made = jaus::join(of, std::array{content, content}, packet);
-        REQUIRE(p.robot.node.on_datagram(*made, p.ocu.at, {}, false, p.network.now, waited) == net::verdict::taken);
+        REQUIRE(p.robot.node.on_datagram(*made, p.ocu.at, {}, false, p.network.now, waited) == net::verdict::accepted);
     };
     using enum jaus::data_flag;
     // Of the first one the end was lost, of the second one the begin.

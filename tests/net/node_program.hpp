@@ -104,10 +104,10 @@ struct program {
         jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) const {
             if (head.command_code != 0xD111) {
                 const bool is_wrench = head.command_code == jaus::command_code_of<jaus::set_wrench_effort>;
-                return is_wrench ? jaus::message_outcome::taken : jaus::message_outcome::not_mine;
+                return is_wrench ? jaus::message_outcome::handled : jaus::message_outcome::unhandled;
             }
             mine.large.emplace_back(body.begin(), body.end());
-            return jaus::message_outcome::taken;
+            return jaus::message_outcome::handled;
         }
     } application{*this};
     net::jaus_node node;

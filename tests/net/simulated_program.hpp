@@ -67,9 +67,9 @@ struct simulated_program {
     struct handler {
         simulated_program& mine;
         jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte> body) const {
-            if (head.command_code != 0xD111) return jaus::message_outcome::not_mine;
+            if (head.command_code != 0xD111) return jaus::message_outcome::unhandled;
             mine.large.emplace_back(body.begin(), body.end());
-            return jaus::message_outcome::taken;
+            return jaus::message_outcome::handled;
         }
     } application{*this};
     net::node_machine node;

@@ -333,7 +333,7 @@ TEST_CASE("a filter, a batch and its answers allocate nothing") {
     boost::asio::io_context context;
     udp_transport asking{context, any_port}, answering{context, any_port};
     std::size_t answered = 0;
-    answering.set_filter([](auto, const auto&) { return net::verdict::taken; });
+    answering.set_filter([](auto, const auto&) { return net::verdict::accepted; });
     answering.start([&](auto message, const auto& from, auto framing) { answering.post(message, from, framing); },
                     [](std::string_view) {});
     asking.start([&](auto, const auto&, auto) { ++answered; }, [](std::string_view) {});

@@ -55,7 +55,7 @@ struct arm {
     int handed_on{};
 
     received hear(std::uint16_t code, std::uint16_t number, std::uint8_t body = 0, instant now = 0s,
-                  message_outcome outcome = message_outcome::taken, jaus::address from = ocu_address,
+                  message_outcome outcome = message_outcome::handled, jaus::address from = ocu_address,
                   ack_nak wish = ack_nak::request, jaus::address to = arm_address) {
         const jaus::header head{.ack_nak = wish,
                                 .command_code = code,
@@ -156,7 +156,7 @@ TEST_CASE("as many messages as places can wait") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()));
     REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).sequence_number == 2);
-    REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).error == send_errc::no_room);
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).error == send_errc::no_capacity);
     REQUIRE(o.sent.size() == 2);
     REQUIRE(o.commands.next_event() == instant{100ms});
     REQUIRE(o.answer(0x0003, 1, ack_nak::ack));
@@ -183,7 +183,7 @@ TEST_CASE("messages that cannot be acknowledged, or do not fit, are not sent") {
     REQUIRE(o.sent.empty());
     REQUIRE(o.commands.waiting() == 0);
     REQUIRE(jaus::acknowledged_sender{{}, {}}.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).error ==
-            send_errc::no_room);
+            send_errc::no_capacity);
 }
 
 TEST_CASE("a complete message is sent with a sequence number of the sender's") {
@@ -253,7 +253,7 @@ TEST_CASE("an executed message is acknowledged, a refused one gets a NAK") {
     REQUIRE(a.hear(0x0001, 5) == received::handed_on);
     REQUIRE(a.hear(0x0001, 6, 0, 0s, message_outcome::refused) == received::handed_on);
     REQUIRE(a.hear(0x0001, 7, 0, 0s, message_outcome::malformed) == received::handed_on);
-    REQUIRE(a.hear(0x0001, 8, 0, 0s, message_outcome::not_mine) == received::handed_on);
+    REQUIRE(a.hear(0x0001, 8, 0, 0s, message_outcome::unhandled) == received::handed_on);
     REQUIRE(a.sent.size() == 4);
     REQUIRE(a.answer(0) == ack_nak::ack);
     REQUIRE(a.sent.header(0).sequence_number == 5);
@@ -279,7 +279,7 @@ TEST_CASE("a message with another source, code, number or body is not a repeat")
     REQUIRE(a.hear(0x0002, 5, 1) == received::handed_on);
     REQUIRE(a.hear(0x0001, 6, 1) == received::handed_on);
     REQUIRE(a.hear(0x0001, 5, 2) == received::handed_on);
-    REQUIRE(a.hear(0x0001, 5, 1, 0s, message_outcome::taken, other) == received::handed_on);
+    REQUIRE(a.hear(0x0001, 5, 1, 0s, message_outcome::handled, other) == received::handed_on);
     REQUIRE(a.handed_on == 5);
 }
 
@@ -307,10 +307,10 @@ TEST_CASE("of a sender that numbers all messages 0, only two equal messages in a
     REQUIRE(a.hear(0x0003, 0) == received::handed_on);
     REQUIRE(a.hear(0x0003, 0) == received::repeated);
     REQUIRE(a.hear(0x0004, 0) == received::handed_on);
-    REQUIRE(a.hear(0x0003, 0, 0, 0s, message_outcome::taken, other) == received::handed_on);
+    REQUIRE(a.hear(0x0003, 0, 0, 0s, message_outcome::handled, other) == received::handed_on);
     REQUIRE(a.hear(0x0003, 0) == received::handed_on);
-    REQUIRE(a.hear(0x0003, 0, 0, 0s, message_outcome::taken, other) == received::handed_on);
-    REQUIRE(a.hear(0x0003, 0, 0, 0s, message_outcome::taken, other) == received::repeated);
+    REQUIRE(a.hear(0x0003, 0, 0, 0s, message_outcome::handled, other) == received::handed_on);
+    REQUIRE(a.hear(0x0003, 0, 0, 0s, message_outcome::handled, other) == received::repeated);
     for (std::uint8_t body = 0; body != 100; ++body) // one place is enough for them
         REQUIRE(a.hear(0x0405, 0, body) == received::handed_on);
     REQUIRE(a.handed_on == 105);
@@ -319,7 +319,7 @@ TEST_CASE("of a sender that numbers all messages 0, only two equal messages in a
 TEST_CASE("of a sender that numbers all messages 0, any command in between makes the next one new") {
     arm a;
     const auto plain = [&](std::uint16_t code, std::uint16_t number = 0) {
-        return a.hear(code, number, 0, 0s, message_outcome::taken, ocu_address, ack_nak::none);
+        return a.hear(code, number, 0, 0s, message_outcome::handled, ocu_address, ack_nak::none);
     };
     REQUIRE(a.hear(0x0003, 0) == received::handed_on);
     plain(0x0004); // Resume without acknowledgement
@@ -331,7 +331,7 @@ TEST_CASE("of a sender that numbers all messages 0, any command in between makes
     REQUIRE(a.hear(0x0003, 0) == received::repeated);
     plain(0xD001);
     REQUIRE(a.hear(0x0003, 0) == received::handed_on);
-    a.hear(0x0004, 0, 0, 0s, message_outcome::taken, ocu_address, ack_nak::request, {255, 255, 2, 3}); // to all
+    a.hear(0x0004, 0, 0, 0s, message_outcome::handled, ocu_address, ack_nak::request, {255, 255, 2, 3}); // to all
     REQUIRE(a.hear(0x0003, 0) == received::handed_on);
     for (int i = 0; i != 3; ++i) { // Set and Clear Emergency, both acknowledged
         REQUIRE(a.hear(0x0006, 0) == received::handed_on);
@@ -348,12 +348,12 @@ TEST_CASE("of a sender that numbers all messages 0, an action caused by another 
     REQUIRE(a.hear(0x0405, 0) == received::handed_on); // efforts 0
     REQUIRE(a.hear(0x0405, 0) == received::repeated);
     another(0x0405, message_outcome::refused); // it has no control
-    another(0x2002, message_outcome::taken);   // a query
+    another(0x2002, message_outcome::handled); // a query
     REQUIRE(a.hear(0x0405, 0) == received::repeated);
-    another(0x0405, message_outcome::taken);
+    another(0x0405, message_outcome::handled);
     REQUIRE(a.hear(0x0405, 0) == received::handed_on);
     REQUIRE(a.hear(0x0405, 0) == received::repeated);
-    another(0x0006, message_outcome::taken, ack_nak::request);
+    another(0x0006, message_outcome::handled, ack_nak::request);
     REQUIRE(a.hear(0x0405, 0) == received::handed_on);
     a.commands.on_change(); // it has failed
     REQUIRE(a.hear(0x0405, 0) == received::handed_on);
@@ -415,7 +415,7 @@ TEST_CASE("a counting sender may send plain messages numbered 0 in between") {
     arm a;
     REQUIRE(a.hear(0x0003, 0xFFFF) == received::handed_on);
     REQUIRE(a.hear(0x0004, 0) == received::handed_on); // around
-    a.hear(0x0405, 0, 0, 0s, message_outcome::taken, ocu_address, ack_nak::none);
+    a.hear(0x0405, 0, 0, 0s, message_outcome::handled, ocu_address, ack_nak::none);
     REQUIRE(a.hear(0x0004, 0) == received::repeated);
     REQUIRE(a.hear(0x0003, 0xFFFF) == received::repeated);
     REQUIRE(a.hear(0x0003, 0) == received::handed_on); // 0 for another message: the others may still be repeated
@@ -447,14 +447,14 @@ TEST_CASE("a repeated Set Emergency and a repeated query are executed again") {
 TEST_CASE("every message without acknowledgement request is delivered") {
     arm a;
     for (int i = 0; i != 20; ++i)
-        REQUIRE(a.hear(0x0001, 5, 0, 0s, message_outcome::taken, ocu_address, ack_nak::none) == received::handed_on);
+        REQUIRE(a.hear(0x0001, 5, 0, 0s, message_outcome::handled, ocu_address, ack_nak::none) == received::handed_on);
     REQUIRE(a.handed_on == 20);
     REQUIRE(a.sent.empty());
 }
 
 TEST_CASE("a broadcast is delivered and not acknowledged") {
     arm a;
-    REQUIRE(a.hear(0x0001, 5, 0, 0s, message_outcome::taken, ocu_address, ack_nak::request, {255, 255, 2, 3}) ==
+    REQUIRE(a.hear(0x0001, 5, 0, 0s, message_outcome::handled, ocu_address, ack_nak::request, {255, 255, 2, 3}) ==
             received::handed_on);
     REQUIRE(a.handed_on == 1);
     REQUIRE(a.sent.empty());
@@ -463,11 +463,11 @@ TEST_CASE("a broadcast is delivered and not acknowledged") {
 TEST_CASE("one source cannot occupy all places, all sources together can, Set Emergency is exempt") {
     arm a;
     for (std::uint16_t i = 0; i != 4; ++i) REQUIRE(a.hear(0x0001, i) == received::handed_on);
-    REQUIRE(a.hear(0x0001, 4) == received::no_room);
+    REQUIRE(a.hear(0x0001, 4) == received::no_capacity);
     REQUIRE(a.hear(0x0001, 3) == received::repeated); // what is known is answered all the same
     for (std::uint16_t i = 0; i != 4; ++i)
-        REQUIRE(a.hear(0x0001, i, 0, 0s, message_outcome::taken, other) == received::handed_on);
-    REQUIRE(a.hear(0x0001, 0, 0, 0s, message_outcome::taken, {1, 40, 1, 1}) == received::no_room);
+        REQUIRE(a.hear(0x0001, i, 0, 0s, message_outcome::handled, other) == received::handed_on);
+    REQUIRE(a.hear(0x0001, 0, 0, 0s, message_outcome::handled, {1, 40, 1, 1}) == received::no_capacity);
     a.sent.clear();
     REQUIRE(a.hear(0x0006, 9) == received::handed_on);
     REQUIRE(a.answer(0) == ack_nak::ack);
@@ -511,11 +511,11 @@ TEST_CASE("pending messages keep their places, so there are at most as many as p
     arm a;
     for (std::uint16_t i = 0; i != 4; ++i)
         REQUIRE(a.hear(0x0405, i, 0, 0s, message_outcome::deferred) == received::handed_on);
-    REQUIRE(a.hear(0x0405, 9, 0, 3600s) == received::no_room);
+    REQUIRE(a.hear(0x0405, 9, 0, 3600s) == received::no_capacity);
     const jaus::header first{
         .ack_nak = ack_nak::request, .command_code = 0x0405, .destination = arm_address, .source = ocu_address};
     REQUIRE(a.commands.finish(first, true, instant{3600s}, a.sent.sink()));
-    REQUIRE(a.hear(0x0405, 9, 0, 3600s) == received::no_room); // remembered now
+    REQUIRE(a.hear(0x0405, 9, 0, 3600s) == received::no_capacity); // remembered now
     REQUIRE(a.hear(0x0405, 9, 0, 3601s) == received::handed_on);
     for (std::uint16_t i = 1; i != 4; ++i) REQUIRE(a.hear(0x0405, i, 0, 7200s) == received::pending);
 }
@@ -630,7 +630,7 @@ TEST_CASE("over a channel that loses, duplicates and delays, a message is delive
                         ? s.commands.send(head, jaus::standby{}, channel.now, channel.sink())
                         : s.commands.send(head, jaus::set_component_authority{1}, channel.now, channel.sink());
                 if (!sent) {
-                    REQUIRE(sent.error == send_errc::no_room);
+                    REQUIRE(sent.error == send_errc::no_capacity);
                     break;
                 }
                 --s.left;
@@ -645,8 +645,8 @@ TEST_CASE("over a channel that loses, duplicates and delays, a message is delive
                 auto& fate = fates.at({head.source.component, head.destination.component, head.sequence_number});
                 const bool takes = random() % 5 != 0;
                 ++(takes ? fate.taken : fate.refused);
-                return takes ? message_outcome::taken : message_outcome::refused;
-            }) != received::no_room);
+                return takes ? message_outcome::handled : message_outcome::refused;
+            }) != received::no_capacity);
         });
     channel.run(1h);
 

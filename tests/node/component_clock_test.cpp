@@ -43,12 +43,12 @@ struct component {
     }
     bool set(std::optional<jaus::time_stamp> time, std::optional<jaus::date_stamp> date, instant now = 0s) {
         const auto outcome = hear(jaus::set_time{time, date}, now);
-        REQUIRE((outcome == message_outcome::taken || outcome == message_outcome::refused));
-        return outcome == message_outcome::taken;
+        REQUIRE((outcome == message_outcome::handled || outcome == message_outcome::refused));
+        return outcome == message_outcome::handled;
     }
     stamps query(instant now, std::uint8_t presence_vector = 3) {
         sent.clear();
-        REQUIRE(hear(jaus::query_time{presence_vector}, now) == message_outcome::taken);
+        REQUIRE(hear(jaus::query_time{presence_vector}, now) == message_outcome::handled);
         REQUIRE(sent.size() == 1);
         REQUIRE(sent.header(0).source == self);
         REQUIRE(sent.header(0).destination == ocu);
@@ -197,7 +197,7 @@ TEST_CASE("malformed time messages change nothing, other messages are not handle
         REQUIRE(c.clock.on_message({.command_code = code, .source = ocu}, bytes, instant{0s}, c.sent.sink()) ==
                 message_outcome::malformed);
     REQUIRE(c.clock.on_message({.command_code = 0x4011, .source = ocu}, bytes, instant{0s}, c.sent.sink()) ==
-            message_outcome::not_mine);
+            message_outcome::unhandled);
     REQUIRE(c.sent.empty());
     REQUIRE_FALSE(c.clock.time_at(instant{0s}));
 }

@@ -32,7 +32,7 @@ struct arm {
     /// The answer to a request for control.
     jaus::component_control_response request(std::uint8_t authority, jaus::address from, instant now = 0s) {
         sent.clear();
-        REQUIRE(hear(jaus::request_component_control{authority}, from, now) == message_outcome::taken);
+        REQUIRE(hear(jaus::request_component_control{authority}, from, now) == message_outcome::handled);
         REQUIRE_FALSE(sent.empty());
         const std::size_t last = sent.size() - 1;
         REQUIRE(sent.header(last).destination == from);
@@ -45,7 +45,7 @@ struct arm {
     }
     jaus::report_component_control report() {
         sent.clear();
-        REQUIRE(hear(jaus::query_component_control{}, other) == message_outcome::taken);
+        REQUIRE(hear(jaus::query_component_control{}, other) == message_outcome::handled);
         return sent.body<jaus::report_component_control>(0);
     }
 };
@@ -82,13 +82,14 @@ TEST_CASE("equal and lower authority do not get control, higher takes it over an
 
 TEST_CASE("only the controller releases control") {
     arm a;
-    REQUIRE(a.hear(jaus::release_component_control{}, other) == message_outcome::taken); // nobody's: nothing to refuse
+    REQUIRE(a.hear(jaus::release_component_control{}, other) ==
+            message_outcome::handled); // nobody's: nothing to refuse
     a.request(1, ocu);
     REQUIRE(a.hear(jaus::release_component_control{}, other) == message_outcome::refused);
     const jaus::header unasked{.command_code = 0x000E, .source = other}; // admits was not asked
-    REQUIRE(a.control.on_message(unasked, {}, instant{0s}, a.sent.sink()) == message_outcome::taken);
+    REQUIRE(a.control.on_message(unasked, {}, instant{0s}, a.sent.sink()) == message_outcome::handled);
     REQUIRE(a.control.controls(ocu));
-    REQUIRE(a.hear(jaus::release_component_control{}, ocu) == message_outcome::taken);
+    REQUIRE(a.hear(jaus::release_component_control{}, ocu) == message_outcome::handled);
     REQUIRE_FALSE(a.control.controller());
     REQUIRE(a.request(0, other) == control_accepted);
 }
@@ -148,13 +149,13 @@ TEST_CASE("a user's own messages count as motion commands unless declared harmle
 
 TEST_CASE("authority is set and reported") {
     arm a{{.authority_code = 12}};
-    REQUIRE(a.hear(jaus::query_component_authority{}, other) == message_outcome::taken);
+    REQUIRE(a.hear(jaus::query_component_authority{}, other) == message_outcome::handled);
     REQUIRE(a.sent.body<jaus::report_component_authority>(0).authority_code == 12);
-    REQUIRE(a.hear(jaus::set_component_authority{200}, other) == message_outcome::taken);
+    REQUIRE(a.hear(jaus::set_component_authority{200}, other) == message_outcome::handled);
     a.request(1, ocu);
     REQUIRE(a.hear(jaus::set_component_authority{3}, other) == message_outcome::refused);
     REQUIRE(a.control.authority_code() == 200);
-    REQUIRE(a.hear(jaus::set_component_authority{3}, ocu) == message_outcome::taken);
+    REQUIRE(a.hear(jaus::set_component_authority{3}, ocu) == message_outcome::handled);
     REQUIRE(a.control.authority_code() == 3);
 }
 
@@ -284,7 +285,7 @@ TEST_CASE("malformed control messages change nothing, other messages are not han
     }
     for (const std::uint16_t code : std::to_array<std::uint16_t>({0x000F, 0x0010, 0x0405, 0x0006}))
         CHECK(a.control.on_message({.command_code = code, .source = ocu}, bytes, instant{0s}, a.sent.sink()) ==
-              message_outcome::not_mine);
+              message_outcome::unhandled);
     CHECK_FALSE(a.control.controller());
     CHECK(a.sent.empty());
 }

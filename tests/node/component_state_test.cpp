@@ -62,7 +62,7 @@ struct arm {
         case state_event::reset: return hear(jaus::reset{});
         case state_event::emergency: return set();
         case state_event::emergency_cleared: return clear();
-        default: return message_outcome::not_mine;
+        default: return message_outcome::unhandled;
         }
     }
 };
@@ -90,7 +90,7 @@ TEST_CASE("every command has the effect of the table in every state") {
             CAPTURE(static_cast<int>(r.from), i);
             arm a{r.from};
             CHECK(a.command(static_cast<state_event>(i)) ==
-                  (r.to[i] ? message_outcome::taken : message_outcome::refused));
+                  (r.to[i] ? message_outcome::handled : message_outcome::refused));
             CHECK(a.core.state() == r.to[i].value_or(r.from));
         }
 }
@@ -109,9 +109,9 @@ TEST_CASE("after an emergency a Ready component is in Standby or Ready, others k
     for (const state before : {initialize, ready, standby_state, failure}) {
         for (const auto after : {jaus::after_emergency::standby, jaus::after_emergency::resume}) {
             arm a{before, after};
-            REQUIRE(a.set() == message_outcome::taken);
+            REQUIRE(a.set() == message_outcome::handled);
             REQUIRE(a.core.state() == emergency_state);
-            REQUIRE(a.clear() == message_outcome::taken);
+            REQUIRE(a.clear() == message_outcome::handled);
             const bool stands_by = before == ready && after == jaus::after_emergency::standby;
             REQUIRE(a.core.state() == (stands_by ? standby_state : before));
         }
@@ -142,12 +142,12 @@ TEST_CASE("an emergency ends when its last holder clears it") {
     REQUIRE(a.core.holds_emergency(ocu));
     REQUIRE_FALSE(a.core.holds_emergency(third));
     REQUIRE(a.clear(third) == message_outcome::refused);
-    REQUIRE(a.clear(ocu) == message_outcome::taken);
+    REQUIRE(a.clear(ocu) == message_outcome::handled);
     REQUIRE(a.core.state() == emergency_state);
     REQUIRE(a.clear(ocu) == message_outcome::refused);
-    REQUIRE(a.clear(other) == message_outcome::taken);
+    REQUIRE(a.clear(other) == message_outcome::handled);
     REQUIRE(a.core.state() == standby_state);
-    REQUIRE(a.clear(ocu) == message_outcome::taken); // nothing is left to clear
+    REQUIRE(a.clear(ocu) == message_outcome::handled); // nothing is left to clear
 }
 
 TEST_CASE("an emergency of the application is not ended by a message") {
@@ -155,7 +155,7 @@ TEST_CASE("an emergency of the application is not ended by a message") {
     REQUIRE(a.core.change(state_event::emergency));
     a.set(ocu);
     REQUIRE(a.clear(third) == message_outcome::refused);
-    REQUIRE(a.clear(ocu) == message_outcome::taken);
+    REQUIRE(a.clear(ocu) == message_outcome::handled);
     REQUIRE(a.core.state() == emergency_state);
     REQUIRE(a.core.change(state_event::emergency_cleared));
     REQUIRE(a.core.state() == standby_state);
@@ -168,7 +168,7 @@ TEST_CASE("the emergency of an absent sender can be cleared by any sender") {
     REQUIRE(a.clear(third) == message_outcome::refused);
     a.core.on_lost([](const jaus::address& who) { return who.node == ocu.node; });
     REQUIRE(a.core.state() == emergency_state);
-    REQUIRE(a.clear(third) == message_outcome::taken);
+    REQUIRE(a.clear(third) == message_outcome::handled);
     REQUIRE(a.core.state() == standby_state);
 }
 
@@ -177,9 +177,9 @@ TEST_CASE("Clear Emergency clears only the sender's own emergency") {
     a.set(ocu);
     a.set(other);
     a.core.on_lost([](const jaus::address& who) { return who == other; });
-    REQUIRE(a.clear(ocu) == message_outcome::taken);
+    REQUIRE(a.clear(ocu) == message_outcome::handled);
     REQUIRE(a.core.state() == emergency_state);
-    REQUIRE(a.clear(third) == message_outcome::taken);
+    REQUIRE(a.clear(third) == message_outcome::handled);
     REQUIRE(a.core.state() == standby_state);
 
     arm full; // of two places
@@ -189,7 +189,7 @@ TEST_CASE("Clear Emergency clears only the sender's own emergency") {
     full.clear(ocu);
     full.clear(other);
     REQUIRE(full.core.state() == emergency_state);
-    REQUIRE(full.clear(third) == message_outcome::taken);
+    REQUIRE(full.clear(third) == message_outcome::handled);
     REQUIRE(full.core.state() == standby_state);
 }
 
@@ -197,9 +197,9 @@ TEST_CASE("an emergency takes effect also without a place to store its sender") 
     arm a;
     a.set(ocu);
     a.set(other);
-    REQUIRE(a.set(third) == message_outcome::taken);
+    REQUIRE(a.set(third) == message_outcome::handled);
     REQUIRE_FALSE(a.core.holds_emergency(third));
-    REQUIRE(a.clear(third) == message_outcome::taken);
+    REQUIRE(a.clear(third) == message_outcome::handled);
     REQUIRE(a.clear(third) == message_outcome::refused);
     a.clear(ocu);
     REQUIRE(a.core.state() == emergency_state);
@@ -221,9 +221,9 @@ TEST_CASE("the application can end the emergency of any sender") {
 TEST_CASE("a shutdown ends an emergency with all its holders") {
     arm a;
     a.set(ocu);
-    REQUIRE(a.hear(jaus::shutdown{}) == message_outcome::taken);
+    REQUIRE(a.hear(jaus::shutdown{}) == message_outcome::handled);
     REQUIRE_FALSE(a.core.holds_emergency(ocu));
-    REQUIRE(a.set(ocu) == message_outcome::taken);
+    REQUIRE(a.set(ocu) == message_outcome::handled);
     REQUIRE(a.core.state() == shutdown_state);
     REQUIRE_FALSE(a.core.holds_emergency(ocu));
 }
@@ -235,13 +235,13 @@ TEST_CASE("Set Emergency stops with any code and body, Clear Emergency needs its
         const auto body = std::span{bytes}.first(size);
         REQUIRE_FALSE(jaus::says_emergency(body));
         REQUIRE(a.core.on_message({.command_code = 6, .source = ocu}, body, {}, a.sent.sink()) ==
-                message_outcome::taken);
+                message_outcome::handled);
         REQUIRE(a.core.state() == emergency_state);
         REQUIRE(a.core.holds_emergency(ocu));
     }
     arm a;
     a.set();
-    REQUIRE(a.hear(jaus::clear_emergency{}) == message_outcome::taken);
+    REQUIRE(a.hear(jaus::clear_emergency{}) == message_outcome::handled);
     REQUIRE(a.core.state() == emergency_state);
 }
 
@@ -251,7 +251,7 @@ TEST_CASE("a query is answered with state and secondary code, also if sent to a 
     const auto query = message({.destination = {255, 255, 2, 3}, .source = ocu, .sequence_number = 77},
                                jaus::query_component_status{});
     const auto m = jaus::split(query);
-    REQUIRE(a.core.on_message(m.header, m.body, {}, a.sent.sink()) == message_outcome::taken);
+    REQUIRE(a.core.on_message(m.header, m.body, {}, a.sent.sink()) == message_outcome::handled);
     REQUIRE(a.sent.size() == 1);
     const auto head = a.sent.header(0);
     REQUIRE(head.source == self);
@@ -269,7 +269,7 @@ TEST_CASE("bodies of the wrong size and other messages change nothing") {
               message_outcome::malformed);
     }
     CHECK(a.core.on_message({.command_code = 0x0405, .source = ocu}, bytes, {}, a.sent.sink()) ==
-          message_outcome::not_mine);
+          message_outcome::unhandled);
     CHECK(a.core.state() == ready);
     CHECK(a.sent.empty());
 }

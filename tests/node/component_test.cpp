@@ -58,9 +58,9 @@ struct ticking_part {
 
     message_outcome on_message(const jaus::header& head, std::span<const std::byte>, jauscat::time_point,
                                jaus::message_sink) noexcept {
-        if (head.command_code != code) return message_outcome::not_mine;
+        if (head.command_code != code) return message_outcome::unhandled;
         ++heard;
-        return message_outcome::taken;
+        return message_outcome::handled;
     }
     void on_time(jauscat::time_point now, jaus::message_sink) noexcept { ticks += now >= due; }
     [[nodiscard]] std::optional<jauscat::time_point> next_event() const noexcept { return due; }
@@ -98,7 +98,7 @@ struct arm {
         return hear(m.header, m.body, now, sent.sink());
     }
     void put_under_control_of(const jaus::address& who, std::uint8_t authority = 100) {
-        REQUIRE(hear(jaus::request_component_control{authority}, who) == taken);
+        REQUIRE(hear(jaus::request_component_control{authority}, who) == handled);
         REQUIRE(core.control().controls(who));
         sent.clear();
         hooks = {};
@@ -119,7 +119,7 @@ struct ocu {
                            jaus::message_sink out) {
         return core.on_message(head, body, now, out, [&](const jaus::header& h, std::span<const std::byte>) {
             reports.push_back(h.command_code);
-            return message_outcome::taken;
+            return message_outcome::handled;
         });
     }
 };
@@ -222,7 +222,7 @@ TEST_CASE("a controller that renews its control keeps it, a silent one loses it"
     channel.listen(ocu_address, [&](const jaus::header& head, std::span<const std::byte> body) {
         if (!alive && head.command_code == jaus::command_code_of<jaus::query_heartbeat_pulse>) return;
         core.on_message(head, body, channel.now, channel.sink(),
-                        [](const jaus::header&, auto) { return message_outcome::not_mine; });
+                        [](const jaus::header&, auto) { return message_outcome::unhandled; });
     });
     channel.work([&]() -> std::optional<jauscat::time_point> {
         if (!alive) return std::nullopt;
@@ -249,13 +249,13 @@ TEST_CASE("a late confirmation of an abandoned request is answered with a releas
         const auto m = jaus::split(bytes);
         return control.on_message(m.header, m.body, instant{0s}, sent.sink());
     };
-    constexpr auto taken_by_it = message_outcome::taken;
+    constexpr auto taken_by_it = message_outcome::handled;
     control.ask(1, instant{0s}, sent.sink());
-    REQUIRE(hear(jaus::confirm_component_control{}, boss_address) == message_outcome::not_mine);
+    REQUIRE(hear(jaus::confirm_component_control{}, boss_address) == message_outcome::unhandled);
     REQUIRE(control.state() == control_state::asking);
     control.release(sent.sink());
     REQUIRE(sent.size() == 2);
-    REQUIRE(hear(jaus::confirm_component_control{}, arm_address) == message_outcome::taken);
+    REQUIRE(hear(jaus::confirm_component_control{}, arm_address) == message_outcome::handled);
     REQUIRE(sent.size() == 3);
     REQUIRE(sent.header(2).command_code == 0x000E);
     REQUIRE(sent.header(2).destination == arm_address);
@@ -282,7 +282,7 @@ TEST_CASE("a late confirmation of an abandoned request is answered with a releas
 
     // An answer of Reject is a refusal, and a component that has disappeared is lost.
     control.ask(1, instant{0s}, sent.sink());
-    REQUIRE(hear(jaus::reject_component_control{}, arm_address) == message_outcome::taken);
+    REQUIRE(hear(jaus::reject_component_control{}, arm_address) == message_outcome::handled);
     REQUIRE(control.state() == control_state::refused);
     control.ask(1, instant{0s}, sent.sink());
     control.on_lost(boss_address);
@@ -294,14 +294,14 @@ TEST_CASE("a late confirmation of an abandoned request is answered with a releas
     REQUIRE(control.state() == control_state::asking);
     control.on_lost({255, 255, arm_address.node, arm_address.subsystem});
     REQUIRE(control.state() == control_state::lost);
-    REQUIRE(hear(jaus::report_component_authority{}, arm_address) == message_outcome::not_mine);
+    REQUIRE(hear(jaus::report_component_authority{}, arm_address) == message_outcome::unhandled);
 }
 
 TEST_CASE("any sender can stop a controlled arm, and only that sender, not the controller, can clear the emergency") {
     arm a;
     a.put_under_control_of(ocu_address);
-    REQUIRE(a.hear(push, ocu_address) == taken);
-    REQUIRE(a.hear(stop, boss_address, ack_nak::request) == taken);
+    REQUIRE(a.hear(push, ocu_address) == handled);
+    REQUIRE(a.hear(stop, boss_address, ack_nak::request) == handled);
     REQUIRE(a.sent.header(0).ack_nak == ack_nak::ack);
     REQUIRE(a.core.state() == primary_status_code::emergency);
     REQUIRE(a.hooks.states == std::vector<std::pair<primary_status_code, primary_status_code>>{
@@ -309,22 +309,22 @@ TEST_CASE("any sender can stop a controlled arm, and only that sender, not the c
     REQUIRE(a.hear(push, ocu_address) == not_ready);
     REQUIRE(a.hear(go_on, ocu_address) == refused);
     REQUIRE(a.hear(go_on, {1, 33, 1, 1}) == not_controller);
-    REQUIRE(a.hear(go_on, boss_address) == taken);
+    REQUIRE(a.hear(go_on, boss_address) == handled);
     REQUIRE(a.core.state() == primary_status_code::standby);
     REQUIRE(a.hear(push, ocu_address) == not_ready);
     REQUIRE(a.hear(jaus::resume{}, boss_address) == not_controller);
-    REQUIRE(a.hear(jaus::resume{}, ocu_address) == taken);
-    REQUIRE(a.hear(push, ocu_address) == taken);
+    REQUIRE(a.hear(jaus::resume{}, ocu_address) == handled);
+    REQUIRE(a.hear(push, ocu_address) == handled);
     REQUIRE(a.efforts.size() == 2);
 }
 
 TEST_CASE("a Set Emergency with code 0, as some nodes send it, stops, and its outcome states this") {
     arm a;
-    REQUIRE(a.hear(jaus::set_emergency{}, boss_address, ack_nak::request) == stopped_anyway);
+    REQUIRE(a.hear(jaus::set_emergency{}, boss_address, ack_nak::request) == stopped_on_invalid_emergency);
     REQUIRE(a.core.state() == primary_status_code::emergency);
     REQUIRE(a.sent[0] == from_hex("36 02 06 00 01 28 01 09 01 31 02 03 00 00 00 00"));
-    REQUIRE(a.core.count(stopped_anyway) == 1);
-    REQUIRE(a.hear(go_on, boss_address) == taken);
+    REQUIRE(a.core.count(stopped_on_invalid_emergency) == 1);
+    REQUIRE(a.hear(go_on, boss_address) == handled);
     REQUIRE(a.core.state() == primary_status_code::standby);
 }
 
@@ -337,7 +337,7 @@ TEST_CASE("loss of a peer ends its control and its hold of an emergency") {
     REQUIRE(a.hooks.controllers == std::vector<std::optional<jaus::controller>>{std::nullopt});
     REQUIRE(a.hear(go_on, ocu_address) == refused);
     a.core.on_lost(boss_address);
-    REQUIRE(a.hear(go_on, ocu_address) == taken);
+    REQUIRE(a.hear(go_on, ocu_address) == handled);
     REQUIRE(a.part.lost == std::vector<jaus::address>{{255, 255, 1, 1}, boss_address});
 }
 
@@ -348,14 +348,14 @@ TEST_CASE("a component that is not Ready handles core messages and refuses motio
         REQUIRE(a.core.change(event));
         REQUIRE(a.hear(push, ocu_address, ack_nak::request) == not_ready);
         REQUIRE(a.sent.header(0).ack_nak == ack_nak::nak);
-        REQUIRE(a.hear(jaus::query_wrench_effort{}, ocu_address) == taken);
-        REQUIRE(a.hear(jaus::query_component_status{}, ocu_address) == taken);
-        REQUIRE(a.hear(jaus::set_component_authority{4}, ocu_address) == taken);
+        REQUIRE(a.hear(jaus::query_wrench_effort{}, ocu_address) == handled);
+        REQUIRE(a.hear(jaus::query_component_status{}, ocu_address) == handled);
+        REQUIRE(a.hear(jaus::set_component_authority{4}, ocu_address) == handled);
         REQUIRE(a.efforts.empty());
     }
     arm willing{{.obeys_only_when_ready = false}};
     willing.core.change(state_event::standby);
-    REQUIRE(willing.hear(push, ocu_address) == taken);
+    REQUIRE(willing.hear(push, ocu_address) == handled);
 }
 
 TEST_CASE("motion commands are executed in Ready only, and only from the controller if there is one") {
@@ -372,13 +372,13 @@ TEST_CASE("motion commands are executed in Ready only, and only from the control
             const jaus::header head{.command_code = code, .destination = arm_address, .source = from};
             return core.on_message(head, {}, instant{0s}, sent.sink(), [&](const jaus::header&, auto) {
                 ++obeyed;
-                return message_outcome::taken;
+                return message_outcome::handled;
             });
         };
         const auto count = [&] { return obeyed + part.heard; };
         if (hear(ocu_address) != not_ready) FAIL(code << " in Initialize");
         core.change(state_event::initialized);
-        if (hear(ocu_address) != taken || count() != 1) FAIL(code << " in Ready");
+        if (hear(ocu_address) != handled || count() != 1) FAIL(code << " in Ready");
         core.change(state_event::standby);
         if (hear(ocu_address) != not_ready) FAIL(code << " in Standby");
         core.change(state_event::emergency);
@@ -387,9 +387,9 @@ TEST_CASE("motion commands are executed in Ready only, and only from the control
         core.change(state_event::resume);
         const std::array authority{std::byte{255}};
         core.on_message({.command_code = 0x000D, .destination = arm_address, .source = ocu_address}, authority,
-                        instant{0s}, sent.sink(), [](const jaus::header&, auto) { return message_outcome::not_mine; });
+                        instant{0s}, sent.sink(), [](const jaus::header&, auto) { return message_outcome::unhandled; });
         if (hear(boss_address) != not_controller) FAIL(code << " from another than the controller");
-        if (hear(ocu_address) != taken || count() != 2) FAIL(code << " from the controller");
+        if (hear(ocu_address) != handled || count() != 2) FAIL(code << " from the controller");
         sent.clear();
     }
 }
@@ -403,7 +403,7 @@ TEST_CASE("a query, a report and a harmless private message are delivered in eve
         return a.hear({.command_code = code, .destination = arm_address, .source = boss_address}, {}, instant{0s},
                       a.sent.sink());
     };
-    REQUIRE(hear(0xD001) == taken);
+    REQUIRE(hear(0xD001) == handled);
     REQUIRE(a.part.heard == 1);
     REQUIRE(hear(0x2408) == unknown);
     REQUIRE(hear(0x4402) == unknown);
@@ -423,15 +423,15 @@ TEST_CASE("a message that was not executed gets a NAK, and everything is counted
         CHECK(last.destination == from);
         return last.ack_nak;
     };
-    CHECK(answer_to(push, ocu_address, taken) == ack_nak::ack);
+    CHECK(answer_to(push, ocu_address, handled) == ack_nak::ack);
     CHECK(answer_to(push, boss_address, not_controller) == ack_nak::nak);
-    CHECK(answer_to(jaus::resume{}, ocu_address, taken) == ack_nak::ack);
-    CHECK(answer_to(go_on, ocu_address, taken) == ack_nak::ack);
+    CHECK(answer_to(jaus::resume{}, ocu_address, handled) == ack_nak::ack);
+    CHECK(answer_to(go_on, ocu_address, handled) == ack_nak::ack);
     CHECK(answer_to(jaus::report_travel_speed{}, boss_address, unknown) == ack_nak::nak);
-    CHECK(answer_to(jaus::query_component_status{}, boss_address, taken) == ack_nak::ack);
+    CHECK(answer_to(jaus::query_component_status{}, boss_address, handled) == ack_nak::ack);
     CHECK(a.sent.size() == 2); // the report, then the ACK
     CHECK(a.sent.header(0).command_code == 0x4002);
-    CHECK(a.core.count(taken) == 5); // with the request for control
+    CHECK(a.core.count(handled) == 5); // with the request for control
     CHECK(a.core.count(not_controller) == 1);
     CHECK(a.core.control().refused() == 1);
     CHECK(a.core.count(unknown) == 1);
@@ -450,14 +450,14 @@ TEST_CASE("a message that was not executed gets a NAK, and everything is counted
 
 TEST_CASE("a repeated command is acknowledged again and executed once") {
     arm a;
-    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7) == taken);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7) == handled);
     REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7) == repeated);
     REQUIRE(a.efforts.size() == 1);
     REQUIRE(a.sent.size() == 2);
     REQUIRE(a.sent[0] == a.sent[1]);
-    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 8) == taken);
-    REQUIRE(a.hear(push, ocu_address) == taken);
-    REQUIRE(a.hear(push, ocu_address) == taken);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 8) == handled);
+    REQUIRE(a.hear(push, ocu_address) == handled);
+    REQUIRE(a.hear(push, ocu_address) == handled);
     REQUIRE(a.efforts.size() == 4);
 }
 
@@ -516,7 +516,7 @@ TEST_CASE("a hook decides the outcome of state commands, after the notification 
         const auto m = jaus::split(bytes);
         return std::pair{m.header,
                          core.on_message(m.header, m.body, instant{0s}, sent.sink(),
-                                         [](const jaus::header&, auto) { return message_outcome::not_mine; })};
+                                         [](const jaus::header&, auto) { return message_outcome::unhandled; })};
     };
     const auto [first, what] = hear(stop);
     REQUIRE(what == deferred);
@@ -536,14 +536,14 @@ TEST_CASE("a hook decides the outcome of state commands, after the notification 
     outcome = message_outcome::refused;
     REQUIRE(hear(go_on).second == refused);
     REQUIRE(sent[3] == from_hex("26 02 07 00 01 20 01 01 01 31 02 03 00 00 04 00"));
-    outcome = message_outcome::taken;
-    REQUIRE(hear(jaus::resume{}).second == taken);
-    REQUIRE(hear(jaus::standby{}).second == taken);
-    REQUIRE(hear(jaus::reset{}).second == taken);
-    REQUIRE(hear(jaus::shutdown{}).second == taken);
+    outcome = message_outcome::handled;
+    REQUIRE(hear(jaus::resume{}).second == handled);
+    REQUIRE(hear(jaus::standby{}).second == handled);
+    REQUIRE(hear(jaus::reset{}).second == handled);
+    REQUIRE(hear(jaus::shutdown{}).second == handled);
     REQUIRE(heard == std::vector<std::uint16_t>{0xFFFF, 0x0006, 0x0006, 0xFFFF, 0x0007, 0xFFFF, 0x0004, 0xFFFF, 0x0003,
                                                 0xFFFF, 0x0005, 0xFFFF, 0x0002});
-    REQUIRE(hear(jaus::set_component_authority{1}).second == taken); // none of the state's
+    REQUIRE(hear(jaus::set_component_authority{1}).second == handled); // none of the state's
     REQUIRE(heard.size() == 13);
 }
 
@@ -552,7 +552,7 @@ TEST_CASE("an acknowledgement without a waiting message ends in the core, but pr
     a.put_under_control_of(ocu_address);
     const jaus::header head{
         .ack_nak = ack_nak::ack, .command_code = 0x0405, .destination = arm_address, .source = ocu_address};
-    REQUIRE(a.hear(head, {}, instant{900ms}, a.sent.sink()) == not_waited_for);
+    REQUIRE(a.hear(head, {}, instant{900ms}, a.sent.sink()) == unmatched_acknowledgement);
     REQUIRE(a.core.next_event() == instant{1150ms});
     REQUIRE(a.efforts.empty());
     REQUIRE(a.core.send({.destination = ocu_address}, jaus::standby{}, instant{850ms}, a.sent.sink()));
@@ -562,11 +562,11 @@ TEST_CASE("an acknowledgement without a waiting message ends in the core, but pr
 TEST_CASE("a dropped repeat proves liveness") {
     arm a{{.control = {.timeout = 1s}}};
     a.put_under_control_of(ocu_address);
-    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7, 100ms) == taken);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7, 100ms) == handled);
     REQUIRE(a.core.next_event() == instant{350ms});
     REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7, 300ms) == repeated);
     REQUIRE(a.core.next_event() == instant{550ms});
-    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 8, 400ms) == taken);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 8, 400ms) == handled);
     REQUIRE(a.hear(push, ocu_address, ack_nak::request, 8, 500ms) == repeated);
     REQUIRE(a.core.next_event() == instant{750ms});
 }
@@ -574,7 +574,7 @@ TEST_CASE("a dropped repeat proves liveness") {
 TEST_CASE("a large data set, which may have waited in its sender's node, does not prove liveness") {
     arm a{{.control = {.timeout = 1s}}};
     a.put_under_control_of(ocu_address);
-    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7, 100ms) == taken);
+    REQUIRE(a.hear(push, ocu_address, ack_nak::request, 7, 100ms) == handled);
     const std::vector<std::byte> large(jaus::max_body_size + 1);
     a.hear({.command_code = 0xD117, .destination = arm_address, .source = ocu_address}, large, instant{300ms},
            a.sent.sink());
@@ -632,16 +632,16 @@ TEST_CASE("a heartbeat query is answered while control is wanted, and with some 
         sent.clear();
         return control.on_message(m.header, m.body, instant{0s}, sent.sink());
     };
-    REQUIRE(ask(arm_address) == message_outcome::not_mine);
+    REQUIRE(ask(arm_address) == message_outcome::unhandled);
     REQUIRE(sent.empty());
     control.ask(1, instant{0s}, sent.sink());
-    REQUIRE(ask(boss_address) == message_outcome::not_mine);
-    REQUIRE(ask(arm_address) == message_outcome::taken);
+    REQUIRE(ask(boss_address) == message_outcome::unhandled);
+    REQUIRE(ask(arm_address) == message_outcome::handled);
     REQUIRE(sent[0] == from_hex("06 02 02 42 01 31 02 03 01 20 01 01 00 00 00 00"));
     control.release(sent.sink());
     std::size_t releases = 0;
     for (int i = 0; i != 100; ++i) {
-        REQUIRE(ask(arm_address) == message_outcome::not_mine);
+        REQUIRE(ask(arm_address) == message_outcome::unhandled);
         for (std::size_t k = 0; k != sent.size(); ++k) releases += sent.header(k).command_code == 0x000E;
     }
     REQUIRE(releases == 8);
@@ -650,9 +650,9 @@ TEST_CASE("a heartbeat query is answered while control is wanted, and with some 
 TEST_CASE("every message of a controller proves liveness, also a Clear Emergency") {
     arm a{{.control = {.timeout = 1s}}};
     a.put_under_control_of(ocu_address);
-    REQUIRE(a.hear(stop, ocu_address, ack_nak::none, 0, 300ms) == taken);
+    REQUIRE(a.hear(stop, ocu_address, ack_nak::none, 0, 300ms) == handled);
     REQUIRE(a.core.next_event() == instant{550ms});
-    REQUIRE(a.hear(go_on, ocu_address, ack_nak::none, 0, 600ms) == taken);
+    REQUIRE(a.hear(go_on, ocu_address, ack_nak::none, 0, 600ms) == handled);
     REQUIRE(a.core.next_event() == instant{850ms});
 }
 
@@ -665,10 +665,10 @@ TEST_CASE("parts handle messages after the core, and get their timer events") {
     a.core.on_time(instant{3s}, a.sent.sink());
     REQUIRE(a.part.ticks == 1);
     const jaus::header head{.command_code = 0xD001, .destination = arm_address, .source = ocu_address};
-    REQUIRE(a.hear(head, {}, instant{0s}, a.sent.sink()) == taken);
+    REQUIRE(a.hear(head, {}, instant{0s}, a.sent.sink()) == handled);
     REQUIRE(a.part.heard == 1);
     a.part.code = 0x0003;
-    REQUIRE(a.hear(jaus::standby{}, ocu_address) == taken); // the core's
+    REQUIRE(a.hear(jaus::standby{}, ocu_address) == handled); // the core's
     REQUIRE(a.part.heard == 1);
 }
 
@@ -703,14 +703,14 @@ TEST_CASE("service connections, events, a description and control of another are
         const auto m = jaus::split(bytes);
         sent.clear();
         return core.on_message(m.header, m.body, instant{10s}, sent.sink(),
-                               [](const jaus::header&, auto) { return message_outcome::not_mine; });
+                               [](const jaus::header&, auto) { return message_outcome::unhandled; });
     };
     core.on_time(instant{10s}, sent.sink()); // the first heartbeat
     REQUIRE(sent.header(0).command_code == 0x4202);
     REQUIRE(core.next_event() == instant{11s});
 
     REQUIRE(hear(jaus::create_service_connection{.command_code = 0x440A, .requested_periodic_update_rate = 10}) ==
-            taken);
+            handled);
     REQUIRE(sent.size() == 2);
     REQUIRE(sent.header(0).command_code == 0x0009);
     REQUIRE(sent.header(1).ack_nak == ack_nak::ack);
@@ -719,9 +719,9 @@ TEST_CASE("service connections, events, a description and control of another are
     core.on_time(instant{10s}, sent.sink());
     REQUIRE(sent.header(0).command_code == 0x440A);
 
-    REQUIRE(hear(jaus::create_event{.message_code = 0x440A, .event_type = jaus::event_type::every_change}) == taken);
+    REQUIRE(hear(jaus::create_event{.message_code = 0x440A, .event_type = jaus::event_type::every_change}) == handled);
     REQUIRE(sent.header(0).command_code == 0x01F3);
-    REQUIRE(hear(jaus::query_heartbeat_pulse{}) == taken);
+    REQUIRE(hear(jaus::query_heartbeat_pulse{}) == handled);
     REQUIRE(hear(jaus::confirm_component_control{}) == unknown); // of one that the arm has not asked
     gripper.ask(1, instant{10s}, sent.sink());
     core.on_lost(ocu_address);
@@ -745,9 +745,9 @@ TEST_CASE("the application sets the clock and the secondary status") {
     arm a;
     REQUIRE(a.core.clock().set(jaus::civil_time{std::chrono::sys_days{std::chrono::year{2026} / 2 / 3}}, instant{0s}));
     a.core.set_secondary_status(7);
-    REQUIRE(a.hear(jaus::query_time{2}, ocu_address) == taken);
+    REQUIRE(a.hear(jaus::query_time{2}, ocu_address) == handled);
     REQUIRE(a.sent.body<jaus::report_time>(0).date_stamp == jaus::date_stamp{3, 2, 26});
-    REQUIRE(a.hear(jaus::query_component_status{}, ocu_address) == taken);
+    REQUIRE(a.hear(jaus::query_component_status{}, ocu_address) == handled);
     REQUIRE(a.sent.body<jaus::report_component_status>(1).secondary_status_code == 7);
 }
 
@@ -835,20 +835,20 @@ TEST_CASE("for random messages, commands are executed in Ready only, from the co
             if (a.efforts.size() != efforts) {
                 REQUIRE(before == primary_status_code::ready);
                 REQUIRE(is_or_may_be_controller);
-                REQUIRE(what == taken);
+                REQUIRE(what == handled);
             }
             if (code == 0x0006 && !jaus::is_acknowledgement(head)) {
-                REQUIRE((what == taken || what == stopped_anyway));
-                REQUIRE((what == taken) == jaus::says_emergency(body));
+                REQUIRE((what == handled || what == stopped_on_invalid_emergency));
+                REQUIRE((what == handled) == jaus::says_emergency(body));
                 REQUIRE((a.core.state() == primary_status_code::emergency || before == primary_status_code::shutdown));
             }
-            const bool done = what == taken || what == stopped_anyway;
+            const bool done = what == handled || what == stopped_on_invalid_emergency;
             if (!done) REQUIRE(a.core.state() == before);
             if (what == not_controller) REQUIRE_FALSE(is_or_may_be_controller);
             if (before == primary_status_code::emergency && a.core.state() != before)
                 REQUIRE((code == 0x0002 || code == 0x0007));
             // An acknowledgement that was asked for is the last that is sent, and says whether it was taken.
-            if (head.ack_nak == ack_nak::request && what != no_room) {
+            if (head.ack_nak == ack_nak::request && what != no_capacity) {
                 REQUIRE_FALSE(a.sent.empty());
                 const auto last = a.sent.header(a.sent.size() - 1);
                 REQUIRE(jaus::is_acknowledgement(last));
@@ -857,15 +857,15 @@ TEST_CASE("for random messages, commands are executed in Ready only, from the co
         }
     }
     // All of it has happened.
-    for (const auto what :
-         {taken, stopped_anyway, refused, malformed, unknown, not_controller, not_ready, repeated, not_waited_for})
+    for (const auto what : {handled, stopped_on_invalid_emergency, refused, malformed, unknown, not_controller,
+                            not_ready, repeated, unmatched_acknowledgement})
         REQUIRE(outcomes[what] > 0);
 }
 
 TEST_CASE("an action of the component itself makes a message numbered 0 new") {
     arm a;
     const auto resume = [&] { return a.hear(jaus::resume{}, ocu_address, ack_nak::request, 0); };
-    REQUIRE(resume() == taken);
+    REQUIRE(resume() == handled);
     REQUIRE(resume() == repeated);
     a.core.change(state_event::failed); // what it drives is lost
     a.sent.clear();
@@ -873,9 +873,9 @@ TEST_CASE("an action of the component itself makes a message numbered 0 new") {
     REQUIRE(a.sent.size() == 0); // it may be the repeat of the one that was obeyed
     a.core.change(state_event::reset);
     a.core.change(state_event::initialized);
-    REQUIRE(resume() == taken);
+    REQUIRE(resume() == handled);
     REQUIRE(resume() == repeated);
     a.put_under_control_of(boss_address);
     a.core.reject_control(a.sent.sink());
-    REQUIRE(resume() == taken);
+    REQUIRE(resume() == handled);
 }

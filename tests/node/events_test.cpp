@@ -17,7 +17,7 @@ namespace {
 using namespace std::chrono_literals;
 using jauscat::time_point;
 using jauscat::jaus::event_boundary;
-using jauscat::jaus::event_news;
+using jauscat::jaus::event_notice;
 using jauscat::jaus::event_response;
 using jauscat::jaus::event_type;
 using jauscat::jaus::message_outcome;
@@ -70,7 +70,7 @@ struct provider {
     /// Creates an event that must be confirmed, and returns its ID.
     std::uint8_t create(const jaus::create_event& request, instant now = 0s) {
         sent.clear();
-        REQUIRE(hear(viewer, request, now) == message_outcome::taken);
+        REQUIRE(hear(viewer, request, now) == message_outcome::handled);
         const auto confirmed = sent.body<jaus::confirm_event_request>(0);
         REQUIRE(confirmed.local_request_id == request.local_request_id);
         REQUIRE(confirmed.message_code == request.message_code);
@@ -106,7 +106,7 @@ struct provider {
 TEST_CASE("an event on every change is confirmed, and carries the report") {
     provider p;
     REQUIRE(p.hear(from_hex("06 02 f0 01 01 2a 01 02 01 28 01 01 05 00 09 00 00 05 04 44 01"), 1s) ==
-            message_outcome::taken);
+            message_outcome::handled);
     REQUIRE(p.sent.size() == 1);
     REQUIRE(to_hex(p.sent[0]) == "06 02 f3 01 01 28 01 01 01 2a 01 02 06 00 09 00 00 05 04 44 01 00");
     REQUIRE(p.events.next_event() == std::nullopt);
@@ -122,7 +122,8 @@ TEST_CASE("an event on every change is confirmed, and carries the report") {
 
     // Cancel Event, by its ID.
     p.sent.clear();
-    REQUIRE(p.hear(from_hex("06 02 f2 01 01 2a 01 02 01 28 01 01 03 00 00 00 02 06 01"), 4s) == message_outcome::taken);
+    REQUIRE(p.hear(from_hex("06 02 f2 01 01 2a 01 02 01 28 01 01 03 00 00 00 02 06 01"), 4s) ==
+            message_outcome::handled);
     REQUIRE(to_hex(p.sent[0]) == "06 02 f3 01 01 28 01 01 01 2a 01 02 06 00 00 00 00 06 04 44 01 00");
     REQUIRE(p.drive(1, 5s) == 0);
     REQUIRE(p.hear(from_hex("06 02 f2 01 01 2a 01 02 01 28 01 01 03 00 00 00 02 06 01"), 6s) ==
@@ -134,7 +135,7 @@ TEST_CASE("a periodic event is sent at the confirmed rate, without drift and wit
     provider p;
     // Presence bit 6: 10 Hz.
     REQUIRE(p.hear(from_hex("06 02 f0 01 01 2a 01 02 01 28 01 01 07 00 00 00 40 05 04 44 00 58 02")) ==
-            message_outcome::taken);
+            message_outcome::handled);
     REQUIRE(to_hex(p.sent[0]) == "06 02 f3 01 01 28 01 01 01 2a 01 02 08 00 00 00 01 05 04 44 01 58 02 00");
     const auto period = jaus::period_of(*p.sent.body<jaus::confirm_event_request>(0).confirmed_periodic_rate);
     REQUIRE(p.events.next_event() == instant{0s});
@@ -177,7 +178,7 @@ TEST_CASE("a first-change event is sent once, and again after an update") {
     REQUIRE(p.drive(1, 1s) == 1);
     REQUIRE(p.drive(2, 2s) == 0);
     REQUIRE(p.hear(from_hex("06 02 f1 01 01 2a 01 02 01 28 01 01 06 00 00 00 00 07 04 44 02 01"), 3s) ==
-            message_outcome::taken);
+            message_outcome::handled);
     REQUIRE(id == 1);
     REQUIRE(to_hex(p.sent[0]) == "06 02 f3 01 01 28 01 01 01 2a 01 02 06 00 00 00 00 07 04 44 01 00");
     REQUIRE(p.drive(3, 4s) == 1);
@@ -459,11 +460,11 @@ TEST_CASE("an impossible event is rejected with the reason") {
 
 TEST_CASE("a judge function rejects requests with its own reason, and malformed requests change nothing") {
     provider p;
-    const auto judge = [](const jaus::header& head, std::uint16_t code) {
+    const auto policy = [](const jaus::header& head, std::uint16_t code) {
         REQUIRE(code == velocity);
         return head.source == viewer ? event_response::successful : event_response::connection_refused;
     };
-    p.events = {sensor, p.reports, p, p.memory, judge};
+    p.events = {sensor, p.reports, p, p.memory, policy};
     const jaus::create_event request{.message_code = velocity, .event_type = event_type::every_change};
     REQUIRE(p.rejects(request, other) == event_response::connection_refused);
     p.create(request);
@@ -475,9 +476,10 @@ TEST_CASE("a judge function rejects requests with its own reason, and malformed 
                                         instant{0s}, p.sent.sink()) == message_outcome::malformed);
     REQUIRE(p.events.on_message({.command_code = 0x21F0}, {}, instant{0s}, p.sent.sink()) ==
             message_outcome::malformed);
-    REQUIRE(p.events.on_message({.command_code = 0x41F1}, {}, instant{0s}, p.sent.sink()) == message_outcome::not_mine);
+    REQUIRE(p.events.on_message({.command_code = 0x41F1}, {}, instant{0s}, p.sent.sink()) ==
+            message_outcome::unhandled);
     REQUIRE(p.events.on_message({.ack_nak = jaus::ack_nak::ack, .command_code = 0x1F0}, {}, instant{0s},
-                                p.sent.sink()) == message_outcome::not_mine);
+                                p.sent.sink()) == message_outcome::unhandled);
     REQUIRE(p.sent.size() == 1);
 }
 
@@ -503,7 +505,7 @@ TEST_CASE("event IDs are not reused at once") {
     for (int i = 0; i != 600; ++i) {
         const auto id = p.create({.message_code = velocity, .event_type = event_type::every_change});
         REQUIRE(id == i % 255 + 1);
-        REQUIRE(p.hear(viewer, jaus::cancel_event{.message_code = velocity}) == message_outcome::taken);
+        REQUIRE(p.hear(viewer, jaus::cancel_event{.message_code = velocity}) == message_outcome::handled);
     }
 }
 
@@ -519,12 +521,12 @@ TEST_CASE("events that are queried are reported") {
               .query_message_body = wire::blob{std::span<const std::byte>{query}}});
     p.create({.message_code = devices, .event_type = event_type::first_change});
     p.sent.clear();
-    REQUIRE(p.hear(from_hex("06 02 f0 21 01 2a 01 02 01 28 01 01 01 00 00 00 00")) == message_outcome::taken);
+    REQUIRE(p.hear(from_hex("06 02 f0 21 01 2a 01 02 01 28 01 01 01 00 00 00 00")) == message_outcome::handled);
     REQUIRE(to_hex(p.sent[0]) == "06 02 f0 41 01 28 01 01 01 2a 01 02 17 00 00 00 "
                                  "02 6f 04 44 01 02 02 00 01 00 09 01 02 00 00 00 0f 00 20 06 44 02 02");
     const auto count = [&](const jaus::query_events& m) {
         p.sent.clear();
-        REQUIRE(p.hear(other, m) == message_outcome::taken);
+        REQUIRE(p.hear(other, m) == message_outcome::handled);
         return std::to_integer<int>(p.sent[0].at(16));
     };
     REQUIRE(count({.message_code = velocity}) == 1);
@@ -548,7 +550,7 @@ TEST_CASE("a report that exceeds the buffer is skipped") {
     jaus::events<1> none{sensor, p.reports, p, {}};
     const auto request = from_hex("00 05 04 44 01");
     REQUIRE(none.on_message({.command_code = 0x1F0, .source = viewer}, request, instant{0s}, p.sent.sink()) ==
-            message_outcome::taken);
+            message_outcome::handled);
     none.changed(velocity, {}, instant{1s}, p.sent.sink());
     REQUIRE(p.sent.size() == 1);
 }
@@ -582,29 +584,29 @@ TEST_CASE("a consumer matches answers and events with its requests") {
     REQUIRE(c.events.next_event() == instant{1s});
     c.events.on_time(instant{1s}, c.sent.sink());
     REQUIRE(c.sent[1] == c.sent[0]);
-    REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_news::unknown);
-    REQUIRE(c.hear(occurred("00")).what == event_news::unknown);
-    REQUIRE(c.hear(confirmed("00 01 04 44 07 00")).what == event_news::confirmed);
+    REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_notice::unknown);
+    REQUIRE(c.hear(occurred("00")).what == event_notice::unknown);
+    REQUIRE(c.hear(confirmed("00 01 04 44 07 00")).what == event_notice::confirmed);
     REQUIRE(c.events.next_event() == instant{5s}); // the provider is asked whether it has the event
 
     const auto message = occurred("fe");
     const auto heard = c.hear(message);
-    REQUIRE(heard.what == event_news::event);
+    REQUIRE(heard.what == event_notice::event);
     REQUIRE(heard.message_code == velocity);
     REQUIRE(to_hex(heard.report) == "ab cd");
-    REQUIRE(c.hear(occurred("fe")).what == event_news::repeated);
+    REQUIRE(c.hear(occurred("fe")).what == event_notice::repeated);
     const auto next = c.hear(occurred("02"));
-    REQUIRE(next.what == event_news::event);
+    REQUIRE(next.what == event_notice::event);
     REQUIRE(next.lost == 3);
-    REQUIRE(c.hear(occurred("01")).what == event_news::repeated);
+    REQUIRE(c.hear(occurred("01")).what == event_notice::repeated);
     REQUIRE(c.first().received == 2);
     REQUIRE(c.first().lost == 3);
 
     c.sent.clear();
     c.events.cancel(0, instant{5s}, c.sent.sink());
     REQUIRE(to_hex(c.sent[0]) == "06 02 f2 01 01 2a 01 02 01 28 01 01 05 00 00 00 03 02 04 44 07");
-    REQUIRE(c.hear(confirmed("00 01 04 44 07 00")).what == event_news::unknown); // of the creation, late
-    REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_news::cancelled);
+    REQUIRE(c.hear(confirmed("00 01 04 44 07 00")).what == event_notice::unknown); // of the creation, late
+    REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_notice::cancelled);
     REQUIRE(c.first().state == requested_state::free);
 }
 
@@ -621,19 +623,20 @@ TEST_CASE("a consumer updates an event that continues meanwhile") {
     REQUIRE(c.events.next_event() == instant{2s});
     c.events.on_time(instant{2s}, c.sent.sink());
     REQUIRE(c.sent[1] == c.sent[0]);
-    REQUIRE(c.hear(occurred("00")).what == event_news::event);
-    REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_news::confirmed);
+    REQUIRE(c.hear(occurred("00")).what == event_notice::event);
+    REQUIRE(c.hear(confirmed("00 02 04 44 07 00")).what == event_notice::confirmed);
     REQUIRE(c.first().state == requested_state::active);
 
     // A rejection leaves it as it was, and so does silence.
     REQUIRE(c.events.update(0, wanted, instant{3s}, c.sent.sink()));
-    REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 03 00 00 00 00 03 04")).what == event_news::rejected);
+    REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 03 00 00 00 00 03 04")).what ==
+            event_notice::rejected);
     REQUIRE(c.first().response == event_response::invalid_event_setup);
     REQUIRE(c.events.update(0, wanted, instant{3s}, c.sent.sink()));
     while (c.first().state == requested_state::updating) c.events.on_time(*c.events.next_event(), c.sent.sink());
     REQUIRE(c.first().state == requested_state::active);
     REQUIRE(c.first().requests == 5);
-    REQUIRE(c.hear(occurred("01")).what == event_news::event);
+    REQUIRE(c.hear(occurred("01")).what == event_notice::event);
     wanted.message_code = devices;
     REQUIRE_FALSE(c.events.update(0, wanted, instant{3s}, c.sent.sink()));
     REQUIRE_FALSE(c.events.update(2, wanted, instant{3s}, c.sent.sink()));
@@ -645,19 +648,19 @@ TEST_CASE("a consumer updates an event that continues meanwhile") {
     REQUIRE(d.events.create(sensor, wanted, instant{0s}, d.sent.sink()));
     const auto exchange = [&] {
         for (const auto& m : d.sent.take()) p.hear(m);
-        std::vector<event_news> news;
+        std::vector<event_notice> news;
         for (const auto& m : p.sent.take()) news.push_back(d.hear(m).what);
         return news;
     };
-    REQUIRE(exchange() == std::vector{event_news::confirmed});
+    REQUIRE(exchange() == std::vector{event_notice::confirmed});
     p.drive(1, 1s);
-    REQUIRE(exchange() == std::vector{event_news::event});
+    REQUIRE(exchange() == std::vector{event_notice::event});
     p.drive(2, 2s);
     REQUIRE(exchange().empty());
     REQUIRE(d.events.update(0, wanted, instant{3s}, d.sent.sink()));
-    REQUIRE(exchange() == std::vector{event_news::confirmed});
+    REQUIRE(exchange() == std::vector{event_notice::confirmed});
     p.drive(3, 4s);
-    REQUIRE(exchange() == std::vector{event_news::event});
+    REQUIRE(exchange() == std::vector{event_notice::event});
 }
 
 TEST_CASE("a consumer abandons requests that are rejected or never answered") {
@@ -665,9 +668,9 @@ TEST_CASE("a consumer abandons requests that are rejected or never answered") {
     const jaus::create_event wanted{.message_code = velocity, .event_type = event_type::every_change};
     REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()));
     REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 05 00 00 00 01 01 03 6e 6f")).what ==
-            event_news::rejected);
+            event_notice::rejected);
     REQUIRE(c.first().response == event_response::connection_refused);
-    REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 01 00 00 00 01")).what == event_news::malformed);
+    REQUIRE(c.hear(from_hex("06 02 f4 01 01 28 01 01 01 2a 01 02 01 00 00 00 01")).what == event_notice::malformed);
     c.sent.clear();
     REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()) == 0);
     REQUIRE(c.events.create(sensor, wanted, instant{0s}, c.sent.sink()) == 1);
@@ -697,9 +700,9 @@ TEST_CASE("an event confirmed after it was abandoned is cancelled") {
     c.sent.clear();
     c.hear(confirmed("00 01 04 44 07 00"), 10s);
     REQUIRE(to_hex(c.sent[0]) == "06 02 f2 01 01 2a 01 02 01 28 01 01 05 00 00 00 03 02 04 44 07");
-    REQUIRE(c.hear(confirmed("00 01 04 44 07 00"), 10s).what == event_news::unknown); // twice
-    REQUIRE(c.events.next_event() == instant{11s});                                   // the cancel may get lost
-    REQUIRE(c.hear(confirmed("00 02 04 44 07 00"), 11s).what == event_news::cancelled);
+    REQUIRE(c.hear(confirmed("00 01 04 44 07 00"), 10s).what == event_notice::unknown); // twice
+    REQUIRE(c.events.next_event() == instant{11s});                                     // the cancel may get lost
+    REQUIRE(c.hear(confirmed("00 02 04 44 07 00"), 11s).what == event_notice::cancelled);
     REQUIRE(c.first().state == requested_state::free);
 }
 
@@ -715,11 +718,11 @@ TEST_CASE("a consumer abandons the events of a provider that has disappeared") {
     REQUIRE(c.events.on_lost({255, 255, sensor.node, sensor.subsystem}) == 2);
     REQUIRE(c.first().state == requested_state::unanswered);
     REQUIRE(c.events.requested()[1].state == requested_state::free);
-    REQUIRE(c.hear(occurred("00")).what == event_news::unknown);
+    REQUIRE(c.hear(occurred("00")).what == event_notice::unknown);
     REQUIRE(c.events.on_lost(sensor) == 0);
     c.sent.clear();
     REQUIRE(c.events.create(sensor, wanted, instant{2s}, c.sent.sink()) == 0);
-    REQUIRE(c.hear(confirmed("00 05 04 44 01 00")).what == event_news::confirmed); // 4 cancelled the unknown event
+    REQUIRE(c.hear(confirmed("00 05 04 44 01 00")).what == event_notice::confirmed); // 4 cancelled the unknown event
 }
 
 namespace {
@@ -729,7 +732,7 @@ std::size_t converse(provider& p, consumer& c, instant now) {
     std::size_t count = 0;
     while (!p.sent.empty() || !c.sent.empty()) {
         for (const auto& m : c.sent.take()) p.hear(m, now);
-        for (const auto& m : p.sent.take()) count += c.hear(m, now).what == event_news::event;
+        for (const auto& m : p.sent.take()) count += c.hear(m, now).what == event_notice::event;
     }
     return count;
 }
@@ -784,14 +787,14 @@ TEST_CASE("a consumer that restarts repeatedly leaves no events behind") {
     REQUIRE(in_use(p) == 4);
     // Others find a place, and none is taken from an event that is wanted.
     REQUIRE(p.hear(other, jaus::create_event{.message_code = velocity, .event_type = event_type::every_change}) ==
-            message_outcome::taken);
+            message_outcome::handled);
     REQUIRE(p.hear(other, jaus::create_event{.local_request_id = 1,
                                              .message_code = velocity,
-                                             .event_type = event_type::first_change}) == message_outcome::taken);
+                                             .event_type = event_type::first_change}) == message_outcome::handled);
     REQUIRE(p.hear(other, jaus::create_event{.local_request_id = 2,
                                              .message_code = 0x4400,
                                              .event_type = event_type::periodic,
-                                             .requested_periodic_rate = 1}) == message_outcome::taken);
+                                             .requested_periodic_rate = 1}) == message_outcome::handled);
     REQUIRE(
         p.rejects(
             jaus::create_event{.local_request_id = 3, .message_code = velocity, .event_type = event_type::every_change},
@@ -800,12 +803,12 @@ TEST_CASE("a consumer that restarts repeatedly leaves no events behind") {
 
 TEST_CASE("an event without a request is cancelled, at most once for each answer timeout") {
     consumer c;
-    REQUIRE(c.hear(event_number(0), 1s).what == event_news::unknown);
-    REQUIRE(c.hear(event_number(1), 1500ms).what == event_news::unknown);
+    REQUIRE(c.hear(event_number(0), 1s).what == event_notice::unknown);
+    REQUIRE(c.hear(event_number(1), 1500ms).what == event_notice::unknown);
     REQUIRE(c.sent.size() == 1);
     REQUIRE(c.sent.body<jaus::cancel_event>(0).event_id == std::uint8_t{7});
     REQUIRE(c.sent.body<jaus::cancel_event>(0).message_code == velocity);
-    REQUIRE(c.hear(event_number(2), 2s).what == event_news::unknown);
+    REQUIRE(c.hear(event_number(2), 2s).what == event_notice::unknown);
     REQUIRE(c.sent.size() == 2);
 
     // Not while its confirmation may be under way.
@@ -813,7 +816,7 @@ TEST_CASE("an event without a request is cancelled, at most once for each answer
     REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, instant{5s},
                             c.sent.sink()));
     c.sent.clear();
-    REQUIRE(c.hear(event_number(3), 5s).what == event_news::unknown);
+    REQUIRE(c.hear(event_number(3), 5s).what == event_notice::unknown);
     REQUIRE(c.sent.empty());
 
     // What an earlier life has left goes on until it is cancelled.
@@ -832,15 +835,15 @@ TEST_CASE("events continue after a gap that exceeds their numbers") {
     REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, instant{0s},
                             c.sent.sink()));
     c.hear(confirmed("00 01 04 44 07 00"));
-    REQUIRE(c.hear(event_number(9), 1s).what == event_news::event);
+    REQUIRE(c.hear(event_number(9), 1s).what == event_notice::event);
     // Late ones and copies of those before are dropped, at first.
-    REQUIRE(c.hear(event_number(9), 1900ms).what == event_news::repeated);
-    REQUIRE(c.hear(event_number(8), 1900ms).what == event_news::repeated);
+    REQUIRE(c.hear(event_number(9), 1900ms).what == event_notice::repeated);
+    REQUIRE(c.hear(event_number(8), 1900ms).what == event_notice::repeated);
     // A cable that was out for 130 events.
-    REQUIRE(c.hear(event_number(9 + 130), 2s).what == event_news::event);
+    REQUIRE(c.hear(event_number(9 + 130), 2s).what == event_notice::event);
     REQUIRE(c.first().lost == 0);
-    REQUIRE(c.hear(event_number(9 + 131), 2s).what == event_news::event);
-    REQUIRE(c.hear(event_number(9 + 131 + 256), 3s).what == event_news::event);
+    REQUIRE(c.hear(event_number(9 + 131), 2s).what == event_notice::event);
+    REQUIRE(c.hear(event_number(9 + 131 + 256), 3s).what == event_notice::event);
 }
 
 TEST_CASE("a silent provider of periodic events is detected, and queried until it answers") {
@@ -1034,7 +1037,7 @@ TEST_CASE("over a network that loses a third of all messages, events are created
                 for (const auto& m : c.sent.take())
                     if (random() % 3 != 0) p.hear(m, now);
                 for (const auto& m : p.sent.take())
-                    if (random() % 3 != 0) REQUIRE(c.hear(m, now).what != event_news::malformed);
+                    if (random() % 3 != 0) REQUIRE(c.hear(m, now).what != event_notice::malformed);
             }
         };
         REQUIRE(c.events.create(sensor, {.message_code = velocity, .event_type = event_type::every_change}, instant{0s},
@@ -1113,7 +1116,7 @@ TEST_CASE("random messages keep both sides of events within their bounds") {
         }
         for (const auto& m : c.sent.take()) REQUIRE(jaus::split(m));
     }
-    REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::taken)] > 100);
+    REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::handled)] > 100);
     REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::refused)] > 1000);
     REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::malformed)] > 1000);
 }

@@ -29,8 +29,8 @@ struct outbox {
 
 /// A reassembler and its memory: for so many data sets at a time, of so many packets and bytes each.
 struct receiver {
-    receiver(std::size_t at_a_time, std::size_t most_packets, std::size_t most_bytes)
-        : places(at_a_time), packets(at_a_time * most_packets), memory(at_a_time * most_bytes) {}
+    receiver(std::size_t at_a_time, std::size_t max_packets, std::size_t most_bytes)
+        : places(at_a_time), packets(at_a_time * max_packets), memory(at_a_time * most_bytes) {}
 
     void hear(std::span<const std::byte> packet, instant now, auto&& whole, auto&& lost) {
         const auto message = jaus::split(packet);
@@ -127,7 +127,7 @@ TEST_CASE("packets carry at most 4080 bytes of body") {
 
 TEST_CASE("data that cannot be sent give an error, and nothing is sent") {
     std::array<std::byte, jaus::header_size + 1> room{};
-    const octets most(jaus::large_data_sender::most_packets), more(jaus::large_data_sender::most_packets + 1);
+    const octets most(jaus::large_data_sender::max_packets), more(jaus::large_data_sender::max_packets + 1);
     REQUIRE(jaus::large_data_sender{image_head, most, room}.packets() == 65536);
 
     const auto expect = [](jaus::large_data_sender sender, jaus::errc error) {
@@ -146,10 +146,10 @@ TEST_CASE("data that cannot be sent give an error, and nothing is sent") {
 
 TEST_CASE("a data set with the maximum number of packets is reassembled") {
     std::mt19937 random{1};
-    const octets body = random_body(random, jaus::large_data_sender::most_packets);
+    const octets body = random_body(random, jaus::large_data_sender::max_packets);
     std::array<std::byte, jaus::header_size + 1> room{};
     jaus::large_data_sender sender{image_head, body, room};
-    receiver arriving{1, jaus::large_data_sender::most_packets, body.size()};
+    receiver arriving{1, jaus::large_data_sender::max_packets, body.size()};
     octets received;
     const auto send = [&](std::span<const std::byte> packet) {
         arriving.hear(

@@ -172,7 +172,7 @@ TEST_CASE("places of active data sets are not given to new ones, which are refus
     for (const std::uint8_t sender : {std::uint8_t{1}, std::uint8_t{2}})
         for (const std::uint16_t number : {std::uint16_t{0}, std::uint16_t{1}})
             r.hear(data_flag::middle, number, "01", 0ms, sender);
-    REQUIRE(r.hear(data_flag::first, 0, "ff", 999ms, 3) == reassembled::no_room);
+    REQUIRE(r.hear(data_flag::first, 0, "ff", 999ms, 3) == reassembled::no_capacity);
     REQUIRE(r.lost.empty());
     REQUIRE(r.hear(data_flag::first, 0, "ff", 1000ms, 3) == reassembled::waiting);
     REQUIRE(r.lost == std::vector<std::size_t>{2});
@@ -192,7 +192,7 @@ TEST_CASE("one source cannot take the places of others with many command codes")
     };
     for (std::uint16_t code = 0; code != 1000; ++code) {
         // Two packets of each: the first two sets go on, so their source has its share, half of four.
-        const auto expected = code < 2 ? reassembled::waiting : reassembled::no_room;
+        const auto expected = code < 2 ? reassembled::waiting : reassembled::no_capacity;
         REQUIRE(hear(1, code, 0) == expected);
         REQUIRE(hear(1, code, 1) == expected);
     }
@@ -334,7 +334,7 @@ TEST_CASE("a silent data set is replaced by another") {
     r.hear(data_flag::middle, 1, "01", 0ms, 1);
     r.hear(data_flag::first, 0, "02", 500ms, 2);
     r.hear(data_flag::middle, 1, "02", 500ms, 2);
-    REQUIRE(r.hear(data_flag::first, 0, "03", 999ms, 3) == reassembled::no_room);
+    REQUIRE(r.hear(data_flag::first, 0, "03", 999ms, 3) == reassembled::no_capacity);
     REQUIRE(r.hear(data_flag::first, 0, "03", 1000ms, 3) == reassembled::waiting);
     REQUIRE(r.lost == std::vector<std::size_t>{2});
 
@@ -362,7 +362,8 @@ TEST_CASE("a data set with more bytes or packets than a place holds is dropped, 
 TEST_CASE("without places nothing is stored") {
     jaus::reassembler none{{}, {}, {}, 1s};
     const auto ignore = [](const auto&...) {};
-    REQUIRE(none.on_packet({.data_flag = data_flag::first}, {}, instant{0s}, ignore, ignore) == reassembled::no_room);
+    REQUIRE(none.on_packet({.data_flag = data_flag::first}, {}, instant{0s}, ignore, ignore) ==
+            reassembled::no_capacity);
 }
 
 TEST_CASE("random packets stay within the memory and never make a body that was not sent") {

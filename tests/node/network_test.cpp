@@ -25,10 +25,10 @@ constexpr jaus::address make(unsigned subsystem, unsigned node, unsigned compone
 /// A program with a few components of one node; its hops are other programs, or groups of them.
 struct program {
     std::uint8_t subsystem{}, node{};
-    std::array<jaus::address_place<jaus::way>, 64> ways{};
+    std::array<jaus::address_place<jaus::route_entry>, 64> routes{};
     std::array<jaus::hop_state, 40> hops{};
     std::array<jaus::node_component, 8> places{};
-    jaus::routing_table table{subsystem, node, ways, hops, places};
+    jaus::routing_table table{subsystem, node, routes, hops, places};
     jaus::router router{table};
     std::vector<jaus::address> components{}; ///< by number
 
@@ -43,7 +43,7 @@ struct program {
         components.push_back(whole);
     }
     void lead(const jaus::address& to, std::size_t by) {
-        REQUIRE(table.add_way(to, static_cast<hop>(by)) == added::ok);
+        REQUIRE(table.add_route(to, static_cast<hop>(by)) == added::ok);
     }
 };
 
@@ -195,7 +195,7 @@ class builder {
     void add_ways_within(unsigned s) {
         const unsigned primary = net_.primary[s];
         const bool star = primary != 0 && one_in(2);
-        std::array<std::array<bool, nodes + 1>, nodes + 1> direct{}; // what links there are, both ways
+        std::array<std::array<bool, nodes + 1>, nodes + 1> direct{}; // what links there are, both routes
         for (unsigned n = 1; n <= nodes; ++n)
             for (unsigned other = 1; other != n; ++other)
                 direct[n][other] = direct[other][n] =
@@ -297,7 +297,7 @@ struct living_network {
                     auto& w = *watchers[net.manager(who.subsystem, who.node)];
                     if (!w.runs || who.component != 1) continue;
                     REQUIRE(w.manager.on_message(message.header, message.body, now, out) ==
-                            jaus::message_outcome::taken);
+                            jaus::message_outcome::handled);
                 }
             }
         }

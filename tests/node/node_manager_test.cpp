@@ -107,7 +107,7 @@ struct node {
     }
     std::vector<std::string> configuration(jaus::query_field field) {
         out.take();
-        REQUIRE(hear(make(9, 9, 9, 9), jaus::query_configuration{field}) == message_outcome::taken);
+        REQUIRE(hear(make(9, 9, 9, 9), jaus::query_configuration{field}) == message_outcome::handled);
         std::vector<std::string> all;
         for (const auto& n : out.only<jaus::report_configuration>(lists).node) {
             all.push_back(std::to_string(n.node_id) + ":");
@@ -119,7 +119,7 @@ struct node {
     }
     std::vector<std::string> subsystems() {
         out.take();
-        REQUIRE(hear(make(9, 9, 9, 9), jaus::query_subsystem_list{}) == message_outcome::taken);
+        REQUIRE(hear(make(9, 9, 9, 9), jaus::query_subsystem_list{}) == message_outcome::handled);
         std::vector<std::string> all;
         for (const auto& s : out.only<jaus::report_subsystem_list>(lists).subsystem)
             all.push_back(text(make(s.subsystem_id, s.node_id, s.component_id, s.instance_id)));
@@ -167,7 +167,7 @@ TEST_CASE("a component sends its heartbeats to its node manager, or none") {
 
 TEST_CASE("a heartbeat query to a broadcast address is answered by the component itself") {
     node n;
-    REQUIRE(n.hear(make(3, 1), jaus::query_heartbeat_pulse{}, 0s, make(255, 255)) == message_outcome::taken);
+    REQUIRE(n.hear(make(3, 1), jaus::query_heartbeat_pulse{}, 0s, make(255, 255)) == message_outcome::handled);
     REQUIRE(n.out.take() == lines{"4202 1.2.1.1 to 3.1.1.1"});
 }
 
@@ -175,7 +175,7 @@ TEST_CASE("the identification is that of the requested level") {
     node n;
     const auto ask = [&](int level) {
         const auto what = n.hear(make(3, 1, 40), jaus::query_identification{static_cast<jaus::query_type>(level)});
-        if (what != message_outcome::taken) {
+        if (what != message_outcome::handled) {
             REQUIRE(n.out.messages.empty());
             return std::string{describe(what)};
         }
@@ -206,7 +206,7 @@ TEST_CASE("a component identifies itself, and the node manager answers for subsy
     for (int level = 1; level != 5; ++level) {
         std::array<std::byte, 1> body{static_cast<std::byte>(level)};
         const auto what = component.on_message({.command_code = 0x2B00, .source = make(3, 1)}, body, instant{0s}, out);
-        REQUIRE(what == (level == 4 ? message_outcome::taken : message_outcome::refused));
+        REQUIRE(what == (level == 4 ? message_outcome::handled : message_outcome::refused));
     }
     REQUIRE(out.only<jaus::report_identification>(lists).identification == "driver");
     REQUIRE(out.take() == lines{"4B00 1.2.33.1 to 3.1.1.1"});
@@ -215,9 +215,9 @@ TEST_CASE("a component identifies itself, and the node manager answers for subsy
 TEST_CASE("a peer appears with its first heartbeat and is lost three periods after its last") {
     node n;
     n.manager.on_time(instant{0s}, n.out);
-    REQUIRE(n.beat(make(2, 1), 0s) == message_outcome::taken);
-    REQUIRE(n.beat(make(1, 2), 0s) == message_outcome::taken); // its own, heard from a multicast group
-    for (int second = 1; second != 5; ++second) REQUIRE(n.beat(make(2, 1), second * 1s) == message_outcome::taken);
+    REQUIRE(n.beat(make(2, 1), 0s) == message_outcome::handled);
+    REQUIRE(n.beat(make(1, 2), 0s) == message_outcome::handled); // its own, heard from a multicast group
+    for (int second = 1; second != 5; ++second) REQUIRE(n.beat(make(2, 1), second * 1s) == message_outcome::handled);
     REQUIRE(n.seen == lines{"+2.1.1.1"});
     REQUIRE(n.manager.present().find(make(2, 1))->last_heard_at == instant{4s});
     n.manager.on_time(instant{6s + 999ms}, n.out);
@@ -257,7 +257,7 @@ TEST_CASE("a flood of peers fills the free places, is counted, and displaces no 
     n.beat(make(2, 1), 2s);
     n.manager.on_time(instant{3s + 1ms}, n.out);
     REQUIRE(n.manager.present().size() == 1);
-    REQUIRE(n.beat(make(200, 1), 4s) == message_outcome::taken);
+    REQUIRE(n.beat(make(200, 1), 4s) == message_outcome::handled);
 }
 
 TEST_CASE("a pinned peer stays without heartbeats") {
@@ -301,7 +301,7 @@ TEST_CASE("of more than 255 components of one node 255 are reported, including a
         const std::array query{static_cast<std::byte>(field)};
         REQUIRE(
             manager.on_message({.command_code = jaus::command_code_of<jaus::query_configuration>, .source = make(9, 9)},
-                               query, instant{0s}, n.out) == message_outcome::taken);
+                               query, instant{0s}, n.out) == message_outcome::handled);
         n.lists.reset();
         const auto told = n.out.only<jaus::report_configuration>(n.lists);
         REQUIRE(told.node[0].component.size() == 255);
@@ -321,7 +321,7 @@ TEST_CASE(
     REQUIRE(n.out.take() == lines{"2B01 1.2.1.1 to 1.5.1.1"});
     const std::array<jaus::configured_component, 4> theirs{{{1, 1}, {33, 1}, {40, 1}, {0, 1}}};
     const std::array<jaus::configured_node, 2> nodes{{{5, theirs}, {6, theirs}}};
-    REQUIRE(n.hear(make(1, 5), jaus::report_configuration{nodes}, 1s) == message_outcome::taken);
+    REQUIRE(n.hear(make(1, 5), jaus::report_configuration{nodes}, 1s) == message_outcome::handled);
     const lines expected{"2: 1.1 33.1 37.2", "5: 1.1 33.1 40.1"};
     REQUIRE(n.configuration(jaus::query_field::subsystem_configuration) == expected);
     for (int second = 1; second != 10; ++second) {
@@ -350,7 +350,7 @@ TEST_CASE("only a known node manager of the subsystem adds components, and only 
     n.beat(make(2, 5), 0s);
     REQUIRE(n.hear(make(2, 5), report) == message_outcome::refused);
     REQUIRE(n.hear(make(1, 5, 33), report) == message_outcome::refused);
-    REQUIRE(n.hear(make(1, 6), report) == message_outcome::taken); // says nothing of its own node
+    REQUIRE(n.hear(make(1, 6), report) == message_outcome::handled); // says nothing of its own node
     REQUIRE(n.configuration(jaus::query_field::subsystem_configuration) ==
             lines{"2: 1.1 33.1 37.2", "5: 1.1", "6: 1.1"});
 }
@@ -365,7 +365,7 @@ TEST_CASE("the subsystem list has each subsystem once, by a node manager if one 
 
 TEST_CASE("services are those of the queried component") {
     node n;
-    REQUIRE(n.hear(make(3, 1), jaus::query_services{}) == message_outcome::taken);
+    REQUIRE(n.hear(make(3, 1), jaus::query_services{}) == message_outcome::handled);
     const auto ours = n.out.only<jaus::report_services>(n.lists);
     REQUIRE(ours.service.size() == 1);
     REQUIRE(ours.service[0].service_type == 1);
@@ -378,7 +378,7 @@ TEST_CASE("a component without services has the core service, and is queried unt
     outbox out;
     jaus::described_component component{make(1, 2, 33), {.services = {}}, {}, memory};
     REQUIRE(component.on_message({.command_code = 0x2B03, .source = make(3, 1)}, {}, instant{0s}, out) ==
-            message_outcome::taken);
+            message_outcome::handled);
     bytes held(4000);
     wire::arena decoded{held};
     const auto report = out.only<jaus::report_services>(decoded);
@@ -401,7 +401,7 @@ TEST_CASE("a report beyond one packet is sent as a large data set, or refused wi
             REQUIRE(out.messages.empty());
             continue;
         }
-        REQUIRE(what == message_outcome::taken);
+        REQUIRE(what == message_outcome::handled);
         REQUIRE(out.messages.size() == 2);
         std::array<jaus::partial_data_set, 1> places{};
         std::array<jaus::held_packet, 8> packets{};
@@ -437,11 +437,11 @@ TEST_CASE("malformed messages are reported as such, and random bodies do no harm
         REQUIRE(n.manager.on_message(head, excess, instant{0s}, n.out) == message_outcome::malformed);
         auto acknowledgement = head;
         acknowledgement.ack_nak = jaus::ack_nak::ack;
-        REQUIRE(n.manager.on_message(acknowledgement, {}, instant{0s}, n.out) == message_outcome::not_mine);
+        REQUIRE(n.manager.on_message(acknowledgement, {}, instant{0s}, n.out) == message_outcome::unhandled);
     }
     REQUIRE(n.out.lines.empty());
     REQUIRE(n.manager.on_message({.command_code = 0x0405, .source = make(1, 5)}, {}, instant{0s}, n.out) ==
-            message_outcome::not_mine);
+            message_outcome::unhandled);
 
     std::mt19937 random{5};
     const auto below = [&](unsigned limit) { return 1 + static_cast<unsigned>(random() % limit); };
@@ -456,7 +456,7 @@ TEST_CASE("malformed messages are reported as such, and random bodies do no harm
         if (i % 100 == 0) n.manager.on_time(instant{i * 1ms}, n.out);
         n.out.take();
     }
-    for (const auto what : {message_outcome::taken, message_outcome::refused, message_outcome::malformed})
+    for (const auto what : {message_outcome::handled, message_outcome::refused, message_outcome::malformed})
         REQUIRE(outcomes[static_cast<std::size_t>(what)] > 100);
 }
 
@@ -484,7 +484,7 @@ TEST_CASE("a node manager is a part of a component, which acknowledges what it e
                                 .source = make(3, 1),
                                 .data_size = 1,
                                 .sequence_number = level};
-        core.on_message(head, body, instant{0s}, n.out, [](const auto&...) { return message_outcome::not_mine; });
+        core.on_message(head, body, instant{0s}, n.out, [](const auto&...) { return message_outcome::unhandled; });
         REQUIRE_FALSE(n.out.messages.empty());
         const auto last = jaus::split(n.out.messages.back()).header;
         REQUIRE(last.command_code == 0x2B00);

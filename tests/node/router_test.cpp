@@ -19,21 +19,21 @@ constexpr jaus::address make(std::uint8_t subsystem, std::uint8_t node, std::uin
 /// Node 1.2 with the components 1.1, 33.1 (number 0, 1) and 34.1 in another program (hop 0); nodes 1.1 and 1.3 (hops 1
 /// and 2), subsystem 2 (hop 3) and 3 (hop 4), one node of which is known by itself (hop 5).
 struct node {
-    std::array<jaus::address_place<jaus::way>, 32> ways{};
+    std::array<jaus::address_place<jaus::route_entry>, 32> routes{};
     std::array<jaus::hop_state, 10> hops{};
     std::array<jaus::node_component, 6> components{};
-    jaus::routing_table table{1, 2, ways, hops, components};
+    jaus::routing_table table{1, 2, routes, hops, components};
     jaus::router router;
 
     explicit node(std::uint8_t primary = 0) : router{table, primary} {
         REQUIRE(table.add_component(1, 1, 0) == added::ok);
         REQUIRE(table.add_component(33, 1, 1) == added::ok);
-        REQUIRE(table.add_way(make(1, 2, 34, 0), 0) == added::ok);
-        REQUIRE(table.add_way(make(1, 1, 0, 0), 1) == added::ok);
-        REQUIRE(table.add_way(make(1, 3, 0, 0), 2) == added::ok);
-        REQUIRE(table.add_way(make(2, 0, 0, 0), 3) == added::ok);
-        REQUIRE(table.add_way(make(3, 0, 0, 0), 4) == added::ok);
-        REQUIRE(table.add_way(make(3, 7, 0, 0), 5) == added::ok);
+        REQUIRE(table.add_route(make(1, 2, 34, 0), 0) == added::ok);
+        REQUIRE(table.add_route(make(1, 1, 0, 0), 1) == added::ok);
+        REQUIRE(table.add_route(make(1, 3, 0, 0), 2) == added::ok);
+        REQUIRE(table.add_route(make(2, 0, 0, 0), 3) == added::ok);
+        REQUIRE(table.add_route(make(3, 0, 0, 0), 4) == added::ok);
+        REQUIRE(table.add_route(make(3, 7, 0, 0), 5) == added::ok);
     }
 
     routed outcome{};
@@ -84,16 +84,16 @@ TEST_CASE("a message that cannot be routed has a reason") {
     node n;
     n.hear(make(1, 2, 35, 1), own, jaus::here).expect(routed::no_such_component);
     n.hear(make(1, 2, 33, 2), stranger, 3).expect(routed::no_such_component);
-    n.hear(make(1, 9, 33, 1), own, jaus::here).expect(routed::no_way);
-    n.hear(make(9, 1, 33, 1), own, jaus::here).expect(routed::no_way);
-    n.hear(make(9, 255, 33, 1), own, jaus::here).expect(routed::no_way);
+    n.hear(make(1, 9, 33, 1), own, jaus::here).expect(routed::no_route);
+    n.hear(make(9, 1, 33, 1), own, jaus::here).expect(routed::no_route);
+    n.hear(make(9, 255, 33, 1), own, jaus::here).expect(routed::no_route);
     n.hear(make(1, 2, 34, 1), make(1, 2, 34, 2), 0).expect(routed::would_return);
     n.hear(make(3, 1, 33, 1), stranger, 3).expect(routed::between_subsystems);
     n.hear(make(3, 255, 33, 1), stranger, 3).expect(routed::between_subsystems);
     n.hear(make(3, 1, 33, 1), stranger, 1).expect(routed::between_subsystems);
     n.hear(make(1, 3, 33, 1), neighbour, 1).expect(routed::not_the_relay);
     n.hear(make(2, 255, 33, 1), neighbour, 1).expect(routed::not_the_relay);
-    n.hear(make(1, 2, 77, 255), own, jaus::here).expect(routed::nobody);
+    n.hear(make(1, 2, 77, 255), own, jaus::here).expect(routed::no_receiver);
     for (const auto& invalid : {make(0, 2, 33, 1), make(1, 0, 33, 1), make(1, 2, 0, 1), make(1, 2, 33, 0)})
         n.hear(invalid, own, jaus::here).expect(routed::invalid_destination);
     for (const auto& invalid : {make(0, 2, 33, 1), make(1, 255, 33, 1), make(1, 2, 255, 1), make(1, 2, 33, 255)})
@@ -149,31 +149,31 @@ TEST_CASE("only the primary forwards broadcasts") {
 
 TEST_CASE("a multicast group replaces unicast routes, except for peers outside of the group") {
     node n{2};
-    REQUIRE(n.table.add_way(make(255, 255, 0, 0), 6) == added::ok);
+    REQUIRE(n.table.add_route(make(255, 255, 0, 0), 6) == added::ok);
     n.hear(make(255, 255, 1, 1), own, jaus::here).expect(routed::ok, "c0 h1 h2 h6 ");
     n.hear(make(2, 255, 1, 1), own, jaus::here).expect(routed::ok, "h3 ");
     n.table.keep_outside_groups(4);
     n.hear(make(255, 255, 1, 1), own, jaus::here).expect(routed::ok, "c0 h1 h2 h4 h6 ");
-    REQUIRE(n.table.add_way(make(1, 255, 0, 0), 7) == added::ok);
+    REQUIRE(n.table.add_route(make(1, 255, 0, 0), 7) == added::ok);
     n.hear(make(255, 255, 1, 1), own, jaus::here).expect(routed::ok, "c0 h4 h6 h7 ");
     n.hear(make(255, 255, 1, 1), neighbour, 1).expect(routed::ok, "c0 h4 h6 ");
     n.hear(make(255, 255, 1, 1), stranger, 3).expect(routed::ok, "c0 h7 ");
 }
 
 TEST_CASE("a broadcast ends among several nodes that are all configured as primary") {
-    // Nodes 1 to 3 are told to be the primary, 4 knows 1 as such. Each has a way to each other node by its number.
+    // Nodes 1 to 3 are told to be the primary, 4 knows 1 as such. Each has a route to each other node by its number.
     struct member {
-        std::array<jaus::address_place<jaus::way>, 16> ways{};
+        std::array<jaus::address_place<jaus::route_entry>, 16> routes{};
         std::array<jaus::hop_state, 6> hops{};
         std::array<jaus::node_component, 1> components{};
         jaus::routing_table table;
         jaus::router router;
         explicit member(std::uint8_t id)
-            : table{1, id, ways, hops, components}, router{table, static_cast<std::uint8_t>(id == 4 ? 1 : id)} {
+            : table{1, id, routes, hops, components}, router{table, static_cast<std::uint8_t>(id == 4 ? 1 : id)} {
             REQUIRE(table.add_component(33, 1, 0) == added::ok);
             for (std::uint8_t other = 1; other != 5; ++other)
-                if (other != id) REQUIRE(table.add_way(make(1, other, 0, 0), other) == added::ok);
-            REQUIRE(table.add_way(make(2, 0, 0, 0), 5) == added::ok);
+                if (other != id) REQUIRE(table.add_route(make(1, other, 0, 0), other) == added::ok);
+            REQUIRE(table.add_route(make(2, 0, 0, 0), 5) == added::ok);
         }
     };
     std::array<member, 4> all{member{1}, member{2}, member{3}, member{4}};
@@ -200,23 +200,23 @@ TEST_CASE("a broadcast ends among several nodes that are all configured as prima
 
 TEST_CASE("the route to all other subsystems is used where there is no other") {
     node n;
-    REQUIRE(n.table.add_way(make(0, 0, 0, 0), 8) == added::ok);
+    REQUIRE(n.table.add_route(make(0, 0, 0, 0), 8) == added::ok);
     n.hear(make(9, 1, 1, 1), own, jaus::here).expect(routed::ok, "h8 ");
     n.hear(make(9, 255, 1, 1), own, jaus::here).expect(routed::ok, "h8 ");
     n.hear(make(2, 255, 1, 1), own, jaus::here).expect(routed::ok, "h3 ");
     n.hear(make(255, 255, 1, 1), own, jaus::here).expect(routed::ok, "c0 h1 h2 h3 h4 h8 ");
-    n.hear(make(1, 9, 1, 1), stranger, 3).expect(routed::no_way);
+    n.hear(make(1, 9, 1, 1), stranger, 3).expect(routed::no_route);
 }
 
 TEST_CASE("a program below the node manager sends everything to it") {
-    std::array<jaus::address_place<jaus::way>, 8> ways{};
+    std::array<jaus::address_place<jaus::route_entry>, 8> routes{};
     std::array<jaus::hop_state, 2> hops{};
     std::array<jaus::node_component, 2> components{};
-    jaus::routing_table table{1, 2, ways, hops, components};
+    jaus::routing_table table{1, 2, routes, hops, components};
     jaus::router router{table, 1};
     REQUIRE(table.add_component(34, 1, 7) == added::ok);
-    REQUIRE(table.add_way(make(1, 2, 0, 0), 0) == added::ok);
-    REQUIRE(table.add_way(make(0, 0, 0, 0), 0) == added::ok);
+    REQUIRE(table.add_route(make(1, 2, 0, 0), 0) == added::ok);
+    REQUIRE(table.add_route(make(0, 0, 0, 0), 0) == added::ok);
     const auto route = [&](const jaus::address& to, const jaus::address& source, hop from) {
         std::string who;
         const auto result = router.route(
@@ -237,17 +237,17 @@ TEST_CASE("a program below the node manager sends everything to it") {
 }
 
 TEST_CASE("invalid entries, and entries beyond the capacity, are refused") {
-    std::array<jaus::address_place<jaus::way>, 4> ways{};
+    std::array<jaus::address_place<jaus::route_entry>, 4> routes{};
     std::array<jaus::hop_state, 1> hops{};
     std::array<jaus::node_component, 1> components{};
-    jaus::routing_table table{1, 2, ways, hops, components};
+    jaus::routing_table table{1, 2, routes, hops, components};
     REQUIRE(table.add_component(0, 1, 7) == added::invalid_address);
     REQUIRE(table.add_component(33, 255, 7) == added::invalid_address);
     REQUIRE(table.add_component(33, 1, 7) == added::ok);
     REQUIRE(table.add_component(34, 1, 7) == added::full);
-    REQUIRE(table.add_way(make(2, 0, 0, 0), 1) == added::invalid_hop);
-    REQUIRE(table.add_way(make(2, 0, 0, 0), 0) == added::ok);
-    REQUIRE(table.add_way(make(2, 0, 0, 0), 0) == added::duplicate);
-    REQUIRE(table.add_way(make(3, 0, 0, 0), 0) == added::ok);
-    REQUIRE(table.add_way(make(4, 0, 0, 0), 0) == added::full);
+    REQUIRE(table.add_route(make(2, 0, 0, 0), 1) == added::invalid_hop);
+    REQUIRE(table.add_route(make(2, 0, 0, 0), 0) == added::ok);
+    REQUIRE(table.add_route(make(2, 0, 0, 0), 0) == added::duplicate);
+    REQUIRE(table.add_route(make(3, 0, 0, 0), 0) == added::ok);
+    REQUIRE(table.add_route(make(4, 0, 0, 0), 0) == added::full);
 }

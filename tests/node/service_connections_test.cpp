@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using jauscat::jaus::consumed_state;
-using jauscat::jaus::consumer_news;
+using jauscat::jaus::consumer_notice;
 using jauscat::jaus::message_outcome;
 using jauscat::test::bytes;
 using jauscat::test::from_hex;
@@ -52,7 +52,7 @@ struct provider {
         const auto confirmed = sent.body<jaus::confirm_service_connection>(sent.size() - 1);
         REQUIRE(confirmed.command_code == code);
         REQUIRE(sent.header(sent.size() - 1).destination == from);
-        REQUIRE((confirmed.response_code == response::connection_created) == (outcome == message_outcome::taken));
+        REQUIRE((confirmed.response_code == response::connection_created) == (outcome == message_outcome::handled));
         REQUIRE((confirmed.confirmed_periodic_update_rate == 0) == (outcome == message_outcome::refused));
         return confirmed.response_code;
     }
@@ -73,7 +73,7 @@ TEST_CASE("a connection is confirmed, and its reports have the flag and the coun
     provider p;
     // Report Global Pose at 10 Hz (0258h steps), fields 0000000Fh.
     REQUIRE(p.hear(from_hex("06 02 08 00 01 26 01 02 01 28 01 01 08 00 05 00 02 44 58 02 0f 00 00 00"), 3s) ==
-            message_outcome::taken);
+            message_outcome::handled);
     REQUIRE(p.sent.size() == 1);
     REQUIRE(to_hex(p.sent[0]) == "06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 58 02 00");
     REQUIRE(p.connections.next_event() == instant{3s});
@@ -96,15 +96,15 @@ TEST_CASE("suspend, activate and terminate have their effects") {
     const auto activate = from_hex("06 02 0a 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 00");
     const auto terminate = from_hex("06 02 0c 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 00");
     REQUIRE(run(p, 1s) == 10);
-    REQUIRE(p.hear(suspend, 1s) == message_outcome::taken);
+    REQUIRE(p.hear(suspend, 1s) == message_outcome::handled);
     REQUIRE(p.connections.next_event() == std::nullopt);
     REQUIRE(run(p, 5s) == 0);
-    REQUIRE(p.hear(activate, 5s) == message_outcome::taken);
+    REQUIRE(p.hear(activate, 5s) == message_outcome::handled);
     REQUIRE(p.connections.next_event() == instant{5s});
-    REQUIRE(p.hear(activate, 5050ms) == message_outcome::taken);
+    REQUIRE(p.hear(activate, 5050ms) == message_outcome::handled);
     REQUIRE(run(p, 6s) == 10);
     REQUIRE(p.sent.header(0).sequence_number == 10);
-    REQUIRE(p.hear(terminate) == message_outcome::taken);
+    REQUIRE(p.hear(terminate) == message_outcome::handled);
     REQUIRE(run(p, 100s) == 0);
     REQUIRE(p.hear(activate) == message_outcome::refused);
     REQUIRE(p.hear(terminate) == message_outcome::refused);
@@ -152,11 +152,11 @@ TEST_CASE("an impossible connection is answered with the reason") {
 
 TEST_CASE("a judge function refuses connections with its own reason") {
     provider p;
-    const auto judge = [](const jaus::header& head, const jaus::create_service_connection& request) {
+    const auto policy = [](const jaus::header& head, const jaus::create_service_connection& request) {
         REQUIRE(request.command_code == pose);
         return head.source == viewer ? response::connection_created : response::insufficient_authority;
     };
-    p.connections = {sensor, p.reports, p, p.memory, judge};
+    p.connections = {sensor, p.reports, p, p.memory, policy};
     REQUIRE(p.ask(other, pose, 10) == response::insufficient_authority);
     REQUIRE(p.ask(viewer, pose, 10) == response::connection_created);
     REQUIRE(p.connections.connections()[0].consumer == viewer);
@@ -200,9 +200,9 @@ TEST_CASE("malformed and foreign messages change nothing") {
                     message_outcome::malformed);
         }
     REQUIRE(p.connections.on_message({.command_code = 0x0009}, std::span{junk}.first(6), instant{0s}, p.sent.sink()) ==
-            message_outcome::not_mine);
+            message_outcome::unhandled);
     REQUIRE(p.connections.on_message({.ack_nak = jaus::ack_nak::ack, .command_code = 8}, {}, instant{0s},
-                                     p.sent.sink()) == message_outcome::not_mine);
+                                     p.sent.sink()) == message_outcome::unhandled);
     REQUIRE(p.sent.empty());
     REQUIRE(p.connections.next_event() == std::nullopt);
 }
@@ -283,7 +283,7 @@ TEST_CASE(
     REQUIRE(c.sent.size() == 2);
     REQUIRE(to_hex(c.sent[0]) == "06 02 08 00 01 26 01 02 01 28 01 01 08 00 00 00 02 44 58 02 0f 00 00 00");
     REQUIRE(c.sent[1] == c.sent[0]);
-    REQUIRE(c.hear(from_hex(confirmation), 1100ms) == jaus::consumer_outcome{consumer_news::confirmed, 0, 0});
+    REQUIRE(c.hear(from_hex(confirmation), 1100ms) == jaus::consumer_outcome{consumer_notice::confirmed, 0, 0});
     REQUIRE(c.first().instance_id == 7);
     REQUIRE(c.first().rate > 9.99);
     REQUIRE(c.first().rate < 10.01);
@@ -309,15 +309,15 @@ TEST_CASE("a consumer counts missing reports and drops old ones") {
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     // The first overtakes the confirmation.
-    REQUIRE(c.report(65533, 1ms) == jaus::consumer_outcome{consumer_news::report, 0, 0});
+    REQUIRE(c.report(65533, 1ms) == jaus::consumer_outcome{consumer_notice::report, 0, 0});
     c.hear(from_hex(confirmation), 2ms);
-    REQUIRE(c.report(65534, 3ms) == jaus::consumer_outcome{consumer_news::report, 0, 0});
-    REQUIRE(c.report(65534, 4ms) == jaus::consumer_outcome{consumer_news::old_report, 0, 0});
-    REQUIRE(c.report(2, 5ms) == jaus::consumer_outcome{consumer_news::report, 0, 3});
-    REQUIRE(c.report(0, 6ms) == jaus::consumer_outcome{consumer_news::old_report, 0, 0});
-    REQUIRE(c.report(3, 6ms, velocity).what == consumer_news::not_mine);
+    REQUIRE(c.report(65534, 3ms) == jaus::consumer_outcome{consumer_notice::report, 0, 0});
+    REQUIRE(c.report(65534, 4ms) == jaus::consumer_outcome{consumer_notice::old_report, 0, 0});
+    REQUIRE(c.report(2, 5ms) == jaus::consumer_outcome{consumer_notice::report, 0, 3});
+    REQUIRE(c.report(0, 6ms) == jaus::consumer_outcome{consumer_notice::old_report, 0, 0});
+    REQUIRE(c.report(3, 6ms, velocity).what == consumer_notice::unhandled);
     REQUIRE(c.service.on_message({.command_code = pose, .source = sensor}, {}, instant{7ms}, c.sent.sink()).what ==
-            consumer_news::not_mine);
+            consumer_notice::unhandled);
     REQUIRE(c.first().received == 3);
     REQUIRE(c.first().lost == 3);
     REQUIRE(c.first().dropped == 2);
@@ -343,8 +343,8 @@ TEST_CASE("a connection without a report for three periods is stale and requeste
 
     // The provider has started anew, with another instance ID, and counts from 0.
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 01 58 02 00"), 2s).what ==
-            consumer_news::confirmed);
-    REQUIRE(c.report(0, 2s) == jaus::consumer_outcome{consumer_news::report, 0, 0});
+            consumer_notice::confirmed);
+    REQUIRE(c.report(0, 2s) == jaus::consumer_outcome{consumer_notice::report, 0, 0});
     REQUIRE(c.first().instance_id == 1);
     REQUIRE(c.first().state == consumed_state::active);
 }
@@ -353,10 +353,10 @@ TEST_CASE("a consumer abandons requests that are refused or never answered") {
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 00 00 04"), 0s).what ==
-            consumer_news::refused);
+            consumer_notice::refused);
     REQUIRE(c.first().response == response::connection_refused);
     REQUIRE(c.service.next_event() == std::nullopt);
-    REQUIRE(c.report(0, 1s).what == consumer_news::ignored);
+    REQUIRE(c.report(0, 1s).what == consumer_notice::ignored);
 
     c.sent.clear();
     REQUIRE(c.service.ask(sensor, velocity, 10, 15, instant{0s}, c.sent.sink()) == 1);
@@ -379,14 +379,14 @@ TEST_CASE("a connection with a refused change is terminated, also if that messag
     c.hear(from_hex(confirmation), 0s);
     REQUIRE(c.service.ask(sensor, pose, 20, 15, instant{1s}, c.sent.sink()) == 0);
     c.sent.clear();
-    REQUIRE(c.hear(refusal, 1s) == jaus::consumer_outcome{consumer_news::refused, 0, 0});
+    REQUIRE(c.hear(refusal, 1s) == jaus::consumer_outcome{consumer_notice::refused, 0, 0});
     REQUIRE(c.first().state == consumed_state::refused);
     REQUIRE(c.service.next_event() == std::nullopt);
     REQUIRE(c.sent.size() == 1);
     REQUIRE(to_hex(c.sent[0]) == termination);
-    REQUIRE(c.report(0, 1500ms).what == consumer_news::ignored); // was under way
+    REQUIRE(c.report(0, 1500ms).what == consumer_notice::ignored); // was under way
     REQUIRE(c.sent.size() == 1);
-    REQUIRE(c.report(1, 2s).what == consumer_news::ignored);
+    REQUIRE(c.report(1, 2s).what == consumer_notice::ignored);
     REQUIRE(c.sent.size() == 2);
     REQUIRE(to_hex(c.sent[1]) == termination);
 
@@ -408,7 +408,7 @@ TEST_CASE("a stale connection that is refused is not requested again") {
     c.service.on_time(instant{5s}, c.sent.sink());
     REQUIRE(c.first().state == consumed_state::stale);
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 00 00 00 04"), 6s).what ==
-            consumer_news::refused);
+            consumer_notice::refused);
     REQUIRE(c.first().state == consumed_state::refused);
     REQUIRE(c.first().response == response::connection_refused);
     REQUIRE(c.service.next_event() == std::nullopt);
@@ -423,7 +423,7 @@ TEST_CASE("a connection confirmed after it was abandoned is terminated") {
     REQUIRE(c.first().state == consumed_state::unanswered);
     c.sent.clear();
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 07 58 02 00"), 10s).what ==
-            consumer_news::ignored);
+            consumer_notice::ignored);
     REQUIRE(to_hex(c.sent[0]) == "06 02 0c 00 01 26 01 02 01 28 01 01 03 00 00 00 02 44 07");
     REQUIRE(c.first().state == consumed_state::ending);
     c.report(0, 11s); // the provider has not got it
@@ -434,15 +434,15 @@ TEST_CASE("a confirmation from another sender or of another report is ignored") 
     consumer c;
     REQUIRE(c.service.ask(sensor, pose, 10, 15, instant{0s}, c.sent.sink()));
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 02 26 01 02 06 00 05 00 02 44 07 58 02 00"), 0s).what ==
-            consumer_news::not_mine);
+            consumer_notice::unhandled);
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 04 44 07 58 02 00"), 0s).what ==
-            consumer_news::not_mine);
+            consumer_notice::unhandled);
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 05 00 05 00 02 44 07 58 02"), 0s).what ==
-            consumer_news::malformed);
+            consumer_notice::malformed);
     REQUIRE(c.first().state == consumed_state::asking);
     // One that says created, and a rate of 0, promises nothing.
     REQUIRE(c.hear(from_hex("06 02 09 00 01 28 01 01 01 26 01 02 06 00 05 00 02 44 07 00 00 00"), 0s).what ==
-            consumer_news::refused);
+            consumer_notice::refused);
 }
 
 TEST_CASE("over a network that loses a third of all messages, connections are created, report and end") {
@@ -460,7 +460,7 @@ TEST_CASE("over a network that loses a third of all messages, connections are cr
                 for (const auto& m : p.sent.take()) {
                     if (random() % 3 == 0) continue;
                     const auto news = c.hear(m, now);
-                    if (news.what != consumer_news::report) continue;
+                    if (news.what != consumer_notice::report) continue;
                     numbers.push_back(jaus::split(m).header.sequence_number);
                     lost_by_count += news.lost;
                 }
@@ -535,7 +535,7 @@ TEST_CASE("random messages keep both sides of service connections within their b
         }
         for (const auto& m : c.sent.take()) REQUIRE(jaus::split(m));
     }
-    REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::taken)] > 100);
+    REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::handled)] > 100);
     REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::refused)] > 100);
     REQUIRE(outcomes[static_cast<std::size_t>(message_outcome::malformed)] > 100);
 }

@@ -213,7 +213,7 @@ TEST_CASE("an emergency for an absent slave is not acknowledged, and is sent whe
     r.controller().wait_for("stop_owed", {{"address", "2.2.33.1"}, {"state", "emergency"}, {"slave_up", false}});
     wire.set_slave_link(true);
     r.arm().wait_for("efforts_zeroed", {{"cause", "emergency"}});
-    r.controller().wait_for("stop_owed", {{"address", "2.2.33.1"}, {"cause", "slave_back"}, {"slave_up", true}});
+    r.controller().wait_for("stop_owed", {{"address", "2.2.33.1"}, {"cause", "slave_returned"}, {"slave_up", true}});
     r.controller().wait_for("stop_confirmed", {{"address", "2.2.33.1"}}, 2);
 }
 

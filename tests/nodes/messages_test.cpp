@@ -240,7 +240,7 @@ TEST_CASE("messages to nodes and components that do not exist are dropped") {
         return [=](const json& event) { return event["line"].get<std::string>().find(text) != std::string::npos; };
     };
     for (const auto& [address, why] :
-         {std::pair<std::string, routed>{"2.9.33.1", routed::no_way}, {"2.2.99.1", routed::no_such_component}}) {
+         {std::pair<std::string, routed>{"2.9.33.1", routed::no_route}, {"2.2.99.1", routed::no_such_component}}) {
         auto& unit = r.ocu(1, {"--to", address, "propulsive_linear_effort_x=1"});
         CHECK(unit.has("control_unanswered", {{"address", address}}));
         r.controller().wait_for("node_log", is_about("-> " + address + ": " + std::string{describe(why)}));

@@ -5,7 +5,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr auto nothing_more = [](const jaus::header&, bytes) { return jaus::message_outcome::not_mine; };
+constexpr auto nothing_more = [](const jaus::header&, bytes) { return jaus::message_outcome::unhandled; };
 
 jaus::address unit_id(const place& at) {
     return {.instance = 1, .component = 33, .node = at.jausip.node, .subsystem = at.jausip.subsystem};

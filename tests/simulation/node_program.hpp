@@ -27,12 +27,12 @@ template <class Component, class Application> class watched_component {
     [[nodiscard]] const jaus::address& self() const noexcept { return it_.self(); }
     jaus::component_outcome on_message(const jaus::header& head, bytes body, jauscat::time_point now,
                                        jaus::message_sink out, auto&& rest) {
-        if (mute) return jaus::component_outcome::taken;
+        if (mute) return jaus::component_outcome::handled;
         if (seen_in) seen_in(head);
         const auto send = watching(out);
         const auto what = it_.on_message(head, body, now, send, [&](const jaus::header& h, bytes b) {
             const auto mine = application_(h, b);
-            return mine == jaus::message_outcome::not_mine ? rest(h, b) : mine;
+            return mine == jaus::message_outcome::unhandled ? rest(h, b) : mine;
         });
         if (seen_done) seen_done();
         return what;

@@ -86,9 +86,9 @@ time operator_program::longest_wait() const {
 }
 
 jaus::message_outcome operator_program::application::operator()(const jaus::header& head, bytes body) const {
-    if (head.command_code != large_code) return jaus::message_outcome::not_mine;
+    if (head.command_code != large_code) return jaus::message_outcome::unhandled;
     mine.model_.delivers_large(mine, head, body);
-    return jaus::message_outcome::taken;
+    return jaus::message_outcome::handled;
 }
 
 void operator_program::changed_control(jaus::control_state state) {

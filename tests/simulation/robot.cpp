@@ -25,10 +25,10 @@ jaus::message_outcome actuator::operator()(const jaus::header& head, bytes body)
         if (!command) return message_outcome::malformed;
         command_ = *command;
         model_.executes(account_, command_);
-        return message_outcome::taken;
+        return message_outcome::handled;
     }
-    case large_code: model_.delivers_large(program_, head, body); return message_outcome::taken;
-    default: return message_outcome::not_mine;
+    case large_code: model_.delivers_large(program_, head, body); return message_outcome::handled;
+    default: return message_outcome::unhandled;
     }
 }
 
@@ -66,7 +66,7 @@ void robot::add_components(net::node_machine& node) {
     watched_->seen_out = [this](bytes message) { model_.answers(account_, message); };
     watched_->seen_lost = [this](const jaus::address& who) { model_.hears_lost(account_, who); };
     watched_->seen_done = [this] { model_.handled(account_); };
-    static const auto nothing = [](const jaus::header&, bytes) { return jaus::message_outcome::not_mine; };
+    static const auto nothing = [](const jaus::header&, bytes) { return jaus::message_outcome::unhandled; };
     node.add(*watched_, nothing);
     actuator_->core.change(jaus::state_event::initialized);
 }

@@ -120,9 +120,9 @@ class end {
 /// What comes large is for `large`.
 inline jaus::message_outcome take_large(large_traffic& large, const jaus::header& head,
                                         std::span<const std::byte> body) {
-    if (head.command_code != image_code) return jaus::message_outcome::not_mine;
+    if (head.command_code != image_code) return jaus::message_outcome::unhandled;
     large.received(body);
-    return jaus::message_outcome::taken;
+    return jaus::message_outcome::handled;
 }
 
 } // namespace soak

@@ -117,7 +117,7 @@ class run {
         // and after it
         bool noticed{};
         std::vector<std::optional<jaus::address>> controllers{}; ///< of the robot, one after the other
-        std::uint64_t no_room{}, repeated{};                     ///< messages at the robot
+        std::uint64_t no_capacity{}, repeated{};                 ///< messages at the robot
         std::vector<std::string> failures{};                     ///< of the scene
         ledger::balance efforts{};
     };
@@ -171,7 +171,7 @@ class run {
         relay_.cut();
         found.noticed = wait_until(5s, [&] { return operator_->disappeared && robot_->disappeared; });
         found.controllers = robot_->controllers();
-        found.no_room = robot_->count(jaus::component_outcome::no_room);
+        found.no_capacity = robot_->count(jaus::component_outcome::no_capacity);
         found.repeated = robot_->count(jaus::component_outcome::repeated);
         found.failures = operator_->failures();
         operator_->stop();
@@ -225,7 +225,7 @@ class run {
         check("no effort was applied twice", b.twice == 0);
         check("no refused effort was applied, nor one that nobody sent", b.refused_done == 0 && b.unknown == 0);
         check("every effort without control was refused", b.forbidden_done == 0 && b.forbidden > 0);
-        check("nothing was dropped for want of places", found.no_room == 0);
+        check("nothing was dropped for want of places", found.no_capacity == 0);
         check("no heartbeat timed out while the network was there", found.missed_heartbeats == 0);
         check("both noticed that it was cut, and the robot has no controller then",
               found.noticed && found.controlled && !found.controllers.empty() && !found.controllers.back());

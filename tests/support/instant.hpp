@@ -12,7 +12,7 @@ struct instant {
     template <class Rep, class Period>
     constexpr instant(std::chrono::duration<Rep, Period> since_epoch) noexcept // NOLINT(google-explicit-constructor)
         : at{jauscat::duration{since_epoch}} {}
-    constexpr instant(jauscat::time_point when) noexcept : at{when} {} // NOLINT(google-explicit-constructor)
+    constexpr instant(jauscat::time_point when) noexcept : at{when} {}     // NOLINT(google-explicit-constructor)
     constexpr operator jauscat::time_point() const noexcept { return at; } // NOLINT(google-explicit-constructor)
 
     friend constexpr auto operator<=>(const instant&, const instant&) noexcept = default;

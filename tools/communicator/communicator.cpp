@@ -129,8 +129,8 @@ class communicator {
             constexpr std::array<std::uint16_t, 5> answers{0x0009, 0x000F, 0x0010, 0x01F3, 0x01F4};
             const bool informs = head.command_code >= 0x4000 && head.command_code < 0x6000;
             return informs || std::ranges::find(answers, head.command_code) != answers.end()
-                       ? jaus::message_outcome::taken
-                       : jaus::message_outcome::not_mine;
+                       ? jaus::message_outcome::handled
+                       : jaus::message_outcome::unhandled;
         }
     };
 
@@ -215,7 +215,7 @@ class communicator {
         });
         if (component != self_ && !log_) return;
         auto first = "received " + text::summary(head);
-        if (what != jaus::component_outcome::taken) first += "; " + std::string{describe(what)};
+        if (what != jaus::component_outcome::handled) first += "; " + std::string{describe(what)};
         auto lines = example::bold(first) + "\n";
         const auto* const kind = find_kind(head.command_code);
         if (!body.empty()) lines += kind != nullptr ? kind->to_text(body, 0) : text::hex_dump(body);
@@ -344,7 +344,7 @@ int main(int argc, char** argv) {
             if (number > 254) throw example::usage_error{std::string{"--"} + name + " must be 0 to 254"};
             return static_cast<std::uint8_t>(number);
         };
-        net::jaus_node_options how{.who = values.count("open") != 0 ? net::access::open : net::access::closed,
+        net::jaus_node_options how{.accept = values.count("open") != 0 ? net::access::open : net::access::closed,
                                    .node = id("node"),
                                    .primary = id("primary"),
                                    .socket = {.reuse_address = values.count("reuse") != 0}};

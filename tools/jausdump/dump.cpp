@@ -181,10 +181,10 @@ void dump::add_packet_of_data_set(record& message) {
     const jauscat::time_point now{message.origin.time.value_or(jauscat::duration{})};
     const auto result = data_sets_.on_packet(*message.head, message.body(), now, take, lost);
     message.data_set = error_name(result);
-    if (result == jaus::reassembled::no_room || result == jaus::reassembled::too_large) {
+    if (result == jaus::reassembled::no_capacity || result == jaus::reassembled::too_large) {
         message.kind = kind::broken;
         message.error = fault{.error = message.data_set,
-                              .what = result == jaus::reassembled::no_room
+                              .what = result == jaus::reassembled::no_capacity
                                           ? "no room: too many large data sets at a time"
                                           : "too large: a data set of more than 1 MiB or 4096 packets"};
     }

@@ -38,7 +38,7 @@ struct bridge_options {
     duration control_timeout{};
     /// Interval between attempts to bring a slave up.
     duration bring_up_interval{std::chrono::milliseconds{500}};
-    /// Interval between attempts of a stop order that the slave refuses; see stop_debt.
+    /// Interval between attempts of a stop order that the slave refuses; see pending_stops.
     duration stop_interval{std::chrono::milliseconds{20}};
     /// A job of the master for another slave that delays a stop order for longer is cancelled. If it was a transfer,
     /// that slave is lost.

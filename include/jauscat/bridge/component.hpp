@@ -19,10 +19,10 @@ namespace jauscat::bridge {
 
 /// Bits of the secondary status code in Report Component Status.
 namespace secondary_status {
-inline constexpr std::uint32_t slave_away = 1;     ///< the slave does not answer
-inline constexpr std::uint32_t rest_owed = 2;      ///< the actuator has not confirmed that it is at rest
-inline constexpr std::uint32_t emergency_owed = 4; ///< it has not confirmed the emergency
-inline constexpr std::uint32_t clear_owed = 8;     ///< it has not confirmed the end of the emergency
+inline constexpr std::uint32_t slave_absent = 1;          ///< the slave does not answer
+inline constexpr std::uint32_t rest_unconfirmed = 2;      ///< the actuator has not confirmed that it is at rest
+inline constexpr std::uint32_t emergency_unconfirmed = 4; ///< it has not confirmed the emergency
+inline constexpr std::uint32_t clear_unconfirmed = 8;     ///< it has not confirmed the end of the emergency
 } // namespace secondary_status
 
 /// Added to a node like a jaus::component. Its actuator is brought to rest, by a Set Wrench Effort with zeros in all
@@ -40,7 +40,7 @@ class component {
     /// The front must outlive it and have a free place: component_capacity.
     component(const jaus::address& self, slave_front& front, const jaus::component_options& options = {}) noexcept
         : front_{front},
-          debt_{front.timing().stop_interval},
+          stops_{front.timing().stop_interval},
           core_{self,
                 memory_,
                 {.on_state = jaus::bound<&component::changed_state>(*this),
@@ -48,7 +48,7 @@ class component {
                  .on_state_command = jaus::bound<&component::state_command>(*this)},
                 options} {
         static_cast<void>(front.add(*this)); // has room: see above
-        debt_.owe_rest();                    // what the actuator does is not known yet
+        stops_.require_rest();               // what the actuator does is not known yet
     }
     component(const component&) = delete;
     component& operator=(const component&) = delete;
@@ -58,22 +58,22 @@ class component {
     [[nodiscard]] const jaus::component_control& control() const noexcept { return core_.control(); }
     [[nodiscard]] const slave_front& front() const noexcept { return front_; }
     /// Stop orders that the actuator has not confirmed.
-    [[nodiscard]] const stop_debt& debt() const noexcept { return debt_; }
+    [[nodiscard]] const pending_stops& stops() const noexcept { return stops_; }
 
     /// `application` gets what the core leaves; what that leaves is the slave's.
     jaus::component_outcome on_message(const jaus::header& head, bytes body, time_point now, jaus::message_sink out,
                                        auto&& application) {
         jaus::require_application<std::remove_reference_t<decltype(application)>>();
-        show_debt();
+        show_pending_stops();
         const auto what = core_.on_message(head, body, now, out, [&](const jaus::header& own, bytes own_body) {
             const auto answered = jaus::outcome_of(application(own, own_body));
-            return answered == jaus::message_outcome::not_mine ? accept(own, own_body, now, out) : answered;
+            return answered == jaus::message_outcome::unhandled ? accept(own, own_body, now, out) : answered;
         });
         follow_up(now, out);
         return what;
     }
     void on_time(time_point now, jaus::message_sink out) {
-        show_debt();
+        show_pending_stops();
         core_.on_time(now, out);
         follow_up(now, out);
     }
@@ -86,18 +86,18 @@ class component {
     void shut_down(time_point now, jaus::message_sink out) {
         ends_ = true;
         core_.change(jaus::state_event::shutdown);
-        if (debt_.settled()) owe_rest(stop_cause::program_ends);
+        if (stops_.settled()) require_rest(stop_cause::program_ends);
         follow_up(now, out);
     }
 
     // For the ring.
 
     /// Called when the slave answers again. Sends the pending stop orders at once.
-    void on_slave_up() { owe_what_the_state_owes(stop_cause::slave_back); }
+    void on_slave_up() { require_stop_of_state(stop_cause::slave_returned); }
     void on_slave_lost(time_point now, jaus::message_sink out) {
         using enum jaus::primary_status_code;
         was_at_rest_ = was_at_rest_ || core_.state() == standby || core_.state() == emergency;
-        owe_what_the_state_owes(stop_cause::slave_away);
+        require_stop_of_state(stop_cause::slave_absent);
         core_.change(jaus::state_event::failed);
         core_.reject_control(out);
         follow_up(now, out);
@@ -121,18 +121,18 @@ class component {
     }
     /// The actuator has confirmed it.
     void on_confirmed(stop_order what, time_point now, jaus::message_sink out) {
-        debt_.confirmed(what);
-        if (!debt_.owes_stop()) answer_waiting(false, true, now, out);
-        if (!debt_.owes_clear()) answer_waiting(true, what == stop_order::clear_emergency, now, out);
-        if (debt_.settled()) front_.watcher().settled(*this);
+        stops_.confirmed(what);
+        if (!stops_.stop_is_pending()) answer_waiting(false, true, now, out);
+        if (!stops_.clear_is_pending()) answer_waiting(true, what == stop_order::clear_emergency, now, out);
+        if (stops_.settled()) front_.watcher().settled(*this);
         follow_up(now, out);
     }
     /// The actuator has refused it; `unknown`: it has no object for it.
     void on_refused(stop_order what, bool unknown, const refusal_reason& why, time_point now, jaus::message_sink out) {
-        const bool goes_on = debt_.refused(what, unknown, now);
-        front_.watcher().stop_refused(*this, what, why, debt_.refusals());
+        const bool goes_on = stops_.refused(what, unknown, now);
+        front_.watcher().stop_refused(*this, what, why, stops_.refusals());
         if (!goes_on) answer_waiting(true, false, now, out);
-        if (!debt_.owes_stop()) answer_waiting(false, true, now, out);
+        if (!stops_.stop_is_pending()) answer_waiting(false, true, now, out);
         follow_up(now, out);
     }
     /// A message that `accept` has deferred was executed.
@@ -146,9 +146,9 @@ class component {
     }
 
     /// A command is in the slave's outputs, and the slave has not executed it in time: it must not execute it later.
-    void on_not_taken(const jaus::header& head, time_point now, jaus::message_sink out) {
-        on_not_executed(head, {.why = refusal::not_taken}, now, out);
-        if (!debt_.owes_stop()) owe_rest(stop_cause::not_taken);
+    void on_not_accepted(const jaus::header& head, time_point now, jaus::message_sink out) {
+        on_not_executed(head, {.why = refusal::not_accepted}, now, out);
+        if (!stops_.stop_is_pending()) require_rest(stop_cause::not_accepted);
     }
 
   private:
@@ -172,13 +172,13 @@ class component {
     // The core has obeyed a command that changes its state: acknowledged when the actuator has, too.
     jaus::message_outcome state_command(const jaus::header& head) {
         using enum jaus::message_outcome;
-        if (head.command_code == jaus::command_code_of<jaus::resume>) return taken;
+        if (head.command_code == jaus::command_code_of<jaus::resume>) return handled;
         if (head.command_code == jaus::command_code_of<jaus::clear_emergency>) {
-            if (core_.state() == jaus::primary_status_code::emergency) return taken; // others hold it
-            debt_.owe_clear();
+            if (core_.state() == jaus::primary_status_code::emergency) return handled; // others hold it
+            stops_.require_clear();
             front_.wake();
         }
-        if (debt_.settled()) return taken;
+        if (stops_.settled()) return handled;
         // The core passes a repeated Set Emergency on; of other commands a message with a waiting one's header is new.
         const auto same = [&](const jaus::header& each) {
             return each.source == head.source && each.sequence_number == head.sequence_number &&
@@ -206,39 +206,39 @@ class component {
     void changed_state(jaus::primary_status_code from, jaus::primary_status_code to) {
         front_.watcher().changed_state(*this, from, to);
         if (to == jaus::primary_status_code::emergency)
-            owe_emergency(stop_cause::state);
+            require_emergency(stop_cause::state);
         else if (from == jaus::primary_status_code::ready && front_.up())
-            owe_rest(ends_ ? stop_cause::program_ends : stop_cause::state);
+            require_rest(ends_ ? stop_cause::program_ends : stop_cause::state);
     }
     void changed_controller(const std::optional<jaus::controller>&, jaus::control_change why) {
         front_.watcher().changed_controller(*this, why);
-        if (why == jaus::control_change::lost) owe_rest(stop_cause::controller_lost);
+        if (why == jaus::control_change::lost) require_rest(stop_cause::controller_lost);
         // Queued motion commands of others than the new controller are dropped.
         if (why == jaus::control_change::lost || why == jaus::control_change::released) return;
         foreign_motion_is_dropped_ = true;
         front_.wake();
     }
-    void owe_what_the_state_owes(stop_cause why) {
+    void require_stop_of_state(stop_cause why) {
         if (core_.state() == jaus::primary_status_code::emergency)
-            owe_emergency(why);
+            require_emergency(why);
         else
-            owe_rest(why);
+            require_rest(why);
     }
-    void owe_rest(stop_cause why) {
-        debt_.owe_rest();
+    void require_rest(stop_cause why) {
+        stops_.require_rest();
         drops_motion();
-        front_.watcher().owed(*this, stop_order::rest, why);
+        front_.watcher().stop_required(*this, stop_order::rest, why);
     }
-    void owe_emergency(stop_cause why) {
-        debt_.owe_emergency();
+    void require_emergency(stop_cause why) {
+        stops_.require_emergency();
         drops_motion();
-        front_.watcher().owed(*this, stop_order::emergency, why);
+        front_.watcher().stop_required(*this, stop_order::emergency, why);
     }
-    void show_debt() noexcept {
-        core_.set_secondary_status((front_.up() ? 0 : secondary_status::slave_away) |
-                                   (debt_.owes_rest() ? secondary_status::rest_owed : 0) |
-                                   (debt_.owes_emergency() ? secondary_status::emergency_owed : 0) |
-                                   (debt_.owes_clear() ? secondary_status::clear_owed : 0));
+    void show_pending_stops() noexcept {
+        core_.set_secondary_status((front_.up() ? 0 : secondary_status::slave_absent) |
+                                   (stops_.rest_is_pending() ? secondary_status::rest_unconfirmed : 0) |
+                                   (stops_.emergency_is_pending() ? secondary_status::emergency_unconfirmed : 0) |
+                                   (stops_.clear_is_pending() ? secondary_status::clear_unconfirmed : 0));
     }
     void drops_motion() {
         motion_is_dropped_ = true;
@@ -253,9 +253,9 @@ class component {
         }
         if (std::exchange(motion_is_dropped_, false)) {
             drop_motion(now, out, [](const jaus::address&) { return true; });
-            if (!debt_.owes_clear()) answer_waiting(true, false, now, out); // a new emergency arrived before
+            if (!stops_.clear_is_pending()) answer_waiting(true, false, now, out); // a new emergency arrived before
         }
-        if (!front_.up() || !debt_.settled()) return;
+        if (!front_.up() || !stops_.settled()) return;
         if (core_.state() == jaus::primary_status_code::failure) core_.change(jaus::state_event::reset);
         if (core_.state() != jaus::primary_status_code::initialize) return;
         core_.change(jaus::state_event::initialized);
@@ -270,7 +270,7 @@ class component {
     }
 
     slave_front& front_;
-    stop_debt debt_;
+    pending_stops stops_;
     std::array<jaus::header, 16> waiting_{}; // state commands that the actuator has not confirmed
     std::size_t waiting_count_{};
     bool motion_is_dropped_{};         // commands that wait are refused at the next opportunity

@@ -26,8 +26,8 @@ template <std::size_t MaxBody, std::size_t Places = 4> class message_assembly {
     /// A message, from its header on, received at `now`; `head` is its header. `take(std::span<const std::byte>)` gets
     /// a message that is complete, before this returns: `only` as received, `whole` as if received in one packet. The
     /// header of a `whole` is that of packet 0, with sequence number and acknowledgement of the packet that completed
-    /// it, because its sender waits for an answer to that one. `too_large` and `no_room` mean that the data set cannot
-    /// be delivered.
+    /// it, because its sender waits for an answer to that one. `too_large` and `no_capacity` mean that the data set
+    /// cannot be delivered.
     jaus::reassembled on_message(const jaus::header& head, std::span<const std::byte> message, time_point now,
                                  auto&& take) {
         if (head.data_flag == jaus::data_flag::only) {

@@ -1,6 +1,6 @@
 // Events of a bridge, for logs, traces and displays.
 #pragma once
-#include <jauscat/bridge/stop_debt.hpp>
+#include <jauscat/bridge/pending_stops.hpp>
 #include <jauscat/ethercat/master/master_errc.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
 #include <jauscat/jaus/component/component_control.hpp>
@@ -38,7 +38,7 @@ enum class refusal : std::uint8_t {
     stopped,        ///< a stop order was executed first
     not_translated, ///< see `error`
     by_slave,       ///< the slave or the master refused it: see `status` and `of_master`
-    not_taken,      ///< the slave has not executed the command from its process data in time
+    not_accepted,   ///< the slave has not executed the command from its process data in time
     stale,          ///< the slave's inputs are too old to answer from
 };
 
@@ -54,9 +54,9 @@ struct refusal_reason {
 enum class stop_cause : std::uint8_t {
     state,           ///< the component has gone to a state other than Ready
     controller_lost, ///< the controller was lost without releasing control
-    slave_away,      ///< the slave does not answer: what it does is not known
-    slave_back,      ///< it answers: its first order
-    not_taken,       ///< the slave has not executed a command from its outputs in time
+    slave_absent,    ///< the slave does not answer: what it does is not known
+    slave_returned,  ///< it answers: its first order
+    not_accepted,    ///< the slave has not executed a command from its outputs in time
     program_ends,
 };
 
@@ -78,12 +78,12 @@ struct observer {
     jaus::hook<void(const component& unit, jaus::primary_status_code from, jaus::primary_status_code to)>
         changed_state{};
     jaus::hook<void(const component& unit, jaus::control_change why)> changed_controller{};
-    /// The actuator is owed a stop order from now on.
-    jaus::hook<void(const component& unit, stop_order what, stop_cause why)> owed{};
+    /// The actuator needs a stop order.
+    jaus::hook<void(const component& unit, stop_order what, stop_cause why)> stop_required{};
     /// The actuator has refused it, for the `attempts`th time: it is tried again.
     jaus::hook<void(const component& unit, stop_order what, const refusal_reason& why, unsigned attempts)>
         stop_refused{};
-    /// The actuator has confirmed all that was owed.
+    /// The actuator has confirmed all pending orders.
     jaus::hook<void(const component& unit)> settled{};
 
     /// A message was translated into this packet.

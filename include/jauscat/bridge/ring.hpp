@@ -96,7 +96,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     [[nodiscard]] bool at_rest() const noexcept {
         return std::ranges::all_of(places(), [](const place& each) {
             return std::ranges::none_of(each.front->components(),
-                                        [](const component* unit) { return unit->debt().owes_stop(); });
+                                        [](const component* unit) { return unit->stops().stop_is_pending(); });
         });
     }
     /// Shuts all components down, see component::shut_down. Keep driving the ring until `at_rest`.
@@ -148,7 +148,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         time_point last_seen{}; // in a state in which it can be commanded
         time_point settling_until{};
         bool takes_keep_alive{true};
-        bool has_mail{};
+        bool has_reply{};
         bool is_exchanged{};     // it is in data_
         bool has_rest_outputs{}; // no command but zeros is in its outputs
         std::optional<image_type> image{};
@@ -204,8 +204,8 @@ template <class Image = wrench_effort_path> class basic_ring {
     bool begin_stop(place& at, time_point now, jaus::message_sink out) {
         if (!at.front->up()) return false;
         for (component* unit : at.front->components()) {
-            const auto what = unit->debt().next();
-            if (!what || unit->debt().next_attempt() > now) continue;
+            const auto what = unit->stops().next();
+            if (!what || unit->stops().next_attempt() > now) continue;
             if (*what == stop_order::rest && by_image(at, *unit)) continue; // see use_images
             unit_ = unit;
             stop_ = *what;
@@ -229,7 +229,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         case phase::settling: return false;
         case phase::up: break;
         }
-        if (at.has_mail) return begin_job(at, work::collect, ethercat::collect_emergencies{at.front->station()});
+        if (at.has_reply) return begin_job(at, work::collect, ethercat::collect_emergencies{at.front->station()});
         if (begin_order(at, now, out)) return true;
         return begin_keep_alive(at, now, out);
     }
@@ -248,7 +248,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     // Nothing that moves the actuator goes before a stop order that it has not confirmed.
     [[nodiscard]] static bool is_held_back(const order& each) noexcept {
-        return each.unit->debt().next() && !is_query(each.header);
+        return each.unit->stops().next() && !is_query(each.header);
     }
     [[nodiscard]] static bool may_go_by_mailbox(const place& at, const order& each) {
         return !is_held_back(each) && !goes_by_image(at, each);
@@ -322,7 +322,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         case work::configure: return set_up(at, result, phase::configured, now, out);
         case work::safe_op: return set_up(at, result, phase::safe_op, now, out);
         case work::op: return set_up(at, result, phase::settling, now, out);
-        case work::collect: at.has_mail = false; return tell_emergencies(at);
+        case work::collect: at.has_reply = false; return tell_emergencies(at);
         default: return;
         }
     }
@@ -339,7 +339,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (error != ethercat::master_error{}) return at.front->watcher().bring_up_failed(*at.front, error);
         is_cleared_ = true;
         at.takes_keep_alive = true;
-        at.has_mail = false;
+        at.has_reply = false;
         at.at = at.front->options().cyclic ? phase::pre_op : phase::up;
         at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), at.at == phase::up);
         if (at.at == phase::up) ready(at, now);
@@ -438,8 +438,8 @@ template <class Image = wrench_effort_path> class basic_ring {
         return std::ranges::any_of(places(), [&](const place& each) {
             if (!each.front->up() || (work_ == work::message && &each == served_)) return false;
             return std::ranges::any_of(each.front->components(), [&](const component* unit) {
-                return unit->debt().owes_stop() && unit->debt().next_attempt() <= now &&
-                       !(unit->debt().next() == stop_order::rest && by_image(each, *unit));
+                return unit->stops().stop_is_pending() && unit->stops().next_attempt() <= now &&
+                       !(unit->stops().next() == stop_order::rest && by_image(each, *unit));
             });
         });
     }
@@ -461,12 +461,12 @@ template <class Image = wrench_effort_path> class basic_ring {
         case phase::up: break;
         }
         const auto may_go = [&](const order& each) { return may_go_by_mailbox(at, each); };
-        if (at.has_mail || at.front->orders().first(may_go) != nullptr) return time_point::min();
+        if (at.has_reply || at.front->orders().first(may_go) != nullptr) return time_point::min();
         std::optional<time_point> next;
         const auto consider = [&](time_point other) { next = next ? std::min(*next, other) : other; };
         for (const component* unit : at.front->components())
-            if (const auto what = unit->debt().next(); what && !(*what == stop_order::rest && by_image(at, *unit)))
-                consider(unit->debt().next_attempt());
+            if (const auto what = unit->stops().next(); what && !(*what == stop_order::rest && by_image(at, *unit)))
+                consider(unit->stops().next_attempt());
         if (!at.front->options().cyclic && at.takes_keep_alive && options_.keep_alive != duration{})
             consider(at.next_keep_alive);
         return next;
@@ -552,7 +552,7 @@ template <class Image = wrench_effort_path> class basic_ring {
             }
             if (each.at != phase::up) continue;
             if (const auto last = last_working(each, seen)) each.last_seen = std::max(each.last_seen, *last);
-            each.has_mail = seen.mail_waits;
+            each.has_reply = seen.reply_waiting;
             const ethercat::master_error state{.code = ethercat::master_errc::al_error, .al_status = seen.al.code};
             if (seen.condition == absent)
                 lose(each, loss::no_station, {.code = ethercat::master_errc::working_counter}, now, out);
@@ -594,9 +594,9 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     // An emergency is sent by mailbox; the outputs are set to rest as well.
     void put_rest(place& at, component& unit, time_point now, jaus::message_sink out) {
-        const auto& debt = unit.debt();
-        if (!by_image(at, unit) || !debt.owes_stop()) return;
-        const bool is_awaited = debt.next() == stop_order::rest && debt.next_attempt() <= now;
+        const auto& stops = unit.stops();
+        if (!by_image(at, unit) || !stops.stop_is_pending()) return;
+        const bool is_awaited = stops.next() == stop_order::rest && stops.next_attempt() <= now;
         const auto waits = std::span{at.waiting}.first(at.waiting_count);
         if (std::ranges::any_of(waits, [&](const image_wait& each) { return each.is_stop && each.unit == &unit; }) ||
             (at.has_rest_outputs && !is_awaited))
@@ -693,7 +693,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         bool takes_zeros = true;
         for (const image_wait& each : std::span{over}.first(over_count)) {
             const bool was_reached = image_type::has_reached(each.count, taken);
-            const auto why = was_reached ? refusal::superseded : refusal::not_taken;
+            const auto why = was_reached ? refusal::superseded : refusal::not_accepted;
             if (each.is_stop && was_reached)
                 each.unit->on_confirmed(stop_order::rest, now, out);
             else if (each.is_stop)
@@ -703,7 +703,7 @@ template <class Image = wrench_effort_path> class basic_ring {
             else if (was_reached)
                 each.unit->on_not_executed(each.header, {.why = why}, now, out);
             else
-                each.unit->on_not_taken(each.header, now, out);
+                each.unit->on_not_accepted(each.header, now, out);
             if (each.is_stop && !was_reached) takes_zeros = false;
         }
         if (!takes_zeros) lose(at, loss::no_process_data, {.code = ethercat::master_errc::timeout}, now, out);

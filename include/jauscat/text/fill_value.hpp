@@ -5,7 +5,7 @@
 namespace jauscat::text::detail {
 
 inline constexpr std::string_view single = "is a single value";
-inline constexpr std::string_view no_room = "does not fit into the memory for lists";
+inline constexpr std::string_view no_capacity = "does not fit into the memory for lists";
 
 inline std::string fill_value(const integer_form& is, void* at, const input& in, wire::arena&) {
     if (in.what != input::kind::leaf) return std::string{single};
@@ -45,7 +45,7 @@ inline std::string fill_value(const scaled_form& is, void* at, const input& in, 
 inline std::string keep(std::span<const std::byte> bytes, wire::arena& memory, auto&& use) {
     if (bytes.empty()) return use(bytes);
     auto* const copy = memory.allocate<std::byte>(bytes.size());
-    if (copy == nullptr) return std::string{no_room};
+    if (copy == nullptr) return std::string{no_capacity};
     std::ranges::copy(bytes, copy);
     return use(std::span<const std::byte>{copy, bytes.size()});
 }

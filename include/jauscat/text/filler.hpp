@@ -244,7 +244,7 @@ class filler {
             return fail("has " + std::to_string(in.parts.size()) + " elements, must have " + std::to_string(is.least));
         if (in.parts.empty()) return true;
         auto* const first = static_cast<std::byte*>(is.resize(at, in.parts.size(), memory_));
-        if (first == nullptr) return fail(std::string{no_room});
+        if (first == nullptr) return fail(std::string{no_capacity});
         for (std::size_t i = 0; i != in.parts.size(); ++i)
             if (!inside("[" + std::to_string(i) + "]",
                         [&] { return element(is, first + i * is.stride, in.parts[i], here); }))
@@ -262,7 +262,7 @@ class filler {
         const std::size_t nodes = nodes_of(in, 1, is.max_depth);
         if (nodes == 0) return fail("has more than " + std::to_string(is.max_depth) + " levels");
         auto* next = static_cast<std::byte*>(is.nodes.resize(at, nodes, memory_));
-        if (next == nullptr) return fail(std::string{no_room});
+        if (next == nullptr) return fail(std::string{no_capacity});
         return node(is, next, in, here);
     }
     /// How many there are; 0 where they are too deep.

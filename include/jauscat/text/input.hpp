@@ -27,9 +27,9 @@ struct input {
 };
 
 /// Most elements a list may have: an index beyond it is a typing error.
-inline constexpr std::size_t most_elements = 65536;
+inline constexpr std::size_t max_elements = 65536;
 /// Most structures and lists inside each other: no message has nearly as many.
-inline constexpr std::size_t most_levels = 128;
+inline constexpr std::size_t max_levels = 128;
 
 namespace detail {
 
@@ -95,7 +95,7 @@ inline bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c ==
     const auto wrong = [&](std::string_view why) { return "'" + std::string{path} + "' " + std::string{why}; };
     input* here = &tree;
     for (std::size_t at = 0, level = 0;; ++level) {
-        if (level == most_levels) return wrong("has too many dots");
+        if (level == max_levels) return wrong("has too many dots");
         const std::size_t end = std::min(path.find_first_of(".[", at), path.size());
         if (end == at) return wrong("lacks a name");
         if (here->what == input::kind::nothing) here->what = input::kind::object;
@@ -110,8 +110,8 @@ inline bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c ==
             const auto behind = static_cast<std::size_t>(stop - path.data());
             if (error != std::errc{} || behind == path.size() || path[behind] != ']')
                 return wrong("needs the number of an element between its brackets, from 0");
-            if (index >= most_elements)
-                return wrong("is beyond the " + std::to_string(most_elements) + " elements a list may have");
+            if (index >= max_elements)
+                return wrong("is beyond the " + std::to_string(max_elements) + " elements a list may have");
             if (here->what == input::kind::nothing) here->what = input::kind::array;
             if (here->what != input::kind::array) return wrong("stands beside another value of the same name");
             if (index >= here->parts.size()) here->parts.resize(index + 1);

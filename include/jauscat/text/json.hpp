@@ -130,7 +130,7 @@ class json_writer {
 // Values deeper than a message can be are ignored: a sender cannot exhaust the stack.
 inline input input_of(const json& value, std::size_t level = 0) {
     input made{.what = input::kind::leaf};
-    if (value.is_null() || level == most_levels) {
+    if (value.is_null() || level == max_levels) {
         made.what = input::kind::nothing;
     } else if (value.is_object()) {
         made.what = input::kind::object;

@@ -18,20 +18,20 @@ namespace detail {
 template <std::size_t Count>
 inline constexpr std::uint64_t low_bits = Count == 0 ? 0 : ~std::uint64_t{} >> ((64 - Count) & 63);
 
-inline constexpr std::size_t always_there = ~std::size_t{};
+inline constexpr std::size_t always_present = ~std::size_t{};
 
-// Size that each four bits of a presence vector add to a message; `Sizes` are those of its items, or always_there.
+// Size that each four bits of a presence vector add to a message; `Sizes` are those of its items, or always_present.
 // Tables, because a population count is a call where the target has no instruction for it, as on x86-64 by default.
 // Keyed by sizes, so that messages of the same shape share them.
 template <std::size_t... Sizes>
 inline constexpr auto sizes_by_nibble = [] {
     using entry =
-        std::conditional_t<((Sizes == always_there ? 0 : Sizes) + ... + 0) < 256, std::uint8_t, std::uint16_t>;
-    constexpr std::size_t bits = ((Sizes != always_there) + ... + 0);
+        std::conditional_t<((Sizes == always_present ? 0 : Sizes) + ... + 0) < 256, std::uint8_t, std::uint16_t>;
+    constexpr std::size_t bits = ((Sizes != always_present) + ... + 0);
     std::array<std::array<entry, 16>, (bits + 3) / 4> sums{};
     std::size_t bit = 0;
     const auto add = [&](std::size_t size) {
-        if (size == always_there) return;
+        if (size == always_present) return;
         for (std::size_t nibble = 0; nibble != 16; ++nibble)
             if ((nibble >> bit % 4 & 1u) != 0) sums[bit / 4][nibble] = static_cast<entry>(sums[bit / 4][nibble] + size);
         ++bit;
@@ -219,7 +219,8 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
 
     // Bytes that the set bits stand for.
     JAUSCAT_INLINE static constexpr std::size_t announced(mask_type m) noexcept {
-        constexpr auto& sizes = detail::sizes_by_nibble<(takes_bit<Items> ? Items::max_size : detail::always_there)...>;
+        constexpr auto& sizes =
+            detail::sizes_by_nibble<(takes_bit<Items> ? Items::max_size : detail::always_present)...>;
         return [&]<std::size_t... Nibble>(std::index_sequence<Nibble...>) {
             return (std::size_t{} + ... + sizes[Nibble][static_cast<std::size_t>(m >> (Nibble * 4) & 15u)]);
         }(std::make_index_sequence<sizes.size()>{});

@@ -212,13 +212,13 @@ template <> class job_machine<check> : public detail::plain_machine<slave_check>
     [[nodiscard]] master_error begin(const check& job, ring_knowledge& ring, const master_config&) noexcept {
         if (const auto wrong = detail::choose(ring.slaves, job.station, slave_); wrong != master_error{}) return wrong;
         slave_->al = {};
-        slave_->mail_waits = false;
+        slave_->reply_waiting = false;
         steps_ = slave_check{*slave_};
         return {};
     }
     [[nodiscard]] master_error complete(ring_knowledge&) noexcept {
         slave_->al = steps_.al();
-        slave_->mail_waits = steps_.mail_waits();
+        slave_->reply_waiting = steps_.reply_waiting();
         return steps_.result().error();
     }
     [[nodiscard]] const al_status& value() const noexcept { return steps_.al(); }

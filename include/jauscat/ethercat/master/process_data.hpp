@@ -247,11 +247,11 @@ class process_data {
         status.last_frame = outstanding_.sent_at();
         const auto& state = *next++;
         if (state.working_counter == 1) status.al = state.value(esc_registers::al_status);
-        status.mail_waits = false;
+        status.reply_waiting = false;
         if (each.has_mailbox) {
             const auto& reply = *next++;
             const auto mailbox = reply.value(sync_manager_handshake_of(1));
-            status.mail_waits = reply.working_counter == 1 && mailbox.enable && mailbox.full;
+            status.reply_waiting = reply.working_counter == 1 && mailbox.enable && mailbox.full;
         }
         status.condition = condition_of(state.working_counter, status.al.state, is_exchanged);
         if (status.condition == slave_condition::running) status.last_running = status.last_frame;

@@ -20,7 +20,7 @@ class slave_check {
 
     [[nodiscard]] const master_result<>& result() const noexcept { return result_; }
     [[nodiscard]] const al_status& al() const noexcept { return al_; }
-    [[nodiscard]] bool mail_waits() const noexcept { return mailbox_.enable && mailbox_.full; }
+    [[nodiscard]] bool reply_waiting() const noexcept { return mailbox_.enable && mailbox_.full; }
 
     void request(frame_builder& frame) const noexcept {
         frame.read(station_, esc_registers::al_status);

@@ -83,7 +83,7 @@ struct slave_record {
     /// Without outputs for so long, the slave leaves OP: set by `configure`; 0: not yet since it was brought up.
     std::chrono::nanoseconds watchdog{};
     al_status al{};                   ///< as the last `check` has found it; state 0: it failed
-    bool mail_waits{};                ///< at the last `check` its reply mailbox was full: collect its emergencies
+    bool reply_waiting{};             ///< at the last `check` its reply mailbox was full: collect its emergencies
     std::uint8_t last_counter{};      ///< of the last mailbox request; 0: none yet
     std::uint32_t last_reply_mark{};  ///< of the last mailbox message received: distinguishes it from the next one
     std::uint8_t abandoned_counter{}; ///< of an abandoned request: its answer may still arrive

@@ -38,7 +38,7 @@ enum class slave_condition : std::uint8_t {
 struct slave_status {
     slave_condition condition{}; ///< in the last returned frame
     al_status al{};              ///< as the slave reported it last
-    bool mail_waits{};           ///< its reply mailbox was full: unless a transfer runs, collect its emergencies
+    bool reply_waiting{};        ///< its reply mailbox was full: unless a transfer runs, collect its emergencies
     std::optional<time_point> last_frame{};   ///< that came back
     std::optional<time_point> last_running{}; ///< frame that found it running
     std::optional<time_point> last_inputs{};  ///< frame that brought its inputs

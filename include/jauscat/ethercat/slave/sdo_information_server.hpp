@@ -101,10 +101,10 @@ template <class Objects> class sdo_information_server {
         if (!objects.describe(asked.index)) return refuse(abort_code::no_object, out);
         const auto found = objects.describe(asked.index, asked.subindex);
         if (!found) return refuse(abort_code::no_subindex, out);
-        constexpr std::uint8_t always_there = 0x07; // access, category and mapping: the access word has them
+        constexpr std::uint8_t always_present = 0x07; // access, category and mapping: the access word has them
         size_ = wire::encode(entry_answer{.index = asked.index,
                                           .subindex = asked.subindex,
-                                          .value_info = static_cast<std::uint8_t>(asked.value_info & always_there),
+                                          .value_info = static_cast<std::uint8_t>(asked.value_info & always_present),
                                           .data_type = found->data_type,
                                           .bits = found->bits,
                                           .access = found->access},

@@ -22,10 +22,10 @@ struct acknowledged_message {
 
 /// Result of a received message.
 enum class received : std::uint8_t {
-    handed_on, ///< delivered; acknowledged by the handler's outcome if requested, or by `finish`
-    repeated,  ///< delivered before: acknowledged again with the same answer, and dropped
-    pending,   ///< delivered before and not finished yet: dropped without an answer
-    no_room,   ///< dropped without an answer, because its repeats could not be recognised: the sender will retry
+    handed_on,   ///< delivered; acknowledged by the handler's outcome if requested, or by `finish`
+    repeated,    ///< delivered before: acknowledged again with the same answer, and dropped
+    pending,     ///< delivered before and not finished yet: dropped without an answer
+    no_capacity, ///< dropped without an answer, because its repeats could not be recognised: the sender will retry
 };
 
 /// Delivers messages and acknowledges them: ACK if the handler has executed one, NAK if not. Messages without
@@ -68,7 +68,7 @@ class acknowledged_receiver {
         const bool wants_answer = is_acknowledged(head);
         const auto obey = [&] {
             const message_outcome outcome = handle();
-            const bool is_obeyed = outcome == message_outcome::taken || outcome == message_outcome::deferred;
+            const bool is_obeyed = outcome == message_outcome::handled || outcome == message_outcome::deferred;
             if (is_obeyed && is_command(head.command_code))
                 end_unnumbered(now, [&](const address& source) { return source != head.source; });
             return outcome;
@@ -90,7 +90,7 @@ class acknowledged_receiver {
             static_cast<void>(acknowledge(head, self_, found.same->answer, out)); // its header was received
             return received::repeated;
         }
-        if (found.free == nullptr || 2 * found.of_source >= places_.size()) return received::no_room;
+        if (found.free == nullptr || 2 * found.of_source >= places_.size()) return received::no_capacity;
         acknowledged_message& place = *found.free;
         place = key;
         place.answer = ack_nak::request; // pending while it is handled
@@ -129,7 +129,7 @@ class acknowledged_receiver {
         return head.ack_nak == ack_nak::request && names_one_component(head.destination);
     }
     [[nodiscard]] static constexpr ack_nak answer_of(message_outcome outcome) noexcept {
-        return outcome == message_outcome::taken ? ack_nak::ack : ack_nak::nak;
+        return outcome == message_outcome::handled ? ack_nak::ack : ack_nak::nak;
     }
     constexpr void settle(acknowledged_message& place, const header& head, ack_nak answer, message_sink out) noexcept {
         place.answer = answer;

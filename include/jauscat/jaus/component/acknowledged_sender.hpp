@@ -38,7 +38,7 @@ enum class delivered : std::uint8_t {
 
 enum class send_errc : std::uint8_t {
     ok,
-    no_room,         ///< as many messages wait for an acknowledgement as there are places: send it again later
+    no_capacity,     ///< as many messages wait for an acknowledgement as there are places: send it again later
     too_large,       ///< more bytes than a place holds, or more than one packet
     not_one_address, ///< an octet of the destination is 0 or 255: no single receiver would acknowledge it
     invalid,         ///< not a message, or a value that does not encode
@@ -48,7 +48,7 @@ enum class send_errc : std::uint8_t {
 [[nodiscard]] constexpr std::string_view describe(send_errc error) noexcept {
     switch (error) {
     case send_errc::ok: return "ok";
-    case send_errc::no_room: return "too many messages wait for an acknowledgement";
+    case send_errc::no_capacity: return "too many messages wait for an acknowledgement";
     case send_errc::too_large: return "the message is larger than the place for its copy";
     case send_errc::not_one_address: return "only a message to a single component can be acknowledged";
     case send_errc::invalid: return "not a message, or a value outside the limits of its field";
@@ -163,7 +163,7 @@ class acknowledged_sender {
                                auto&& write) noexcept {
         if (!names_one_component(head.destination)) return {send_errc::not_one_address};
         const auto place = std::ranges::find(places_, std::size_t{0}, &awaited_message::size);
-        if (place == places_.end()) return {send_errc::no_room};
+        if (place == places_.end()) return {send_errc::no_capacity};
         head.command_code = command_code;
         head.ack_nak = ack_nak::request;
         head.sequence_number = free_number(head);

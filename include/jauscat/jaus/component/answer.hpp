@@ -10,8 +10,8 @@
 namespace jauscat::jaus {
 
 enum class message_outcome : std::uint8_t {
-    not_mine,  ///< not handled here
-    taken,     ///< done, and answered where the standard has an answer; an ACK is due if it was requested
+    unhandled, ///< not handled here
+    handled,   ///< done, and answered where the standard has an answer; an ACK is due if it was requested
     refused,   ///< understood, but not done: a NAK is due if an acknowledgement was requested
     malformed, ///< its own, but the body does not decode; nothing was done, a NAK is due
     deferred,  ///< executed later; acknowledged by component::finish
@@ -20,8 +20,8 @@ enum class message_outcome : std::uint8_t {
 /// The outcome in one line, for logs.
 [[nodiscard]] constexpr std::string_view describe(message_outcome what) noexcept {
     switch (what) {
-    case message_outcome::not_mine: return "not handled here";
-    case message_outcome::taken: return "taken";
+    case message_outcome::unhandled: return "not handled here";
+    case message_outcome::handled: return "handled";
     case message_outcome::refused: return "refused";
     case message_outcome::malformed: return "malformed: the body does not decode";
     case message_outcome::deferred: return "deferred: executed and acknowledged later";
@@ -39,7 +39,7 @@ constexpr message_outcome decode_for(std::span<const std::byte> body, F&& use) n
         return use(std::as_const(message));
     } else {
         use(std::as_const(message));
-        return message_outcome::taken;
+        return message_outcome::handled;
     }
 }
 

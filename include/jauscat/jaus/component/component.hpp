@@ -147,7 +147,7 @@ template <class... Parts> class component {
         if (body.size() <= max_body_size) control_.heard(head.source, now);
         if (is_acknowledgement(head)) {
             return sender_.on_message(head, delivered_hook()) ? component_outcome::acknowledgement
-                                                              : component_outcome::not_waited_for;
+                                                              : component_outcome::unmatched_acknowledgement;
         }
         component_outcome what{};
         const auto handle = [&] {
@@ -159,7 +159,7 @@ template <class... Parts> class component {
         case received::handed_on: break;
         case received::repeated: what = component_outcome::repeated; break;
         case received::pending: what = component_outcome::pending; break;
-        case received::no_room: what = component_outcome::no_room; break;
+        case received::no_capacity: what = component_outcome::no_capacity; break;
         }
         return what;
     }
@@ -178,25 +178,25 @@ template <class... Parts> class component {
             return message_outcome::refused;
         }
         message_outcome outcome = state_.on_message(head, body, now, out);
-        if (outcome == message_outcome::taken && is_state_command(head.command_code)) outcome = tell_command(head);
+        if (outcome == message_outcome::handled && is_state_command(head.command_code)) outcome = tell_command(head);
         const auto ask = [&](auto& next) {
-            if (outcome == message_outcome::not_mine) outcome = next.on_message(head, body, now, out);
+            if (outcome == message_outcome::unhandled) outcome = next.on_message(head, body, now, out);
         };
         ask(control_);
         ask(clock_);
         each_part(ask);
-        if (outcome == message_outcome::not_mine && control_.takes_pulse(head)) outcome = message_outcome::taken;
-        if (outcome == message_outcome::not_mine) outcome = outcome_of(application(head, body));
+        if (outcome == message_outcome::unhandled && control_.takes_pulse(head)) outcome = message_outcome::handled;
+        if (outcome == message_outcome::unhandled) outcome = outcome_of(application(head, body));
         switch (outcome) {
-        case message_outcome::taken: what = component_outcome::taken; break;
+        case message_outcome::handled: what = component_outcome::handled; break;
         case message_outcome::refused: what = component_outcome::refused; break;
         case message_outcome::malformed: what = component_outcome::malformed; break;
         case message_outcome::deferred: what = component_outcome::deferred; break;
-        case message_outcome::not_mine: what = component_outcome::unknown; break;
+        case message_outcome::unhandled: what = component_outcome::unknown; break;
         }
-        const bool is_obeyed = outcome == message_outcome::taken || outcome == message_outcome::deferred;
+        const bool is_obeyed = outcome == message_outcome::handled || outcome == message_outcome::deferred;
         if (is_obeyed && head.command_code == command_code_of<set_emergency> && !says_emergency(body))
-            what = component_outcome::stopped_anyway;
+            what = component_outcome::stopped_on_invalid_emergency;
         return outcome;
     }
 
@@ -213,7 +213,7 @@ template <class... Parts> class component {
     }
     constexpr message_outcome tell_command(const header& head) {
         tell_changes();
-        return hooks_.on_state_command ? hooks_.on_state_command(head) : message_outcome::taken;
+        return hooks_.on_state_command ? hooks_.on_state_command(head) : message_outcome::handled;
     }
     constexpr auto delivered_hook() noexcept {
         return [&hooks = hooks_](const awaited_message& m, delivered what) {

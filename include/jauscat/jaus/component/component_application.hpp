@@ -15,8 +15,8 @@ enum class dispatched : std::uint8_t { handled, unknown, malformed, acknowledgem
 [[nodiscard]] constexpr message_outcome outcome_of(message_outcome outcome) noexcept { return outcome; }
 /// The outcome of an application that is a dispatcher.
 [[nodiscard]] constexpr message_outcome outcome_of(dispatched what) noexcept {
-    if (what == dispatched::unknown) return message_outcome::not_mine;
-    return what == dispatched::malformed ? message_outcome::malformed : message_outcome::taken;
+    if (what == dispatched::unknown) return message_outcome::unhandled;
+    return what == dispatched::malformed ? message_outcome::malformed : message_outcome::handled;
 }
 
 namespace detail {

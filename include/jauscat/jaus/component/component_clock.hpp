@@ -90,7 +90,7 @@ class component_clock {
         switch (head.command_code) {
         case command_code_of<set_time>:
             return decode_for<set_time>(body, [&](const set_time& m) {
-                return set_from(m, now) ? message_outcome::taken : message_outcome::refused;
+                return set_from(m, now) ? message_outcome::handled : message_outcome::refused;
             });
         case command_code_of<query_time>:
             return decode_for<query_time>(body, [&](const query_time& query) {
@@ -98,7 +98,7 @@ class component_clock {
                 keep_requested(report, query.presence_vector);
                 static_cast<void>(answer(head, self_, report, out));
             });
-        default: return message_outcome::not_mine;
+        default: return message_outcome::unhandled;
         }
     }
 

@@ -111,7 +111,7 @@ class component_control {
                     answer(head, self_,
                            report_component_control{who.subsystem, who.node, who.component, who.instance, code}, out));
             });
-        default: return message_outcome::not_mine;
+        default: return message_outcome::unhandled;
         }
     }
 

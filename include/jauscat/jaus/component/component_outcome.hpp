@@ -9,26 +9,26 @@ namespace jauscat::jaus {
 
 /// Outcome of a message; more detailed than message_outcome.
 enum class component_outcome : std::uint8_t {
-    taken,          ///< done
-    deferred,       ///< executed later, see component::finish
-    stopped_anyway, ///< handled or deferred: a Set Emergency with an unexpected code or body
-    refused,        ///< understood, but not done
-    malformed,      ///< the body does not decode
+    handled,                      ///< done
+    deferred,                     ///< executed later, see component::finish
+    stopped_on_invalid_emergency, ///< handled or deferred: a Set Emergency with an unexpected code or body
+    refused,                      ///< understood, but not done
+    malformed,                    ///< the body does not decode
     unknown,
     not_controller,  ///< a command that only the controller may send, from another
     not_ready,       ///< a command that is obeyed in Ready only, in another state
     repeated,        ///< a repeat: acknowledged again, and dropped
     pending,         ///< a repeat of a message that is being executed: dropped, its sender is answered at the end
-    no_room,         ///< requests acknowledgement, and cannot be remembered: dropped, its sender will retry
+    no_capacity,     ///< requests acknowledgement, and cannot be remembered: dropped, its sender will retry
     acknowledgement, ///< the ACK or NAK that one of the component's own messages waited for
-    not_waited_for,  ///< an ACK or NAK that no message waits for: late, or strange
+    unmatched_acknowledgement, ///< an ACK or NAK that no message waits for: late, or strange
 };
 inline constexpr std::size_t component_outcome_count = 13;
 
 /// The outcome in one line, for logs.
 [[nodiscard]] constexpr std::string_view describe(component_outcome what) noexcept {
     constexpr std::array<std::string_view, component_outcome_count> lines{
-        "taken",
+        "handled",
         "deferred: executed and acknowledged later",
         "stopped, although the code of the Set Emergency does not say so",
         "refused",

@@ -45,7 +45,7 @@ concept has_useless_list = !lists_messages<Part> && (
 
 /// A part of a component: a state machine that gets the messages that the core leaves, and the time. Needed:
 /// - `on_message(const header&, std::span<const std::byte> body, time_point now, message_sink out)`
-///   returns a message_outcome; `not_mine` hands the message to the next part, and at last to the application.
+///   returns a message_outcome; `unhandled` hands the message to the next part, and at last to the application.
 /// - `on_time(now, out)` does what is due, at `next_event()` or later; it may be called earlier.
 /// - `next_event() const` returns when on_time has something to do, as std::optional<time_point>.
 /// - `on_lost(const address& who)`: a component has disappeared, or all of a level for which an octet is 255; see

@@ -121,18 +121,18 @@ template <std::size_t Holders = 8> class component_state {
         case command_code_of<standby>: return command<standby>(body, state_event::standby);
         case command_code_of<resume>: return command<resume>(body, state_event::resume);
         case command_code_of<reset>: return command<reset>(body, state_event::reset);
-        case command_code_of<set_emergency>: hold(head.source); return message_outcome::taken;
+        case command_code_of<set_emergency>: hold(head.source); return message_outcome::handled;
         case command_code_of<clear_emergency>:
             return decode_for<clear_emergency>(body, [&](const clear_emergency& m) {
                 return !m.emergency_code.test(clear_emergency_code::clear_emergency) || release(head.source)
-                           ? message_outcome::taken
+                           ? message_outcome::handled
                            : message_outcome::refused;
             });
         case command_code_of<query_component_status>:
             return decode_for<query_component_status>(body, [&](const query_component_status&) {
                 static_cast<void>(answer(head, self_, report_component_status{state_, secondary_status}, out));
             });
-        default: return message_outcome::not_mine;
+        default: return message_outcome::unhandled;
         }
     }
 
@@ -158,7 +158,7 @@ template <std::size_t Holders = 8> class component_state {
     template <coded_message T>
     constexpr message_outcome command(std::span<const std::byte> body, state_event event) noexcept {
         return decode_for<T>(
-            body, [&](const T&) { return apply(event) ? message_outcome::taken : message_outcome::refused; });
+            body, [&](const T&) { return apply(event) ? message_outcome::handled : message_outcome::refused; });
     }
 
     constexpr bool apply(state_event event) noexcept {

@@ -55,8 +55,8 @@ class described_component {
     /// Refused are also answers for which the memory is too small and texts of more than 80 characters.
     constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point,
                                          message_sink out) noexcept {
-        if (is_acknowledgement(head)) return message_outcome::not_mine;
-        const auto done = [](bool sent) { return sent ? message_outcome::taken : message_outcome::refused; };
+        if (is_acknowledgement(head)) return message_outcome::unhandled;
+        const auto done = [](bool sent) { return sent ? message_outcome::handled : message_outcome::refused; };
         switch (head.command_code) {
         case command_code_of<query_heartbeat_pulse>:
             return decode_for<query_heartbeat_pulse>(
@@ -70,7 +70,7 @@ class described_component {
             return decode_for<query_services>(body, [&](const auto&) {
                 return done(answer(head, self_, report_services{description_.services}, memory_, out));
             });
-        default: return message_outcome::not_mine;
+        default: return message_outcome::unhandled;
         }
     }
 

@@ -62,7 +62,7 @@ class held_control {
     /// first Query Heartbeat Pulses after a release, which may have been lost.
     constexpr message_outcome on_message(const header& from, std::span<const std::byte> body, time_point now,
                                          message_sink out) noexcept {
-        if (from.source != target_ || is_acknowledgement(from)) return message_outcome::not_mine;
+        if (from.source != target_ || is_acknowledgement(from)) return message_outcome::unhandled;
         switch (from.command_code) {
         case command_code_of<confirm_component_control>:
             return decode_for<confirm_component_control>(body, [&](const confirm_component_control& m) {
@@ -79,15 +79,15 @@ class held_control {
             return decode_for<query_heartbeat_pulse>(body, [&](const query_heartbeat_pulse&) {
                 if (is_wanted()) {
                     static_cast<void>(answer(from, self_, report_heartbeat_pulse{}, out));
-                    return message_outcome::taken;
+                    return message_outcome::handled;
                 }
                 if (releases_ != 0) {
                     --releases_;
                     static_cast<void>(put(head(), release_component_control{}, out));
                 }
-                return message_outcome::not_mine;
+                return message_outcome::unhandled;
             });
-        default: return message_outcome::not_mine;
+        default: return message_outcome::unhandled;
         }
     }
     /// Repeats and renews requests.
@@ -112,7 +112,7 @@ class held_control {
     }
 
   private:
-    static constexpr unsigned most_releases = 8;
+    static constexpr unsigned max_releases = 8;
 
     [[nodiscard]] constexpr bool is_wanted() const noexcept {
         return state_ == control_state::held || state_ == control_state::asking;
@@ -136,7 +136,7 @@ class held_control {
     constexpr void enter(control_state state) noexcept {
         const bool was_wanted = is_wanted();
         const bool is_new = std::exchange(state_, state) != state;
-        if (was_wanted && !is_wanted()) releases_ = most_releases;
+        if (was_wanted && !is_wanted()) releases_ = max_releases;
         if (is_new && changed_) changed_(state);
     }
 

@@ -39,8 +39,8 @@ struct consumed_connection {
 };
 
 /// Meaning of a message to a consumer.
-enum class consumer_news : std::uint8_t {
-    not_mine,   ///< handled by other parts
+enum class consumer_notice : std::uint8_t {
+    unhandled,  ///< handled by other parts
     malformed,  ///< a confirmation that does not decode
     confirmed,  ///< the provider has accepted
     refused,    ///< the provider has not
@@ -50,7 +50,7 @@ enum class consumer_news : std::uint8_t {
 };
 /// The news, and the connection it is of.
 struct consumer_outcome {
-    consumer_news what{};
+    consumer_notice what{};
     std::size_t place{};  ///< in connections()
     std::uint64_t lost{}; ///< reports missing just before this one
     friend constexpr bool operator==(const consumer_outcome&, const consumer_outcome&) = default;

@@ -69,7 +69,7 @@ template <std::size_t Capacity> class event_consumer {
         ask(e, now, out);
     }
 
-    /// Handles Confirm and Reject Event Request, and Event. Reads Report Events, and returns not_mine for it.
+    /// Handles Confirm and Reject Event Request, and Event. Reads Report Events, and returns unhandled for it.
     constexpr event_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
                                        message_sink out) noexcept {
         event_outcome outcome{};
@@ -78,7 +78,7 @@ template <std::size_t Capacity> class event_consumer {
             if (wire::decode(message, body))
                 handle(message);
             else
-                outcome.what = event_news::malformed;
+                outcome.what = event_notice::malformed;
             return outcome;
         };
         switch (head.command_code) {
@@ -96,7 +96,7 @@ template <std::size_t Capacity> class event_consumer {
             return decoded_by(reject_event_request{}, [&](const reject_event_request& m) {
                 answered(head.source, m.local_request_id, outcome, [&](requested_event& e) {
                     const bool gone = e.state == requested_state::cancelling;
-                    outcome.what = gone ? event_news::cancelled : event_news::rejected;
+                    outcome.what = gone ? event_notice::cancelled : event_notice::rejected;
                     e.response = m.response_code;
                     e.confirmed = e.confirmed && e.state != requested_state::stale;
                     e.requests = 0;
@@ -237,7 +237,7 @@ template <std::size_t Capacity> class event_consumer {
             return may_be_answered(r) && r.provider == source && r.local_request_id == id;
         });
         if (e == requested_.end()) {
-            outcome.what = event_news::unknown;
+            outcome.what = event_notice::unknown;
             return;
         }
         outcome.place = static_cast<std::size_t>(e - requested_.begin());
@@ -248,16 +248,16 @@ template <std::size_t Capacity> class event_consumer {
         if (e.state != requested_state::cancelling && e.state != requested_state::unanswered) {
             e.confirmed = true;
             activate(e, now);
-            outcome.what = event_news::confirmed;
+            outcome.what = event_notice::confirmed;
         } else if (e.confirmed) {
             e = {};
-            outcome.what = event_news::cancelled;
+            outcome.what = event_notice::cancelled;
         } else { // cancelled before its ID was known, or abandoned
             e.confirmed = true;
             e.state = requested_state::cancelling;
             e.local_request_id = ++last_id_;
             ask(e, now, out);
-            outcome.what = event_news::confirmed;
+            outcome.what = event_notice::confirmed;
         }
     }
     constexpr void heard(const address& source, const event& m, event_outcome& outcome, time_point now,
@@ -270,7 +270,7 @@ template <std::size_t Capacity> class event_consumer {
                    r.event_id == m.event_id && r.message_code == m.message_code && r.provider == source;
         });
         if (e == requested_.end()) {
-            outcome.what = event_news::unknown;
+            outcome.what = event_notice::unknown;
             cancel_unknown(source, m, now, out);
             return;
         }
@@ -280,10 +280,10 @@ template <std::size_t Capacity> class event_consumer {
         // 8 bits say nothing about a gap of 128 events and more. After a silence none is late.
         const bool may_be_late = e->state != requested_state::stale && now - e->heard_at < retry_.interval;
         if (e->heard && !is_newer && may_be_late) {
-            outcome.what = event_news::repeated;
+            outcome.what = event_notice::repeated;
             return;
         }
-        outcome.what = event_news::event;
+        outcome.what = event_notice::event;
         outcome.lost = e->heard && is_newer ? ahead - 1u : 0;
         e->heard = true;
         e->heard_at = now;

@@ -24,7 +24,7 @@ struct eventful_report {
 using event_filler = hook<std::optional<std::size_t>(std::uint16_t command_code, std::span<const std::byte> query,
                                                      std::span<std::byte> body)>;
 /// Whether a component may have an event: successful, or the reason why not, for example connection_refused.
-using event_judge = hook<event_response(const header&, std::uint16_t message_code)>;
+using event_policy = hook<event_response(const header&, std::uint16_t message_code)>;
 
 /// Parameters of an event.
 struct event_setup {
@@ -47,7 +47,7 @@ struct event_setup {
 }
 
 /// A checked request: a setup, or the reason for a refusal.
-struct judged_setup {
+struct checked_setup {
     event_setup setup{};              ///< only where the response is successful
     event_response response{};        ///< successful, or the code to reject with
     std::string_view error_message{}; ///< the reason in words
@@ -55,22 +55,22 @@ struct judged_setup {
 
 /// Checks a Create Event or Update Event for the report `of`; null: no such report.
 template <class Request>
-[[nodiscard]] constexpr judged_setup judge_setup(const Request& request, const eventful_report* of) noexcept {
+[[nodiscard]] constexpr checked_setup check_setup(const Request& request, const eventful_report* of) noexcept {
     using enum event_response;
     if (of == nullptr) return {.response = message_not_supported, .error_message = "no events of this message"};
-    judged_setup judged{.setup = {.event_type = request.event_type,
-                                  .condition = {.boundary = request.event_boundary,
-                                                .field = request.limit_data_field,
-                                                .lower = request.lower_limit,
-                                                .upper = request.upper_limit,
-                                                .state = request.state_limit},
-                                  .min_rate = request.requested_minimum_periodic_rate.value_or(0),
-                                  .rate = request.requested_periodic_rate.value_or(0)}};
-    event_setup& setup = judged.setup;
+    checked_setup checked{.setup = {.event_type = request.event_type,
+                                    .condition = {.boundary = request.event_boundary,
+                                                  .field = request.limit_data_field,
+                                                  .lower = request.lower_limit,
+                                                  .upper = request.upper_limit,
+                                                  .state = request.state_limit},
+                                    .min_rate = request.requested_minimum_periodic_rate.value_or(0),
+                                    .rate = request.requested_periodic_rate.value_or(0)}};
+    event_setup& setup = checked.setup;
     const auto reject = [&](event_response why, std::string_view text) {
-        judged.response = why;
-        judged.error_message = text;
-        return judged;
+        checked.response = why;
+        checked.error_message = text;
+        return checked;
     };
     const auto query = request.query_message_body.value_or(wire::blob{});
     if (!setup.query.resize(query.size())) return reject(invalid_event_setup, "the query message is too long");
@@ -100,7 +100,7 @@ template <class Request>
         if (condition.field && (of->read_field == nullptr || !of->read_field({}, *condition.field).exists))
             return reject(invalid_event_setup, "the field cannot be limited");
     }
-    return judged;
+    return checked;
 }
 
 } // namespace jauscat::jaus

@@ -22,11 +22,11 @@ template <std::size_t Capacity> class events {
 
   public:
     /// `memory`: 24 bytes and twice the longest report; less than 256 bytes are too few for all answers, and Report
-    /// Events takes up to 1 byte and 62 for each event. All but `self` must outlive this. Without a judge all requests
+    /// Events takes up to 1 byte and 62 for each event. All but `self` must outlive this. Without a policy all requests
     /// are accepted, so that any sender can direct reports at any component.
     constexpr events(const address& self, std::span<const eventful_report> reports, event_filler fill,
-                     std::span<std::byte> memory, event_judge judge = {}) noexcept
-        : self_{self}, reports_{reports}, fill_{fill}, judge_{judge} {
+                     std::span<std::byte> memory, event_policy policy = {}) noexcept
+        : self_{self}, reports_{reports}, fill_{fill}, policy_{policy} {
         const std::size_t overhead = header_size + wire::min_size<event>;
         const std::size_t room = memory.size() < overhead ? 0 : (memory.size() - overhead) / 2;
         report_ = memory.last(std::min(room, max_body_size - wire::min_size<event>));
@@ -37,7 +37,7 @@ template <std::size_t Capacity> class events {
     /// of each event that is gone) and Query Events (answered by Report Events).
     constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
                                          message_sink out) noexcept {
-        if (is_acknowledgement(head)) return message_outcome::not_mine;
+        if (is_acknowledgement(head)) return message_outcome::unhandled;
         switch (head.command_code) {
         case command_code_of<create_event>:
             return decode_for<create_event>(body, [&](const auto& m) { return create(head, m, now, out); });
@@ -47,7 +47,7 @@ template <std::size_t Capacity> class events {
             return decode_for<cancel_event>(body, [&](const auto& m) { return cancel(head, m, out); });
         case command_code_of<query_events>:
             return decode_for<query_events>(body, [&](const auto& m) { return report(head, m, out); });
-        default: return message_outcome::not_mine;
+        default: return message_outcome::unhandled;
         }
     }
 
@@ -138,22 +138,22 @@ template <std::size_t Capacity> class events {
 
     constexpr message_outcome create(const header& head, const create_event& m, time_point now,
                                      message_sink out) noexcept {
-        judged_setup judged = judge_setup(m, report_of(m.message_code));
-        if (judged.response == event_response::successful && judge_) {
-            judged.response = judge_(head, m.message_code);
-            judged.error_message = "not admitted";
+        checked_setup checked = check_setup(m, report_of(m.message_code));
+        if (checked.response == event_response::successful && policy_) {
+            checked.response = policy_(head, m.message_code);
+            checked.error_message = "not admitted";
         }
-        if (judged.response != event_response::successful)
-            return reject(head, m.local_request_id, judged.response, judged.error_message, out);
+        if (checked.response != event_response::successful)
+            return reject(head, m.local_request_id, checked.response, checked.error_message, out);
         const auto same = std::ranges::find_if(events_, [&](const event_record& e) {
             return e.message_code == m.message_code && e.requester == head.source &&
-                   e.local_request_id == m.local_request_id && e.setup == judged.setup;
+                   e.local_request_id == m.local_request_id && e.setup == checked.setup;
         });
         if (same != events_.end()) {
             same->order = ++last_order_;
-            confirm(head, m.local_request_id, set_up(*same, judged.setup, now), out);
+            confirm(head, m.local_request_id, set_up(*same, checked.setup, now), out);
             start(*same, now, out);
-            return message_outcome::taken;
+            return message_outcome::handled;
         }
         event_record* const place = free_place();
         if (place == nullptr)
@@ -164,9 +164,9 @@ template <std::size_t Capacity> class events {
                   .local_request_id = m.local_request_id,
                   .priority = head.priority,
                   .order = ++last_order_};
-        confirm(head, m.local_request_id, set_up(*place, judged.setup, now), out);
+        confirm(head, m.local_request_id, set_up(*place, checked.setup, now), out);
         start(*place, now, out);
-        return message_outcome::taken;
+        return message_outcome::handled;
     }
     constexpr message_outcome update(const header& head, const update_event& m, time_point now,
                                      message_sink out) noexcept {
@@ -179,14 +179,14 @@ template <std::size_t Capacity> class events {
         if (e->message_code != m.message_code)
             return reject(head, m.local_request_id, event_response::invalid_event_setup,
                           "the event is of another message", out);
-        const judged_setup judged = judge_setup(m, report_of(m.message_code));
-        if (judged.response != event_response::successful)
-            return reject(head, m.local_request_id, judged.response, judged.error_message, out);
+        const checked_setup checked = check_setup(m, report_of(m.message_code));
+        if (checked.response != event_response::successful)
+            return reject(head, m.local_request_id, checked.response, checked.error_message, out);
         e->local_request_id = m.local_request_id;
         e->order = ++last_order_;
-        confirm(head, m.local_request_id, set_up(*e, judged.setup, now), out);
+        confirm(head, m.local_request_id, set_up(*e, checked.setup, now), out);
         start(*e, now, out);
-        return message_outcome::taken;
+        return message_outcome::handled;
     }
     constexpr message_outcome cancel(const header& head, const cancel_event& m, message_sink out) noexcept {
         bool any = false;
@@ -196,7 +196,7 @@ template <std::size_t Capacity> class events {
             confirm(head, m.local_request_id, gone, out);
             any = true;
         }
-        if (any) return message_outcome::taken;
+        if (any) return message_outcome::handled;
         return reject(head, m.local_request_id, event_response::error_invalid_event_id_for_update_request,
                       "no such event", out);
     }
@@ -209,7 +209,7 @@ template <std::size_t Capacity> class events {
                 reported[count++] = as_reported(e);
         }
         const bool fits = reply(head, report_events{.event = std::span{reported}.first(count)}, out);
-        return fits ? message_outcome::taken : message_outcome::refused;
+        return fits ? message_outcome::handled : message_outcome::refused;
     }
 
     // A free place, or that of an event that its requester has superseded.
@@ -264,7 +264,7 @@ template <std::size_t Capacity> class events {
     address self_;
     std::span<const eventful_report> reports_;
     event_filler fill_;
-    event_judge judge_;
+    event_policy policy_;
     std::span<std::byte> message_, report_;
     std::array<event_record, Capacity> events_{};
     std::uint64_t skipped_{};

@@ -42,8 +42,8 @@ struct requested_event {
 };
 
 /// Meaning of a message to an event consumer.
-enum class event_news : std::uint8_t {
-    not_mine,  ///< handled by other parts
+enum class event_notice : std::uint8_t {
+    unhandled, ///< handled by other parts
     malformed, ///< one of its messages that does not decode
     confirmed, ///< the provider has accepted
     rejected,  ///< the provider has not
@@ -53,7 +53,7 @@ enum class event_news : std::uint8_t {
     unknown,   ///< an event that was not requested, or an answer to no request
 };
 struct event_outcome {
-    event_news what{};
+    event_notice what{};
     std::size_t place{};                 ///< in requested()
     unsigned lost{};                     ///< events missing just before this one
     std::uint16_t message_code{};        ///< of the report in an event

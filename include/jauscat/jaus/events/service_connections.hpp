@@ -26,7 +26,7 @@ struct connectable_report {
 using report_filler = hook<std::optional<std::size_t>(std::uint16_t command_code, std::uint32_t presence_vector,
                                                       std::span<std::byte> body)>;
 /// Whether a component may connect: connection_created, or the reason why not, for example insufficient_authority.
-using connection_judge = hook<service_connection_response(const header&, const create_service_connection&)>;
+using connection_policy = hook<service_connection_response(const header&, const create_service_connection&)>;
 
 /// A service connection of a provider.
 struct service_connection {
@@ -55,22 +55,22 @@ template <std::size_t Capacity> class service_connections {
     static_assert(Capacity >= 1 && Capacity <= 256, "service_connections: instance IDs are one byte");
 
   public:
-    /// `memory` holds a header and the longest report. All but `self` must outlive this. Without a judge all requests
+    /// `memory` holds a header and the longest report. All but `self` must outlive this. Without a policy all requests
     /// are accepted, so that any sender can direct reports at any component.
     constexpr service_connections(const address& self, std::span<const connectable_report> reports, report_filler fill,
-                                  std::span<std::byte> memory, connection_judge judge = {}) noexcept
+                                  std::span<std::byte> memory, connection_policy policy = {}) noexcept
         : self_{self},
           reports_{reports},
           fill_{fill},
           memory_{memory.first(std::min(memory.size(), header_size + max_body_size))},
-          judge_{judge} {}
+          policy_{policy} {}
 
     /// Takes Create (answered by Confirm), Activate, Suspend and Terminate Service Connection. A request without a
     /// place left is answered with connection_refused, one without rate or with fields that the report does not have
     /// with invalid_service_connection_parameters, one for another report with command_not_supported.
     constexpr message_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
                                          message_sink out) noexcept {
-        if (is_acknowledgement(head)) return message_outcome::not_mine;
+        if (is_acknowledgement(head)) return message_outcome::unhandled;
         switch (head.command_code) {
         case command_code_of<create_service_connection>:
             return decode_for<create_service_connection>(
@@ -84,7 +84,7 @@ template <std::size_t Capacity> class service_connections {
             return change<suspend_service_connection>(head, body, [](service_connection& c) { c.active = false; });
         case command_code_of<terminate_service_connection>:
             return change<terminate_service_connection>(head, body, [](service_connection& c) { c = {}; });
-        default: return message_outcome::not_mine;
+        default: return message_outcome::unhandled;
         }
     }
 
@@ -154,8 +154,8 @@ template <std::size_t Capacity> class service_connections {
                    request.requested_periodic_update_rate == 0 || rate == 0 ||
                    (request.requested_presence_vector & ~report->presence_vector) != 0) {
             confirmed.response_code = response::invalid_service_connection_parameters;
-        } else if (judge_) {
-            confirmed.response_code = judge_(head, request);
+        } else if (policy_) {
+            confirmed.response_code = policy_(head, request);
         }
         if (confirmed.response_code == response::connection_created && place == nullptr)
             confirmed.response_code = response::connection_refused;
@@ -173,7 +173,7 @@ template <std::size_t Capacity> class service_connections {
             confirmed.confirmed_periodic_update_rate = rate;
         }
         static_cast<void>(answer(head, self_, confirmed, out));
-        return confirmed.response_code == response::connection_created ? message_outcome::taken
+        return confirmed.response_code == response::connection_created ? message_outcome::handled
                                                                        : message_outcome::refused;
     }
     // The connection that there is, or a free place.
@@ -192,7 +192,7 @@ template <std::size_t Capacity> class service_connections {
             service_connection& c = connections_[request.instance_id];
             if (c.command_code != request.command_code || c.consumer != head.source) return message_outcome::refused;
             change(c);
-            return message_outcome::taken;
+            return message_outcome::handled;
         });
     }
     constexpr void send(service_connection& c, message_sink out) noexcept {
@@ -217,7 +217,7 @@ template <std::size_t Capacity> class service_connections {
     std::span<const connectable_report> reports_;
     report_filler fill_;
     std::span<std::byte> memory_;
-    connection_judge judge_;
+    connection_policy policy_;
     std::array<service_connection, Capacity> connections_{};
     std::uint64_t skipped_{};
 };

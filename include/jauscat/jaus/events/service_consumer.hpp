@@ -91,7 +91,7 @@ template <std::size_t Capacity> class service_consumer {
             break;
         default: break;
         }
-        return {consumer_news::ignored, place};
+        return {consumer_notice::ignored, place};
     }
 
     /// Repeats requests, detects timeouts, and frees ended connections.
@@ -166,7 +166,7 @@ template <std::size_t Capacity> class service_consumer {
     constexpr consumer_outcome confirm(const header& head, std::span<const std::byte> body, time_point now,
                                        message_sink out) noexcept {
         confirm_service_connection answered{};
-        if (!wire::decode(answered, body)) return {.what = consumer_news::malformed};
+        if (!wire::decode(answered, body)) return {.what = consumer_notice::malformed};
         consumed_connection* const c = find(head.source, answered.command_code);
         if (c == nullptr) return {};
         const auto place = static_cast<std::size_t>(c - connections_.data());
@@ -178,7 +178,7 @@ template <std::size_t Capacity> class service_consumer {
         // Late confirmation of an abandoned request.
         if (accepted && (c->state == consumed_state::ending || c->state == consumed_state::unanswered))
             end(place, now, out);
-        if (c->state != consumed_state::asking && !going_on(*c)) return {consumer_news::ignored, place};
+        if (c->state != consumed_state::asking && !going_on(*c)) return {consumer_notice::ignored, place};
         c->requests = 0;
         c->response = answered.response_code;
         // A rate of nothing would never be missed.
@@ -186,7 +186,7 @@ template <std::size_t Capacity> class service_consumer {
             // A refused change leaves the provider with the connection that it had.
             if (c->confirmed) tell<terminate_service_connection>(*c, now, out);
             enter(*c, consumed_state::refused);
-            return {consumer_news::refused, place};
+            return {consumer_notice::refused, place};
         }
         c->rate = answered.confirmed_periodic_update_rate;
         if (c->state != consumed_state::active) {
@@ -194,7 +194,7 @@ template <std::size_t Capacity> class service_consumer {
             c->due = saturating_add(now, silence(*c));
             enter(*c, consumed_state::active);
         }
-        return {consumer_news::confirmed, place};
+        return {consumer_notice::confirmed, place};
     }
     constexpr consumer_outcome count(consumed_connection& c, std::uint16_t number, std::size_t place,
                                      time_point now) noexcept {
@@ -203,7 +203,7 @@ template <std::size_t Capacity> class service_consumer {
         // A restarted provider counts from 0; after a timeout no late report is possible.
         if (!newer && c.state != consumed_state::stale) {
             ++c.dropped;
-            return {consumer_news::old_report, place};
+            return {consumer_notice::old_report, place};
         }
         const std::uint64_t lost = c.heard && newer ? ahead - 1u : 0u;
         c.heard = true;
@@ -214,7 +214,7 @@ template <std::size_t Capacity> class service_consumer {
             c.due = saturating_add(now, silence(c));
             enter(c, consumed_state::active);
         }
-        return {consumer_news::report, place, lost};
+        return {consumer_notice::report, place, lost};
     }
 
     address self_;

@@ -21,7 +21,7 @@ namespace jauscat::jaus {
 class large_data_sender {
   public:
     /// Packets that sequence numbers can count.
-    static constexpr std::size_t most_packets = 65536;
+    static constexpr std::size_t max_packets = 65536;
 
     /// `head` gives all of the packets' headers but data size, data flag and, where there are several, sequence number.
     /// `packet` holds one packet: its bytes after the header are filled, up to 4080. `body` and `packet` must outlive
@@ -35,7 +35,7 @@ class large_data_sender {
         }
         share_ = std::min(packet.size() - header_size, max_body_size);
         packets_ = std::max<std::size_t>((body.size() + share_ - 1) / share_, 1);
-        if (packets_ > most_packets) error_ = errc::body_too_large;
+        if (packets_ > max_packets) error_ = errc::body_too_large;
         header_.data_size = 0;
         if (error_ == errc::ok && !wire::encode(header_, packet_)) error_ = errc::invalid_header;
         if (error_ != errc::ok) packets_ = 0;

@@ -14,14 +14,14 @@ namespace jauscat::jaus {
 
 /// Result of a packet.
 enum class reassembled : std::uint8_t {
-    only,      ///< no part of a large data set, or an acknowledgement: it is the caller's
-    waiting,   ///< kept; others are missing. A last packet with acknowledgement request is not kept: it is repeated
-    whole,     ///< the last missing one: the complete body has been delivered
-    repeated,  ///< a duplicate, or a late packet of the data set that was just delivered; dropped
-    doubtful,  ///< not to be acknowledged: equal to a part of the data set that was handed on before; it may be a late
-               ///< copy
-    no_room,   ///< dropped: every place, or its source's share of them, is taken by data sets that go on
-    too_large, ///< dropped together with its data set, which has more bytes or packets than a place holds
+    only,     ///< no part of a large data set, or an acknowledgement: it is the caller's
+    waiting,  ///< kept; others are missing. A last packet with acknowledgement request is not kept: it is repeated
+    whole,    ///< the last missing one: the complete body has been delivered
+    repeated, ///< a duplicate, or a late packet of the data set that was just delivered; dropped
+    doubtful, ///< not to be acknowledged: equal to a part of the data set that was handed on before; it may be a late
+              ///< copy
+    no_capacity, ///< dropped: every place, or its source's share of them, is taken by data sets that go on
+    too_large,   ///< dropped together with its data set, which has more bytes or packets than a place holds
 };
 
 /// The result in one line, for logs.
@@ -32,7 +32,7 @@ enum class reassembled : std::uint8_t {
     case reassembled::whole: return "the last missing part of a large data set";
     case reassembled::repeated: return "part of a large data set that was received already";
     case reassembled::doubtful: return "equal to part of the large data set before, and may be a late copy of that";
-    case reassembled::no_room: return "too many large data sets at a time: send it again later";
+    case reassembled::no_capacity: return "too many large data sets at a time: send it again later";
     case reassembled::too_large: return "the large data set has more bytes or packets than its memory holds";
     }
     return "unknown";
@@ -133,7 +133,7 @@ class reassembler {
         const bool ends = head.data_flag == data_flag::last;
         if (is_doubtful && ends && !std::exchange(set->last_is_doubtful, true)) return reassembled::doubtful;
         if (set == nullptr) set = free_place(head, now, lost);
-        if (set == nullptr) return reassembled::no_room;
+        if (set == nullptr) return reassembled::no_capacity;
         if (set->packets == 0) *set = {.header = head, .begun_at = now};
         if (head.sequence_number == 0) {
             set->header = head;

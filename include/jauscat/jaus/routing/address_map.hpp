@@ -32,9 +32,9 @@ enum class inserted : std::uint8_t {
 /// probe seldom sees more than a few places. Not safe for several threads.
 ///
 ///     std::array<jaus::address_place<int>, 64> places{};
-///     jaus::address_map<int> ways{places};
-///     ways.insert({.node = 2, .subsystem = 1}, 7);
-///     const auto* way = ways.find({.instance = 1, .component = 33, .node = 2, .subsystem = 1}); // way->value == 7
+///     jaus::address_map<int> routes{places};
+///     routes.insert({.node = 2, .subsystem = 1}, 7);
+///     const auto* to = routes.find({.instance = 1, .component = 33, .node = 2, .subsystem = 1}); // to->value == 7
 template <class Value> class address_map {
   public:
     /// A place in the caller's memory.

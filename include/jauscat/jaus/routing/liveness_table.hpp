@@ -16,9 +16,9 @@ struct presence {
 
 /// Result of a message from a component.
 enum class heard : std::uint8_t {
-    known,    ///< was there already
-    appeared, ///< is new
-    no_room,  ///< is new and not remembered: the table is full
+    known,       ///< was there already
+    appeared,    ///< is new
+    no_capacity, ///< is new and not remembered: the table is full
 };
 
 /// The components that are alive, each until its timeout after its last message. A flood of new addresses fills the
@@ -39,13 +39,13 @@ class liveness_table {
             found->value.gone_at = std::max(found->value.gone_at, gone_at);
             return heard::known;
         }
-        if (map_.insert(who, {now, gone_at}) != inserted::ok) return heard::no_room;
+        if (map_.insert(who, {now, gone_at}) != inserted::ok) return heard::no_capacity;
         next_check_ = std::min(next_check_, gone_at);
         return heard::appeared;
     }
     /// `who` is kept permanently, also without messages; false if the table is full.
     constexpr bool keep(const address& who) noexcept {
-        return on_heard(who, time_point{}, duration::max()) != heard::no_room;
+        return on_heard(who, time_point{}, duration::max()) != heard::no_capacity;
     }
 
     /// Removes components whose timeout has expired; calls `gone(const address&)` for each.

@@ -31,7 +31,7 @@ class node_manager {
 
     message_outcome on_message(const header& head, std::span<const std::byte> body, time_point now,
                                message_sink out) noexcept {
-        if (is_acknowledgement(head)) return message_outcome::not_mine;
+        if (is_acknowledgement(head)) return message_outcome::unhandled;
         switch (head.command_code) {
         case command_code_of<report_heartbeat_pulse>:
             return decode_for<report_heartbeat_pulse>(body, [&](const auto&) { return on_heartbeat(head, now, out); });
@@ -100,19 +100,21 @@ class node_manager {
     static void tell(const hook<void(const address&)>& whom, const address& who) noexcept {
         if (whom) whom(who);
     }
-    static message_outcome done(bool sent) noexcept { return sent ? message_outcome::taken : message_outcome::refused; }
+    static message_outcome done(bool sent) noexcept {
+        return sent ? message_outcome::handled : message_outcome::refused;
+    }
     heard remember(const address& who, time_point now, duration timeout) noexcept {
         const heard what = present_.on_heard(who, now, timeout);
-        if (what == heard::no_room) ++not_remembered_;
+        if (what == heard::no_capacity) ++not_remembered_;
         if (what == heard::appeared) tell(options_.appeared, who);
         return what;
     }
 
     message_outcome on_heartbeat(const header& head, time_point now, message_sink out) noexcept {
-        if (head.source == self_) return message_outcome::taken; // our own to all
+        if (head.source == self_) return message_outcome::handled; // our own to all
         const heard what = remember(head.source, now, options_.timeout);
         if (what == heard::appeared) ask(head.source, out);
-        return done(what != heard::no_room);
+        return done(what != heard::no_capacity);
     }
     // The components of another node of the subsystem.
     void ask(const address& who, message_sink out) const noexcept {
@@ -138,7 +140,7 @@ class node_manager {
             for (const auto& [component, instance] : node.component) {
                 const address who{instance, component, node.node_id, from.subsystem};
                 if (who.node != from.node || who == from || !names_one_component(who)) continue;
-                all = remember(who, now, timeout) != heard::no_room && all;
+                all = remember(who, now, timeout) != heard::no_capacity && all;
             }
         return done(all);
     }

@@ -47,9 +47,9 @@ enum class added : std::uint8_t {
 /// Result of routing. From `no_such_component` on the message was dropped; log it.
 enum class routed : std::uint8_t {
     ok,                  ///< delivered or forwarded
-    nobody,              ///< to all of a kind, and there is none here or beyond
+    no_receiver,         ///< to all of a kind, and there is none here or beyond
     no_such_component,   ///< to this node, which has no such component
-    no_way,              ///< no entry covers the destination, or only one that leads out of the subsystem again
+    no_route,            ///< no entry covers the destination, or only one that leads out of the subsystem again
     would_return,        ///< the route leads back to the sender of the message
     between_subsystems,  ///< from another subsystem to another subsystem: none forwards for others
     not_the_relay,       ///< from a node to another node, and this is not the primary node that forwards such
@@ -63,9 +63,9 @@ enum class routed : std::uint8_t {
 [[nodiscard]] constexpr std::string_view describe(routed what) noexcept {
     switch (what) {
     case routed::ok: return "ok";
-    case routed::nobody: return "no receiver: nothing here matches the broadcast address";
+    case routed::no_receiver: return "no receiver: nothing here matches the broadcast address";
     case routed::no_such_component: return "unroutable: this node has no such component";
-    case routed::no_way: return "unroutable: no route to the destination is known";
+    case routed::no_route: return "unroutable: no route to the destination is known";
     case routed::would_return: return "unroutable: the route to the destination leads back to the sender";
     case routed::between_subsystems: return "unroutable: messages between other subsystems are not forwarded";
     case routed::not_the_relay: return "unroutable: only the primary node forwards from node to node";

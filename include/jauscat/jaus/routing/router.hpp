@@ -46,7 +46,7 @@ class router {
         routing all{.outcome = check(head, from)};
         if (!all) return all;
         table_.next_turn();
-        const auto give = [&](const way& where, const address& whole) {
+        const auto give = [&](const route_entry& where, const address& whole) {
             to_component(where.number, whole);
             ++all.components;
         };
@@ -58,7 +58,8 @@ class router {
         const bool to_all_here = table_.is_own_node(to) && (to.component == 255 || to.instance == 255);
         const bool to_one = to.subsystem != 255 && to.node != 255 && !to_all_here;
         all.outcome = to_one ? pass_on(head, from, give, send) : spread(head, from, give, send);
-        if (all && all.components + all.hops == 0) all.outcome = covers_subsystem(to) ? routed::nobody : routed::no_way;
+        if (all && all.components + all.hops == 0)
+            all.outcome = covers_subsystem(to) ? routed::no_receiver : routed::no_route;
         return all;
     }
 
@@ -79,7 +80,7 @@ class router {
         if (!names_one_component(head.source)) return routed::invalid_source;
         const bool is_own = table_.is_own_node(head.source);
         if (from == here) return is_own ? routed::ok : routed::source_is_elsewhere;
-        const way* const known = is_own ? table_.find(head.source) : nullptr;
+        const route_entry* const known = is_own ? table_.find(head.source) : nullptr;
         const bool is_here = known != nullptr && known->is_here;
         switch (table_.kind_of(from)) {
         case hop_kind::manager: return is_here ? routed::source_is_local : routed::ok;
@@ -94,14 +95,14 @@ class router {
     // To one subsystem and node, and if that is the own to one component.
     constexpr routed pass_on(const header& head, hop from, auto& give, auto& send) const {
         const auto& to = head.destination;
-        const way* const found = table_.find(to);
+        const route_entry* const found = table_.find(to);
         if (found != nullptr && found->is_here) {
             give(*found, to);
             return routed::ok;
         }
         if (!from_own_node(from) && !of_own_subsystem(to) && !of_own_subsystem(head.source))
             return routed::between_subsystems;
-        if (found == nullptr) return table_.is_own_node(to) ? routed::no_such_component : routed::no_way;
+        if (found == nullptr) return table_.is_own_node(to) ? routed::no_such_component : routed::no_route;
         const hop by = found->number;
         if (by == from) return routed::would_return;
         const routed what = may_go(from, table_.kind_of(by), of_own_subsystem(to));
@@ -113,7 +114,7 @@ class router {
         if (from == here) return routed::ok;
         if (table_.manager()) return routed::not_the_relay;
         if (from_own_node(from) || by == hop_kind::component) return routed::ok;
-        if (by == hop_kind::subsystem) return stays ? routed::no_way : routed::ok;
+        if (by == hop_kind::subsystem) return stays ? routed::no_route : routed::ok;
         const bool enters = table_.kind_of(from) == hop_kind::subsystem;
         return enters || primary_ == table_.node() ? routed::ok : routed::not_the_relay;
     }
@@ -154,9 +155,9 @@ class router {
             return routed::ok;
         }
         if (primary_ != 0 && primary_ != table_.node()) {
-            const way* const all = to_nodes ? table_.group(table_.subsystem(), to) : nullptr;
+            const route_entry* const all = to_nodes ? table_.group(table_.subsystem(), to) : nullptr;
             const auto up = all != nullptr ? all->number : table_.next_hop({1, 1, primary_, table_.subsystem()});
-            if (!up) return routed::no_way;
+            if (!up) return routed::no_route;
             send(*up);
             return routed::ok;
         }

@@ -10,7 +10,7 @@
 namespace jauscat::jaus {
 
 /// A route.
-struct way {
+struct route_entry {
     std::uint16_t number{}; ///< a hop, or the number that the program gave to its component
     bool is_here{};         ///< a component of this program
 };
@@ -24,7 +24,7 @@ struct hop_state {
 struct node_component {
     std::uint8_t component{}; ///< its ID
     std::uint8_t instance{};
-    way where{}; ///< in which program
+    route_entry where{}; ///< in which program
 };
 
 /// The addresses that one node knows. An address's level of 0 matches every ID of that level, and the most specific
@@ -33,11 +33,11 @@ struct node_component {
 /// A message to a group comes from the hop of its sender, if that is known; otherwise from the group's.
 class routing_table {
   public:
-    /// The memory must outlive this: `ways` for routes (three quarters of a power of two can be used), `hops` with a
+    /// The memory must outlive this: `routes` for routes (three quarters of a power of two can be used), `hops` with a
     /// place for each hop number from 0, `components` for those of the own node.
-    constexpr routing_table(std::uint8_t subsystem, std::uint8_t node, std::span<address_place<way>> ways,
+    constexpr routing_table(std::uint8_t subsystem, std::uint8_t node, std::span<address_place<route_entry>> routes,
                             std::span<hop_state> hops, std::span<node_component> components) noexcept
-        : subsystem_{subsystem}, node_{node}, ways_{ways}, hops_{hops}, components_{components} {
+        : subsystem_{subsystem}, node_{node}, routes_{routes}, hops_{hops}, components_{components} {
         std::ranges::fill(hops, hop_state{});
     }
     [[nodiscard]] constexpr std::uint8_t subsystem() const noexcept { return subsystem_; }
@@ -52,7 +52,7 @@ class routing_table {
     }
     /// Messages to `to` go to `by`. An address of the own node is that of a component in another program; that of the
     /// own node as a whole leads to the program that has its node manager.
-    [[nodiscard]] constexpr added add_way(const address& to, hop by) noexcept {
+    [[nodiscard]] constexpr added add_route(const address& to, hop by) noexcept {
         if (by >= hops_.size()) return added::invalid_hop;
         const added what = add(to, {by, false});
         if (what != added::ok) return what;
@@ -71,14 +71,14 @@ class routing_table {
 
     /// The route to this component, or nullptr. What leads to the subsystem does not lead to a component that the own
     /// node does not have.
-    [[nodiscard]] constexpr const way* find(const address& one) const noexcept {
-        const auto* const found = ways_.find(one);
+    [[nodiscard]] constexpr const route_entry* find(const address& one) const noexcept {
+        const auto* const found = routes_.find(one);
         return found == nullptr || (is_own_node(one) && !is_own_node(found->address)) ? nullptr : &found->value;
     }
     /// The hop for messages to this one component: a hop, `here`, or nothing without a route. Also the hop from which
     /// messages of this source are expected.
     [[nodiscard]] constexpr std::optional<hop> next_hop(const address& one) const noexcept {
-        const way* const found = find(one);
+        const route_entry* const found = find(one);
         if (found == nullptr) return std::nullopt;
         return found->is_here ? here : found->number;
     }
@@ -109,30 +109,30 @@ class routing_table {
     }
 
     /// The route of the multicast group between subsystems (255) or between the nodes of the own subsystem, or nullptr.
-    [[nodiscard]] constexpr const way* group(std::uint8_t subsystem, const address& to) const noexcept {
-        const auto* const found = ways_.find({to.instance, to.component, 255, subsystem});
+    [[nodiscard]] constexpr const route_entry* group(std::uint8_t subsystem, const address& to) const noexcept {
+        const auto* const found = routes_.find({to.instance, to.component, 255, subsystem});
         const bool is_group = found != nullptr && found->address.subsystem == subsystem &&
                               (subsystem == 255 || found->address.node == 255);
         return is_group ? &found->value : nullptr;
     }
     /// Calls `send(hop)` for each route to other nodes of the own subsystem that the destination covers.
     constexpr void to_nodes(const address& to, auto&& send) const {
-        const way* const all = group(subsystem_, to);
+        const route_entry* const all = group(subsystem_, to);
         if (all != nullptr) send(all->number);
-        along_ways(to, hop_kind::node, all != nullptr, send, [this](const address& entry) {
+        along_routes(to, hop_kind::node, all != nullptr, send, [this](const address& entry) {
             return entry.subsystem == subsystem_ && entry.node != node_ && entry.node != 255;
         });
     }
     /// Calls `send(hop)` for each route to other subsystems that the destination covers.
     constexpr void to_subsystems(const address& to, auto&& send) const {
-        const way* const all = to.subsystem == 255 ? group(255, to) : nullptr;
+        const route_entry* const all = to.subsystem == 255 ? group(255, to) : nullptr;
         if (all != nullptr) send(all->number);
-        const bool named = along_ways(to, hop_kind::subsystem, all != nullptr, send, [this](const address& entry) {
+        const bool named = along_routes(to, hop_kind::subsystem, all != nullptr, send, [this](const address& entry) {
             return entry.subsystem != subsystem_ && entry.subsystem != 255 && entry.subsystem != 0;
         });
         if (to.subsystem == 255 || !named) // the route to all other subsystems
-            along_ways(to, hop_kind::subsystem, all != nullptr, send,
-                       [](const address& entry) { return entry.subsystem == 0; });
+            along_routes(to, hop_kind::subsystem, all != nullptr, send,
+                         [](const address& entry) { return entry.subsystem == 0; });
     }
 
     /// Whether an ID of a destination covers one of an entry: all, anyone, or the same.
@@ -141,18 +141,18 @@ class routing_table {
     }
 
   private:
-    constexpr added add(const address& entry, const way& where) noexcept {
+    constexpr added add(const address& entry, const route_entry& where) noexcept {
         const bool of_own_node = is_own_node(entry);
         if (of_own_node && component_count_ == components_.size()) return added::full;
-        const inserted what = ways_.insert(entry, where);
+        const inserted what = routes_.insert(entry, where);
         if (what != inserted::ok) return what == inserted::full ? added::full : added::duplicate;
         if (of_own_node) components_[component_count_++] = {entry.component, entry.instance, where};
         return added::ok;
     }
     // Of entries that cover each other the widest counts. Whether there are any.
-    constexpr bool along_ways(const address& to, hop_kind kind, bool by_group, auto& send, auto&& wanted) const {
+    constexpr bool along_routes(const address& to, hop_kind kind, bool by_group, auto& send, auto&& wanted) const {
         bool any = false;
-        for (const auto& [entry, taken, where] : ways_.places()) {
+        for (const auto& [entry, taken, where] : routes_.places()) {
             if (!taken || where.is_here || !wanted(entry) || !covers(to.subsystem, entry.subsystem) ||
                 !covers(to.node, entry.node) || !covers(to.component, entry.component) ||
                 !covers(to.instance, entry.instance) || is_within_another(entry))
@@ -171,7 +171,7 @@ class routing_table {
             if ((open & 1U) != 0) wider.instance = 0;
             if ((open & 2U) != 0) wider.component = 0;
             if ((open & 4U) != 0) wider.node = 0;
-            if (wider != entry && ways_.exactly(wider) != nullptr) return true;
+            if (wider != entry && routes_.exactly(wider) != nullptr) return true;
         }
         return false;
     }
@@ -180,7 +180,7 @@ class routing_table {
     std::uint8_t node_;
     std::optional<hop> manager_{};
     std::uint32_t turn_{};
-    address_map<way> ways_;
+    address_map<route_entry> routes_;
     std::span<hop_state> hops_;
     std::span<node_component> components_;
     std::size_t component_count_{};

@@ -66,7 +66,7 @@ class access_list {
         const bool right_port = peer.port == 0 || peer.port == from.port();
         if (!right_port || std::ranges::find(peer.ips, detail::unmapped(from.address())) == peer.ips.end())
             return refused(verdict::wrong_sender);
-        return {verdict::taken, found->value};
+        return {verdict::accepted, found->value};
     }
 
     /// Whether it accepts messages from all senders.
@@ -78,7 +78,7 @@ class access_list {
         std::uint16_t port{}; ///< 0: any
     };
 
-    [[nodiscard]] finding refused(verdict why) const noexcept { return {is_open() ? verdict::taken : why, {}}; }
+    [[nodiscard]] finding refused(verdict why) const noexcept { return {is_open() ? verdict::accepted : why, {}}; }
 
     access how_;
     std::vector<jaus::address_place<std::uint32_t>> places_;

@@ -23,7 +23,7 @@ namespace jauscat::net {
 struct jaus_node_options {
     /// Closed: accepts only systems of the configuration, from their endpoints. Open: accepts all; replies to unknown
     /// subsystems go to their last endpoint. See access_list.
-    access who{access::closed};
+    access accept{access::closed};
     /// The node ID within the system; 0: the one that the configuration names, or 1.
     std::uint8_t node{};
     /// The node that relays within the subsystem; 0: none. See jaus::router.
@@ -50,7 +50,7 @@ struct jaus_node_options {
     /// Of each of their packets, if `ack_nak` of the header requests acknowledgement.
     retry_policy large_data_retry{.interval = std::chrono::milliseconds{50}, .attempts = 21};
     /// Limit of queued bytes: of large data sets to be sent, and of messages between components of the node.
-    std::size_t most_waiting{std::size_t{16} << 20U};
+    std::size_t max_waiting{std::size_t{16} << 20U};
 
     /// Receives a line for each message that was refused, unroutable or lost.
     std::function<void(std::string_view line)> log{};

@@ -6,9 +6,9 @@
 
 namespace jauscat::net {
 
-/// Decision on each datagram. All but `taken` are dropped and not answered: their only effect is a counter.
+/// Decision on each datagram. All but `accepted` are dropped and not answered: their only effect is a counter.
 enum class verdict : std::uint8_t {
-    taken,
+    accepted,
     malformed,    ///< no valid JAUS header
     unknown_peer, ///< no system of the configuration has its JAUS source
     wrong_sender, ///< not from the address of the system that has its JAUS source
@@ -17,7 +17,7 @@ enum class verdict : std::uint8_t {
 
 [[nodiscard]] constexpr std::string_view describe(verdict v) noexcept {
     switch (v) {
-    case verdict::taken: return "taken";
+    case verdict::accepted: return "accepted";
     case verdict::malformed: return "malformed: no JAUS header that could be answered";
     case verdict::unknown_peer: return "unknown peer: no system has the message's JAUS source";
     case verdict::wrong_sender: return "wrong sender: the message's JAUS source belongs to another system";

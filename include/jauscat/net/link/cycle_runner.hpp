@@ -31,9 +31,9 @@ struct cycle_config {
     /// In the last part of a cycle, 1 / `reserve` of it, the master sends no frame, because it would delay the next
     /// cycle's.
     unsigned reserve{4};
-    /// After this part of a cycle, 1 / `patience` of it, the master no longer waits for process data that have not
+    /// After this part of a cycle, 1 / `loss_fraction` of it, the master no longer waits for process data that have not
     /// returned: they are probably lost.
-    unsigned patience{2};
+    unsigned loss_fraction{2};
 };
 
 /// Between cycles the master is free for a new job. `Link` models ethercat::link.
@@ -52,7 +52,7 @@ template <class Link> class cycle_runner {
     template <class Prepare> cycle_report run(Prepare&& prepare) {
         cycle_report report{.late = timer_.wait()};
         const auto start = timer_.due(), end = start + config_.period;
-        const auto masters_turn = start + config_.period / std::max(config_.patience, 1u);
+        const auto masters_turn = start + config_.period / std::max(config_.loss_fraction, 1u);
         prepare();
         const auto begun = now();
         const auto size = data_.next_frame(frame_, begun);

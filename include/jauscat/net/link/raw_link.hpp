@@ -45,7 +45,7 @@ class raw_link {
         if (socket_.get() < 0)
             throw open_error{errno == EPERM ? not_permitted()
                                             : std::string{"no packet socket: "} + std::strerror(errno)};
-        hear_datagrams_only();
+        receive_datagrams_only();
         detail::limit_blocking(socket_.get());
         if (::if_nametoindex(name_.c_str()) == 0)
             throw open_error{"there is no interface " + name_ + "; " + detail::all_interfaces()};
@@ -139,11 +139,11 @@ class raw_link {
             return name_ + " is not an Ethernet interface; " + detail::all_interfaces();
         index_ = static_cast<unsigned>(address.sll_ifindex);
         std::memcpy(mac_.data(), address.sll_addr, mac_.size());
-        return hear_every_destination();
+        return receive_every_destination();
     }
 
     /// Slaves accept any destination address, so a link must, too: it is promiscuous while it is open.
-    std::string hear_every_destination() {
+    std::string receive_every_destination() {
         packet_mreq membership{};
         membership.mr_ifindex = static_cast<int>(index_);
         membership.mr_type = PACKET_MR_PROMISC;
@@ -156,7 +156,7 @@ class raw_link {
     ///
     /// Two other options were measured and are not used: PACKET_QDISC_BYPASS saves 0.1 of 3.6 microseconds, and hides
     /// sent frames from captures on this machine; SO_BUSY_POLL makes no difference at a packet socket.
-    void hear_datagrams_only() {
+    void receive_datagrams_only() {
         constexpr unsigned ether_type_at = 12, type_at = 15, refuse = 0, take_all = 0xFFFF;
         std::array program{
             sock_filter{BPF_LD | BPF_H | BPF_ABS, 0, 0, ether_type_at},

@@ -79,7 +79,7 @@ template <class Link> class ring_runner {
     }
     // Bounded, so that a flood of frames leaves time for messages.
     void receive() {
-        for (unsigned i = 0; i != most_frames && runs_; ++i) {
+        for (unsigned i = 0; i != max_frames && runs_; ++i) {
             const auto size = link_.receive(frame_, duration{});
             if (size == 0) break;
             heard_ = now();
@@ -108,7 +108,7 @@ template <class Link> class ring_runner {
         if (const auto next = ring_.next_event()) timer_.arm(std::max(*next, now()));
     }
 
-    static constexpr unsigned most_frames = 64;
+    static constexpr unsigned max_frames = 64;
     static constexpr duration silence = std::chrono::milliseconds{50};
 
     Link& link_;

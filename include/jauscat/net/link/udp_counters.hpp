@@ -30,7 +30,7 @@ struct udp_counters {
     /// Counts a datagram by the gate's verdict.
     constexpr void count(verdict v) noexcept {
         switch (v) {
-        case verdict::taken: ++received; break;
+        case verdict::accepted: ++received; break;
         case verdict::malformed: ++malformed; break;
         case verdict::unknown_peer: ++unknown_peer; break;
         case verdict::wrong_sender: ++wrong_sender; break;

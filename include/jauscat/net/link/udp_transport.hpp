@@ -211,7 +211,8 @@ class udp_transport {
             if (!filter_)
                 tell("a datagram from " + detail::text(from) + " is larger than " + std::to_string(max_datagram_size) +
                      " bytes and was dropped");
-        } else if (const auto decision = filter_ ? filter_(message, from) : verdict::taken; decision != verdict::taken)
+        } else if (const auto decision = filter_ ? filter_(message, from) : verdict::accepted;
+                   decision != verdict::accepted)
             counters_.count(decision);
         else if (message.empty())
             report("a datagram from " + detail::text(from) + " holds no message");

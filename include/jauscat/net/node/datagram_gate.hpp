@@ -41,10 +41,10 @@ class datagram_gate {
         jaus::header head;
         if (!wire::decode_prefix(head, message) || !jaus::names_one_component(head.source)) return verdict::malformed;
         const auto found = list_.check(head.source, from);
-        if (found.what != verdict::taken) return found.what;
+        if (found.what != verdict::accepted) return found.what;
         const bool within = found.peer ? peers_[*found.peer].bucket.take(peers_[*found.peer].limit, now)
                                        : strangers_.take(key_of(from.address()), now);
-        return within ? verdict::taken : verdict::rate_limited;
+        return within ? verdict::accepted : verdict::rate_limited;
     }
 
     [[nodiscard]] const access_list& list() const noexcept { return list_; }

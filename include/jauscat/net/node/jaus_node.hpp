@@ -125,7 +125,7 @@ class jaus_node {
 
   private:
     verdict check(bytes message, const endpoint& from) {
-        if (socket_->is_own(from)) return verdict::taken; // the echo of a multicast; ends in received()
+        if (socket_->is_own(from)) return verdict::accepted; // the echo of a multicast; ends in received()
         received_at_ = now();
         return machine_.check(message, from, received_at_);
     }

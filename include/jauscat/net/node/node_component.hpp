@@ -14,7 +14,7 @@ namespace detail {
 
 struct any_application {
     jaus::message_outcome operator()(const jaus::header&, std::span<const std::byte>) const noexcept {
-        return jaus::message_outcome::not_mine;
+        return jaus::message_outcome::unhandled;
     }
 };
 

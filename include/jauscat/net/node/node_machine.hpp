@@ -75,7 +75,7 @@ class node_machine {
     void start(time_point now) {
         if (running() || in_turn()) throw std::logic_error{"the node is running"};
         at_ = now;
-        gate_.emplace(config_, options_.who, seed_);
+        gate_.emplace(config_, options_.accept, seed_);
         core_.start(config_, self_, options_.primary,
                     gate_->list().is_open() ? std::optional{options_.timeout} : std::nullopt);
         if (has_manager()) {
@@ -110,7 +110,7 @@ class node_machine {
     verdict check(bytes message, const endpoint& from, time_point now) {
         at_ = now;
         const auto what = (*gate_)(message, from, now);
-        if (what != verdict::taken)
+        if (what != verdict::accepted)
             log_(now, [&] {
                 return "a datagram from " + detail::text(from) + " is refused: " + std::string{describe(what)} +
                        (what == verdict::malformed ? ": " + std::string{describe(jaus::split(message).error)} : "");
@@ -139,9 +139,9 @@ class node_machine {
     /// `check` and `received` for a datagram without framing. Not for datagrams that this node has sent to the group.
     verdict on_datagram(bytes message, const endpoint& from, jaus::framing how, bool by_group, time_point now,
                         duration waited = {}) {
-        if (!running()) return verdict::taken;
+        if (!running()) return verdict::accepted;
         const auto what = check(message, from, now);
-        if (what == verdict::taken) received(message, from, how, by_group, now, waited);
+        if (what == verdict::accepted) received(message, from, how, by_group, now, waited);
         return what;
     }
 

@@ -25,7 +25,7 @@ struct attached_component {
           on_message{[&, answers](const jaus::header& head, bytes body, time_point now, jaus::message_sink out) {
               return component.on_message(head, body, now, out, [&](const jaus::header& h, bytes b) {
                   const auto what = jaus::outcome_of(application(h, b));
-                  const bool is_left = what == jaus::message_outcome::not_mine && answers != nullptr;
+                  const bool is_left = what == jaus::message_outcome::unhandled && answers != nullptr;
                   return is_left ? answers->on_message(h, b, now, out) : what;
               });
           }},

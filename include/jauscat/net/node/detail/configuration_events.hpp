@@ -21,9 +21,9 @@ class configuration_events {
             return manager.configuration(wanted.query_field, body);
         }
     };
-    static constexpr double most_a_second = 10; ///< limits the load of the receiver
+    static constexpr double max_per_second = 10; ///< limits the load of the receiver
     static constexpr auto code = jaus::command_code_of<jaus::report_configuration>;
-    static constexpr std::array reports{jaus::eventful_report{.command_code = code, .max_rate = most_a_second}};
+    static constexpr std::array reports{jaus::eventful_report{.command_code = code, .max_rate = max_per_second}};
 
     filler fill_;
     std::array<std::byte, 2 * 4096> memory_{};

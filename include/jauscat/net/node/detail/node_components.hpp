@@ -75,7 +75,7 @@ class node_components {
     void stop() noexcept { going_ = false; }
 
   private:
-    [[nodiscard]] auto tell_lost(time_point now, const jaus::address& self) {
+    [[nodiscard]] auto report_lost(time_point now, const jaus::address& self) {
         return [this, now, &self](const jaus::partial_data_set& set) {
             log_(now, [&] {
                 return in_text(set.header) + ": at " + to_jausip(self) + ": a large data set is dropped after " +
@@ -109,7 +109,7 @@ class node_components {
         if (!going_ || now < stale_at_) return;
         stale_at_ = time_point::max();
         for (auto& one : all_) {
-            (*one.large)->on_time(now, tell_lost(now, one.it.self));
+            (*one.large)->on_time(now, report_lost(now, one.it.self));
             for (const auto& set : (*one.large)->places())
                 if (set.packets != 0)
                     stale_at_ = std::min(stale_at_, saturating_add(set.last_heard_at, options_.large_data_timeout));
@@ -131,7 +131,7 @@ class node_components {
     }
     void on_lost(const jaus::address& who) {
         peers_.forget(who);
-        tell_components_lost(who);
+        report_lost_components(who);
     }
 
   private:
@@ -156,7 +156,7 @@ class node_components {
         time_point next{};              ///< its next event
     };
 
-    void tell_components_lost(const jaus::address& who) {
+    void report_lost_components(const jaus::address& who) {
         for (auto& one : all_) {
             one.changed = true;
             if (going_) one.it.on_lost(who);
@@ -174,7 +174,7 @@ class node_components {
         peers_.on_time(now, is_known, out, [&](const jaus::address& gone) {
             if (!going_) return;
             log_(now, [&] { return to_jausip(gone) + " does not answer any more: it counts as lost"; });
-            tell_components_lost(gone);
+            report_lost_components(gone);
         });
     }
     [[nodiscard]] bool is_here(const jaus::address& who) const noexcept {
@@ -191,8 +191,8 @@ class node_components {
             has_outcome = hand_on_whole(receiver, head, first, complete, now, out);
         };
         const auto what =
-            (*receiver.large)->on_packet(head, body, now - at.waited, whole, tell_lost(now, receiver.it.self));
-        if (what == reassembled::no_room || what == reassembled::too_large)
+            (*receiver.large)->on_packet(head, body, now - at.waited, whole, report_lost(now, receiver.it.self));
+        if (what == reassembled::no_capacity || what == reassembled::too_large)
             log_(now, [&] { return in_text(head) + ": refused: " + std::string{describe(what)}; });
         if (what == reassembled::waiting || what == reassembled::doubtful)
             stale_at_ = std::min(stale_at_, saturating_add(now, options_.large_data_timeout));
@@ -213,11 +213,11 @@ class node_components {
         if (is_acknowledged(last) && before != receiver.whole.end() && before->digest == digest)
             return true; // its sender has not received the outcome
         if (before != receiver.whole.end()) receiver.whole.erase(before);
-        if (is_acknowledged(last) && receiver.whole.size() == most_whole) return false;
+        if (is_acknowledged(last) && receiver.whole.size() == max_complete) return false;
         first.ack_nak = jaus::ack_nak::none;
         first.data_flag = jaus::data_flag::only;
         const auto what = give(receiver, first, complete, now, out);
-        const bool taken = what == jaus::component_outcome::taken || what == jaus::component_outcome::deferred;
+        const bool taken = what == jaus::component_outcome::handled || what == jaus::component_outcome::deferred;
         if (is_acknowledged(last))
             receiver.whole.push_back(
                 {last.source, last.command_code, taken, digest, saturating_add(now, large_data_queue::memory)});
@@ -249,9 +249,9 @@ class node_components {
         auto& to = receiver.it;
         receiver.changed = true;
         const auto what = to.on_message(head, body, now, out);
-        if ((what == taken || what == deferred) && peer_watch::binds(head.command_code) && !is_here(head.source))
+        if ((what == handled || what == deferred) && peer_watch::binds(head.command_code) && !is_here(head.source))
             peers_.bind(head.source, to.self, now);
-        constexpr std::array unremarkable{taken, deferred, acknowledgement, repeated, pending};
+        constexpr std::array unremarkable{handled, deferred, acknowledgement, repeated, pending};
         if (std::ranges::find(unremarkable, what) == unremarkable.end())
             log_(now, [&] {
                 const auto line = in_text(head) + ": at " + to_jausip(to.self) + ": " + std::string{describe(what)};
@@ -263,7 +263,7 @@ class node_components {
         if (going_ && options_.on_message) options_.on_message(to.self, head, body, what);
         return what;
     }
-    static constexpr std::size_t most_whole = 256;
+    static constexpr std::size_t max_complete = 256;
 
     const jaus_node_options& options_;
     limited_log& log_;

@@ -20,11 +20,11 @@ class node_core {
     using send_handler = std::function<void(bytes message, const node_routes::endpoint& to, jaus::framing framing)>;
 
     node_core(const jaus_node_options& options, limited_log& log, send_handler send)
-        : large{options.most_waiting, {options.large_data_pace, options.large_data_pause, options.large_data_retry}},
+        : large{options.max_waiting, {options.large_data_pace, options.large_data_pause, options.large_data_retry}},
           components{options, log},
           log_{log},
           send_{std::move(send)},
-          local_{options.most_waiting} {}
+          local_{options.max_waiting} {}
 
     /// `strangers`: as in node_routes. Throws `config_error`.
     void start(const jaus_config& config, const jaus::address& manager, std::uint8_t primary,
@@ -76,7 +76,7 @@ class node_core {
             ~guard() { flag = false; }
         } const busy{in_turn_};
         work();
-        for (int round = 0; !local_.empty() && round != most_rounds; ++round)
+        for (int round = 0; !local_.empty() && round != max_rounds; ++round)
             local_.hand_on([&](std::uint16_t to, bytes message) {
                 const auto m = jaus::split(message);
                 hand_on(to, m.header, m.body, {now, {}}, out);
@@ -110,7 +110,7 @@ class node_core {
                head.command_code != jaus::command_code_of<jaus::event>;
     }
 
-    static constexpr int most_rounds = 16; ///< of components that answer each other, so that the network is served
+    static constexpr int max_rounds = 16; ///< of components that answer each other, so that the network is served
 
     limited_log& log_;
     send_handler send_;

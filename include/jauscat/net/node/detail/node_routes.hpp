@@ -51,10 +51,10 @@ class node_routes {
                 std::uint8_t node, std::optional<duration> strangers)
         : config_{config},
           strangers_{strangers},
-          ways_(std::bit_ceil((config.systems.size() + components.size() + most_strangers() + 2) * 3 / 2 + 2)),
-          states_(config.systems.size() + most_strangers() + 1),
+          routes_(std::bit_ceil((config.systems.size() + components.size() + max_unknown_peers() + 2) * 3 / 2 + 2)),
+          states_(config.systems.size() + max_unknown_peers() + 1),
           places_(config.systems.size() + components.size()),
-          table_{subsystem, node, ways_, states_, places_} {
+          table_{subsystem, node, routes_, states_, places_} {
         for (std::size_t i = 0; i != components.size(); ++i)
             if (const auto what = table_.add_component(components[i].component, components[i].instance,
                                                        static_cast<std::uint16_t>(i));
@@ -85,14 +85,14 @@ class node_routes {
         throw complaint(config_, system.line, why);
     }
 
-    [[nodiscard]] std::size_t most_strangers() const noexcept { return strangers_ ? 254 : 0; } // subsystems
+    [[nodiscard]] std::size_t max_unknown_peers() const noexcept { return strangers_ ? 254 : 0; } // subsystems
     void learn(const jaus::address& source, const neighbour& heard, bool by_group) {
         if (source.subsystem == table_.subsystem()) return;
         const auto known = learned_.find(source.subsystem);
         if (known == learned_.end()) {
             if (table_.next_hop(source)) return; // in the configuration
             const auto hop = static_cast<jaus::hop>(neighbours_.size());
-            if (table_.add_way({.subsystem = source.subsystem}, hop) != jaus::added::ok) return;
+            if (table_.add_route({.subsystem = source.subsystem}, hop) != jaus::added::ok) return;
             if (!by_group) table_.keep_outside_groups(hop);
             neighbours_.push_back(heard);
             by_endpoint_.emplace(heard.to, hop);
@@ -119,7 +119,7 @@ class node_routes {
         else if (neighbours_[at->second].framing != system.framing)
             fail(system, "another system at " + text(to) + " has another framing; give them the same");
         const jaus::hop hop = at->second;
-        if (const auto what = table_.add_way(system.jausip, hop); what != jaus::added::ok)
+        if (const auto what = table_.add_route(system.jausip, hop); what != jaus::added::ok)
             fail(system, "the jausip " + to_jausip(system.jausip) + " of " + detail::quoted(system.name) +
                              " cannot be used by this system: " + std::string{describe(what)});
         if (!shares_group(system)) table_.keep_outside_groups(hop);
@@ -132,17 +132,17 @@ class node_routes {
     void add_group(const multicast_options& options) {
         group_ = static_cast<jaus::hop>(neighbours_.size());
         neighbours_.push_back({{options.group, options.port}, config_.me().framing});
-        static_cast<void>(table_.add_way({.node = 255, .subsystem = 255}, *group_));
+        static_cast<void>(table_.add_route({.node = 255, .subsystem = 255}, *group_));
         // It replaces single routes only if every node of the subsystem is a member.
         const bool by_all = std::ranges::all_of(config_.systems, [&](const system_entry& system) {
             return system.jausip.subsystem != table_.subsystem() || shares_group(system);
         });
-        if (by_all) static_cast<void>(table_.add_way({.node = 255, .subsystem = table_.subsystem()}, *group_));
+        if (by_all) static_cast<void>(table_.add_route({.node = 255, .subsystem = table_.subsystem()}, *group_));
     }
 
     const jaus_config& config_;
     std::optional<duration> strangers_;
-    std::vector<jaus::address_place<jaus::way>> ways_;
+    std::vector<jaus::address_place<jaus::route_entry>> routes_;
     std::vector<jaus::hop_state> states_;
     std::vector<jaus::node_component> places_;
     jaus::routing_table table_;

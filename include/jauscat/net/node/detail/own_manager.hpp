@@ -60,7 +60,7 @@ class own_manager {
         return jaus::is_node_manager(who) || !of_node ? jaus::address{255, 255, who.node, who.subsystem} : who;
     }
     jaus::message_outcome operator()(const jaus::header&, std::span<const std::byte>) const noexcept {
-        return jaus::message_outcome::not_mine;
+        return jaus::message_outcome::unhandled;
     }
 
   private:

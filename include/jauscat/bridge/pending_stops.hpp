@@ -19,33 +19,33 @@ enum class stop_order : std::uint8_t {
 /// confirms covers rest. Refused orders are repeated without limit, except the end of an emergency. While an emergency
 /// is refused, zeros are sent in between; while zeros are refused, an emergency is, because the actuator may be in an
 /// emergency that was not set here.
-class stop_debt {
+class pending_stops {
   public:
     /// `interval`: from the first refusal to the next attempt; after more of them up to ten times as long.
-    constexpr explicit stop_debt(duration interval) noexcept : interval_{interval} {}
+    constexpr explicit pending_stops(duration interval) noexcept : interval_{interval} {}
 
-    constexpr void owe_rest() noexcept {
+    constexpr void require_rest() noexcept {
         rest_ = true;
         begin();
     }
     /// Cancels a pending end of an emergency. Whether the actuator supports emergencies is determined again, because
     /// the device may have been replaced or restarted.
-    constexpr void owe_emergency() noexcept {
+    constexpr void require_emergency() noexcept {
         emergency_ = rest_ = true;
         clear_ = emergency_is_unknown_ = false;
         begin();
     }
-    constexpr void owe_clear() noexcept {
+    constexpr void require_clear() noexcept {
         clear_ = true;
         begin();
     }
 
     /// Whether the actuator has yet to confirm that it stops.
-    [[nodiscard]] constexpr bool owes_stop() const noexcept { return rest_ || emergency_; }
-    [[nodiscard]] constexpr bool owes_rest() const noexcept { return rest_; }
-    [[nodiscard]] constexpr bool owes_emergency() const noexcept { return emergency_; }
-    [[nodiscard]] constexpr bool owes_clear() const noexcept { return clear_; }
-    [[nodiscard]] constexpr bool settled() const noexcept { return !owes_stop() && !clear_; }
+    [[nodiscard]] constexpr bool stop_is_pending() const noexcept { return rest_ || emergency_; }
+    [[nodiscard]] constexpr bool rest_is_pending() const noexcept { return rest_; }
+    [[nodiscard]] constexpr bool emergency_is_pending() const noexcept { return emergency_; }
+    [[nodiscard]] constexpr bool clear_is_pending() const noexcept { return clear_; }
+    [[nodiscard]] constexpr bool settled() const noexcept { return !stop_is_pending() && !clear_; }
 
     /// Next order; empty when all are confirmed.
     [[nodiscard]] constexpr std::optional<stop_order> next() const noexcept {
