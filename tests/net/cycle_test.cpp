@@ -10,6 +10,7 @@
 #include <jauscat/net/link/run_master.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <thread>
@@ -30,6 +31,7 @@ class lossy_link {
     explicit lossy_link(std::span<ethercat::slave> slaves) : slaves_{slaves} {}
     std::function<bool(ethercat::command)> loses = [](auto) { return false; };
     std::size_t process_frames{}, other_frames{};
+    std::size_t max_waiting{}; ///< frames that were there to be received at a time
 
     bool send(std::span<const std::byte> frame) {
         ethercat::frame_view view;
@@ -39,6 +41,7 @@ class lossy_link {
         std::vector<std::byte> passing(frame.begin(), frame.end());
         for (auto& device : slaves_) device.process(passing);
         if (!loses(cmd)) back_.push_back(std::move(passing));
+        max_waiting = std::max(max_waiting, back_.size());
         return true;
     }
     std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
@@ -182,6 +185,18 @@ TEST_CASE("a job continues while no process data return") {
     silent.link.loses = [](auto) { return true; };
     CHECK(silent.cycles.run_job(ethercat::upload{station, 0x1018, 1, vendor}, 5s, nothing, nothing).error().code ==
           ethercat::master_errc::no_reply);
+}
+
+TEST_CASE("process data that arrived while the thread was preempted are received before the master sends") {
+    robot r;
+    r.link.loses = [](ethercat::command cmd) {
+        if (cmd == ethercat::command::lrw) std::this_thread::sleep_for(6ms); // past the master's turn at 5 ms
+        return false;
+    };
+    r.link.max_waiting = 0;
+    std::array<std::byte, 4> vendor{};
+    CHECK(r.cycles.run_job(ethercat::upload{station, 0x1018, 1, vendor}, 5s, nothing, nothing));
+    CHECK(r.link.max_waiting == 1);
 }
 
 TEST_CASE("a job that could not start between cycles does not return the running job's result") {

@@ -58,14 +58,18 @@ template <class Link> class cycle_runner {
         const auto size = data_.next_frame(frame_, begun);
         report.sent = size != 0 && link_.send(std::span{frame_}.first(size));
         // A thread that was preempted until the end of the cycle still processes received frames, up to a limit.
+        // Process data count as lost only if none has arrived by the master's turn: a link may hold one frame at a
+        // time.
+        bool none_arrived = false;
         for (unsigned late_frames = 0; waits(report) || !master_.idle();) {
             const auto at = now();
             const bool over = at >= end;
             if (over && (!waits(report) || ++late_frames == max_late_frames)) break;
-            const bool works = !waits(report) || (at >= masters_turn && !over);
+            const bool works = !waits(report) || (none_arrived && !over);
             const auto wake = std::min(end, works ? work(at, end) : masters_turn);
             const auto received = link_.receive(frame_, std::max(wake - now(), duration{}));
             if (received == 0) {
+                none_arrived = at >= masters_turn;
                 if (over) break;
                 continue;
             }
