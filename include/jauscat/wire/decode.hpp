@@ -17,7 +17,8 @@ JAUSCAT_FLATTEN constexpr in_cursor get_message(T& __restrict value, const std::
 
 /// `ToTheEnd`: no bytes may be left.
 template <bool ToTheEnd, message T, class Root>
-constexpr packed_size<errc> decode(T& value, std::span<const std::byte> in, Root root) noexcept {
+[[gnu::always_inline]] constexpr result<std::size_t, errc> decode(T& value, std::span<const std::byte> in,
+                                                                  Root root) noexcept {
     if (in.size() < min_size<T>) return errc::truncated;
     if constexpr (!never_too_long<T>) {
         if (in.size() > packed_size<errc>::max_size) return errc::too_long;
@@ -36,13 +37,13 @@ template <message T>
 [[nodiscard, gnu::always_inline]] constexpr result<std::size_t, errc>
 decode_prefix(T& value, std::span<const std::byte> in) noexcept {
     static_assert(!needs_memory<T>, "decode: the message has lists; give an arena as the third argument");
-    return detail::decode<false>(value, in, plain_root{}).taken();
+    return detail::decode<false>(value, in, plain_root{});
 }
 /// The same for a message with lists; the elements are stored in `memory`. Errors: also arena_full.
 template <message T>
 [[nodiscard, gnu::always_inline]] constexpr result<std::size_t, errc>
 decode_prefix(T& value, std::span<const std::byte> in, arena& memory) noexcept {
-    return detail::decode<false>(value, in, memory_root{memory}).taken();
+    return detail::decode<false>(value, in, memory_root{memory});
 }
 
 /// Reads a `T` that fills `in` exactly. Errors: those of decode_prefix, and trailing_bytes.
@@ -50,13 +51,13 @@ template <message T>
 [[nodiscard, gnu::always_inline]] constexpr result<std::size_t, errc> decode(T& value,
                                                                              std::span<const std::byte> in) noexcept {
     static_assert(!needs_memory<T>, "decode: the message has lists; give an arena as the third argument");
-    return detail::decode<true>(value, in, plain_root{}).taken();
+    return detail::decode<true>(value, in, plain_root{});
 }
 /// The same for a message with lists; the elements are stored in `memory`.
 template <message T>
 [[nodiscard, gnu::always_inline]] constexpr result<std::size_t, errc> decode(T& value, std::span<const std::byte> in,
                                                                              arena& memory) noexcept {
-    return detail::decode<true>(value, in, memory_root{memory}).taken();
+    return detail::decode<true>(value, in, memory_root{memory});
 }
 
 } // namespace jauscat::wire

@@ -26,9 +26,12 @@ template <message T>
         return layout_of<T>::size(value, object_scope{value, plain_root{}});
 }
 
-namespace detail {
-/// Small enough to be inlined: what is out of line is put_message.
-template <message T> constexpr packed_size<errc> encode(const T& value, std::span<std::byte> out) noexcept {
+/// Writes `value` to the front of `out`, which must not overlap it, and returns the bytes written.
+/// Errors: no_space, too_long (nothing was written); out_of_range, count_above_capacity, count_mismatch, unknown_tag,
+/// presence_mismatch, too_deep (`out` is then unspecified).
+template <message T>
+[[nodiscard, gnu::always_inline]] constexpr result<std::span<std::byte>, errc>
+encode(const T& value, std::span<std::byte> out) noexcept {
     if constexpr (!never_too_long<T>) {
         const std::size_t size = encoded_size(value);
         if (size > packed_size<errc>::max_size) return errc::too_long;
@@ -36,22 +39,9 @@ template <message T> constexpr packed_size<errc> encode(const T& value, std::spa
     } else if (out.size() < max_size<T>) {
         if (fixed_message<T> || out.size() < encoded_size(value)) return errc::no_space;
     }
-    const out_cursor end = put_message(value, out.data());
+    const out_cursor end = detail::put_message(value, out.data());
     if (end.error != errc::ok) return end.error;
-    if constexpr (fixed_message<T>)
-        return max_size<T>;
-    else
-        return static_cast<std::size_t>(end.at - out.data());
-}
-} // namespace detail
-
-/// Writes `value` to the front of `out`, which must not overlap it, and returns the bytes written.
-/// Errors: no_space, too_long (nothing was written); out_of_range, count_above_capacity, count_mismatch, unknown_tag,
-/// presence_mismatch, too_deep (`out` is then unspecified).
-template <message T>
-[[nodiscard, gnu::always_inline]] constexpr result<std::span<std::byte>, errc>
-encode(const T& value, std::span<std::byte> out) noexcept {
-    return detail::encode(value, out).of(out);
+    return std::span<std::byte>{out.data(), end.at};
 }
 
 } // namespace jauscat::wire
