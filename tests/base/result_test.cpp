@@ -30,6 +30,9 @@ TEST_CASE("a result holds a value or an error") {
     STATIC_REQUIRE(none.value_or(5) == 5);
     STATIC_REQUIRE(seven.value_or(5) == 7);
     STATIC_REQUIRE(seven != none);
+
+    STATIC_REQUIRE(result<int, errc>{7, errc::ok} == result<int, errc>{7});
+    STATIC_REQUIRE(result<int, errc>{7, errc::empty}.error() == errc::empty);
 }
 
 TEST_CASE("a result without a value holds success or an error") {

@@ -24,6 +24,11 @@ template <class T, error_type E> class [[nodiscard]] result {
     /// `error` is not `ok`.
     constexpr result(E error) noexcept(std::is_nothrow_move_constructible_v<E>) : error_{std::move(error)} {}
 
+    /// Both, without a branch: `value` counts only if `error` is `ok`.
+    constexpr result(T value, E error) noexcept(std::is_nothrow_move_constructible_v<T> &&
+                                                std::is_nothrow_move_constructible_v<E>)
+        : value_{std::move(value)}, error_{std::move(error)} {}
+
     [[nodiscard]] constexpr bool has_value() const noexcept { return error_ == E{}; }
     [[nodiscard]] constexpr explicit operator bool() const noexcept { return has_value(); }
     /// `ok`, or why there is no value.

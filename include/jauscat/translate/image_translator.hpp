@@ -82,17 +82,17 @@ template <class Table> struct image_translator {
     }
 
   private:
-    // Whole translations, which may stay out of line.
-    JAUSCAT_FLATTEN static constexpr errc fill_image(std::span<const std::byte> body,
-                                                     std::span<std::byte> image) noexcept {
+    // Whole translations, out of line or not as those of translator.
+    JAUSCAT_FLATTEN JAUSCAT_INLINE static constexpr errc fill_image(std::span<const std::byte> body,
+                                                                    std::span<std::byte> image) noexcept {
         return fill<false>(body, image);
     }
-    JAUSCAT_FLATTEN static constexpr errc merge_image(std::span<const std::byte> body,
-                                                      std::span<std::byte> image) noexcept {
+    JAUSCAT_FLATTEN JAUSCAT_INLINE static constexpr errc merge_image(std::span<const std::byte> body,
+                                                                     std::span<std::byte> image) noexcept {
         return fill<true>(body, image);
     }
-    JAUSCAT_FLATTEN static constexpr wire::packed_size<errc> fill_body(std::span<const std::byte> image,
-                                                                       std::span<std::byte> body) noexcept {
+    JAUSCAT_FLATTEN JAUSCAT_INLINE static constexpr wire::packed_size<errc>
+    fill_body(std::span<const std::byte> image, std::span<std::byte> body) noexcept {
         image_message<message_type> message{};
         if (const auto values = read(image, message); !values) return values.error();
         const auto encoded = wire::encode(message, body);

@@ -51,17 +51,18 @@ template <class Table> struct translator {
     static constexpr bool fixed = has_fixed_length<Table>;
     using packed_size = wire::packed_size<errc>;
 
-    // Whole translations, which may stay out of line: the size fits a register.
-    JAUSCAT_FLATTEN static constexpr packed_size fill_packet(std::span<const std::byte> message,
-                                                             std::span<std::byte> packet) noexcept {
+    // Whole translations. GCC may keep them out of line: the size fits a register. Clang inlines them, also into a
+    // caller whose flatten attribute reaches only the functions above.
+    JAUSCAT_FLATTEN JAUSCAT_INLINE static constexpr packed_size fill_packet(std::span<const std::byte> message,
+                                                                            std::span<std::byte> packet) noexcept {
         return fill(message, packet, {});
     }
-    JAUSCAT_FLATTEN static constexpr packed_size
+    JAUSCAT_FLATTEN JAUSCAT_INLINE static constexpr packed_size
     fill_packet(std::span<const std::byte> message, std::span<std::byte> packet, const packet_type& given) noexcept {
         return fill(message, packet, given);
     }
-    JAUSCAT_FLATTEN static constexpr packed_size fill_message(std::span<const std::byte> packet,
-                                                              std::span<std::byte> message) noexcept {
+    JAUSCAT_FLATTEN JAUSCAT_INLINE static constexpr packed_size fill_message(std::span<const std::byte> packet,
+                                                                             std::span<std::byte> message) noexcept {
         packet_type fields{};
         if (!wire::decode_prefix(fields, packet)) return errc::truncated;
         const std::size_t data_size = Table::data_count_row::counts_data::of(fields);
@@ -69,7 +70,7 @@ template <class Table> struct translator {
         return restore(fields, packet.subspan(packet_size, data_size), message);
     }
 
-    JAUSCAT_FLATTEN static constexpr packed_size
+    JAUSCAT_FLATTEN JAUSCAT_INLINE static constexpr packed_size
     fill_message(const packet_type& fields, std::span<const std::byte> data, std::span<std::byte> message) noexcept {
         return restore(fields, data, message);
     }
