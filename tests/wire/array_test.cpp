@@ -127,7 +127,7 @@ TEST_CASE("a diagnosis names the element of an array") {
 
     constexpr auto why = wire::diagnose(arm{.effort = {1, 101}});
     STATIC_REQUIRE(why.error == errc::out_of_range);
-    CHECK(told(why) == "effort[1].effort at 7 needs 0, has 0");
+    CHECK(told(why) == "effort[1].effort at 7 needs 1, has 0");
     CHECK(told(wire::diagnose(arm{.corner = {{{}, {.y = -1}}}})) == "corner[1].y at 13 needs 1, has 0");
 }
 

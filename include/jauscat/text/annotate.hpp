@@ -22,56 +22,39 @@ inline std::string path_text(const wire::diagnosis& at) {
     return text;
 }
 
-/// Traces decoding and writes a line for each item.
+/// Traces decoding and writes a line for each field.
 class annotating_trace : public wire::decode_trace {
   public:
     annotating_trace(std::span<const std::byte> bytes, std::size_t first_offset, std::string indent)
         : decode_trace{bytes}, bytes_{bytes}, first_offset_{first_offset}, indent_{std::move(indent)} {}
 
-    template <class Item> void passed(const auto& object, const std::byte* end) {
+    template <class Item> void passed(const auto& object) {
         if constexpr (requires { typename Item::fields; }) {
             std::string row;
             Item::visit(object, [&](auto field, const auto& value) {
                 row += (row.empty() ? "" : ", ") + prefix() + std::string{field.name()} + " = " + to_text(field, value);
             });
-            line(end, row);
-        } else if constexpr (is_leaf<Item>) {
+            line(row);
+        } else if constexpr (requires { Item::key; } && Item::max_size != 0) {
             const auto& value = wire::value_of(wire::member_of<Item::key>(object));
-            if (!is_structure(value)) line(end, prefix() + std::string{Item::name()} + " = " + to_text(Item{}, value));
+            line(prefix() + std::string{Item::name()} + " = " + to_text(Item{}, value));
         }
     }
-    template <class Item> void passed_element(const auto& value, const std::byte* end) {
-        if constexpr (requires { typename Item::element_type::codec_type; }) {
-            std::string name = prefix();
-            name.pop_back(); // the dot
-            line(end, name + " = " + to_text(typename Item::element_type{}, value));
-        }
+    template <class Item> void passed_element(const auto& value) {
+        std::string name = prefix();
+        name.pop_back(); // the dot
+        line(name + " = " + to_text(typename Item::element_type{}, value));
     }
-    template <class Codec> void passed_number(std::string_view name, std::uint64_t value, const std::byte* end) {
+    template <std::size_t Size> void passed_number(std::string_view name, std::uint64_t value) {
         const bool is_mask = name == "presence_vector";
-        line(end, prefix() + std::string{name} + " = " +
-                      (is_mask ? hex_number(value, Codec::size * 2) : std::to_string(value)));
+        line(prefix() + std::string{name} + " = " + (is_mask ? hex_number(value, Size * 2) : std::to_string(value)));
     }
     [[nodiscard]] std::string text() && { return std::move(text_); }
 
   private:
-    // A single member with bytes of its own: no structure, list or group.
-    template <class Item>
-    static constexpr bool is_leaf = Item::max_size != 0 && requires { Item::key; } &&
-                                    !requires { typename Item::inner; } && !requires { typename Item::gated_item; } &&
-                                    !requires { typename Item::element_type; } && !requires { Item::max_depth; };
-
-    // A selected value that was written field by field.
-    template <class Value> static bool is_structure([[maybe_unused]] const Value& value) {
-        if constexpr (wire::is_variant<Value>)
-            return std::visit([]<class T>(const T&) { return wire::message<T>; }, value);
-        else
-            return false;
-    }
-
     [[nodiscard]] std::string prefix() const { return path_text(found(wire::errc::ok)); }
-    void line(const std::byte* end, const std::string& what) {
-        const std::size_t next = offset_of(end);
+    void line(const std::string& what) {
+        const std::size_t next = offset();
         const auto here = bytes_.subspan(at_, next - at_);
         std::string row = indent_ + hex_offset(first_offset_ + at_) + "  " + hex(here);
         const std::size_t column = indent_.size() + 6 + 4 * 3 + 1; // four bytes, then the text
@@ -119,8 +102,7 @@ template <wire::message T>
                                    const std::string& indent = "  ") {
     T message{};
     detail::annotating_trace rows{bytes, first_offset, indent};
-    const wire::in_cursor end = wire::decode_traced(message, bytes, rows);
-    if (end.at == nullptr && end.error() != wire::errc::ok)
+    if (!wire::decode_traced(message, rows))
         return hex_dump(bytes, indent, first_offset) + indent + to_text(wire::diagnose<T>(bytes), first_offset) + "\n";
     return std::move(rows).text();
 }

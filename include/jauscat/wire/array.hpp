@@ -106,26 +106,18 @@ template <auto Member, class Element = record> struct array {
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
         const auto& elements = value_of(object.*place_in<decltype(object), Member>);
-        detail::enter<array>(here);
         for (std::size_t i = 0; i != length; ++i) {
-            detail::element(here, i);
             c = form_in<decltype(object)>::put(elements[i], c, here);
             if (c.error != errc::ok) return c;
         }
-        detail::leave(here);
         return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         auto& elements = emplace_in(object.*place_in<decltype(object), Member>);
-        detail::enter<array>(here);
         for (std::size_t i = 0; i != length; ++i) {
-            detail::element(here, i);
             c = form_in<decltype(object)>::get(elements[i], c, here);
             if (c.at == nullptr) return c;
-            if constexpr (traced<decltype(here)>)
-                root_of(here).tracer.template passed_element<array>(elements[i], c.at);
         }
-        detail::leave(here);
         return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {

@@ -29,23 +29,16 @@ template <label Name, class Codec> struct count {
         sizeof(value_type) < sizeof(std::size_t) ? std::numeric_limits<value_type>::max() : ~std::size_t{};
     static consteval std::string_view name() { return Name.view(); }
 
-    JAUSCAT_INLINE static constexpr out_cursor put(std::size_t elements, out_cursor c, const auto& here) noexcept {
-        detail::reach_number<Codec>(Name.view(), c.at, here);
+    JAUSCAT_INLINE static constexpr out_cursor put(std::size_t elements, out_cursor c, const auto&) noexcept {
         if (elements > limit) return {c.at, errc::count_above_capacity};
         detail::write<Codec::size>(
-            c, here, [&](std::byte* out) { return Codec::store(out, static_cast<value_type>(elements)); });
+            c, [&](std::byte* out) { return Codec::store(out, static_cast<value_type>(elements)); });
         return c;
     }
-    // Reads it and steps over it; false where a trace sees that the bytes end before.
+    // Reads it and steps over it.
     JAUSCAT_INLINE static constexpr bool get(std::size_t& elements, in_cursor& c, const auto& here) noexcept {
-        if (!detail::reach_number<Codec>(Name.view(), c.at, here)) {
-            c = in_cursor::failed(errc::truncated);
-            return false;
-        }
         elements = peek(c.at, here);
         c.at += Codec::size;
-        if constexpr (traced<decltype(here)>)
-            root_of(here).tracer.template passed_number<Codec>(Name.view(), elements, c.at);
         return true;
     }
     JAUSCAT_INLINE static constexpr std::size_t peek(const std::byte* in, const auto&) noexcept {

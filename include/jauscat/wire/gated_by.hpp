@@ -32,12 +32,12 @@ template <auto Flag, class Item> struct gated_by {
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         if (!look_up<Flag>(here))
             (object.*place_in<decltype(object), key>).reset();
-        else if (detail::spend(c, Item::min_size, here))
+        else if (detail::spend(c, Item::min_size))
             detail::get_item<Item>(object, c, here);
         return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
-        if (look_up<Flag>(here) && detail::spend(c, Item::min_size, here)) detail::measure_item<Item>(c, here);
+        if (look_up<Flag>(here) && detail::spend(c, Item::min_size)) detail::measure_item<Item>(c, here);
         return c;
     }
     JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {

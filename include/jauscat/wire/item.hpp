@@ -88,10 +88,6 @@ inline constexpr bool takes_rest<Item> = Item::to_the_end;
 
 template <class Item> concept fixed_item = Item::min_size == Item::max_size && !is_contextual<Item>;
 
-/// An item with `inner` or `element_type` consists of parts, which a trace passes one by one.
-template <class Item>
-concept item_of_parts = requires { typename Item::inner; } || requires { typename Item::element_type; };
-
 /// The value in a std::optional member, or the member itself.
 JAUSCAT_INLINE constexpr auto& value_of(auto& member) noexcept {
     if constexpr (requires { member.has_value(); })

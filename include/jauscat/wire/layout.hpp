@@ -15,7 +15,7 @@ namespace jauscat::wire {
 /// Specialise for a message: `template <> struct schema<T> { using type = layout<...>; };`
 template <class T> struct schema;
 
-/// Name of an item in a trace: its own, or that of its first member.
+/// Name of an item: its own, or that of its first member.
 template <class Item> consteval std::string_view item_label() {
     if constexpr (requires { Item::name(); }) {
         return Item::name();
@@ -28,66 +28,20 @@ template <class Item> consteval std::string_view item_label() {
 }
 
 namespace detail {
-/// Lets `put` write `Size` bytes, and steps over them. Where a trace watches there is no buffer, only a count.
-template <std::size_t Size>
-JAUSCAT_INLINE constexpr void write(out_cursor& c, [[maybe_unused]] const auto& here, auto&& put) noexcept {
-    if constexpr (traced<decltype(here)>) {
-        std::array<std::byte, Size + 1> scratch{};
-        c.error = put(scratch.data());
-        if (c.error == errc::ok) root_of(here).tracer.advance(Size);
-    } else {
-        c.error = put(c.at);
-        if (c.error == errc::ok) c.at += Size;
+/// Lets `put` write `Size` bytes, and steps over them.
+template <std::size_t Size> JAUSCAT_INLINE constexpr void write(out_cursor& c, auto&& put) noexcept {
+    c.error = put(c.at);
+    if (c.error == errc::ok) c.at += Size;
+}
+/// Takes `size` bytes from those beyond the layout's minimum; false where there are not so many.
+JAUSCAT_INLINE constexpr bool spend(in_cursor& c, std::size_t size) noexcept {
+    if (size > c.slack) {
+        c = in_cursor::failed(errc::truncated);
+        return false;
     }
-}
-/// Notifies a trace of an integer without a member: a presence vector, a count.
-template <codec Codec>
-JAUSCAT_INLINE constexpr bool reach_number([[maybe_unused]] std::string_view name, [[maybe_unused]] const std::byte* at,
-                                           [[maybe_unused]] const auto& here) noexcept {
-    if constexpr (traced<decltype(here)>)
-        return root_of(here).tracer.template reach_number<Codec>(name, at);
-    else
-        return true;
-}
-/// Notifies a trace of entering a structure or an element, and of leaving it.
-template <class Item> JAUSCAT_INLINE constexpr void enter([[maybe_unused]] const auto& here) noexcept {
-    if constexpr (traced<decltype(here)>) root_of(here).tracer.template enter<Item>();
-}
-JAUSCAT_INLINE constexpr void element([[maybe_unused]] const auto& here, [[maybe_unused]] std::size_t index) noexcept {
-    if constexpr (traced<decltype(here)>) root_of(here).tracer.element(index);
-}
-JAUSCAT_INLINE constexpr void leave([[maybe_unused]] const auto& here) noexcept {
-    if constexpr (traced<decltype(here)>) root_of(here).tracer.leave();
-}
-/// The error of decoding; ok if a trace searches for another one and continues.
-JAUSCAT_INLINE constexpr errc unless_passed(errc error, [[maybe_unused]] const auto& here) noexcept {
-    if constexpr (traced<decltype(here)>) {
-        if (root_of(here).tracer.passes(error)) return errc::ok;
-    }
-    return error;
-}
-/// Bytes that an item which takes the rest of the body finds.
-JAUSCAT_INLINE constexpr std::size_t rest_of(in_cursor c, [[maybe_unused]] const auto& here) noexcept {
-    if constexpr (traced<decltype(here)>)
-        return root_of(here).tracer.remaining(c.at);
-    else
-        return c.slack;
-}
-/// Takes `size` bytes from those beyond the layout's minimum; false where there are not so many. A trace has checked
-/// against the end of the bytes themselves.
-JAUSCAT_INLINE constexpr bool spend(in_cursor& c, std::size_t size, [[maybe_unused]] const auto& here) noexcept {
-    if constexpr (!traced<decltype(here)>) {
-        if (size > c.slack) {
-            c = in_cursor::failed(errc::truncated);
-            return false;
-        }
-        c.slack -= size;
-    }
+    c.slack -= size;
     return true;
 }
-/// A trace looks into structures and arrays; else one of fixed size is read and written in one go.
-template <class Item, class Here>
-inline constexpr bool in_one_go = fixed_item<Item> && !(traced<Here> && item_of_parts<Item>);
 
 template <class Item> JAUSCAT_INLINE constexpr std::size_t size_of_item(const auto& object, const auto& here) noexcept {
     if constexpr (fixed_item<Item>)
@@ -97,14 +51,8 @@ template <class Item> JAUSCAT_INLINE constexpr std::size_t size_of_item(const au
 }
 // Few layers: each is a function for each field, and the compiler's time goes by their number.
 template <class Item>
-JAUSCAT_INLINE constexpr bool put_item(const auto& object, out_cursor& c, const auto& here) noexcept {
-    if constexpr (traced<decltype(here)>) {
-        root_of(here).tracer.template reach<Item>(object, c.at);
-        if constexpr (in_one_go<Item, decltype(here)>)
-            write<Item::max_size>(c, here, [&](std::byte* out) { return Item::put(object, out); });
-        else
-            c = Item::put(object, c, here);
-    } else if constexpr (fixed_item<Item>) {
+JAUSCAT_INLINE constexpr bool put_item(const auto& object, out_cursor& c, [[maybe_unused]] const auto& here) noexcept {
+    if constexpr (fixed_item<Item>) {
         c.error = Item::put(object, c.at);
         if (c.error == errc::ok) c.at += Item::max_size;
     } else {
@@ -112,21 +60,13 @@ JAUSCAT_INLINE constexpr bool put_item(const auto& object, out_cursor& c, const 
     }
     return c.error == errc::ok;
 }
-template <class Item> JAUSCAT_INLINE constexpr bool get_item(auto& object, in_cursor& c, const auto& here) noexcept {
-    if constexpr (traced<decltype(here)>) {
-        if (!root_of(here).tracer.template reach<Item>(object, c.at)) {
-            c = in_cursor::failed(errc::truncated);
-            return false;
-        }
-    }
-    if constexpr (in_one_go<Item, decltype(here)>) {
-        const errc error = unless_passed(Item::get(object, c.at), here);
+template <class Item>
+JAUSCAT_INLINE constexpr bool get_item(auto& object, in_cursor& c, [[maybe_unused]] const auto& here) noexcept {
+    if constexpr (fixed_item<Item>) {
+        const errc error = Item::get(object, c.at);
         c = error == errc::ok ? in_cursor{c.at + Item::max_size, c.slack} : in_cursor::failed(error);
     } else {
         c = Item::get(object, c, here);
-    }
-    if constexpr (traced<decltype(here)>) {
-        if (c.at != nullptr) root_of(here).tracer.template passed<Item>(object, c.at);
     }
     return c.at != nullptr;
 }
@@ -181,9 +121,9 @@ template <class... Items> struct layout {
     }
     JAUSCAT_INLINE static constexpr out_cursor put([[maybe_unused]] const auto& object, out_cursor c,
                                                    [[maybe_unused]] const auto& here) noexcept {
-        if constexpr (all_fixed && !traced<decltype(here)>)
+        if constexpr (all_fixed)
             static_cast<void>((detail::put_next<Items::max_size>(Items::put(object, c.at), c) && ...));
-        else if constexpr (sizeof...(Items) == 1 && !traced<decltype(here)>)
+        else if constexpr (sizeof...(Items) == 1)
             ((c = Items::put(object, c, here)), ...);
         else
             static_cast<void>((detail::put_item<Items>(object, c, here) && ...));
@@ -191,9 +131,9 @@ template <class... Items> struct layout {
     }
     JAUSCAT_INLINE static constexpr in_cursor get([[maybe_unused]] auto& object, in_cursor c,
                                                   [[maybe_unused]] const auto& here) noexcept {
-        if constexpr (all_fixed && !traced<decltype(here)>)
+        if constexpr (all_fixed)
             static_cast<void>((detail::get_next<Items::max_size>(Items::get(object, c.at), c) && ...));
-        else if constexpr (sizeof...(Items) == 1 && !traced<decltype(here)>)
+        else if constexpr (sizeof...(Items) == 1)
             ((c = Items::get(object, c, here)), ...);
         else
             static_cast<void>((detail::get_item<Items>(object, c, here) && ...));

@@ -86,17 +86,11 @@ template <auto Member> struct nested {
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
         const auto& value = value_of(object.*place_in<decltype(object), Member>);
-        detail::enter<nested>(here);
-        c = inner::put(value, c, object_scope{value, here});
-        if (c.error == errc::ok) detail::leave(here);
-        return c;
+        return inner::put(value, c, object_scope{value, here});
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         auto& value = emplace_in(object.*place_in<decltype(object), Member>);
-        detail::enter<nested>(here);
-        c = inner::get(value, c, object_scope{value, here});
-        if (c.at != nullptr) detail::leave(here);
-        return c;
+        return inner::get(value, c, object_scope{value, here});
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         return inner::measure(c, inside(c.at, here));

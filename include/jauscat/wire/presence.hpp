@@ -107,28 +107,17 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             return Carrier::size + (size_if_present<Items>(object, here) + ... + 0);
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        [[maybe_unused]] std::byte* const vector = c.at;
-        if constexpr (traced<decltype(here)>) {
-            detail::reach_number<Carrier>("presence_vector", c.at, here);
-            root_of(here).tracer.advance(Carrier::size);
-        } else {
-            c.at += Carrier::size;
-        }
+        std::byte* const vector = c.at;
+        c.at += Carrier::size;
         mask_type m{};
         std::size_t at = 0;
         static_cast<void>((put_if_present<Items>(object, m, at, c, here) && ...));
-        if constexpr (!traced<decltype(here)>) Carrier::store(vector, static_cast<typename Carrier::value_type>(m));
+        Carrier::store(vector, static_cast<typename Carrier::value_type>(m));
         return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        if constexpr (traced<decltype(here)>) {
-            if (!detail::reach_number<Carrier>("presence_vector", c.at, here))
-                return in_cursor::failed(errc::truncated);
-        }
         const mask_type m = loaded(c.at);
-        if constexpr (traced<decltype(here)>)
-            root_of(here).tracer.template passed_number<Carrier>("presence_vector", m, c.at + Carrier::size);
-        if constexpr (all_fixed && !traced<decltype(here)>) {
+        if constexpr (all_fixed) {
             const in_cursor end = end_of(c, m);
             if (end.at == nullptr) return end;
             const std::byte* in = c.at + Carrier::size;
@@ -137,9 +126,8 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             static_cast<void>((get_fixed<Items>(object, m, at, in, error) && ...));
             return error == errc::ok ? end : in_cursor::failed(error);
         } else {
-            std::size_t at = 0;
-            (set_flag<Items>(object, m, at), ...); // first, because an item before a flag may be gated by it
-            return each(c, m, here, [&]<class Item>(bool present, in_cursor& cursor) {
+            set_flags(object, m); // first, because an item before a flag may be gated by it
+            return each(c, m, [&]<class Item>(bool present, in_cursor& cursor) {
                 if constexpr (takes_bit<Item>) {
                     if (!present) {
                         absent<Item>(object);
@@ -155,7 +143,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         if constexpr (all_fixed)
             return end_of(c, m);
         else
-            return each(c, m, here, [&]<class Item>(bool present, in_cursor& cursor) {
+            return each(c, m, [&]<class Item>(bool present, in_cursor& cursor) {
                 return !present || detail::measure_item<Item>(cursor, here);
             });
     }
@@ -208,6 +196,12 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             return true;
     }
 
+    /// Sets the members that are bits of the vector.
+    JAUSCAT_INLINE static constexpr void set_flags(auto& object, mask_type m) noexcept {
+        std::size_t at = 0;
+        (set_flag<Items>(object, m, at), ...);
+    }
+
   private:
     template <class Item>
     JAUSCAT_INLINE static constexpr mask_type present(const auto& object, std::size_t& at) noexcept {
@@ -250,7 +244,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
             if (!(object.*place_in<decltype(object), Item::key>)) return true;
             m |= bit;
         }
-        if constexpr (fixed_item<Item> && !traced<decltype(here)>) {
+        if constexpr (fixed_item<Item>) {
             c.error = Item::put(object, c.at);
             if (c.error != errc::ok) return false;
             c.at += Item::max_size;
@@ -289,26 +283,24 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
 
     // Steps over the items one by one: `step<Item>(present, cursor)`.
-    JAUSCAT_INLINE static constexpr in_cursor each(in_cursor c, mask_type m, const auto& here, auto&& step) noexcept {
+    JAUSCAT_INLINE static constexpr in_cursor each(in_cursor c, mask_type m, auto&& step) noexcept {
         if constexpr (Unknown == unknown_bits::refused) {
-            if ((m & ~known_bits) != 0 && detail::unless_passed(errc::unknown_presence_bit, here) != errc::ok)
-                return in_cursor::failed(errc::unknown_presence_bit);
+            if ((m & ~known_bits) != 0) return in_cursor::failed(errc::unknown_presence_bit);
         }
         c.at += Carrier::size;
         std::size_t at = 0;
-        static_cast<void>((step_over<Items>(c, m, at, here, step) && ...));
+        static_cast<void>((step_over<Items>(c, m, at, step) && ...));
         if constexpr (Unknown == unknown_bits::tolerated) {
-            if (c.at != nullptr && (m & ~known_bits) != 0) c = {c.at + detail::rest_of(c, here), 0};
+            if (c.at != nullptr && (m & ~known_bits) != 0) c = {c.at + c.slack, 0};
         }
         return c;
     }
     template <class Item>
-    JAUSCAT_INLINE static constexpr bool step_over(in_cursor& c, mask_type m, std::size_t& at,
-                                                   [[maybe_unused]] const auto& here, auto&& step) noexcept {
+    JAUSCAT_INLINE static constexpr bool step_over(in_cursor& c, mask_type m, std::size_t& at, auto&& step) noexcept {
         bool present = true;
         if constexpr (takes_bit<Item>) {
             present = (m >> at++ & 1u) != 0;
-            if (present && !detail::spend(c, Item::min_size, here)) return false;
+            if (present && !detail::spend(c, Item::min_size)) return false;
         }
         return step.template operator()<Item>(present, c);
     }

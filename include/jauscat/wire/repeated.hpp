@@ -25,15 +25,12 @@ template <class Codec, bool Raw> struct value_form {
     static constexpr std::size_t min_size = Codec::size, max_size = Codec::size;
     static constexpr bool fixed = true;
     JAUSCAT_INLINE static constexpr std::size_t size(const auto&, const auto&) noexcept { return Codec::size; }
-    JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
-        write<Codec::size>(c, here, [&](std::byte* out) { return used::store(out, value); });
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c, const auto&) noexcept {
+        write<Codec::size>(c, [&](std::byte* out) { return used::store(out, value); });
         return c;
     }
-    JAUSCAT_INLINE static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
-        if constexpr (traced<decltype(here)>) {
-            if (!root_of(here).tracer.reach_element(c.at, Codec::size)) return in_cursor::failed(errc::truncated);
-        }
-        const errc error = unless_passed(used::load(c.at, value), here);
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& value, in_cursor c, const auto&) noexcept {
+        const errc error = used::load(c.at, value);
         return error == errc::ok ? in_cursor{c.at + Codec::size, c.slack} : in_cursor::failed(error);
     }
 };
@@ -159,13 +156,10 @@ template <auto Member, class Count, class Element = record> struct repeated {
         const auto& elements = value_of(object.*place_in<decltype(object), Member>);
         c = Count::put(elements.size(), c, here);
         if (c.error != errc::ok) return c;
-        detail::enter<repeated>(here);
         for (std::size_t i = 0; i != elements.size(); ++i) {
-            detail::element(here, i);
             c = form_in<decltype(object)>::put(elements[i], c, here);
             if (c.error != errc::ok) return c;
         }
-        detail::leave(here);
         return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
@@ -174,39 +168,21 @@ template <auto Member, class Count, class Element = record> struct repeated {
         using stored = typename list_traits<std::remove_reference_t<decltype(elements)>>::value_type;
         std::size_t size{};
         if (!Count::get(size, c, here)) return c;
-        if constexpr (traced<decltype(here)>) {
-            if constexpr (!traits::elsewhere) {
-                if (size > traits::capacity && detail::unless_passed(errc::count_above_capacity, here) != errc::ok)
-                    return in_cursor::failed(errc::count_above_capacity);
-            }
-            detail::enter<repeated>(here);
-            stored scratch{};
-            for (std::size_t i = 0; i != size; ++i) {
-                detail::element(here, i);
-                scratch = {};
+        if (!spend_elements<form>(c, size)) return c;
+        if constexpr (traits::elsewhere && discarding<decltype(here)>) {
+            for (std::size_t i = 0; i != size && c.at != nullptr; ++i) {
+                stored scratch{};
                 c = form::get(scratch, c, here);
-                if (c.at == nullptr) return c;
-                root_of(here).tracer.template passed_element<repeated>(scratch, c.at);
             }
-            detail::leave(here);
             return c;
+        } else if constexpr (traits::elsewhere) {
+            stored* const first = root_of(here).memory.template allocate<stored>(size);
+            if (first == nullptr && size != 0) return in_cursor::failed(errc::arena_full);
+            elements = std::span<const stored>{first, size};
+            return fill<form>(first, size, c, here);
         } else {
-            if (!spend_elements<form>(c, size)) return c;
-            if constexpr (traits::elsewhere && discarding<decltype(here)>) {
-                for (std::size_t i = 0; i != size && c.at != nullptr; ++i) {
-                    stored scratch{};
-                    c = form::get(scratch, c, here);
-                }
-                return c;
-            } else if constexpr (traits::elsewhere) {
-                stored* const first = root_of(here).memory.template allocate<stored>(size);
-                if (first == nullptr && size != 0) return in_cursor::failed(errc::arena_full);
-                elements = std::span<const stored>{first, size};
-                return fill<form>(first, size, c, here);
-            } else {
-                if (!elements.resize(size)) return in_cursor::failed(errc::count_above_capacity);
-                return fill<form>(elements.begin(), size, c, here);
-            }
+            if (!elements.resize(size)) return in_cursor::failed(errc::count_above_capacity);
+            return fill<form>(elements.begin(), size, c, here);
         }
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {

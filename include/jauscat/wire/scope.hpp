@@ -1,4 +1,4 @@
-// Scope of an item: the enclosing structures (for counts, tags and flags elsewhere), the arena for lists, the trace.
+// Scope of an item: the enclosing structures (for counts, tags and flags elsewhere), and the arena for lists.
 // Passed by reference to functions that are forced inline; unused parts cost nothing.
 #pragma once
 #include <jauscat/wire/arena.hpp>
@@ -14,13 +14,6 @@ struct memory_root {
 };
 /// The outermost scope of decoding that keeps no elements of lists: only its error counts.
 struct discarding_root {};
-/// The outermost scope of a walk that is watched; see diagnose.
-template <class Tracer> struct traced_root {
-    using tracer_type = Tracer;
-    Tracer& tracer;
-};
-template <class Tracer> traced_root(Tracer&) -> traced_root<Tracer>;
-
 /// A structure as a value, and the scope around it.
 template <class Object, class Outer> struct object_scope {
     Object& object;
@@ -44,9 +37,6 @@ JAUSCAT_INLINE constexpr const auto& root_of(const auto& scope) noexcept {
 }
 
 template <class Scope> using root_type = std::remove_cvref_t<decltype(root_of(std::declval<const Scope&>()))>;
-/// True where a tracer watches.
-template <class Scope> inline constexpr bool traced = requires { typename root_type<Scope>::tracer_type; };
-
 /// True where elements of lists are decoded one by one and dropped.
 template <class Scope> inline constexpr bool discarding = std::is_same_v<root_type<Scope>, discarding_root>;
 

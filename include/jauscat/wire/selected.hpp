@@ -32,17 +32,16 @@ template <class Form> struct case_form {
     static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return {c.at + Form::size, c.slack}; }
     static constexpr std::size_t extent(const std::byte*, const auto&) noexcept { return Form::size; }
     template <bool Raw>
-    JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& value, out_cursor c, const auto&) noexcept {
         using used = wire::codec_in_mode<Form, Raw>;
         write<Form::size>(
-            c, here, [&](std::byte* out) { return used::store(out, static_cast<typename used::value_type>(value)); });
+            c, [&](std::byte* out) { return used::store(out, static_cast<typename used::value_type>(value)); });
         return c;
     }
-    template <bool Raw>
-    JAUSCAT_INLINE static constexpr in_cursor get(auto& value, in_cursor c, const auto& here) noexcept {
+    template <bool Raw> JAUSCAT_INLINE static constexpr in_cursor get(auto& value, in_cursor c, const auto&) noexcept {
         using used = wire::codec_in_mode<Form, Raw>;
         typename used::value_type loaded{};
-        const errc error = unless_passed(used::load(c.at, loaded), here);
+        const errc error = used::load(c.at, loaded);
         if (error != errc::ok) return in_cursor::failed(error);
         value = static_cast<std::remove_reference_t<decltype(value)>>(loaded);
         return {c.at + Form::size, c.slack};
@@ -89,10 +88,6 @@ template <class Value, bool Raw, class... Cases> struct case_table {
     JAUSCAT_INLINE static constexpr bool with_form(auto tag, auto&& f) {
         return (... || (tag == Cases::tag && (f.template operator()<case_form<typename Cases::form>>(), true)));
     }
-    [[nodiscard]] static constexpr std::size_t min_size_of(auto tag, std::size_t size) noexcept {
-        with_form(tag, [&]<class Form>() { size = Form::min_size; });
-        return size;
-    }
     [[gnu::noinline]] static constexpr std::size_t size(const Value& value, auto tag) noexcept {
         std::size_t total = 0;
         with_form(tag, [&]<class Form>() {
@@ -109,11 +104,10 @@ template <class Value, bool Raw, class... Cases> struct case_table {
         return end;
     }
     [[gnu::noinline]] static constexpr in_cursor get(Value& value, auto tag, in_cursor c, const auto& root) noexcept {
-        in_cursor end = unless_passed(errc::unknown_tag, root) == errc::ok ? in_cursor{c.at + min_size, c.slack}
-                                                                           : in_cursor::failed(errc::unknown_tag);
+        in_cursor end = in_cursor::failed(errc::unknown_tag);
         with_form(tag, [&]<class Form>() {
             end = c;
-            if (!spend(end, Form::min_size - min_size, root)) return;
+            if (!spend(end, Form::min_size - min_size)) return;
             if constexpr (is_variant<Value>)
                 end = Form::template get<Raw>(value.template emplace<typename Form::value_type>(), end, root);
             else
@@ -125,7 +119,7 @@ template <class Value, bool Raw, class... Cases> struct case_table {
         in_cursor end = in_cursor::failed(errc::unknown_tag);
         with_form(tag, [&]<class Form>() {
             end = c;
-            if (spend(end, Form::min_size - min_size, plain_root{})) end = Form::measure(end, alone(c.at, stop));
+            if (spend(end, Form::min_size - min_size)) end = Form::measure(end, alone(c.at, stop));
         });
         return end;
     }
@@ -193,15 +187,8 @@ template <auto Member, class Selector, class... Cases> struct selected {
                                                Selector::value(here), c, root_of(here));
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        using table = table_in<decltype(object)>;
-        const auto tag = Selector::value(here);
-        if constexpr (traced<decltype(here)>) {
-            const bool passed = detail::unless_passed(errc::unknown_tag, here) == errc::ok;
-            const std::size_t fewest = table::min_size_of(tag, passed ? min_size : 0);
-            if (!root_of(here).tracer.template reach_octets<selected>(c.at, fewest))
-                return in_cursor::failed(errc::truncated);
-        }
-        return table::get(emplace_in(object.*place_in<decltype(object), Member>), tag, c, root_of(here));
+        return table_in<decltype(object)>::get(emplace_in(object.*place_in<decltype(object), Member>),
+                                               Selector::value(here), c, root_of(here));
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         return table<value_type, false>::measure(Selector::value(here), c, here.end);

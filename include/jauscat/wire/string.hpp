@@ -41,15 +41,10 @@ template <auto Member, class Extent> struct octet_run {
         return size;
     }
     /// Writes the octets after the preceding items.
-    JAUSCAT_INLINE static constexpr out_cursor append(const value_type& value, out_cursor c,
-                                                      const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor append(const value_type& value, out_cursor c) noexcept {
         if (c.error != errc::ok) return c;
-        if constexpr (traced<decltype(here)>) {
-            root_of(here).tracer.advance(value.size());
-        } else {
-            copy(value, c.at);
-            c.at += value.size();
-        }
+        copy(value, c.at);
+        c.at += value.size();
         return c;
     }
 };
@@ -73,23 +68,19 @@ template <auto Member, class Count> struct counted_run : detail::octet_run<Membe
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
         const auto& value = value_of(object.*place_in<decltype(object), Member>);
-        return base::append(value, Count::put(value.size(), c, here), here);
+        return base::append(value, Count::put(value.size(), c, here));
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         std::size_t size{};
         if (!Count::get(size, c, here)) return c;
-        if constexpr (traced<decltype(here)>) {
-            if (!root_of(here).tracer.template reach_octets<counted_run>(c.at, size))
-                return in_cursor::failed(errc::truncated);
-        }
-        if (!detail::spend(c, size, here)) return c;
+        if (!detail::spend(c, size)) return c;
         emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, size);
         c.at += size;
         return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         const std::size_t size = Count::peek(c.at, here);
-        if (!detail::spend(c, size, here)) return c;
+        if (!detail::spend(c, size)) return c;
         c.at += Count::prefix_size + size;
         return c;
     }
@@ -113,13 +104,12 @@ template <auto Member> struct run_to_end : detail::octet_run<Member, rest> {
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto&) noexcept {
         return value_of(object.*place_in<decltype(object), Member>).size();
     }
-    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        return base::append(value_of(object.*place_in<decltype(object), Member>), c, here);
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto&) noexcept {
+        return base::append(value_of(object.*place_in<decltype(object), Member>), c);
     }
-    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        const std::size_t size = detail::rest_of(c, here);
-        emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, size);
-        return {c.at + size, 0};
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto&) noexcept {
+        emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, c.slack);
+        return {c.at + c.slack, 0};
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return {c.at + c.slack, 0}; }
     // How far it reaches is known to the view alone, which reads it as the last item.
@@ -141,15 +131,14 @@ template <auto Member, std::size_t Size> struct lenient_run : detail::octet_run<
     static constexpr std::size_t min_size = 0, max_size = Size;
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto&, const auto&) noexcept { return Size; }
-    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto&) noexcept {
         const auto& value = value_of(object.*place_in<decltype(object), Member>);
-        detail::write<Size>(c, here, [&](std::byte* out) { return base::put_filled(value, out, Size); });
+        detail::write<Size>(c, [&](std::byte* out) { return base::put_filled(value, out, Size); });
         return c;
     }
-    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        const std::size_t size = detail::rest_of(c, here);
-        emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, base::filled(c.at, size));
-        return {c.at + size, 0};
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto&) noexcept {
+        emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, base::filled(c.at, c.slack));
+        return {c.at + c.slack, 0};
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return {c.at + c.slack, 0}; }
     JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
@@ -188,29 +177,27 @@ template <auto Member> struct terminated_run : detail::octet_run<Member, zero_te
     using base = detail::octet_run<Member, zero_terminated>;
     static constexpr std::size_t min_size = 1, max_size = unbounded;
 
+    /// A value that contains no zero itself.
+    JAUSCAT_INLINE static constexpr bool legal(const typename base::value_type& value) noexcept {
+        for (const auto octet : value)
+            if (static_cast<std::byte>(octet) == std::byte{}) return false;
+        return true;
+    }
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto&) noexcept {
         return value_of(object.*place_in<decltype(object), Member>).size() + 1;
     }
-    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
+    JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto&) noexcept {
         const auto& value = value_of(object.*place_in<decltype(object), Member>);
-        for (const auto octet : value)
-            if (static_cast<std::byte>(octet) == std::byte{}) return {c.at, errc::out_of_range};
-        c = base::append(value, c, here);
-        detail::write<1>(c, here, [](std::byte* out) { return *out = std::byte{}, errc::ok; });
+        if (!legal(value)) return {c.at, errc::out_of_range};
+        c = base::append(value, c);
+        detail::write<1>(c, [](std::byte* out) { return *out = std::byte{}, errc::ok; });
         return c;
     }
-    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        const std::size_t most = traced<decltype(here)> ? detail::rest_of(c, here) : c.slack + 1;
-        const std::size_t size = length(c.at, most);
-        if (size == most) {
-            if constexpr (traced<decltype(here)>)
-                root_of(here).tracer.template reach_octets<terminated_run>(c.at, size + 1);
-            return in_cursor::failed(errc::truncated);
-        }
-        if (!detail::spend(c, size, here)) return c;
+    JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto&) noexcept {
+        const std::size_t size = length(c.at, c.slack + 1);
+        if (size == c.slack + 1) return in_cursor::failed(errc::truncated);
         emplace_in(object.*place_in<decltype(object), Member>) = base::pointing_at(c.at, size);
-        c.at += size + 1;
-        return c;
+        return {c.at + size + 1, c.slack - size};
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto&) noexcept {
         const std::size_t size = length(c.at, c.slack + 1);

@@ -50,6 +50,18 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
         return (one.*place_in<decltype(one), Children>);
     }
 
+    /// Calls `step(index, node)`, which returns an errc, for each node; returns its first error, or that of numbers of
+    /// children which the nodes do not have.
+    JAUSCAT_INLINE static constexpr errc for_each_node(const auto& nodes, auto&& step) noexcept {
+        tree_walk<MaxDepth> walk;
+        for (std::size_t i = 0; i != nodes.size(); ++i) {
+            if (i != 0 && walk.complete()) return errc::count_mismatch;
+            if (!walk.pass(children(nodes[i]))) return errc::too_deep;
+            if (const errc error = step(i, nodes[i]); error != errc::ok) return error;
+        }
+        return nodes.empty() || !walk.complete() ? errc::count_mismatch : errc::ok;
+    }
+
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
         std::size_t total = 0;
         for (const auto& one : object.*place_in<decltype(object), Member>)
@@ -57,58 +69,34 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
         return total;
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        const auto& nodes = object.*place_in<decltype(object), Member>;
-        tree_walk<MaxDepth> walk;
-        detail::enter<tree>(here);
-        for (std::size_t i = 0; i != nodes.size(); ++i) {
-            detail::element(here, i);
-            if (i != 0 && walk.complete()) return {c.at, errc::count_mismatch};
-            if (!walk.pass(children(nodes[i]))) return {c.at, errc::too_deep};
-            c = inner_layout::put(nodes[i], c, object_scope{nodes[i], here});
-            if (c.error != errc::ok) return c;
-        }
-        if (nodes.empty() || !walk.complete()) return {c.at, errc::count_mismatch};
-        detail::leave(here);
-        return c;
+        const errc error = for_each_node(object.*place_in<decltype(object), Member>, [&](std::size_t, const auto& one) {
+            c = inner_layout::put(one, c, object_scope{one, here});
+            return c.error;
+        });
+        return {c.at, error};
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         auto& nodes = object.*place_in<decltype(object), Member>;
         using stored = typename std::remove_reference_t<decltype(nodes)>::value_type;
-        if constexpr (traced<decltype(here)>) {
-            tree_walk<MaxDepth> walk;
-            stored scratch{};
-            detail::enter<tree>(here);
-            for (std::size_t i = 0; i == 0 || !walk.complete(); ++i) {
-                detail::element(here, i);
-                scratch = {};
-                c = inner_layout::get(scratch, c, object_scope{scratch, here});
-                if (c.at == nullptr) return c;
-                if (!walk.pass(children(scratch))) return in_cursor::failed(errc::too_deep);
-                root_of(here).tracer.template passed_element<tree>(scratch, c.at);
+        std::size_t count = 0;
+        const in_cursor end = walk_bytes(c, count, byte_scope<plain_root, plain_root>{c.at, c.at, {}});
+        if (end.at == nullptr) return end;
+        const auto get_node = [&](std::size_t i, stored& one) {
+            if (i != 0) c.slack -= inner_layout::min_size;
+            c = inner_layout::get(one, c, object_scope{one, here});
+        };
+        if constexpr (discarding<decltype(here)>) {
+            for (std::size_t i = 0; i != count && c.at != nullptr; ++i) {
+                stored scratch{};
+                get_node(i, scratch);
             }
-            detail::leave(here);
-            return c;
         } else {
-            std::size_t count = 0;
-            const in_cursor end = walk_bytes(c, count, byte_scope<plain_root, plain_root>{c.at, c.at, {}});
-            if (end.at == nullptr) return end;
-            const auto get_node = [&](std::size_t i, stored& one) {
-                if (i != 0) c.slack -= inner_layout::min_size;
-                c = inner_layout::get(one, c, object_scope{one, here});
-            };
-            if constexpr (discarding<decltype(here)>) {
-                for (std::size_t i = 0; i != count && c.at != nullptr; ++i) {
-                    stored scratch{};
-                    get_node(i, scratch);
-                }
-            } else {
-                stored* const first = root_of(here).memory.template allocate<stored>(count);
-                if (first == nullptr) return in_cursor::failed(errc::arena_full);
-                nodes = std::span<const stored>{first, count};
-                for (std::size_t i = 0; i != count && c.at != nullptr; ++i) get_node(i, first[i]);
-            }
-            return c;
+            stored* const first = root_of(here).memory.template allocate<stored>(count);
+            if (first == nullptr) return in_cursor::failed(errc::arena_full);
+            nodes = std::span<const stored>{first, count};
+            for (std::size_t i = 0; i != count && c.at != nullptr; ++i) get_node(i, first[i]);
         }
+        return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         std::size_t count = 0;
