@@ -99,37 +99,22 @@ template <auto Member, class Element = record> struct array {
         return get(object, in_cursor{in, 0}, plain_root{}).error();
     }
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
-        std::size_t total = 0;
-        for (const auto& one : value_of(object.*place_in<decltype(object), Member>))
-            total += form_in<decltype(object)>::size(one, here);
-        return total;
+        return detail::size_of_elements<form_in<decltype(object)>>(value_of(object.*place_in<decltype(object), Member>),
+                                                                   here);
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        const auto& elements = value_of(object.*place_in<decltype(object), Member>);
-        for (std::size_t i = 0; i != length; ++i) {
-            c = form_in<decltype(object)>::put(elements[i], c, here);
-            if (c.error != errc::ok) return c;
-        }
-        return c;
+        return detail::put_elements<form_in<decltype(object)>>(value_of(object.*place_in<decltype(object), Member>), c,
+                                                               here);
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         auto& elements = emplace_in(object.*place_in<decltype(object), Member>);
-        for (std::size_t i = 0; i != length; ++i) {
-            c = form_in<decltype(object)>::get(elements[i], c, here);
-            if (c.at == nullptr) return c;
-        }
-        return c;
+        return detail::get_elements<form_in<decltype(object)>>(elements.data(), length, c, here);
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
-        for (std::size_t i = 0; i != length && c.at != nullptr; ++i)
-            c = layout_of<value_type>::measure(c, plain_form::inside(c.at, here));
-        return c;
+        return detail::measure_elements<plain_form>(length, c, here);
     }
     JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
-        std::size_t total = 0;
-        for (std::size_t i = 0; i != length; ++i)
-            total += layout_of<value_type>::extent(in + total, plain_form::inside(in + total, here));
-        return total;
+        return detail::extent_of_elements<plain_form>(length, in, here);
     }
     template <auto, reading Mode>
     JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {

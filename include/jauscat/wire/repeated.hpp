@@ -76,6 +76,52 @@ template <class Element, bool Raw, class Value> struct element_form {
 template <bool Raw, class Value> struct element_form<record, Raw, Value> {
     using type = record_form<Value>;
 };
+/// The elements of a list or an array, one after another, each in the form `Form`.
+template <class Form>
+JAUSCAT_INLINE constexpr std::size_t size_of_elements(const auto& elements,
+                                                      [[maybe_unused]] const auto& here) noexcept {
+    std::size_t total = 0;
+    if constexpr (Form::fixed)
+        total = elements.size() * Form::max_size;
+    else
+        for (std::size_t i = 0; i != elements.size(); ++i) total += Form::size(elements[i], here);
+    return total;
+}
+template <class Form>
+JAUSCAT_INLINE constexpr out_cursor put_elements(const auto& elements, out_cursor c, const auto& here) noexcept {
+    for (std::size_t i = 0; i != elements.size(); ++i) {
+        c = Form::put(elements[i], c, here);
+        if (c.error != errc::ok) return c;
+    }
+    return c;
+}
+template <class Form>
+JAUSCAT_INLINE constexpr in_cursor get_elements(auto* first, std::size_t size, in_cursor c, const auto& here) noexcept {
+    for (std::size_t i = 0; i != size && c.at != nullptr; ++i) c = Form::get(first[i], c, here);
+    return c;
+}
+template <class Form>
+JAUSCAT_INLINE constexpr in_cursor measure_elements(std::size_t size, in_cursor c,
+                                                    [[maybe_unused]] const auto& here) noexcept {
+    if constexpr (Form::fixed)
+        c.at += size * Form::max_size;
+    else
+        for (std::size_t i = 0; i != size && c.at != nullptr; ++i)
+            c = Form::inner::measure(c, Form::inside(c.at, here));
+    return c;
+}
+template <class Form>
+JAUSCAT_INLINE constexpr std::size_t extent_of_elements(std::size_t size, [[maybe_unused]] const std::byte* in,
+                                                        [[maybe_unused]] const auto& here) noexcept {
+    std::size_t total = 0;
+    if constexpr (Form::fixed)
+        total = size * Form::max_size;
+    else
+        for (std::size_t i = 0; i != size; ++i)
+            total += Form::inner::extent(in + total, Form::inside(in + total, here));
+    return total;
+}
+
 /// The type of an element in a `raw`.
 template <class Element, class Value> struct raw_element {
     using type = typename wire::codec_in_mode<typename Element::codec_type, true>::value_type;
@@ -146,21 +192,13 @@ template <auto Member, class Count, class Element = record> struct repeated {
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
         const auto& elements = value_of(object.*place_in<decltype(object), Member>);
-        using form = form_in<decltype(object)>;
-        if constexpr (form::fixed) return Count::prefix_size + elements.size() * form::max_size;
-        std::size_t total = Count::prefix_size;
-        for (std::size_t i = 0; i != elements.size(); ++i) total += form::size(elements[i], here);
-        return total;
+        return Count::prefix_size + detail::size_of_elements<form_in<decltype(object)>>(elements, here);
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
         const auto& elements = value_of(object.*place_in<decltype(object), Member>);
         c = Count::put(elements.size(), c, here);
         if (c.error != errc::ok) return c;
-        for (std::size_t i = 0; i != elements.size(); ++i) {
-            c = form_in<decltype(object)>::put(elements[i], c, here);
-            if (c.error != errc::ok) return c;
-        }
-        return c;
+        return detail::put_elements<form_in<decltype(object)>>(elements, c, here);
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         using form = form_in<decltype(object)>;
@@ -168,7 +206,7 @@ template <auto Member, class Count, class Element = record> struct repeated {
         using stored = typename list_traits<std::remove_reference_t<decltype(elements)>>::value_type;
         std::size_t size{};
         if (!Count::get(size, c, here)) return c;
-        if (!spend_elements<form>(c, size)) return c;
+        if (!spend_elements(c, size)) return c;
         if constexpr (traits::elsewhere && discarding<decltype(here)>) {
             for (std::size_t i = 0; i != size && c.at != nullptr; ++i) {
                 stored scratch{};
@@ -179,34 +217,21 @@ template <auto Member, class Count, class Element = record> struct repeated {
             stored* const first = root_of(here).memory.template allocate<stored>(size);
             if (first == nullptr && size != 0) return in_cursor::failed(errc::arena_full);
             elements = std::span<const stored>{first, size};
-            return fill<form>(first, size, c, here);
+            return detail::get_elements<form>(first, size, c, here);
         } else {
             if (!elements.resize(size)) return in_cursor::failed(errc::count_above_capacity);
-            return fill<form>(elements.begin(), size, c, here);
+            return detail::get_elements<form>(elements.begin(), size, c, here);
         }
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         const std::size_t size = Count::peek(c.at, here);
-        if (!spend_elements<plain_form>(c, size)) return c;
+        if (!spend_elements(c, size)) return c;
         c.at += Count::prefix_size;
-        if constexpr (plain_form::fixed) {
-            c.at += size * plain_form::max_size;
-        } else {
-            for (std::size_t i = 0; i != size && c.at != nullptr; ++i)
-                c = layout_of<value_type>::measure(c, plain_form::inside(c.at, here));
-        }
-        return c;
+        return detail::measure_elements<plain_form>(size, c, here);
     }
     JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
-        const std::size_t size = Count::peek(in, here);
-        std::size_t total = Count::prefix_size;
-        if constexpr (plain_form::fixed) {
-            total += size * plain_form::max_size;
-        } else {
-            for (std::size_t i = 0; i != size; ++i)
-                total += layout_of<value_type>::extent(in + total, plain_form::inside(in + total, here));
-        }
-        return total;
+        return Count::prefix_size +
+               detail::extent_of_elements<plain_form>(Count::peek(in, here), in + Count::prefix_size, here);
     }
     template <auto, reading Mode>
     JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
@@ -224,21 +249,15 @@ template <auto Member, class Count, class Element = record> struct repeated {
         std::remove_cvref_t<decltype(value_of(std::declval<Object&>().*place_in<Object, Member>)[0])>>::type;
 
     // Takes the fewest bytes of `size` elements from the slack.
-    template <class Form> JAUSCAT_INLINE static constexpr bool spend_elements(in_cursor& c, std::size_t size) noexcept {
-        if constexpr (Form::min_size != 0) {
-            if (size > c.slack / Form::min_size) {
+    JAUSCAT_INLINE static constexpr bool spend_elements(in_cursor& c, std::size_t size) noexcept {
+        if constexpr (plain_form::min_size != 0) {
+            if (size > c.slack / plain_form::min_size) {
                 c = in_cursor::failed(errc::truncated);
                 return false;
             }
-            c.slack -= size * Form::min_size;
+            c.slack -= size * plain_form::min_size;
         }
         return true;
-    }
-    template <class Form, class T>
-    JAUSCAT_INLINE static constexpr in_cursor fill(T* elements, std::size_t size, in_cursor c,
-                                                   const auto& here) noexcept {
-        for (std::size_t i = 0; i != size && c.at != nullptr; ++i) c = Form::get(elements[i], c, here);
-        return c;
     }
 };
 
