@@ -50,33 +50,26 @@ struct states_size<Row> {
     using uses = path_list<typename Row::states_body_size>;
 };
 
-template <class... Rows>
-constexpr void find_row_to_packet(row_list<Rows...>, diagnosis& found, const auto& header, auto& packet,
-                                  sizes s) noexcept {
+/// Finds the first row that refuses `read` with the error.
+template <bool ToPacket, class... Rows>
+constexpr void find_row(row_list<Rows...>, diagnosis& found, const auto& read, auto& written, sizes s) noexcept {
     std::size_t row = 0;
-    const auto try_row = [&]<class Row>(const Row*) {
-        if (Row::to_packet(header, packet, s) == found.error) {
-            found.row = row;
-            blame(typename states_size<Row>::uses{}, typename Row::writes{}, found, header, packet);
-        }
-        ++row;
-        return found.row != diagnosis::no_row;
+    const auto refuses = [&]<class Row>(const Row*) {
+        const errc error = [&] {
+            if constexpr (ToPacket)
+                return Row::to_packet(read, written, s);
+            else
+                return Row::from_packet(read, written, s);
+        }();
+        if (error != found.error) return ++row, false;
+        using uses = typename states_size<Row>::uses;
+        using writes = typename Row::writes;
+        found.row = row;
+        blame(std::conditional_t<ToPacket, uses, writes>{}, std::conditional_t<ToPacket, writes, uses>{}, found, read,
+              written);
+        return true;
     };
-    static_cast<void>((try_row(static_cast<const Rows*>(nullptr)) || ...));
-}
-template <class... Rows>
-constexpr void find_row_from_packet(row_list<Rows...>, diagnosis& found, const auto& packet, auto& header,
-                                    sizes s) noexcept {
-    std::size_t row = 0;
-    const auto try_row = [&]<class Row>(const Row*) {
-        if (Row::from_packet(packet, header, s) == found.error) {
-            found.row = row;
-            blame(typename Row::writes{}, typename states_size<Row>::uses{}, found, packet, header);
-        }
-        ++row;
-        return found.row != diagnosis::no_row;
-    };
-    static_cast<void>((try_row(static_cast<const Rows*>(nullptr)) || ...));
+    static_cast<void>((refuses(static_cast<const Rows*>(nullptr)) || ...));
 }
 
 } // namespace detail
@@ -90,7 +83,7 @@ template <class Table>
     typename Table::packet_type packet{};
     if (error == errc::ok || !wire::decode_prefix(header, message)) return found;
     const std::size_t body = message.size() - translator<Table>::header_size;
-    detail::find_row_to_packet(typename Table::rows{}, found, header, packet, {body, body + Table::overhead});
+    detail::find_row<true>(typename Table::rows{}, found, header, packet, {body, body + Table::overhead});
     return found;
 }
 
@@ -104,7 +97,7 @@ template <class Table>
     if (error == errc::ok || !used) return found;
     const std::size_t data = Table::data_count_row::counts_data::of(fields);
     if (data < Table::overhead || data > packet.size() - *used) return found;
-    detail::find_row_from_packet(typename Table::rows{}, found, fields, header, {data - Table::overhead, data});
+    detail::find_row<false>(typename Table::rows{}, found, fields, header, {data - Table::overhead, data});
     return found;
 }
 
