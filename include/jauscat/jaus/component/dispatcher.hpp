@@ -1,6 +1,7 @@
 // Calls the handler of a message's type, in constant time and without a heap.
 #pragma once
 #include <jauscat/jaus/component/component_application.hpp>
+#include <jauscat/jaus/message/presence_bits.hpp>
 #include <jauscat/schema/jaus/dynamic_configuration.hpp>
 #include <jauscat/wire/code_index.hpp>
 
@@ -145,17 +146,6 @@ template <class F> constexpr auto on_acknowledgement(F handle) {
                   "on_acknowledgement: the handler cannot be called with (const header&)");
     return detail::acknowledgement_handler<F>{std::move(handle)};
 }
-
-/// The presence bits that a message's layout defines; 0 where it has no presence vector.
-template <coded_message T>
-inline constexpr std::uint32_t presence_bits_of = [] {
-    std::uint32_t bits = 0;
-    wire::layout_of<T>::all_items([&]<class Item>() {
-        if constexpr (requires { Item::known_bits; }) bits = static_cast<std::uint32_t>(Item::known_bits);
-        return bits == 0;
-    });
-    return bits;
-}();
 
 /// Calls the handler of a message's type with the decoded message.
 ///

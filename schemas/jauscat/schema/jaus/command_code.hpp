@@ -24,4 +24,11 @@ concept coded_message = wire::message<T> && requires {
 template <coded_message T>
 inline constexpr std::uint16_t command_code_of = wire::schema<typename detail::real_form<T>::type>::command_code;
 
+/// A message whose schema names the report that answers it, as `report`.
+template <class T> concept query_message = coded_message<T> && requires { typename wire::schema<T>::report; };
+template <query_message Query> using report_of = typename wire::schema<Query>::report;
+/// A message whose schema names the query that it answers, as `query`.
+template <class T> concept report_message = coded_message<T> && requires { typename wire::schema<T>::query; };
+template <report_message Report> using query_of = typename wire::schema<Report>::query;
+
 } // namespace jauscat::jaus

@@ -105,20 +105,24 @@ template <> struct wire::schema<jaus::set_selected_data_link_state> {
 
 template <> struct wire::schema<jaus::query_data_link_status> {
     static constexpr std::uint16_t command_code = 0x2200;
+    using report = jaus::report_data_link_status;
     using T = jaus::query_data_link_status;
     using type = layout<field<&T::data_link_id, u8>>;
 };
 
 template <> struct wire::schema<jaus::query_selected_data_link_status> {
     static constexpr std::uint16_t command_code = 0x2201;
+    using report = jaus::report_selected_data_link_status;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_heartbeat_pulse> {
     static constexpr std::uint16_t command_code = 0x2202;
+    using report = jaus::report_heartbeat_pulse;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::report_data_link_status> {
     static constexpr std::uint16_t command_code = 0x4200;
+    using query = jaus::query_data_link_status;
     using T = jaus::report_data_link_status;
     using type = layout<
         field<&T::data_link_id, u8>,
@@ -127,12 +131,14 @@ template <> struct wire::schema<jaus::report_data_link_status> {
 
 template <> struct wire::schema<jaus::report_selected_data_link_status> {
     static constexpr std::uint16_t command_code = 0x4201;
+    using query = jaus::query_selected_data_link_status;
     using T = jaus::report_selected_data_link_status;
     using type = layout<field<&T::data_link_id, u8>>;
 };
 
 template <> struct wire::schema<jaus::report_heartbeat_pulse> {
     static constexpr std::uint16_t command_code = 0x4202;
+    using query = jaus::query_heartbeat_pulse;
     using type = layout<>; };
 
 } // namespace jauscat

@@ -343,30 +343,36 @@ template <> struct wire::schema<jaus::set_time> {
 
 template <> struct wire::schema<jaus::query_component_authority> {
     static constexpr std::uint16_t command_code = 0x2001;
+    using report = jaus::report_component_authority;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_component_status> {
     static constexpr std::uint16_t command_code = 0x2002;
+    using report = jaus::report_component_status;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_component_control> {
     static constexpr std::uint16_t command_code = 0x200D;
+    using report = jaus::report_component_control;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_time> {
     static constexpr std::uint16_t command_code = 0x2011;
+    using report = jaus::report_time;
     using T = jaus::query_time;
     using type = layout<field<&T::presence_vector, u8>>;
 };
 
 template <> struct wire::schema<jaus::report_component_authority> {
     static constexpr std::uint16_t command_code = 0x4001;
+    using query = jaus::query_component_authority;
     using T = jaus::report_component_authority;
     using type = layout<field<&T::authority_code, u8>>;
 };
 
 template <> struct wire::schema<jaus::report_component_status> {
     static constexpr std::uint16_t command_code = 0x4002;
+    using query = jaus::query_component_status;
     using T = jaus::report_component_status;
     using type = layout<
         field<&T::primary_status_code, enumeration<jaus::primary_status_code, u8>>,
@@ -375,6 +381,7 @@ template <> struct wire::schema<jaus::report_component_status> {
 
 template <> struct wire::schema<jaus::report_component_control> {
     static constexpr std::uint16_t command_code = 0x400D;
+    using query = jaus::query_component_control;
     using T = jaus::report_component_control;
     using type = layout<
         field<&T::subsystem_id, u8>,
@@ -386,6 +393,7 @@ template <> struct wire::schema<jaus::report_component_control> {
 
 template <> struct wire::schema<jaus::report_time> {
     static constexpr std::uint16_t command_code = 0x4011;
+    using query = jaus::query_time;
     using T = jaus::report_time;
     using type = layout<
         presence<u8,

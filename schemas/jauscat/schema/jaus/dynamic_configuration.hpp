@@ -123,26 +123,31 @@ namespace jauscat {
 
 template <> struct wire::schema<jaus::query_identification> {
     static constexpr std::uint16_t command_code = 0x2B00;
+    using report = jaus::report_identification;
     using T = jaus::query_identification;
     using type = layout<field<&T::query_type, enumeration<jaus::query_type, u8>>>;
 };
 
 template <> struct wire::schema<jaus::query_configuration> {
     static constexpr std::uint16_t command_code = 0x2B01;
+    using report = jaus::report_configuration;
     using T = jaus::query_configuration;
     using type = layout<field<&T::query_field, enumeration<jaus::query_field, u8>>>;
 };
 
 template <> struct wire::schema<jaus::query_subsystem_list> {
     static constexpr std::uint16_t command_code = 0x2B02;
+    using report = jaus::report_subsystem_list;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_services> {
     static constexpr std::uint16_t command_code = 0x2B03;
+    using report = jaus::report_services;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::report_identification> {
     static constexpr std::uint16_t command_code = 0x4B00;
+    using query = jaus::query_identification;
     using T = jaus::report_identification;
     using type = layout<
         field<&T::query_type, enumeration<jaus::query_type, u8>>,
@@ -167,6 +172,7 @@ template <> struct wire::schema<jaus::configured_node> {
 
 template <> struct wire::schema<jaus::report_configuration> {
     static constexpr std::uint16_t command_code = 0x4B01;
+    using query = jaus::query_configuration;
     using T = jaus::report_configuration;
     using type = layout<repeated<&T::node, count<"number_of_nodes", u8>>>;
 };
@@ -182,6 +188,7 @@ template <> struct wire::schema<jaus::listed_subsystem> {
 
 template <> struct wire::schema<jaus::report_subsystem_list> {
     static constexpr std::uint16_t command_code = 0x4B02;
+    using query = jaus::query_subsystem_list;
     using T = jaus::report_subsystem_list;
     using type = layout<repeated<&T::subsystem, count<"number_of_subsystems", u8>>>;
 };
@@ -203,6 +210,7 @@ template <> struct wire::schema<jaus::offered_service> {
 
 template <> struct wire::schema<jaus::report_services> {
     static constexpr std::uint16_t command_code = 0x4B03;
+    using query = jaus::query_services;
     using T = jaus::report_services;
     using type = layout<repeated<&T::service, count<"number_of_services", u8>>>;
 };

@@ -328,6 +328,7 @@ template <> struct wire::schema<jaus::set_camera_format_options> {
 
 template <> struct wire::schema<jaus::query_camera_pose> {
     static constexpr std::uint16_t command_code = 0x2800;
+    using report = jaus::report_camera_pose;
     using T = jaus::query_camera_pose;
     using type = layout<
         field<&T::presence_vector, u16le>,
@@ -336,20 +337,24 @@ template <> struct wire::schema<jaus::query_camera_pose> {
 
 template <> struct wire::schema<jaus::query_camera_count> {
     static constexpr std::uint16_t command_code = 0x2801;
+    using report = jaus::report_camera_count;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_relative_object_position> {
     static constexpr std::uint16_t command_code = 0x2802;
+    using report = jaus::report_relative_object_position;
     using T = jaus::query_relative_object_position;
     using type = layout<field<&T::presence_vector, u8>>;
 };
 
 template <> struct wire::schema<jaus::query_selected_camera> {
     static constexpr std::uint16_t command_code = 0x2804;
+    using report = jaus::report_selected_camera;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_camera_capabilities> {
     static constexpr std::uint16_t command_code = 0x2805;
+    using report = jaus::report_camera_capabilities;
     using T = jaus::query_camera_capabilities;
     using type = layout<
         field<&T::presence_vector, u16le>,
@@ -358,6 +363,7 @@ template <> struct wire::schema<jaus::query_camera_capabilities> {
 
 template <> struct wire::schema<jaus::query_camera_format_options> {
     static constexpr std::uint16_t command_code = 0x2806;
+    using report = jaus::report_camera_format_options;
     using T = jaus::query_camera_format_options;
     using type = layout<
         field<&T::presence_vector, u8>,
@@ -366,10 +372,12 @@ template <> struct wire::schema<jaus::query_camera_format_options> {
 
 template <> struct wire::schema<jaus::query_image> {
     static constexpr std::uint16_t command_code = 0x2807;
+    using report = jaus::report_image;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::report_camera_pose> {
     static constexpr std::uint16_t command_code = 0x4800;
+    using query = jaus::query_camera_pose;
     using T = jaus::report_camera_pose;
     using type = layout<
         presence<u16le,
@@ -388,12 +396,14 @@ template <> struct wire::schema<jaus::report_camera_pose> {
 
 template <> struct wire::schema<jaus::report_camera_count> {
     static constexpr std::uint16_t command_code = 0x4801;
+    using query = jaus::query_camera_count;
     using T = jaus::report_camera_count;
     using type = layout<field<&T::camera_count, u8>>;
 };
 
 template <> struct wire::schema<jaus::report_relative_object_position> {
     static constexpr std::uint16_t command_code = 0x4802;
+    using query = jaus::query_relative_object_position;
     using T = jaus::report_relative_object_position;
     using type = layout<
         presence<u8,
@@ -410,12 +420,14 @@ template <> struct wire::schema<jaus::report_relative_object_position> {
 
 template <> struct wire::schema<jaus::report_selected_camera> {
     static constexpr std::uint16_t command_code = 0x4804;
+    using query = jaus::query_selected_camera;
     using T = jaus::report_selected_camera;
     using type = layout<field<&T::camera_id, u8>>;
 };
 
 template <> struct wire::schema<jaus::report_camera_capabilities> {
     static constexpr std::uint16_t command_code = 0x4805;
+    using query = jaus::query_camera_capabilities;
     using T = jaus::report_camera_capabilities;
     using type = layout<
         presence<u16le,
@@ -439,6 +451,7 @@ template <> struct wire::schema<jaus::report_camera_capabilities> {
 
 template <> struct wire::schema<jaus::report_camera_format_options> {
     static constexpr std::uint16_t command_code = 0x4806;
+    using query = jaus::query_camera_format_options;
     using T = jaus::report_camera_format_options;
     using type = layout<
         presence<u8,
@@ -454,6 +467,7 @@ template <> struct wire::schema<jaus::report_camera_format_options> {
 
 template <> struct wire::schema<jaus::report_image> {
     static constexpr std::uint16_t command_code = 0x4807;
+    using query = jaus::query_image;
     using T = jaus::report_image;
     using type = layout<
         field<&T::camera_id, u8>,

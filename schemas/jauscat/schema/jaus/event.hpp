@@ -223,6 +223,7 @@ template <> struct wire::schema<jaus::reject_event_request> {
 
 template <> struct wire::schema<jaus::query_events> {
     static constexpr std::uint16_t command_code = 0x21F0;
+    using report = jaus::report_events;
     using T = jaus::query_events;
     using type = layout<
         presence<u8,
@@ -248,6 +249,7 @@ template <> struct wire::schema<jaus::reported_event> {
 
 template <> struct wire::schema<jaus::report_events> {
     static constexpr std::uint16_t command_code = 0x41F0;
+    using query = jaus::query_events;
     using T = jaus::report_events;
     using type = layout<repeated<&T::event, count<"number_of_events", u8>>>;
 };

@@ -350,26 +350,32 @@ template <> struct wire::schema<jaus::set_end_effector_path_motion> {
 
 template <> struct wire::schema<jaus::query_manipulator_specifications> {
     static constexpr std::uint16_t command_code = 0x2600;
+    using report = jaus::report_manipulator_specifications;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_joint_efforts> {
     static constexpr std::uint16_t command_code = 0x2601;
+    using report = jaus::report_joint_efforts;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_joint_positions> {
     static constexpr std::uint16_t command_code = 0x2602;
+    using report = jaus::report_joint_positions;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_joint_velocities> {
     static constexpr std::uint16_t command_code = 0x2603;
+    using report = jaus::report_joint_velocities;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_tool_point> {
     static constexpr std::uint16_t command_code = 0x2604;
+    using report = jaus::report_tool_point;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_joint_force_torques> {
     static constexpr std::uint16_t command_code = 0x2605;
+    using report = jaus::report_joint_force_torques;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::joint_specification> {
@@ -386,6 +392,7 @@ template <> struct wire::schema<jaus::joint_specification> {
 
 template <> struct wire::schema<jaus::report_manipulator_specifications> {
     static constexpr std::uint16_t command_code = 0x4600;
+    using query = jaus::query_manipulator_specifications;
     using T = jaus::report_manipulator_specifications;
     using type = layout<
         field<&T::number_of_joints, u8>,
@@ -406,6 +413,7 @@ template <> struct wire::schema<jaus::report_manipulator_specifications> {
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_efforts<Capacity>> {
     static constexpr std::uint16_t command_code = 0x4601;
+    using query = jaus::query_joint_efforts;
     using T = jaus::basic_report_joint_efforts<Capacity>;
     using type = layout<
         repeated<&T::joint_effort, count<"number_of_joints", u8>,
@@ -414,6 +422,7 @@ template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_eff
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_positions<Capacity>> {
     static constexpr std::uint16_t command_code = 0x4602;
+    using query = jaus::query_joint_positions;
     using T = jaus::basic_report_joint_positions<Capacity>;
     using type = layout<
         repeated<&T::joint_position, count<"number_of_joints", u8>,
@@ -422,6 +431,7 @@ template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_pos
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_velocities<Capacity>> {
     static constexpr std::uint16_t command_code = 0x4603;
+    using query = jaus::query_joint_velocities;
     using T = jaus::basic_report_joint_velocities<Capacity>;
     using type = layout<
         repeated<&T::joint_velocity, count<"number_of_joints", u8>,
@@ -430,6 +440,7 @@ template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_vel
 
 template <> struct wire::schema<jaus::report_tool_point> {
     static constexpr std::uint16_t command_code = 0x4604;
+    using query = jaus::query_tool_point;
     using T = jaus::report_tool_point;
     using type = layout<
         field<&T::x_coordinate_of_tool_tip, scaled<u32le, jaus::tool_tip_coordinate>>,
@@ -439,6 +450,7 @@ template <> struct wire::schema<jaus::report_tool_point> {
 
 template <std::size_t Capacity> struct wire::schema<jaus::basic_report_joint_force_torques<Capacity>> {
     static constexpr std::uint16_t command_code = 0x4605;
+    using query = jaus::query_joint_force_torques;
     using T = jaus::basic_report_joint_force_torques<Capacity>;
     using type = layout<
         repeated<&T::joint_force_torque, count<"number_of_joints", u8>,

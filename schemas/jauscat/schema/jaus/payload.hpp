@@ -286,10 +286,12 @@ template <> struct wire::schema<jaus::set_payload_data_element> {
 
 template <> struct wire::schema<jaus::query_payload_interface> {
     static constexpr std::uint16_t command_code = 0x2D00;
+    using report = jaus::report_payload_interface;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_payload_data_element> {
     static constexpr std::uint16_t command_code = 0x2D01;
+    using report = jaus::report_payload_data_element;
     using T = jaus::query_payload_data_element;
     using type = layout<
         repeated<&T::information_interface_number, count<"number_of_payload_information_elements", u8>,
@@ -298,6 +300,7 @@ template <> struct wire::schema<jaus::query_payload_data_element> {
 
 template <> struct wire::schema<jaus::report_payload_interface> {
     static constexpr std::uint16_t command_code = 0x4D00;
+    using query = jaus::query_payload_interface;
     using T = jaus::report_payload_interface;
     using type = layout<
         presence<u8,
@@ -314,6 +317,7 @@ template <> struct wire::schema<jaus::report_payload_interface> {
 
 template <> struct wire::schema<jaus::report_payload_data_element> {
     static constexpr std::uint16_t command_code = 0x4D01;
+    using query = jaus::query_payload_data_element;
     using T = jaus::report_payload_data_element;
     using type = layout<
         field<&T::number_of_payload_information_elements, u8>,

@@ -250,10 +250,12 @@ template <> struct wire::schema<jaus::replace_messages> {
 
 template <> struct wire::schema<jaus::query_spooling_preference> {
     static constexpr std::uint16_t command_code = 0x2E00;
+    using report = jaus::report_spooling_preference;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_mission_status> {
     static constexpr std::uint16_t command_code = 0x2E01;
+    using report = jaus::report_mission_status;
     using T = jaus::query_mission_status;
     using type = layout<
         field<&T::presence_vector, u8>,
@@ -265,6 +267,7 @@ template <> struct wire::schema<jaus::query_mission_status> {
 
 template <> struct wire::schema<jaus::report_spooling_preference> {
     static constexpr std::uint16_t command_code = 0x4E00;
+    using query = jaus::query_spooling_preference;
     using T = jaus::report_spooling_preference;
     using type = layout<
         field<&T::spooling_preference_type, enumeration<jaus::spooling_preference_type, u8>>,
@@ -273,6 +276,7 @@ template <> struct wire::schema<jaus::report_spooling_preference> {
 
 template <> struct wire::schema<jaus::report_mission_status> {
     static constexpr std::uint16_t command_code = 0x4E01;
+    using query = jaus::query_mission_status;
     using T = jaus::report_mission_status;
     using type = layout<
         field<&T::type, enumeration<jaus::mission_status_type, u8>>,

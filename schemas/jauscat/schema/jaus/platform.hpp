@@ -618,82 +618,97 @@ template <> struct wire::schema<jaus::set_local_path_segment> {
 
 template <> struct wire::schema<jaus::query_platform_specifications> {
     static constexpr std::uint16_t command_code = 0x2400;
+    using report = jaus::report_platform_specifications;
     using T = jaus::query_platform_specifications;
     using type = layout<field<&T::presence_vector, u32le>>;
 };
 
 template <> struct wire::schema<jaus::query_platform_operational_data> {
     static constexpr std::uint16_t command_code = 0x2401;
+    using report = jaus::report_platform_operational_data;
     using T = jaus::query_platform_operational_data;
     using type = layout<field<&T::presence_vector, u8>>;
 };
 
 template <> struct wire::schema<jaus::query_global_pose> {
     static constexpr std::uint16_t command_code = 0x2402;
+    using report = jaus::report_global_pose;
     using T = jaus::query_global_pose;
     using type = layout<field<&T::presence_vector, u16le>>;
 };
 
 template <> struct wire::schema<jaus::query_local_pose> {
     static constexpr std::uint16_t command_code = 0x2403;
+    using report = jaus::report_local_pose;
     using T = jaus::query_local_pose;
     using type = layout<field<&T::presence_vector, u16le>>;
 };
 
 template <> struct wire::schema<jaus::query_velocity_state> {
     static constexpr std::uint16_t command_code = 0x2404;
+    using report = jaus::report_velocity_state;
     using T = jaus::query_velocity_state;
     using type = layout<field<&T::presence_vector, u16le>>;
 };
 
 template <> struct wire::schema<jaus::query_wrench_effort> {
     static constexpr std::uint16_t command_code = 0x2405;
+    using report = jaus::report_wrench_effort;
     using T = jaus::query_wrench_effort;
     using type = layout<field<&T::presence_vector, u16le>>;
 };
 
 template <> struct wire::schema<jaus::query_discrete_devices> {
     static constexpr std::uint16_t command_code = 0x2406;
+    using report = jaus::report_discrete_devices;
     using T = jaus::query_discrete_devices;
     using type = layout<field<&T::presence_vector, u8>>;
 };
 
 template <> struct wire::schema<jaus::query_global_vector> {
     static constexpr std::uint16_t command_code = 0x2407;
+    using report = jaus::report_global_vector;
     using T = jaus::query_global_vector;
     using type = layout<field<&T::presence_vector, u8>>;
 };
 
 template <> struct wire::schema<jaus::query_local_vector> {
     static constexpr std::uint16_t command_code = 0x2408;
+    using report = jaus::report_local_vector;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_travel_speed> {
     static constexpr std::uint16_t command_code = 0x240A;
+    using report = jaus::report_travel_speed;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_waypoint_count> {
     static constexpr std::uint16_t command_code = 0x240B;
+    using report = jaus::report_waypoint_count;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_global_waypoint> {
     static constexpr std::uint16_t command_code = 0x240C;
+    using report = jaus::report_global_waypoint;
     using T = jaus::query_global_waypoint;
     using type = layout<field<&T::waypoint_number, u16le>>;
 };
 
 template <> struct wire::schema<jaus::query_local_waypoint> {
     static constexpr std::uint16_t command_code = 0x240D;
+    using report = jaus::report_local_waypoint;
     using T = jaus::query_local_waypoint;
     using type = layout<field<&T::waypoint_number, u16le>>;
 };
 
 template <> struct wire::schema<jaus::query_path_segment_count> {
     static constexpr std::uint16_t command_code = 0x240E;
+    using report = jaus::report_path_segment_count;
     using type = layout<>; };
 
 template <> struct wire::schema<jaus::query_global_path_segment> {
     static constexpr std::uint16_t command_code = 0x240F;
+    using report = jaus::report_global_path_segment;
     using T = jaus::query_global_path_segment;
     using type = layout<
         field<&T::path_segment_number, u16le>,
@@ -702,6 +717,7 @@ template <> struct wire::schema<jaus::query_global_path_segment> {
 
 template <> struct wire::schema<jaus::query_local_path_segment> {
     static constexpr std::uint16_t command_code = 0x2410;
+    using report = jaus::report_local_path_segment;
     using T = jaus::query_local_path_segment;
     using type = layout<
         field<&T::path_segment_number, u16le>,
@@ -710,6 +726,7 @@ template <> struct wire::schema<jaus::query_local_path_segment> {
 
 template <> struct wire::schema<jaus::report_platform_specifications> {
     static constexpr std::uint16_t command_code = 0x4400;
+    using query = jaus::query_platform_specifications;
     using T = jaus::report_platform_specifications;
     using type = layout<
         presence<u32le,
@@ -738,6 +755,7 @@ template <> struct wire::schema<jaus::report_platform_specifications> {
 
 template <> struct wire::schema<jaus::report_platform_operational_data> {
     static constexpr std::uint16_t command_code = 0x4401;
+    using query = jaus::query_platform_operational_data;
     using T = jaus::report_platform_operational_data;
     using type = layout<
         presence<u8,
@@ -750,6 +768,7 @@ template <> struct wire::schema<jaus::report_platform_operational_data> {
 
 template <> struct wire::schema<jaus::report_global_pose> {
     static constexpr std::uint16_t command_code = 0x4402;
+    using query = jaus::query_global_pose;
     using T = jaus::report_global_pose;
     using type = layout<
         open_presence<u16le,
@@ -766,6 +785,7 @@ template <> struct wire::schema<jaus::report_global_pose> {
 
 template <> struct wire::schema<jaus::report_local_pose> {
     static constexpr std::uint16_t command_code = 0x4403;
+    using query = jaus::query_local_pose;
     using T = jaus::report_local_pose;
     using type = layout<
         presence<u16le,
@@ -782,6 +802,7 @@ template <> struct wire::schema<jaus::report_local_pose> {
 
 template <> struct wire::schema<jaus::report_velocity_state> {
     static constexpr std::uint16_t command_code = 0x4404;
+    using query = jaus::query_velocity_state;
     using T = jaus::report_velocity_state;
     using type = layout<
         open_presence<u16le,
@@ -798,6 +819,7 @@ template <> struct wire::schema<jaus::report_velocity_state> {
 
 template <> struct wire::schema<jaus::report_wrench_effort> {
     static constexpr std::uint16_t command_code = 0x4405;
+    using query = jaus::query_wrench_effort;
     using T = jaus::report_wrench_effort;
     using type = layout<
         presence<u16le,
@@ -817,6 +839,7 @@ template <> struct wire::schema<jaus::report_wrench_effort> {
 
 template <> struct wire::schema<jaus::report_discrete_devices> {
     static constexpr std::uint16_t command_code = 0x4406;
+    using query = jaus::query_discrete_devices;
     using T = jaus::report_discrete_devices;
     using type = layout<
         presence<u8,
@@ -828,6 +851,7 @@ template <> struct wire::schema<jaus::report_discrete_devices> {
 
 template <> struct wire::schema<jaus::report_global_vector> {
     static constexpr std::uint16_t command_code = 0x4407;
+    using query = jaus::query_global_vector;
     using T = jaus::report_global_vector;
     using type = layout<
         presence<u8,
@@ -840,6 +864,7 @@ template <> struct wire::schema<jaus::report_global_vector> {
 
 template <> struct wire::schema<jaus::report_local_vector> {
     static constexpr std::uint16_t command_code = 0x4408;
+    using query = jaus::query_local_vector;
     using T = jaus::report_local_vector;
     using type = layout<
         field<&T::desired_speed, scaled<i32le, jaus::speed_limit>>,
@@ -848,18 +873,21 @@ template <> struct wire::schema<jaus::report_local_vector> {
 
 template <> struct wire::schema<jaus::report_travel_speed> {
     static constexpr std::uint16_t command_code = 0x440A;
+    using query = jaus::query_travel_speed;
     using T = jaus::report_travel_speed;
     using type = layout<field<&T::desired_speed, scaled<u16le, jaus::speed_limit>>>;
 };
 
 template <> struct wire::schema<jaus::report_waypoint_count> {
     static constexpr std::uint16_t command_code = 0x440B;
+    using query = jaus::query_waypoint_count;
     using T = jaus::report_waypoint_count;
     using type = layout<field<&T::waypoint_count, u16le>>;
 };
 
 template <> struct wire::schema<jaus::report_global_waypoint> {
     static constexpr std::uint16_t command_code = 0x440C;
+    using query = jaus::query_global_waypoint;
     using T = jaus::report_global_waypoint;
     using type = layout<
         presence<u8,
@@ -874,6 +902,7 @@ template <> struct wire::schema<jaus::report_global_waypoint> {
 
 template <> struct wire::schema<jaus::report_local_waypoint> {
     static constexpr std::uint16_t command_code = 0x440D;
+    using query = jaus::query_local_waypoint;
     using T = jaus::report_local_waypoint;
     using type = layout<
         presence<u8,
@@ -888,12 +917,14 @@ template <> struct wire::schema<jaus::report_local_waypoint> {
 
 template <> struct wire::schema<jaus::report_path_segment_count> {
     static constexpr std::uint16_t command_code = 0x440E;
+    using query = jaus::query_path_segment_count;
     using T = jaus::report_path_segment_count;
     using type = layout<field<&T::path_segment_count, u16le>>;
 };
 
 template <> struct wire::schema<jaus::report_global_path_segment> {
     static constexpr std::uint16_t command_code = 0x440F;
+    using query = jaus::query_global_path_segment;
     using T = jaus::report_global_path_segment;
     using type = layout<
         presence<u8,
@@ -909,6 +940,7 @@ template <> struct wire::schema<jaus::report_global_path_segment> {
 
 template <> struct wire::schema<jaus::report_local_path_segment> {
     static constexpr std::uint16_t command_code = 0x4410;
+    using query = jaus::query_local_path_segment;
     using T = jaus::report_local_path_segment;
     using type = layout<
         presence<u8,

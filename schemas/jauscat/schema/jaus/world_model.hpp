@@ -287,12 +287,14 @@ template <> struct wire::schema<jaus::delete_vector_knowledge_store_objects> {
 
 template <> struct wire::schema<jaus::query_vector_knowledge_store_feature_class_metadata> {
     static constexpr std::uint16_t command_code = 0x2A21;
+    using report = jaus::report_vector_knowledge_store_feature_class_metadata;
     using T = jaus::query_vector_knowledge_store_feature_class_metadata;
     using type = layout<field<&T::feature_class_id, u16le>>;
 };
 
 template <> struct wire::schema<jaus::query_vector_knowledge_store_bounds> {
     static constexpr std::uint16_t command_code = 0x2A22;
+    using report = jaus::report_vector_knowledge_store_bounds;
     using T = jaus::query_vector_knowledge_store_bounds;
     using type = layout<
         field<&T::local_request_id, u8>,
@@ -301,6 +303,7 @@ template <> struct wire::schema<jaus::query_vector_knowledge_store_bounds> {
 
 template <> struct wire::schema<jaus::query_vector_knowledge_store_objects> {
     static constexpr std::uint16_t command_code = 0x2A23;
+    using report = jaus::report_vector_knowledge_store_objects;
     using T = jaus::query_vector_knowledge_store_objects;
     using type = layout<
         presence<u8,
@@ -325,6 +328,7 @@ template <> struct wire::schema<jaus::report_vector_knowledge_store_objects_crea
 
 template <> struct wire::schema<jaus::report_vector_knowledge_store_feature_class_metadata> {
     static constexpr std::uint16_t command_code = 0x4A21;
+    using query = jaus::query_vector_knowledge_store_feature_class_metadata;
     using T = jaus::report_vector_knowledge_store_feature_class_metadata;
     using type = layout<
         field<&T::feature_class_id, u16le>,
@@ -333,6 +337,7 @@ template <> struct wire::schema<jaus::report_vector_knowledge_store_feature_clas
 
 template <> struct wire::schema<jaus::report_vector_knowledge_store_bounds> {
     static constexpr std::uint16_t command_code = 0x4A22;
+    using query = jaus::query_vector_knowledge_store_bounds;
     using T = jaus::report_vector_knowledge_store_bounds;
     using type = layout<
         field<&T::local_request_id, u8>,
@@ -345,6 +350,7 @@ template <> struct wire::schema<jaus::report_vector_knowledge_store_bounds> {
 
 template <> struct wire::schema<jaus::report_vector_knowledge_store_objects> {
     static constexpr std::uint16_t command_code = 0x4A23;
+    using query = jaus::query_vector_knowledge_store_objects;
     using T = jaus::report_vector_knowledge_store_objects;
     using type = layout<
         presence<u8,

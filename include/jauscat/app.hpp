@@ -1,0 +1,6 @@
+// The API for applications on Linux: nodes, components, buses and bridges, without the machinery below.
+#pragma once
+
+#include <jauscat/app/component.hpp>
+#include <jauscat/app/node.hpp>
+#include <jauscat/jaus/message/copy_present.hpp>

@@ -1,0 +1,111 @@
+// A component of a node behind its handle: the state machines of jaus/ with functions instead of template parameters.
+#pragma once
+#include <jauscat/app/component_options.hpp>
+#include <jauscat/app/detail/unit.hpp>
+#include <jauscat/jaus/component/component.hpp>
+#include <jauscat/jaus/component/described_component.hpp>
+#include <jauscat/jaus/events/events.hpp>
+#include <jauscat/jaus/events/service_connections.hpp>
+#include <jauscat/net/node/detail/offered_messages.hpp>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+namespace app {
+
+/// A function that is called periodically.
+struct periodic_function {
+    duration period{};
+    std::function<void()> call{};
+    time_point due{};
+};
+
+/// A node_component of net/: the node refers to it as long as it lives, the handle as long as the application wants it.
+class component_state {
+  public:
+    component_state(node_state& node, const jaus::address& self, component_options options)
+        : node_{node}, self_{self}, options_{std::move(options)} {}
+    component_state(const component_state&) = delete;
+    component_state& operator=(const component_state&) = delete;
+
+    void take(taken_message message);
+    void give(given_report report);
+    void ready();
+    void fail(std::string_view why);
+    void reject_control();
+    void changed();
+    /// Builds the state machines for what has been registered. `identity`: by the configuration. `beats`: it sends
+    /// heartbeats to the node manager, which is in another program.
+    void start(const jaus::identity& identity, bool beats, time_point now);
+    /// Brings the actuators to rest; no function of the application is called afterwards until `start`.
+    void stop() noexcept;
+    /// The application's handle has gone: as if the component were not there.
+    void close() noexcept;
+
+    [[nodiscard]] jaus::primary_status_code state() const noexcept;
+    [[nodiscard]] std::optional<jaus::address> controller() const noexcept;
+    [[nodiscard]] bool is_running() const noexcept { return is_running_; }
+    [[nodiscard]] bool is_closed() const noexcept { return closed_; }
+    /// Where the configuration does not name the component.
+    [[nodiscard]] jaus::identity identity() const noexcept {
+        return {.identification = options_.name, .type = 60001, .authority_code = options_.authority};
+    }
+    [[nodiscard]] node_state& node() noexcept { return node_; }
+
+    // As a component of net/.
+    [[nodiscard]] const jaus::address& self() const noexcept { return self_; }
+    jaus::component_outcome on_message(const jaus::header& head, bytes body, time_point now, jaus::message_sink out,
+                                       auto&& unhandled);
+    void on_time(time_point now, jaus::message_sink out);
+    [[nodiscard]] std::optional<time_point> next_event() const;
+    void on_lost(const jaus::address& who);
+    void list_messages(auto&& takes, auto&& sends) const;
+
+    std::function<void()> on_stopped{}, on_ready{};
+    std::function<void(bool begins)> on_emergency{};
+    std::function<void(const std::optional<jaus::address>& by)> on_controlled{};
+    std::vector<periodic_function> periodic{};
+    std::vector<std::byte> lists{};  ///< memory for the lists of the message that is handled
+    std::string malformed_because{}; ///< of the last malformed message
+    bool is_added{};                 ///< the node has it
+
+  private:
+    struct core;
+
+    jaus::message_outcome handle(const jaus::header& head, bytes body);
+    jaus::message_outcome write(const given_report& report, const report_request& request);
+    void send_changes(time_point now, jaus::message_sink out);
+    void note_state(jaus::primary_status_code from, jaus::primary_status_code to);
+    void note_controller(const std::optional<jaus::controller>& by);
+    void tell_stopped() noexcept;
+    /// Does what a function of the application has asked for while the state machines were at work.
+    void settle();
+    /// Calls a function of the application. An exception is logged, and the component fails.
+    template <class F> bool guard(std::string_view what, F call) noexcept;
+    auto in_turn(auto&& work);
+    [[nodiscard]] const given_report* report_of(std::uint16_t command_code) const;
+
+    node_state& node_;
+    jaus::address self_;
+    component_options options_;
+    std::vector<taken_message> takes_{};
+    std::vector<given_report> gives_{};
+    std::vector<std::byte> body_{}; ///< of the last report
+    std::unique_ptr<core> core_{};
+    bool is_running_{};
+    bool is_ready_{}; ///< says the application
+    bool has_failed_{};
+    bool closed_{};
+    bool in_turn_{};
+    std::optional<jaus::address> controller_{};
+};
+
+} // namespace app
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

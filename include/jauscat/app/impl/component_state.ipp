@@ -1,0 +1,388 @@
+// The functions of component_state.
+#pragma once
+#include <jauscat/app/impl/component_state.hpp>
+#include <jauscat/app/impl/node_state.hpp>
+#include <jauscat/text/jaus.hpp>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <random>
+#include <stdexcept>
+#include <utility>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+namespace app {
+
+/// What `start` builds: it refers to itself.
+struct component_state::core {
+    static constexpr std::size_t capacity = 64; ///< connections, and events
+
+    using connections_type = jaus::service_connections<capacity>;
+    using events_type = jaus::events<capacity>;
+    using component_type = jaus::component<connections_type, events_type, jaus::described_component>;
+
+    struct connection_filler {
+        component_state& of;
+        std::optional<std::size_t> operator()(std::uint16_t code, std::uint32_t presence, std::span<std::byte> body) const {
+            return of.core_->fill(of, code, {nullptr, presence}, body);
+        }
+    };
+    struct event_filler {
+        component_state& of;
+        std::optional<std::size_t> operator()(std::uint16_t code, bytes query, std::span<std::byte> body) const {
+            return of.core_->fill(of, code, query.empty() ? report_request{} : report_request{&query}, body);
+        }
+    };
+    struct hooks {
+        component_state& of;
+        void state(jaus::primary_status_code from, jaus::primary_status_code to) const { of.note_state(from, to); }
+        void controller(const std::optional<jaus::controller>& by, jaus::control_change) const {
+            of.note_controller(by);
+        }
+    };
+
+    core(component_state& of, const jaus::identity& identity, bool beats);
+
+    static std::optional<std::size_t> fill(component_state& of, std::uint16_t code, const report_request& request,
+                                           std::span<std::byte> body) {
+        const auto* const report = of.report_of(code);
+        if (report == nullptr || of.write(*report, request) != jaus::message_outcome::handled) return std::nullopt;
+        if (of.body_.size() <= body.size()) std::ranges::copy(of.body_, body.begin());
+        return of.body_.size();
+    }
+
+    std::vector<jaus::connectable_report> connectable{};
+    std::vector<jaus::eventful_report> eventful{};
+    connection_filler fill_connection;
+    event_filler fill_event;
+    hooks hook;
+    std::vector<std::byte> connection_memory, event_memory, services_memory;
+    std::vector<std::vector<std::byte>> last{}; ///< body of each report while there are events of it
+    connections_type connections;
+    events_type events;
+    net::detail::offered_messages offered;
+    std::array<jaus::offered_service, 2> services{jaus::core_messages::service};
+    jaus::described_component described;
+    jaus::component_memory<64, 4096> memory{};
+    component_type machine;
+};
+
+inline component_state::core::core(component_state& of, const jaus::identity& identity, bool beats)
+    : connectable{[&] {
+          std::vector<jaus::connectable_report> all;
+          for (const auto& one : of.gives_)
+              all.push_back({.command_code = one.command_code,
+                             .max_rate = one.max_rate,
+                             .presence_vector = one.presence_bits});
+          return all;
+      }()},
+      eventful{[&] {
+          std::vector<jaus::eventful_report> all;
+          for (const auto& one : of.gives_)
+              all.push_back({.command_code = one.command_code, .read_field = one.read_field, .max_rate = one.max_rate});
+          return all;
+      }()},
+      fill_connection{of},
+      fill_event{of},
+      hook{of},
+      connection_memory(4096),
+      event_memory(3 * 4096),
+      services_memory(2 * 4096),
+      last(of.gives_.size()),
+      connections{of.self_, connectable, fill_connection, connection_memory},
+      events{of.self_, eventful, fill_event, event_memory},
+      offered{of, connections, events},
+      described{of.self_,
+                {identity,
+                 [&]() -> std::span<const jaus::offered_service> {
+                     services[1] = {of.self_.component, std::span<const jaus::supported_message>{offered.input},
+                                    std::span<const jaus::supported_message>{offered.output}};
+                     const bool has_more = !offered.input.empty() || !offered.output.empty();
+                     return std::span{services}.first(has_more ? 2 : 1);
+                 }()},
+                beats ? jaus::heartbeat_to_node_manager(of.self_) : jaus::heartbeat{.period = {}},
+                services_memory},
+      machine{of.self_,
+              memory,
+              {.on_state = jaus::bound<&hooks::state>(hook), .on_controller = jaus::bound<&hooks::controller>(hook)},
+              {.control = {.authority_code = identity.authority_code,
+                           .harmless = of.options_.harmless,
+                           .timeout = of.options_.controller_timeout},
+               .acknowledgement = {.retry = of.options_.retry,
+                                   .first_number = static_cast<std::uint16_t>(std::random_device{}())},
+               .obeys_only_when_ready = of.options_.obeys_only_when_ready},
+              connections,
+              events,
+              described} {}
+
+JAUSCAT_DECL void component_state::take(taken_message message) {
+    if (is_running()) throw std::logic_error{"handlers are given before the node starts"};
+    const auto code = message.command_code;
+    const auto is_same = [&](const auto& one) { return one.command_code == code; };
+    if (std::ranges::any_of(takes_, is_same) ||
+        std::ranges::any_of(gives_, [&](const auto& one) { return one.query_code == code; }))
+        throw std::logic_error{"a second handler of " + text::message_name(code)};
+    takes_.push_back(std::move(message));
+}
+
+JAUSCAT_DECL void component_state::give(given_report report) {
+    if (is_running()) throw std::logic_error{"reports are given before the node starts"};
+    const auto is_same = [&](const auto& one) {
+        return one.command_code == report.command_code || one.command_code == report.query_code;
+    };
+    if (std::ranges::any_of(gives_, is_same) || std::ranges::any_of(takes_, is_same))
+        throw std::logic_error{"a second source of " + text::message_name(report.command_code)};
+    gives_.push_back(std::move(report));
+}
+
+template <class F> bool component_state::guard(std::string_view what, F call) noexcept {
+    const auto complain = [&](std::string_view why) {
+        has_failed_ = true;
+        try {
+            node_.log(net::to_jausip(self_) + ": exception of " + std::string{what} + ": " + std::string{why} +
+                      "; the component is stopped");
+        } catch (...) { // of the application's log
+        }
+    };
+    try {
+        call();
+        return true;
+    } catch (const std::exception& e) {
+        complain(e.what());
+    } catch (...) {
+        complain("of an unknown type");
+    }
+    return false;
+}
+
+/// `work()` may call functions of the application: what those ask for waits until it has returned.
+auto component_state::in_turn(auto&& work) {
+    struct turn {
+        bool& flag;
+        explicit turn(bool& f) : flag{f} { flag = true; }
+        ~turn() { flag = false; }
+    } const now{in_turn_};
+    return work();
+}
+
+JAUSCAT_DECL void component_state::tell_stopped() noexcept {
+    if (on_stopped && !closed_) guard("when_stopped", on_stopped);
+}
+
+JAUSCAT_DECL void component_state::note_state(jaus::primary_status_code from, jaus::primary_status_code to) {
+    using enum jaus::primary_status_code;
+    if (to != jaus::primary_status_code::ready) tell_stopped();
+    if (to == jaus::primary_status_code::ready && on_ready) guard("when_ready", on_ready);
+    if (on_emergency && (from == emergency || to == emergency))
+        guard("when_emergency", [&] { on_emergency(to == emergency); });
+}
+
+JAUSCAT_DECL void component_state::note_controller(const std::optional<jaus::controller>& by) {
+    const auto now_it_is = by ? std::optional{by->address} : std::nullopt;
+    const auto before = std::exchange(controller_, now_it_is);
+    if (before == now_it_is) return;
+    if (before) tell_stopped();
+    if (on_controlled) guard("when_controlled", [&] { on_controlled(now_it_is); });
+}
+
+JAUSCAT_DECL void component_state::settle() {
+    if (!is_running_) return;
+    using enum jaus::primary_status_code;
+    auto& machine = core_->machine;
+    if (std::exchange(has_failed_, false)) {
+        is_ready_ = false;
+        static_cast<void>(machine.change(jaus::state_event::failed));
+        if (machine.state() != failure) tell_stopped(); // an emergency is not left
+    }
+    if (is_ready_ && machine.state() == failure) static_cast<void>(machine.change(jaus::state_event::reset));
+    if (is_ready_ && machine.state() == initialize) static_cast<void>(machine.change(jaus::state_event::initialized));
+}
+
+JAUSCAT_DECL void component_state::ready() {
+    is_ready_ = true;
+    if (in_turn_ || !is_running_) return;
+    settle();
+    node_.wake();
+}
+
+JAUSCAT_DECL void component_state::fail(std::string_view why) {
+    node_.log(net::to_jausip(self_) + ": fails: " + std::string{why});
+    has_failed_ = true;
+    is_ready_ = false;
+    if (!is_running_ || in_turn_) return;
+    settle();
+    node_.wake();
+}
+
+JAUSCAT_DECL void component_state::reject_control() {
+    if (!is_running_) return;
+    core_->machine.reject_control(node_.net().out());
+    node_.wake();
+}
+
+JAUSCAT_DECL void component_state::start(const jaus::identity& identity, bool beats, time_point now) {
+    controller_.reset();
+    has_failed_ = false;
+    core_ = std::make_unique<core>(*this, identity, beats);
+    is_running_ = true;
+    for (auto& one : periodic) one.due = now;
+    settle();
+}
+
+JAUSCAT_DECL void component_state::stop() noexcept {
+    if (!is_running_) return;
+    is_running_ = false;
+    tell_stopped();
+}
+
+JAUSCAT_DECL void component_state::close() noexcept {
+    stop();
+    closed_ = true;
+    if (in_turn_) return; // by one of its functions
+    on_stopped = on_ready = nullptr;
+    on_emergency = nullptr;
+    on_controlled = nullptr;
+    takes_.clear();
+    gives_.clear();
+    periodic.clear();
+}
+
+JAUSCAT_DECL jaus::primary_status_code component_state::state() const noexcept {
+    return !is_running_ ? jaus::primary_status_code::initialize : core_->machine.state();
+}
+JAUSCAT_DECL std::optional<jaus::address> component_state::controller() const noexcept { return controller_; }
+
+JAUSCAT_DECL const given_report* component_state::report_of(std::uint16_t command_code) const {
+    const auto found = std::ranges::find(gives_, command_code, &given_report::command_code);
+    return found == gives_.end() ? nullptr : &*found;
+}
+
+JAUSCAT_DECL jaus::message_outcome component_state::write(const given_report& report, const report_request& request) {
+    auto outcome = jaus::message_outcome::refused;
+    guard("the function of " + text::message_name(report.command_code),
+          [&] { outcome = report.write(request, body_, *this); });
+    return outcome;
+}
+
+JAUSCAT_DECL jaus::message_outcome component_state::handle(const jaus::header& head, bytes body) {
+    const auto handler = std::ranges::find(takes_, head.command_code, &taken_message::command_code);
+    if (handler != takes_.end()) {
+        auto outcome = jaus::message_outcome::refused;
+        guard("the handler of " + text::message_name(head.command_code),
+              [&] { outcome = handler->handle({head, body, *this}); });
+        return outcome;
+    }
+    const auto report = std::ranges::find(gives_, head.command_code, &given_report::query_code);
+    if (report == gives_.end()) return jaus::message_outcome::unhandled;
+    const auto outcome = write(*report, {&body});
+    if (outcome != jaus::message_outcome::handled) return outcome;
+    return answer(*this, head, report->command_code, body_) ? outcome : jaus::message_outcome::refused;
+}
+
+/// Finds the reports with events that have changed.
+JAUSCAT_DECL void component_state::send_changes(time_point now, jaus::message_sink out) {
+    const auto records = core_->events.records();
+    for (std::size_t i = 0; i != gives_.size(); ++i) {
+        auto& last = core_->last[i];
+        const auto code = gives_[i].command_code;
+        if (std::ranges::none_of(records, [&](const auto& e) { return e.message_code == code; })) {
+            last.clear();
+            continue;
+        }
+        if (write(gives_[i], {}) != jaus::message_outcome::handled || last == body_) continue;
+        const bool is_first = last.empty();
+        last = body_;
+        if (!is_first) core_->events.changed(code, last, now, out);
+    }
+}
+
+JAUSCAT_DECL void component_state::changed() {
+    if (!is_running_ || in_turn_) return; // within a turn it is looked for at its end
+    send_changes(net::now(), node_.net().out());
+    settle();
+    node_.wake();
+}
+
+jaus::component_outcome component_state::on_message(const jaus::header& head, bytes body, time_point now,
+                                                    jaus::message_sink out, auto&& unhandled) {
+    if (!is_running_) return jaus::component_outcome::unknown;
+    const auto outcome = in_turn([&] { return core_->machine.on_message(head, body, now, out, [&](const jaus::header& h, bytes b) {
+        const auto what = handle(h, b);
+        return what == jaus::message_outcome::unhandled ? jaus::outcome_of(unhandled(h, b)) : what;
+    }); });
+    if (!is_running_) return outcome; // stopped by a handler
+    settle();
+    send_changes(now, out);
+    return outcome;
+}
+
+JAUSCAT_DECL void component_state::on_time(time_point now, jaus::message_sink out) {
+    if (!is_running_) return;
+    bool called = false;
+    in_turn([&] {
+        for (auto& one : periodic) {
+            if (one.due > now || !is_running_) continue;
+            one.due += ((now - one.due) / one.period + 1) * one.period;
+            guard("a periodic function", one.call);
+            called = true;
+        }
+        if (is_running_) core_->machine.on_time(now, out);
+    });
+    if (!is_running_) return;
+    settle();
+    if (called) send_changes(now, out);
+}
+
+JAUSCAT_DECL std::optional<time_point> component_state::next_event() const {
+    if (!is_running_) return std::nullopt;
+    auto first = core_->machine.next_event();
+    for (const auto& one : periodic)
+        if (!first || one.due < *first) first = one.due;
+    return first;
+}
+
+JAUSCAT_DECL void component_state::on_lost(const jaus::address& who) {
+    if (!is_running_) return;
+    core_->machine.on_lost(who);
+    settle();
+}
+
+void component_state::list_messages(auto&& takes, auto&& sends) const {
+    for (const auto& one : takes_) {
+        takes(jaus::supported_message{one.command_code, one.presence_bits});
+        if (const auto report = jaus::report_code_of(one.command_code); report != 0)
+            sends(jaus::supported_message{report});
+    }
+    for (const auto& one : gives_) {
+        takes(jaus::supported_message{one.query_code, one.presence_bits});
+        sends(jaus::supported_message{one.command_code, one.presence_bits});
+    }
+}
+
+JAUSCAT_DECL bool answer(component_state& from, const jaus::header& request, std::uint16_t command_code, bytes body) {
+    auto head = jaus::answer_to(request, from.self());
+    head.command_code = command_code;
+    const auto sent = from.node().net().send(head, body);
+    if (!sent)
+        from.node().log(net::to_jausip(from.self()) + ": " + text::message_name(command_code) + " is not sent: " +
+                        sent.error().message);
+    return sent.has_value();
+}
+JAUSCAT_DECL std::span<std::byte> list_memory(component_state& of, std::size_t at_least) {
+    if (of.lists.size() < at_least) of.lists.resize(at_least);
+    return of.lists;
+}
+JAUSCAT_DECL jaus::message_outcome malformed(component_state& at, wire::errc why) {
+    at.malformed_because = wire::describe(why);
+    return jaus::message_outcome::malformed;
+}
+JAUSCAT_DECL void not_encodable(component_state& from, std::uint16_t command_code, wire::errc why) {
+    from.node().log(net::to_jausip(from.self()) + ": " + text::message_name(command_code) + " is not sent: " +
+                    std::string{wire::describe(why)});
+}
+
+} // namespace app
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

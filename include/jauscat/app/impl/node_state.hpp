@@ -1,0 +1,51 @@
+// A node behind its handle.
+#pragma once
+#include <jauscat/app/impl/component_state.hpp>
+#include <jauscat/app/node_options.hpp>
+#include <jauscat/net/node/jaus_node.hpp>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+namespace app {
+
+/// The node of net/ with the components of the application. Its io_context is its own, or the application's.
+class node_state {
+  public:
+    node_state(boost::asio::io_context* context, node_options options);
+
+    int run();
+    void start();
+    void stop();
+    void add(const std::shared_ptr<component_state>& component);
+    void log(std::string_view line) const;
+    /// Of the component's state machines: its next event may be earlier.
+    void wake() { net_.wake(); }
+
+    [[nodiscard]] boost::asio::io_context& context() noexcept { return *context_; }
+    [[nodiscard]] net::jaus_node& net() noexcept { return net_; }
+    [[nodiscard]] const net::jaus_node& net() const noexcept { return net_; }
+
+    std::function<void(const jaus::address& who)> on_appeared{}, on_disappeared{};
+
+  private:
+    net::jaus_node_options net_options();
+
+    node_options options_;
+    std::unique_ptr<boost::asio::io_context> own_context_{};
+    boost::asio::io_context* context_;
+    std::vector<std::shared_ptr<component_state>> components_{};
+    std::size_t added_{}; ///< components that net_ has
+    net::jaus_node net_;
+    std::optional<boost::asio::signal_set> signals_{};
+};
+
+} // namespace app
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

@@ -1,0 +1,178 @@
+// The functions of node_state and node.
+#pragma once
+#include <jauscat/app/impl/component_state.ipp>
+#include <jauscat/app/impl/node_state.hpp>
+#include <jauscat/app/node.hpp>
+#include <jauscat/net/config/read_jaus_config.hpp>
+#include <jauscat/net/node/detail/configured_identity.hpp>
+
+#include <boost/asio/post.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+namespace app {
+
+inline net::jaus_config read_config(const node_options& options) {
+    auto config = net::read_jaus_config(options.config);
+    return options.this_system.empty() ? config : config.with_this(options.this_system);
+}
+
+JAUSCAT_DECL node_state::node_state(boost::asio::io_context* context, node_options options)
+    : options_{std::move(options)},
+      own_context_{context == nullptr ? std::make_unique<boost::asio::io_context>(1) : nullptr},
+      context_{context == nullptr ? own_context_.get() : context},
+      net_{*context_, read_config(options_), net_options()} {}
+
+JAUSCAT_DECL net::jaus_node_options node_state::net_options() {
+    net::jaus_node_options net{.accept = options_.open ? net::access::open : net::access::closed, .node = options_.node};
+    net.log = [this](std::string_view line) { log(line); };
+    net.explain_malformed = [this](std::uint16_t, bytes) {
+        std::string why;
+        for (const auto& one : components_)
+            if (!one->malformed_because.empty()) why = std::exchange(one->malformed_because, {});
+        return why;
+    };
+    net.appeared = [this](const jaus::address& who) {
+        if (on_appeared) on_appeared(who);
+    };
+    net.disappeared = [this](const jaus::address& who) {
+        if (on_disappeared) on_disappeared(who);
+    };
+    return net;
+}
+
+JAUSCAT_DECL void node_state::log(std::string_view line) const {
+    if (options_.log) return options_.log(line);
+    std::string whole = options_.name.empty() ? std::string{} : options_.name + ": ";
+    std::cerr << whole.append(line).append("\n");
+}
+
+JAUSCAT_DECL void node_state::add(const std::shared_ptr<component_state>& component) {
+    const auto& self = component->self();
+    if (net_.running())
+        throw std::logic_error{"the component " + net::to_jausip(self) + " is made after the start of its node"};
+    if (!jaus::names_one_component(self))
+        throw std::invalid_argument{"component ID and instance are 1 to 254, not " + net::to_jausip(self)};
+    const auto is_same = [&](const auto& one) { return one->self() == self && !one->is_closed(); };
+    if (self == net_.manager() || std::ranges::any_of(components_, is_same))
+        throw std::invalid_argument{"the node has a component " + net::to_jausip(self) + " already"};
+    components_.push_back(component);
+}
+
+JAUSCAT_DECL void node_state::start() {
+    const auto now = net::now();
+    const auto& config = net_.config();
+    const bool has_manager = net::detail::covers(config.me().jausip, net_.manager());
+    static constexpr auto nothing_more = [](const jaus::header&, bytes) { return jaus::message_outcome::unhandled; };
+    std::erase_if(components_, [&](const auto& one) { return one->is_closed() && !one->is_added; });
+    for (const auto& one : components_) {
+        if (one->is_closed()) continue;
+        one->start(net::detail::identity_of(config, one->self(), one->identity()), !has_manager, now);
+        if (!std::exchange(one->is_added, true)) net_.add(*one, nothing_more);
+    }
+    try {
+        net_.start();
+    } catch (...) {
+        for (const auto& one : components_) one->stop();
+        throw;
+    }
+}
+
+JAUSCAT_DECL void node_state::stop() {
+    for (const auto& one : components_) one->stop();
+    net_.stop();
+    if (own_context_) own_context_->stop();
+}
+
+JAUSCAT_DECL int node_state::run() {
+    try {
+        boost::asio::signal_set signals{*context_, SIGINT, SIGTERM};
+        signals.async_wait([this](boost::system::error_code error, int) {
+            if (!error) stop();
+        });
+        start();
+        context_->run();
+        stop();
+        return EXIT_SUCCESS;
+    } catch (const std::exception& e) {
+        stop();
+        log(e.what());
+        return EXIT_FAILURE;
+    }
+}
+
+JAUSCAT_DECL void end_node::operator()(node_state* node) const noexcept {
+    try {
+        node->stop();
+    } catch (...) { // of the log
+    }
+    delete node;
+}
+
+/// The command line of a program that has no other options.
+inline node_options options_from(int argc, const char* const* argv, node_options options) {
+    const std::string path = argc > 0 ? argv[0] : "node";
+    const auto name = path.substr(path.rfind('/') + 1);
+    if (options.name.empty()) options.name = name;
+    const auto refuse = [&](const std::string& why) {
+        std::cerr << name << ": " << why << "\nTry '" << name << " --help'.\n";
+        std::exit(2);
+    };
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word{argv[i]};
+        const auto equals = word.find('=');
+        const auto option = word.substr(0, equals);
+        if (word == "--help" || word == "-h") {
+            std::cout << name << " [--config FILE] [--this SYSTEM]\n\n"
+                      << "  --config FILE   configuration file (default " << options.config << ")\n"
+                      << "  --this SYSTEM   the system of the file that this program is, instead of its <thissystem>\n"
+                      << "  --help          show this text\n\nExample:\n  " << name
+                      << " --config JausConfig.xml --this b\n\nIt works until Ctrl-C.\n";
+            std::exit(0);
+        }
+        if (option != "--config" && option != "--this") refuse("unknown option '" + std::string{word} + "'");
+        if (equals == word.npos && i + 1 == argc) refuse(std::string{option} + " needs a value");
+        auto& value = option == "--config" ? options.config : options.this_system;
+        value = equals == word.npos ? argv[++i] : word.substr(equals + 1);
+    }
+    return options;
+}
+
+} // namespace app
+
+JAUSCAT_DECL node::node(int argc, const char* const* argv, node_options options) {
+    options = app::options_from(argc, argv, std::move(options));
+    try {
+        state_.reset(new app::node_state{nullptr, options});
+    } catch (const std::exception& e) {
+        std::cerr << options.name << ": " << e.what() << "\n";
+        std::exit(EXIT_FAILURE);
+    }
+}
+JAUSCAT_DECL node::node(const node_options& options) : state_{new app::node_state{nullptr, options}} {}
+JAUSCAT_DECL node::node(boost::asio::io_context& context, const node_options& options)
+    : state_{new app::node_state{&context, options}} {}
+JAUSCAT_DECL node::~node() = default;
+JAUSCAT_DECL int node::run() { return state_->run(); }
+JAUSCAT_DECL void node::start() { state_->start(); }
+JAUSCAT_DECL void node::stop() { state_->stop(); }
+JAUSCAT_DECL boost::asio::io_context& node::context() noexcept { return state_->context(); }
+JAUSCAT_DECL const jaus::address& node::manager() const noexcept { return state_->net().manager(); }
+JAUSCAT_DECL void node::when_appeared(std::function<void(const jaus::address& who)> f) {
+    state_->on_appeared = std::move(f);
+}
+JAUSCAT_DECL void node::when_disappeared(std::function<void(const jaus::address& who)> f) {
+    state_->on_disappeared = std::move(f);
+}
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

@@ -1,0 +1,15 @@
+// How the part of the library that is no template is compiled: in each source that includes it, or once.
+#pragma once
+
+/// Define JAUSCAT_SEPARATE_COMPILATION for all sources of a program, and include <jauscat/src.hpp> in one of them; the
+/// CMake target jauscat::compiled does both. Without it the library is header-only.
+///
+/// The names of the classes concerned differ (`jauscat::header_only::node`, `jauscat::compiled_once::node`), so that a
+/// program that mixes both ways does not link.
+#ifdef JAUSCAT_SEPARATE_COMPILATION
+#define JAUSCAT_DECL
+#define JAUSCAT_WAY compiled_once
+#else
+#define JAUSCAT_DECL inline
+#define JAUSCAT_WAY header_only
+#endif
