@@ -1,0 +1,108 @@
+// Asynchronous operations in Asio's way: the handler behind a virtual function, so that what starts them is no template.
+#pragma once
+#include <jauscat/compilation.hpp>
+
+#include <boost/asio/associated_executor.hpp>
+#include <boost/asio/async_result.hpp>
+#include <boost/asio/error.hpp>
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/version.hpp>
+#if BOOST_VERSION >= 107700
+#include <boost/asio/associated_cancellation_slot.hpp>
+#endif
+
+#include <memory>
+#include <tuple>
+#include <utility>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+
+#ifdef BOOST_ASIO_HAS_CO_AWAIT
+/// Of an operation without a completion token: its result is awaited by a coroutine.
+using default_token = boost::asio::use_awaitable_t<>;
+#else
+struct default_token; // this compiler has no coroutines: a callback or use_future is needed
+#endif
+
+namespace app {
+
+using boost::system::error_code;
+
+/// An operation of the application's that waits for its outcome. Only the first outcome counts.
+template <class... Results> class operation {
+  public:
+    operation() = default;
+    virtual ~operation() = default;
+    operation(const operation&) = delete;
+    operation& operator=(const operation&) = delete;
+
+    /// On the thread of the io_context. The handler is called later.
+    void complete(error_code error, Results... results) {
+        if (!std::exchange(is_done_, true)) deliver(error, std::move(results)...);
+    }
+    [[nodiscard]] bool is_done() const noexcept { return is_done_; }
+
+  private:
+    virtual void deliver(error_code error, Results... results) = 0;
+    bool is_done_{};
+};
+template <class... Results> using operation_ptr = std::shared_ptr<operation<Results...>>;
+
+/// `Convert` makes what the handler gets of the results: a tuple that begins with the error.
+template <class Handler, class Convert, class... Results>
+class handler_operation final : public operation<Results...> {
+    using executor_type = boost::asio::associated_executor_t<Handler, boost::asio::io_context::executor_type>;
+
+  public:
+    handler_operation(Handler handler, Convert convert, boost::asio::io_context& context)
+        : handler_{std::move(handler)},
+          convert_{std::move(convert)},
+          work_{boost::asio::get_associated_executor(handler_, context.get_executor())} {}
+
+  private:
+    void deliver(error_code error, Results... results) override {
+        boost::asio::post(work_.get_executor(), [handler = std::move(handler_),
+                                                 all = convert_(error, std::move(results)...)]() mutable {
+            std::apply([&](auto&... each) { std::move(handler)(std::move(each)...); }, all);
+        });
+        work_.reset();
+    }
+
+    Handler handler_;
+    Convert convert_;
+    boost::asio::executor_work_guard<executor_type> work_;
+};
+
+/// Makes the operation of a handler. Where that has a cancellation slot, the operation is aborted through it.
+template <class... Results, class Handler, class Convert>
+operation_ptr<Results...> make_operation(Handler handler, Convert convert, boost::asio::io_context& context) {
+#if BOOST_VERSION >= 107700
+    auto slot = boost::asio::get_associated_cancellation_slot(handler);
+#endif
+    operation_ptr<Results...> made =
+        std::make_shared<handler_operation<Handler, Convert, Results...>>(std::move(handler), convert, context);
+#if BOOST_VERSION >= 107700
+    if (slot.is_connected())
+        slot.assign([weak = std::weak_ptr{made}, &context](boost::asio::cancellation_type) {
+            boost::asio::post(context, [weak] {
+                if (const auto still = weak.lock()) still->complete(boost::asio::error::operation_aborted, Results{}...);
+            });
+        });
+#endif
+    return made;
+}
+
+/// The result alone.
+struct no_conversion {
+    template <class... Results> std::tuple<error_code, Results...> operator()(error_code error, Results... results) {
+        return {error, std::move(results)...};
+    }
+};
+
+} // namespace app
+} // namespace JAUSCAT_WAY
+} // namespace jauscat
