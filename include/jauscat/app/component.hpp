@@ -1,8 +1,10 @@
 // A JAUS component: handlers of messages, reports, and what happens when it is stopped.
 #pragma once
 #include <jauscat/app/component_options.hpp>
-#include <jauscat/app/detail/handler.hpp>
+#include <jauscat/app/control.hpp>
+#include <jauscat/app/detail/client.hpp>
 #include <jauscat/app/node.hpp>
+#include <jauscat/app/subscription.hpp>
 #include <jauscat/jaus/events/report_field.hpp>
 #include <jauscat/jaus/message/presence_bits.hpp>
 #include <jauscat/jaus/message/requested_fields.hpp>
@@ -92,6 +94,64 @@ class component {
     }
     /// The same for a body in bytes.
     JAUSCAT_DECL result<void, net::error> send(const jaus::address& to, std::uint16_t command_code, app::bytes body);
+
+    /// Sends a message and repeats it until it is acknowledged. Errors: refused, no_answer, not_encodable,
+    /// not_one_address, unroutable, queue_full, not_running. Of any size.
+    template <jaus::coded_message T, class Token = default_token>
+    auto async_send(const jaus::address& to, const T& message, Token&& token = Token{});
+    /// Sends a query and gives its report. Errors: as async_send, and malformed_answer.
+    template <jaus::query_message Query, class Token = default_token>
+    requires(!std::same_as<std::remove_cvref_t<Token>, ask_options>)
+    auto async_ask(const jaus::address& of, const Query& query, Token&& token = Token{}) {
+        return async_ask(of, query, ask_options{}, std::forward<Token>(token));
+    }
+    template <jaus::query_message Query, class Token = default_token>
+    auto async_ask(const jaus::address& of, const Query& query, const ask_options& options, Token&& token = Token{});
+    /// Requests control of a component. Errors: control_refused, no_answer, already_asked, not_one_address,
+    /// not_running.
+    template <class Token = default_token>
+    auto async_control(const jaus::address& of, const control_options& options, Token&& token = Token{}) {
+        return boost::asio::async_initiate<Token, void(app::error_code, control)>(
+            [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
+               const control_options& how) {
+                app::begin_control(state, whom, how,
+                                   app::make_operation<std::shared_ptr<app::control_state>>(
+                                       std::move(handler), app::handled_as<control>{}, app::context_of(*state)));
+            },
+            token, state_, of, options);
+    }
+    /// A service connection: the provider sends the report periodically. Errors: connection_refused, no_answer,
+    /// queue_full, not_one_address, not_running.
+    template <jaus::coded_message Report, class Token = default_token>
+    auto async_connect(const jaus::address& to, const connect_options& options, Token&& token = Token{}) {
+        return boost::asio::async_initiate<Token, void(app::error_code, subscription<Report>)>(
+            [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
+               connect_options how) {
+                how.presence_vector &= jaus::presence_bits_of<Report>;
+                app::begin_connect(
+                    state, whom, jaus::command_code_of<Report>, how,
+                    app::make_operation<std::shared_ptr<app::subscription_state>>(
+                        std::move(handler), app::handled_as<subscription<Report>>{}, app::context_of(*state)));
+            },
+            token, state_, to, options);
+    }
+    /// An event: the provider sends the report when `trigger` says. Its message_code and local_request_id are ignored.
+    /// Errors: as async_connect.
+    template <jaus::coded_message Report, class Token = default_token>
+    auto async_event(const jaus::address& of, jaus::create_event trigger, Token&& token = Token{}) {
+        trigger.message_code = jaus::command_code_of<Report>;
+        std::vector<std::byte> body;
+        const auto why = app::encode_into(body, trigger);
+        return boost::asio::async_initiate<Token, void(app::error_code, subscription<Report>)>(
+            [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
+               std::vector<std::byte> request, bool is_good) {
+                auto done = app::make_operation<std::shared_ptr<app::subscription_state>>(
+                    std::move(handler), app::handled_as<subscription<Report>>{}, app::context_of(*state));
+                if (!is_good) return done->complete(node_errc::not_encodable, nullptr);
+                app::begin_event(state, whom, std::move(request), connect_options{}.max_waiting, std::move(done));
+            },
+            token, state_, of, std::move(body), why == wire::errc::ok);
+    }
 
   private:
     template <class F> void take(F f);
@@ -202,9 +262,39 @@ template <class F> void component::reports(F f, double max_rate) {
     }
 }
 
+template <jaus::coded_message T, class Token>
+auto component::async_send(const jaus::address& to, const T& message, Token&& token) {
+    std::vector<std::byte> body;
+    const auto why = app::encode_into(body, message);
+    return boost::asio::async_initiate<Token, void(app::error_code)>(
+        [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
+           std::vector<std::byte> encoded, bool is_good) {
+            auto done = app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state));
+            if (!is_good) return done->complete(node_errc::not_encodable);
+            app::begin_send(state, whom, jaus::command_code_of<T>, std::move(encoded), std::move(done));
+        },
+        token, state_, to, std::move(body), why == wire::errc::ok);
+}
+
+template <jaus::query_message Query, class Token>
+auto component::async_ask(const jaus::address& of, const Query& query, const ask_options& options, Token&& token) {
+    using Report = jaus::report_of<Query>;
+    std::vector<std::byte> body;
+    const auto why = app::encode_into(body, query);
+    return boost::asio::async_initiate<Token, void(app::error_code, received<Report>)>(
+        [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
+           std::vector<std::byte> encoded, const ask_options& how, bool is_good) {
+            auto done =
+                app::make_operation<app::bytes>(std::move(handler), app::decoded_as<Report>{}, app::context_of(*state));
+            if (!is_good) return done->complete(node_errc::not_encodable, {});
+            app::begin_ask(state, whom, jaus::command_code_of<Query>, std::move(encoded), how, std::move(done));
+        },
+        token, state_, of, std::move(body), options, why == wire::errc::ok);
+}
+
 } // namespace JAUSCAT_WAY
 } // namespace jauscat
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
-#include <jauscat/app/impl/component.ipp>
+#    include <jauscat/app/impl/component.ipp>
 #endif

@@ -14,19 +14,19 @@ inline namespace JAUSCAT_WAY {
 /// boost::asio::error::operation_aborted.
 enum class node_errc : std::uint8_t {
     ok,
-    not_running,       ///< the node is not started, or stopped
-    not_encodable,     ///< a value of the message is outside the limits of its field
-    not_one_address,   ///< an octet of the destination is 0 or 255: no single component would answer
-    unroutable,        ///< the configuration has no system for the destination
-    queue_full,        ///< too many messages wait to be sent or acknowledged: send it again later
-    refused,           ///< NAK: the receiver has not executed it
-    no_answer,         ///< no answer to any attempt: a command may have been executed
-    malformed_answer,  ///< the answer does not decode
-    control_refused,   ///< another component of at least this authority has control
-    control_lost,      ///< control was taken over, has expired or is released
-    already_asked,     ///< control of this component is held or requested already
-    connection_refused,///< the provider refuses the service connection, or the event
-    silent,            ///< no report for three periods; the connection is requested again
+    not_running,        ///< the node is not started, or stopped
+    not_encodable,      ///< a value of the message is outside the limits of its field
+    not_one_address,    ///< an octet of the destination is 0 or 255: no single component would answer
+    unroutable,         ///< the configuration has no system for the destination
+    queue_full,         ///< too many messages wait to be sent or acknowledged: send it again later
+    refused,            ///< NAK: the receiver has not executed it
+    no_answer,          ///< no answer to any attempt: a command may have been executed
+    malformed_answer,   ///< the answer does not decode
+    control_refused,    ///< another component of at least this authority has control
+    control_lost,       ///< control was taken over, has expired or is released
+    already_asked,      ///< control of this component is held or requested already
+    connection_refused, ///< the provider refuses the service connection, or the event
+    silent,             ///< no report for three periods; the connection is requested again
 };
 
 /// The error in one line.
@@ -62,5 +62,5 @@ enum class node_errc : std::uint8_t {
 template <> struct boost::system::is_error_code_enum<jauscat::node_errc> : std::true_type {};
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
-#include <jauscat/app/impl/error.ipp>
+#    include <jauscat/app/impl/error.ipp>
 #endif

@@ -62,5 +62,5 @@ class node {
 } // namespace jauscat
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
-#include <jauscat/app/impl/node_state.ipp>
+#    include <jauscat/app/impl/node_state.ipp>
 #endif

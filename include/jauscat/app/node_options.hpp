@@ -13,6 +13,7 @@ inline namespace JAUSCAT_WAY {
 /// All options have defaults.
 struct node_options {
     std::string config{"JausConfig.xml"}; ///< configuration file, see docs/configuration.md
+    std::string config_text{};            ///< the configuration itself, instead of a file
     std::string this_system{};            ///< the system of the file that this program is; empty: its <thissystem>
     std::uint8_t node{};                  ///< JAUS node; 0: the one that the system's jausip names, or 1
     bool open{};                          ///< accepts messages of systems that the configuration does not have

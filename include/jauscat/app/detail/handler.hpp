@@ -90,8 +90,7 @@ jaus::message_outcome send_answer(const incoming& message, const Answer& answer_
 }
 
 template <class R>
-concept handler_result =
-    std::is_void_v<R> || std::same_as<R, jaus::message_outcome> || jaus::coded_message<plain<R>>;
+concept handler_result = std::is_void_v<R> || std::same_as<R, jaus::message_outcome> || jaus::coded_message<plain<R>>;
 
 template <class F, class T>
 concept handles = std::invocable<F&, const T&> || std::invocable<F&, const T&, const jaus::header&>;

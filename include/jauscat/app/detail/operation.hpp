@@ -1,4 +1,5 @@
-// Asynchronous operations in Asio's way: the handler behind a virtual function, so that what starts them is no template.
+// Asynchronous operations in Asio's way: the handler behind a virtual function, so that what starts them is no
+// template.
 #pragma once
 #include <jauscat/compilation.hpp>
 
@@ -11,7 +12,7 @@
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/version.hpp>
 #if BOOST_VERSION >= 107700
-#include <boost/asio/associated_cancellation_slot.hpp>
+#    include <boost/asio/associated_cancellation_slot.hpp>
 #endif
 
 #include <memory>
@@ -53,8 +54,7 @@ template <class... Results> class operation {
 template <class... Results> using operation_ptr = std::shared_ptr<operation<Results...>>;
 
 /// `Convert` makes what the handler gets of the results: a tuple that begins with the error.
-template <class Handler, class Convert, class... Results>
-class handler_operation final : public operation<Results...> {
+template <class Handler, class Convert, class... Results> class handler_operation final : public operation<Results...> {
     using executor_type = boost::asio::associated_executor_t<Handler, boost::asio::io_context::executor_type>;
 
   public:
@@ -65,10 +65,10 @@ class handler_operation final : public operation<Results...> {
 
   private:
     void deliver(error_code error, Results... results) override {
-        boost::asio::post(work_.get_executor(), [handler = std::move(handler_),
-                                                 all = convert_(error, std::move(results)...)]() mutable {
-            std::apply([&](auto&... each) { std::move(handler)(std::move(each)...); }, all);
-        });
+        boost::asio::post(work_.get_executor(),
+                          [handler = std::move(handler_), all = convert_(error, std::move(results)...)]() mutable {
+                              std::apply([&](auto&... each) { std::move(handler)(std::move(each)...); }, all);
+                          });
         work_.reset();
     }
 
@@ -89,7 +89,8 @@ operation_ptr<Results...> make_operation(Handler handler, Convert convert, boost
     if (slot.is_connected())
         slot.assign([weak = std::weak_ptr{made}, &context](boost::asio::cancellation_type) {
             boost::asio::post(context, [weak] {
-                if (const auto still = weak.lock()) still->complete(boost::asio::error::operation_aborted, Results{}...);
+                if (const auto still = weak.lock())
+                    still->complete(boost::asio::error::operation_aborted, Results{}...);
             });
         });
 #endif

@@ -8,6 +8,8 @@
 #include <jauscat/jaus/events/service_connections.hpp>
 #include <jauscat/net/node/detail/offered_messages.hpp>
 
+#include <boost/asio/io_context.hpp>
+
 #include <functional>
 #include <memory>
 #include <optional>
@@ -26,11 +28,13 @@ struct periodic_function {
     time_point due{};
 };
 
+class clients;
+
 /// A node_component of net/: the node refers to it as long as it lives, the handle as long as the application wants it.
 class component_state {
   public:
-    component_state(node_state& node, const jaus::address& self, component_options options)
-        : node_{node}, self_{self}, options_{std::move(options)} {}
+    component_state(node_state& node, const jaus::address& self, component_options options);
+    ~component_state();
     component_state(const component_state&) = delete;
     component_state& operator=(const component_state&) = delete;
 
@@ -56,7 +60,14 @@ class component_state {
     [[nodiscard]] jaus::identity identity() const noexcept {
         return {.identification = options_.name, .type = 60001, .authority_code = options_.authority};
     }
+    /// While it runs.
     [[nodiscard]] node_state& node() noexcept { return node_; }
+    [[nodiscard]] clients& others() noexcept;
+    [[nodiscard]] boost::asio::io_context& context() noexcept { return context_; }
+    /// Sends a whole message of this component until it is acknowledged.
+    jaus::send_result send_acknowledged(bytes message);
+    /// Whether the configuration has a system for it.
+    [[nodiscard]] bool is_routable(const jaus::address& to) const;
 
     // As a component of net/.
     [[nodiscard]] const jaus::address& self() const noexcept { return self_; }
@@ -92,6 +103,7 @@ class component_state {
     [[nodiscard]] const given_report* report_of(std::uint16_t command_code) const;
 
     node_state& node_;
+    boost::asio::io_context& context_; ///< outlives the node
     jaus::address self_;
     component_options options_;
     std::vector<taken_message> takes_{};

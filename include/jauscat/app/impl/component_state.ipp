@@ -1,5 +1,6 @@
 // The functions of component_state.
 #pragma once
+#include <jauscat/app/impl/clients.ipp>
 #include <jauscat/app/impl/component_state.hpp>
 #include <jauscat/app/impl/node_state.hpp>
 #include <jauscat/text/jaus.hpp>
@@ -21,11 +22,12 @@ struct component_state::core {
 
     using connections_type = jaus::service_connections<capacity>;
     using events_type = jaus::events<capacity>;
-    using component_type = jaus::component<connections_type, events_type, jaus::described_component>;
+    using component_type = jaus::component<clients, connections_type, events_type, jaus::described_component>;
 
     struct connection_filler {
         component_state& of;
-        std::optional<std::size_t> operator()(std::uint16_t code, std::uint32_t presence, std::span<std::byte> body) const {
+        std::optional<std::size_t> operator()(std::uint16_t code, std::uint32_t presence,
+                                              std::span<std::byte> body) const {
             return of.core_->fill(of, code, {nullptr, presence}, body);
         }
     };
@@ -40,6 +42,9 @@ struct component_state::core {
         void state(jaus::primary_status_code from, jaus::primary_status_code to) const { of.note_state(from, to); }
         void controller(const std::optional<jaus::controller>& by, jaus::control_change) const {
             of.note_controller(by);
+        }
+        void delivered(const jaus::awaited_message& message, jaus::delivered what) const {
+            of.core_->others.on_delivered(message.header, what);
         }
     };
 
@@ -65,6 +70,7 @@ struct component_state::core {
     net::detail::offered_messages offered;
     std::array<jaus::offered_service, 2> services{jaus::core_messages::service};
     jaus::described_component described;
+    clients others;
     jaus::component_memory<64, 4096> memory{};
     component_type machine;
 };
@@ -73,9 +79,8 @@ inline component_state::core::core(component_state& of, const jaus::identity& id
     : connectable{[&] {
           std::vector<jaus::connectable_report> all;
           for (const auto& one : of.gives_)
-              all.push_back({.command_code = one.command_code,
-                             .max_rate = one.max_rate,
-                             .presence_vector = one.presence_bits});
+              all.push_back(
+                  {.command_code = one.command_code, .max_rate = one.max_rate, .presence_vector = one.presence_bits});
           return all;
       }()},
       eventful{[&] {
@@ -104,18 +109,34 @@ inline component_state::core::core(component_state& of, const jaus::identity& id
                  }()},
                 beats ? jaus::heartbeat_to_node_manager(of.self_) : jaus::heartbeat{.period = {}},
                 services_memory},
+      others{of, of.self_, of.options_.retry},
       machine{of.self_,
               memory,
-              {.on_state = jaus::bound<&hooks::state>(hook), .on_controller = jaus::bound<&hooks::controller>(hook)},
+              {.on_state = jaus::bound<&hooks::state>(hook),
+               .on_controller = jaus::bound<&hooks::controller>(hook),
+               .on_delivered = jaus::bound<&hooks::delivered>(hook)},
               {.control = {.authority_code = identity.authority_code,
                            .harmless = of.options_.harmless,
                            .timeout = of.options_.controller_timeout},
                .acknowledgement = {.retry = of.options_.retry,
                                    .first_number = static_cast<std::uint16_t>(std::random_device{}())},
                .obeys_only_when_ready = of.options_.obeys_only_when_ready},
+              others,
               connections,
               events,
               described} {}
+
+JAUSCAT_DECL component_state::component_state(node_state& node, const jaus::address& self, component_options options)
+    : node_{node}, context_{node.context()}, self_{self}, options_{std::move(options)} {}
+JAUSCAT_DECL component_state::~component_state() = default;
+
+JAUSCAT_DECL clients& component_state::others() noexcept { return core_->others; }
+JAUSCAT_DECL jaus::send_result component_state::send_acknowledged(bytes message) {
+    return core_->machine.send(message, net::now(), node_.net().out());
+}
+JAUSCAT_DECL bool component_state::is_routable(const jaus::address& to) const {
+    return node_.is_open() || node_.net().config().next_hop(to) != nullptr;
+}
 
 JAUSCAT_DECL void component_state::take(taken_message message) {
     if (is_running()) throw std::logic_error{"handlers are given before the node starts"};
@@ -233,8 +254,9 @@ JAUSCAT_DECL void component_state::start(const jaus::identity& identity, bool be
 
 JAUSCAT_DECL void component_state::stop() noexcept {
     if (!is_running_) return;
-    is_running_ = false;
     tell_stopped();
+    core_->others.end_all(boost::asio::error::operation_aborted, net::now(), node_.net().out());
+    is_running_ = false;
 }
 
 JAUSCAT_DECL void component_state::close() noexcept {
@@ -308,10 +330,12 @@ JAUSCAT_DECL void component_state::changed() {
 jaus::component_outcome component_state::on_message(const jaus::header& head, bytes body, time_point now,
                                                     jaus::message_sink out, auto&& unhandled) {
     if (!is_running_) return jaus::component_outcome::unknown;
-    const auto outcome = in_turn([&] { return core_->machine.on_message(head, body, now, out, [&](const jaus::header& h, bytes b) {
-        const auto what = handle(h, b);
-        return what == jaus::message_outcome::unhandled ? jaus::outcome_of(unhandled(h, b)) : what;
-    }); });
+    const auto outcome = in_turn([&] {
+        return core_->machine.on_message(head, body, now, out, [&](const jaus::header& h, bytes b) {
+            const auto what = handle(h, b);
+            return what == jaus::message_outcome::unhandled ? jaus::outcome_of(unhandled(h, b)) : what;
+        });
+    });
     if (!is_running_) return outcome; // stopped by a handler
     settle();
     send_changes(now, out);
@@ -366,8 +390,8 @@ JAUSCAT_DECL bool answer(component_state& from, const jaus::header& request, std
     head.command_code = command_code;
     const auto sent = from.node().net().send(head, body);
     if (!sent)
-        from.node().log(net::to_jausip(from.self()) + ": " + text::message_name(command_code) + " is not sent: " +
-                        sent.error().message);
+        from.node().log(net::to_jausip(from.self()) + ": " + text::message_name(command_code) +
+                        " is not sent: " + sent.error().message);
     return sent.has_value();
 }
 JAUSCAT_DECL std::span<std::byte> list_memory(component_state& of, std::size_t at_least) {
@@ -379,8 +403,8 @@ JAUSCAT_DECL jaus::message_outcome malformed(component_state& at, wire::errc why
     return jaus::message_outcome::malformed;
 }
 JAUSCAT_DECL void not_encodable(component_state& from, std::uint16_t command_code, wire::errc why) {
-    from.node().log(net::to_jausip(from.self()) + ": " + text::message_name(command_code) + " is not sent: " +
-                    std::string{wire::describe(why)});
+    from.node().log(net::to_jausip(from.self()) + ": " + text::message_name(command_code) +
+                    " is not sent: " + std::string{wire::describe(why)});
 }
 
 } // namespace app

@@ -29,6 +29,7 @@ class node_state {
     void wake() { net_.wake(); }
 
     [[nodiscard]] boost::asio::io_context& context() noexcept { return *context_; }
+    [[nodiscard]] bool is_open() const noexcept { return options_.open; }
     [[nodiscard]] net::jaus_node& net() noexcept { return net_; }
     [[nodiscard]] const net::jaus_node& net() const noexcept { return net_; }
 

@@ -22,7 +22,8 @@ inline namespace JAUSCAT_WAY {
 namespace app {
 
 inline net::jaus_config read_config(const node_options& options) {
-    auto config = net::read_jaus_config(options.config);
+    auto config = options.config_text.empty() ? net::read_jaus_config(options.config)
+                                              : net::parse_jaus_config(options.config_text, "config_text");
     return options.this_system.empty() ? config : config.with_this(options.this_system);
 }
 
@@ -33,13 +34,18 @@ JAUSCAT_DECL node_state::node_state(boost::asio::io_context* context, node_optio
       net_{*context_, read_config(options_), net_options()} {}
 
 JAUSCAT_DECL net::jaus_node_options node_state::net_options() {
-    net::jaus_node_options net{.accept = options_.open ? net::access::open : net::access::closed, .node = options_.node};
+    net::jaus_node_options net{.accept = options_.open ? net::access::open : net::access::closed,
+                               .node = options_.node};
     net.log = [this](std::string_view line) { log(line); };
     net.explain_malformed = [this](std::uint16_t, bytes) {
         std::string why;
         for (const auto& one : components_)
             if (!one->malformed_because.empty()) why = std::exchange(one->malformed_because, {});
         return why;
+    };
+    net.large_data_done = [this](const jaus::header& head, jaus::delivered what) {
+        for (const auto& one : components_)
+            if (one->is_running() && one->self() == head.source) one->others().on_delivered(head, what);
     };
     net.appeared = [this](const jaus::address& who) {
         if (on_appeared) on_appeared(who);

@@ -1,0 +1,67 @@
+// Control of another component, as long as an object lives.
+#pragma once
+#include <jauscat/app/detail/client.hpp>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+
+/// Control of another component: kept by heartbeats and requests, released with this object.
+class control {
+  public:
+    control() = default;
+    explicit control(std::shared_ptr<app::control_state> state) noexcept : state_{std::move(state)} {}
+    ~control() { release(); }
+    control(control&& other) noexcept = default;
+    control& operator=(control&& other) noexcept {
+        if (this != &other) {
+            release();
+            state_ = std::move(other.state_);
+        }
+        return *this;
+    }
+
+    /// Sends a command until it is acknowledged. Errors: as component::async_send, and control_lost.
+    template <jaus::coded_message T, class Token = default_token>
+    auto async_send(const T& message, Token&& token = Token{});
+    /// Completes when control is lost, with control_lost, or operation_aborted after `release`.
+    template <class Token = default_token> auto async_lost(Token&& token = Token{}) {
+        return boost::asio::async_initiate<Token, void(app::error_code)>(
+            [](auto handler, const std::shared_ptr<app::control_state>& state) {
+                app::begin_lost(
+                    state, app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state)));
+            },
+            token, state_);
+    }
+    /// Whether it is not lost and not released.
+    [[nodiscard]] JAUSCAT_DECL bool is_held() const noexcept;
+    /// The component that is controlled.
+    [[nodiscard]] JAUSCAT_DECL const jaus::address& of() const noexcept;
+    void release() noexcept {
+        if (state_) app::end(std::exchange(state_, nullptr));
+    }
+
+  private:
+    std::shared_ptr<app::control_state> state_{};
+};
+
+namespace app {
+/// Of a control: fails with control_lost where that is lost.
+JAUSCAT_DECL void begin_send(const std::shared_ptr<control_state>&, std::uint16_t code, std::vector<std::byte> body,
+                             operation_ptr<> done);
+} // namespace app
+
+template <jaus::coded_message T, class Token> auto control::async_send(const T& message, Token&& token) {
+    std::vector<std::byte> body;
+    const auto why = app::encode_into(body, message);
+    return boost::asio::async_initiate<Token, void(app::error_code)>(
+        [](auto handler, const std::shared_ptr<app::control_state>& state, std::vector<std::byte> encoded,
+           bool is_good) {
+            auto done = app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state));
+            if (!is_good) return done->complete(node_errc::not_encodable);
+            app::begin_send(state, jaus::command_code_of<T>, std::move(encoded), std::move(done));
+        },
+        token, state_, std::move(body), why == wire::errc::ok);
+}
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

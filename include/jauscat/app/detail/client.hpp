@@ -1,0 +1,128 @@
+// What control, subscriptions and questions share: requests to other components as bytes. Compiled once.
+#pragma once
+#include <jauscat/app/detail/handler.hpp>
+#include <jauscat/app/detail/operation.hpp>
+#include <jauscat/app/error.hpp>
+#include <jauscat/schema/jaus/event.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+
+/// A received message whose lists are in memory of its own.
+template <class T> class owned {
+  public:
+    owned() = default;
+    /// Decodes `body`.
+    explicit owned(app::bytes body, wire::errc& why) {
+        for (std::size_t size = 16 * body.size() + 64;; size *= 2) {
+            memory_ = std::shared_ptr<std::byte[]>{new std::byte[size]};
+            wire::arena memory{{memory_.get(), size}};
+            const auto decoded = wire::decode(value_, body, memory);
+            why = decoded ? wire::errc::ok : decoded.error();
+            if (why != wire::errc::arena_full) return;
+            value_ = {};
+        }
+    }
+    [[nodiscard]] const T& operator*() const noexcept { return value_; }
+    [[nodiscard]] const T* operator->() const noexcept { return &value_; }
+
+  private:
+    std::shared_ptr<std::byte[]> memory_{};
+    T value_{};
+};
+
+namespace app {
+
+template <class T> struct received_form {
+    using type = T;
+};
+template <class T>
+requires wire::needs_memory<T>
+struct received_form<T> {
+    using type = owned<T>;
+};
+
+} // namespace app
+
+/// What an operation gives that receives a message: the message itself, or where it has lists an `owned` one.
+template <jaus::coded_message T> using received = typename app::received_form<T>::type;
+
+struct control_options {
+    std::uint8_t authority{128}; ///< 0 lowest to 255 highest: a higher one takes control from a lower one
+    /// Of a request that is not answered.
+    retry_policy retry{.interval = std::chrono::milliseconds{250}, .attempts = 4};
+    /// Interval of requests that keep control, and detect that the component has restarted; 0: none.
+    duration renewal{std::chrono::seconds{1}};
+};
+
+struct ask_options {
+    duration timeout{std::chrono::seconds{2}}; ///< from the query to its report
+    /// The query asks for an acknowledgement and is repeated until it has one, so that a refusal is known at once.
+    /// Without, for peers that never acknowledge, it is repeated at the interval of the component's retry policy.
+    bool acknowledged{true};
+};
+
+struct connect_options {
+    double rate{10};                           ///< hertz, up to 1092
+    std::uint32_t presence_vector{0xFFFFFFFF}; ///< fields of the report; by default all that it has
+    std::size_t max_waiting{256};              ///< reports that async_next has not taken; then the oldest is dropped
+};
+
+namespace app {
+
+struct subscription_state;
+struct control_state;
+
+JAUSCAT_DECL boost::asio::io_context& context_of(component_state&) noexcept;
+JAUSCAT_DECL void begin_send(const std::shared_ptr<component_state>&, const jaus::address& to, std::uint16_t code,
+                             std::vector<std::byte> body, operation_ptr<> done);
+JAUSCAT_DECL void begin_ask(const std::shared_ptr<component_state>&, const jaus::address& of, std::uint16_t code,
+                            std::vector<std::byte> body, const ask_options& options, operation_ptr<bytes> done);
+JAUSCAT_DECL void begin_connect(const std::shared_ptr<component_state>&, const jaus::address& of, std::uint16_t code,
+                                const connect_options& options,
+                                operation_ptr<std::shared_ptr<subscription_state>> done);
+/// `request` is the body of a Create Event.
+JAUSCAT_DECL void begin_event(const std::shared_ptr<component_state>&, const jaus::address& of,
+                              std::vector<std::byte> request, std::size_t max_waiting,
+                              operation_ptr<std::shared_ptr<subscription_state>> done);
+JAUSCAT_DECL void begin_next(const std::shared_ptr<subscription_state>&, operation_ptr<bytes> done);
+JAUSCAT_DECL void end(const std::shared_ptr<subscription_state>&) noexcept;
+JAUSCAT_DECL void begin_control(const std::shared_ptr<component_state>&, const jaus::address& of,
+                                const control_options& options, operation_ptr<std::shared_ptr<control_state>> done);
+JAUSCAT_DECL void begin_lost(const std::shared_ptr<control_state>&, operation_ptr<> done);
+JAUSCAT_DECL void end(const std::shared_ptr<control_state>&) noexcept;
+JAUSCAT_DECL std::shared_ptr<component_state> component_of(const control_state&) noexcept;
+JAUSCAT_DECL boost::asio::io_context& context_of(const subscription_state&) noexcept;
+JAUSCAT_DECL boost::asio::io_context& context_of(const control_state&) noexcept;
+
+/// Makes the message of received bytes.
+template <class T> struct decoded_as {
+    std::tuple<error_code, received<T>> operator()(error_code error, bytes body) const {
+        if (error) return {error, received<T>{}};
+        wire::errc why{};
+        if constexpr (wire::needs_memory<T>) {
+            owned<T> value{body, why};
+            return {why == wire::errc::ok ? error : make_error_code(node_errc::malformed_answer), std::move(value)};
+        } else {
+            T value{};
+            const auto decoded = wire::decode(value, body);
+            return {decoded ? error : make_error_code(node_errc::malformed_answer), value};
+        }
+    }
+};
+/// Makes a handle of what is behind it.
+template <class Handle> struct handled_as {
+    template <class State> std::tuple<error_code, Handle> operator()(error_code error, State state) const {
+        return {error, Handle{std::move(state)}};
+    }
+};
+
+} // namespace app
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

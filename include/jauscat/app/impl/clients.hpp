@@ -1,0 +1,118 @@
+// What a component asks of others: questions, commands, control, reports as streams.
+#pragma once
+#include <jauscat/app/detail/client.hpp>
+#include <jauscat/jaus/component/acknowledged_sender.hpp>
+#include <jauscat/jaus/component/component_part.hpp>
+#include <jauscat/jaus/component/held_control.hpp>
+#include <jauscat/jaus/events/event_consumer.hpp>
+#include <jauscat/jaus/events/service_consumer.hpp>
+
+#include <deque>
+#include <list>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+namespace app {
+
+/// Behind a control.
+struct control_state {
+    std::weak_ptr<component_state> component;
+    boost::asio::io_context& context;
+    jaus::address of{};
+    jaus::control_state state{};
+    operation_ptr<std::shared_ptr<control_state>> asked{}; ///< until it is answered
+    std::vector<operation_ptr<>> when_lost{};
+};
+
+/// Behind a subscription.
+struct subscription_state {
+    std::weak_ptr<component_state> component;
+    boost::asio::io_context& context;
+    bool is_event{};
+    std::size_t max_waiting{};
+    std::optional<std::size_t> place{}; ///< in the consumer
+    operation_ptr<std::shared_ptr<subscription_state>> asked{};
+    operation_ptr<bytes> next{};
+    std::deque<std::vector<std::byte>> reports{};
+    error_code news{}; ///< what async_next has to say before the next report
+    std::uint64_t dropped{};
+};
+
+/// A part of a component, see jaus::component_part.
+class clients {
+  public:
+    clients(component_state& component, const jaus::address& self, const retry_policy& retry);
+    clients(const clients&) = delete;
+    clients& operator=(const clients&) = delete;
+
+    jaus::message_outcome on_message(const jaus::header& head, bytes body, time_point now, jaus::message_sink out);
+    void on_time(time_point now, jaus::message_sink out);
+    [[nodiscard]] std::optional<time_point> next_event() const;
+    void on_lost(const jaus::address& who);
+    /// A message of the component was acknowledged, or not; also a large data set.
+    void on_delivered(const jaus::header& head, jaus::delivered what);
+    /// All operations end, control is released.
+    void end_all(error_code why, time_point now, jaus::message_sink out) noexcept;
+
+    void send(jaus::header head, std::vector<std::byte> body, const operation_ptr<>& done);
+    void ask(const jaus::header& head, std::vector<std::byte> body, const ask_options& options,
+             const operation_ptr<bytes>& done);
+    void connect(const jaus::address& to, std::uint16_t code, const connect_options& options,
+                 std::shared_ptr<subscription_state> made);
+    void request_event(const jaus::address& of, bytes request, std::shared_ptr<subscription_state> made);
+    void end(subscription_state& ended);
+    void control(const control_options& options, std::shared_ptr<control_state> made);
+    void release(control_state& released);
+
+  private:
+    static constexpr std::size_t capacity = 64;
+
+    struct sent_message { ///< waits for its acknowledgement
+        jaus::header head{};
+        operation_ptr<> done{};
+    };
+    struct question { ///< waits for its report
+        jaus::header head{};
+        std::uint16_t report{};
+        operation_ptr<bytes> done{};
+        deadline until{};
+        std::vector<std::byte> message{}; ///< to be repeated; empty if the component's acknowledged_sender does it
+        time_point repeated_at{};
+        std::uint32_t made{};
+    };
+    struct held {
+        std::shared_ptr<control_state> state;
+        std::optional<jaus::held_control> machine{};
+        void changed(jaus::control_state now);
+    };
+    struct connection_hook {
+        clients& of;
+        void changed(const jaus::consumed_connection& connection) const { of.note(connection); }
+    };
+
+    /// Sends a message that must be acknowledged; its sequence number, or why not.
+    result<std::uint16_t, node_errc> send_acknowledged(const jaus::header& head, bytes body);
+    void note(const jaus::consumed_connection& connection);
+    void note_events();
+    void deliver(subscription_state& to, bytes body);
+    void tell(subscription_state& to, node_errc why);
+    [[nodiscard]] std::shared_ptr<subscription_state> subscription_at(bool is_event, std::size_t place) const;
+
+    component_state& component_;
+    jaus::address self_;
+    retry_policy retry_;
+    connection_hook hook_{*this};
+    jaus::service_consumer<capacity> connections_;
+    jaus::event_consumer<capacity> events_;
+    std::list<sent_message> sent_{};
+    std::list<question> questions_{};
+    std::list<held> held_{};
+    std::vector<std::shared_ptr<subscription_state>> subscriptions_{};
+};
+
+} // namespace app
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

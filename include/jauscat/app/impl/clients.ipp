@@ -1,0 +1,474 @@
+// The functions of clients, and those of control and subscription.
+#pragma once
+#include <jauscat/app/control.hpp>
+#include <jauscat/app/impl/clients.hpp>
+#include <jauscat/app/impl/component_state.hpp>
+#include <jauscat/app/impl/node_state.hpp>
+#include <jauscat/net/now.hpp>
+
+#include <boost/asio/post.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+namespace app {
+
+inline clients::clients(component_state& component, const jaus::address& self, const retry_policy& retry)
+    : component_{component},
+      self_{self},
+      retry_{retry},
+      connections_{self, {.retry = retry}, jaus::bound<&connection_hook::changed>(hook_)},
+      events_{self, retry} {}
+
+inline node_errc error_of(net::errc error) {
+    switch (error) {
+    case net::errc::not_running: return node_errc::not_running;
+    case net::errc::queue_full: return node_errc::queue_full;
+    case net::errc::not_encodable:
+    case net::errc::invalid_message: return node_errc::not_encodable;
+    default: return node_errc::unroutable;
+    }
+}
+inline error_code error_of(jaus::delivered what) {
+    switch (what) {
+    case jaus::delivered::acknowledged: return {};
+    case jaus::delivered::refused: return node_errc::refused;
+    case jaus::delivered::timed_out: break;
+    }
+    return node_errc::no_answer;
+}
+
+inline result<std::uint16_t, node_errc> clients::send_acknowledged(const jaus::header& head, bytes body) {
+    if (!jaus::names_one_component(head.destination)) return node_errc::not_one_address;
+    auto& net = component_.node().net();
+    if (!net.running()) return node_errc::not_running;
+    if (body.size() > jaus::max_body_size) {
+        auto large = head;
+        large.ack_nak = jaus::ack_nak::request;
+        const auto sent = net.send(large, body);
+        if (!sent) return error_of(sent.error().code);
+        return std::uint16_t{};
+    }
+    std::vector<std::byte> message(jaus::header_size + body.size());
+    const auto made = jaus::join(head, body, message);
+    if (!made) return node_errc::not_encodable;
+    if (!component_.is_routable(head.destination)) return node_errc::unroutable;
+    const auto sent = component_.send_acknowledged(*made);
+    if (!sent) return sent.error == jaus::send_errc::no_capacity ? node_errc::queue_full : node_errc::not_encodable;
+    return sent.sequence_number;
+}
+
+JAUSCAT_DECL void clients::send(jaus::header head, std::vector<std::byte> body, const operation_ptr<>& done) {
+    const auto number = send_acknowledged(head, body);
+    if (!number) return done->complete(number.error());
+    head.sequence_number = *number;
+    sent_.push_back({head, done});
+}
+
+JAUSCAT_DECL void clients::ask(const jaus::header& head, std::vector<std::byte> body, const ask_options& options,
+                               const operation_ptr<bytes>& done) {
+    const auto now = net::now();
+    question asked{.head = head,
+                   .report = jaus::report_code_of(head.command_code),
+                   .done = done,
+                   .until = deadline{now, options.timeout}};
+    if (options.acknowledged) {
+        const auto number = send_acknowledged(head, body);
+        if (!number) return done->complete(number.error(), {});
+        asked.head.sequence_number = *number;
+    } else {
+        if (!jaus::names_one_component(head.destination)) return done->complete(node_errc::not_one_address, {});
+        const auto sent = component_.node().net().send(head, body);
+        if (!sent) return done->complete(error_of(sent.error().code), {});
+        asked.message = std::move(body);
+        asked.repeated_at = saturating_add(now, retry_.interval);
+        asked.made = 1;
+    }
+    questions_.push_back(std::move(asked));
+}
+
+JAUSCAT_DECL void clients::on_delivered(const jaus::header& head, jaus::delivered what) {
+    const auto is_it = [&](const auto& one) {
+        return one.head.command_code == head.command_code && one.head.destination == head.destination &&
+               (head.data_flag != jaus::data_flag::only || one.head.sequence_number == head.sequence_number);
+    };
+    if (const auto found = std::ranges::find_if(sent_, is_it); found != sent_.end()) {
+        found->done->complete(error_of(what));
+        sent_.erase(found);
+        return;
+    }
+    // An acknowledged query may be answered later: its timeout ends it.
+    const auto asked = std::ranges::find_if(questions_, is_it);
+    if (asked == questions_.end() || what == jaus::delivered::acknowledged) return;
+    asked->done->complete(error_of(what), {});
+    questions_.erase(asked);
+}
+
+JAUSCAT_DECL jaus::message_outcome clients::on_message(const jaus::header& head, bytes body, time_point now,
+                                                       jaus::message_sink out) {
+    for (auto& one : held_)
+        if (const auto what = one.machine->on_message(head, body, now, out); what != jaus::message_outcome::unhandled)
+            return what;
+
+    const auto connection = connections_.on_message(head, body, now, out);
+    if (connection.what == jaus::consumer_notice::report)
+        if (const auto to = subscription_at(false, connection.place)) deliver(*to, body);
+    if (connection.what == jaus::consumer_notice::malformed) return jaus::message_outcome::malformed;
+    if (connection.what != jaus::consumer_notice::unhandled) return jaus::message_outcome::handled;
+
+    const auto event = events_.on_message(head, body, now, out);
+    if (event.what == jaus::event_notice::event)
+        if (const auto to = subscription_at(true, event.place)) deliver(*to, event.report);
+    note_events();
+    if (event.what == jaus::event_notice::malformed) return jaus::message_outcome::malformed;
+    if (event.what != jaus::event_notice::unhandled) return jaus::message_outcome::handled;
+
+    if (head.service_connection) return jaus::message_outcome::unhandled;
+    // An answer has the number of its question; there are components that have not.
+    const auto answers = [&](const question& one) {
+        return one.report == head.command_code && one.head.destination == head.source;
+    };
+    auto found = std::ranges::find_if(questions_, [&](const question& one) {
+        return answers(one) && one.head.sequence_number == head.sequence_number;
+    });
+    if (found == questions_.end()) found = std::ranges::find_if(questions_, answers);
+    if (found == questions_.end()) return jaus::message_outcome::unhandled;
+    found->done->complete({}, body);
+    questions_.erase(found);
+    return jaus::message_outcome::handled;
+}
+
+JAUSCAT_DECL void clients::on_time(time_point now, jaus::message_sink out) {
+    for (auto& one : held_) one.machine->on_time(now, out);
+    std::erase_if(held_, [](const held& one) {
+        return one.state->state != jaus::control_state::held && one.state->state != jaus::control_state::asking;
+    });
+    connections_.on_time(now, out);
+    events_.on_time(now, out);
+    note_events();
+    std::erase_if(sent_, [](const sent_message& one) { return one.done->is_done(); });
+    for (auto& one : questions_) {
+        if (one.until.is_reached(now)) one.done->complete(node_errc::no_answer, {});
+        if (one.done->is_done() || one.made == 0 || one.repeated_at > now) continue;
+        if (!retry_.allows_another(one.made)) {
+            one.repeated_at = time_point::max();
+            continue;
+        }
+        ++one.made;
+        one.repeated_at = saturating_add(now, retry_.interval);
+        static_cast<void>(component_.node().net().send(one.head, one.message)); // its timeout ends it
+    }
+    std::erase_if(questions_, [](const question& one) { return one.done->is_done(); });
+}
+
+JAUSCAT_DECL std::optional<time_point> clients::next_event() const {
+    std::optional<time_point> first;
+    const auto consider = [&](std::optional<time_point> next) {
+        if (next && (!first || *next < *first)) first = next;
+    };
+    for (const auto& one : held_) consider(one.machine->next_event());
+    consider(connections_.next_event());
+    consider(events_.next_event());
+    for (const auto& one : questions_) {
+        consider(one.until.at());
+        if (one.made != 0) consider(one.repeated_at);
+    }
+    return first;
+}
+
+JAUSCAT_DECL void clients::on_lost(const jaus::address& who) {
+    for (auto& one : held_) one.machine->on_lost(who);
+    events_.on_lost(who);
+    note_events();
+}
+
+JAUSCAT_DECL void clients::end_all(error_code why, time_point now, jaus::message_sink out) noexcept {
+    for (auto& one : std::exchange(sent_, {})) one.done->complete(why);
+    for (auto& one : std::exchange(questions_, {})) one.done->complete(why, {});
+    for (const auto& one : std::exchange(subscriptions_, {})) {
+        if (one->place) one->is_event ? events_.cancel(*one->place, now, out) : connections_.end(*one->place, now, out);
+        if (one->asked) one->asked->complete(why, nullptr);
+        if (one->next) one->next->complete(why, {});
+    }
+    for (auto& one : held_) one.machine->release(out);
+    held_.clear();
+}
+
+// Reports as streams.
+
+JAUSCAT_DECL std::shared_ptr<subscription_state> clients::subscription_at(bool is_event, std::size_t place) const {
+    const auto found = std::ranges::find_if(
+        subscriptions_, [&](const auto& one) { return one->is_event == is_event && one->place == place; });
+    return found == subscriptions_.end() ? nullptr : *found;
+}
+
+JAUSCAT_DECL void clients::deliver(subscription_state& to, bytes body) {
+    if (to.news == make_error_code(node_errc::silent)) to.news = {};
+    if (to.next != nullptr && !to.next->is_done()) return std::exchange(to.next, nullptr)->complete({}, body);
+    if (to.reports.size() >= to.max_waiting && !to.reports.empty()) {
+        to.reports.pop_front();
+        ++to.dropped;
+    }
+    to.reports.emplace_back(body.begin(), body.end());
+}
+JAUSCAT_DECL void clients::tell(subscription_state& to, node_errc why) {
+    if (to.asked) return std::exchange(to.asked, nullptr)->complete(why, nullptr);
+    if (to.next != nullptr && !to.next->is_done()) return std::exchange(to.next, nullptr)->complete(why, {});
+    to.news = why;
+}
+
+JAUSCAT_DECL void clients::note(const jaus::consumed_connection& connection) {
+    const auto place = static_cast<std::size_t>(&connection - connections_.connections().data());
+    const auto of = subscription_at(false, place);
+    if (of == nullptr) return;
+    switch (connection.state) {
+    case jaus::consumed_state::active:
+        if (of->asked) std::exchange(of->asked, nullptr)->complete({}, of);
+        break;
+    case jaus::consumed_state::stale: tell(*of, node_errc::silent); break;
+    case jaus::consumed_state::refused:
+    case jaus::consumed_state::unanswered:
+        of->place.reset();
+        std::erase(subscriptions_, of);
+        tell(*of,
+             connection.state == jaus::consumed_state::refused ? node_errc::connection_refused : node_errc::no_answer);
+        break;
+    default: break;
+    }
+}
+
+/// An event consumer has no hook: its places are looked at.
+JAUSCAT_DECL void clients::note_events() {
+    for (const auto& of : std::vector{subscriptions_}) {
+        if (!of->is_event || !of->place) continue;
+        switch (events_.requested()[*of->place].state) {
+        case jaus::requested_state::active:
+            if (of->asked) std::exchange(of->asked, nullptr)->complete({}, of);
+            break;
+        case jaus::requested_state::rejected:
+        case jaus::requested_state::unanswered: {
+            const bool is_refused = events_.requested()[*of->place].state == jaus::requested_state::rejected;
+            of->place.reset();
+            std::erase(subscriptions_, of);
+            tell(*of, is_refused ? node_errc::connection_refused : node_errc::no_answer);
+            break;
+        }
+        default: break;
+        }
+    }
+}
+
+JAUSCAT_DECL void clients::connect(const jaus::address& to, std::uint16_t code, const connect_options& options,
+                                   std::shared_ptr<subscription_state> made) {
+    const auto now = net::now();
+    if (!jaus::names_one_component(to)) return tell(*made, node_errc::not_one_address);
+    for (const auto& one : subscriptions_)
+        if (const auto& known = connections_.connections()[one->place.value_or(0)];
+            one->place && !one->is_event && known.provider == to && known.request.command_code == code)
+            return tell(*made, node_errc::already_asked); // a report's header names no connection
+    made->place = connections_.ask(to, code, options.rate, options.presence_vector, now, component_.node().net().out());
+    if (!made->place) return tell(*made, node_errc::queue_full);
+    subscriptions_.push_back(std::move(made));
+}
+
+JAUSCAT_DECL void clients::request_event(const jaus::address& of, bytes request,
+                                         std::shared_ptr<subscription_state> made) {
+    jaus::create_event wanted{};
+    if (!wire::decode(wanted, request)) return tell(*made, node_errc::not_encodable);
+    if (!jaus::names_one_component(of)) return tell(*made, node_errc::not_one_address);
+    made->place = events_.create(of, wanted, net::now(), component_.node().net().out());
+    if (!made->place) return tell(*made, node_errc::queue_full);
+    subscriptions_.push_back(std::move(made));
+}
+
+JAUSCAT_DECL void clients::end(subscription_state& ended) {
+    const auto now = net::now();
+    const auto out = component_.node().net().out();
+    if (const auto place = std::exchange(ended.place, std::nullopt))
+        ended.is_event ? events_.cancel(*place, now, out) : connections_.end(*place, now, out);
+    std::erase_if(subscriptions_, [&](const auto& one) { return one.get() == &ended; });
+}
+
+// Control.
+
+JAUSCAT_DECL void clients::held::changed(jaus::control_state now) {
+    state->state = now;
+    const auto is_over = [&] {
+        for (const auto& one : std::exchange(state->when_lost, {})) one->complete(node_errc::control_lost);
+    };
+    switch (now) {
+    case jaus::control_state::held:
+        if (state->asked) std::exchange(state->asked, nullptr)->complete({}, state);
+        break;
+    case jaus::control_state::refused:
+        if (state->asked) std::exchange(state->asked, nullptr)->complete(node_errc::control_refused, nullptr);
+        break;
+    case jaus::control_state::unanswered:
+        if (state->asked) std::exchange(state->asked, nullptr)->complete(node_errc::no_answer, nullptr);
+        is_over();
+        break;
+    case jaus::control_state::lost:
+        if (state->asked) std::exchange(state->asked, nullptr)->complete(node_errc::no_answer, nullptr);
+        is_over();
+        break;
+    case jaus::control_state::none:
+    case jaus::control_state::asking: break;
+    }
+}
+
+JAUSCAT_DECL void clients::control(const control_options& options, std::shared_ptr<control_state> made) {
+    const auto fail = [&](node_errc why) { std::exchange(made->asked, nullptr)->complete(why, nullptr); };
+    if (!jaus::names_one_component(made->of)) return fail(node_errc::not_one_address);
+    const auto is_wanted = [&](const held& one) {
+        return one.state->of == made->of &&
+               (one.state->state == jaus::control_state::held || one.state->state == jaus::control_state::asking);
+    };
+    if (std::ranges::any_of(held_, is_wanted)) return fail(node_errc::already_asked);
+    auto& one = held_.emplace_back(std::move(made));
+    one.machine.emplace(self_, one.state->of,
+                        jaus::held_control_options{.retry = options.retry, .renewal = options.renewal},
+                        jaus::bound<&held::changed>(one));
+    one.machine->ask(options.authority, net::now(), component_.node().net().out());
+}
+
+JAUSCAT_DECL void clients::release(control_state& released) {
+    const auto found = std::ranges::find_if(held_, [&](const held& one) { return one.state.get() == &released; });
+    if (found == held_.end()) return;
+    // Acknowledged: a lost release would leave the component without its controller until that is noticed.
+    found->machine->release([&](bytes message) { static_cast<void>(component_.send_acknowledged(message)); });
+}
+
+// What the typed functions call, from any thread: the rest happens on the thread of the io_context.
+
+/// `begin(clients&)` starts the operation `done` at a running component.
+template <class... Results>
+void enqueue(const std::shared_ptr<component_state>& component, const operation_ptr<Results...>& done, auto begin) {
+    boost::asio::post(context_of(*component), [component, done, begin = std::move(begin)]() mutable {
+        if (component->is_closed()) return done->complete(boost::asio::error::operation_aborted, Results{}...);
+        if (!component->is_running()) return done->complete(node_errc::not_running, Results{}...);
+        if (!done->is_done()) begin(component->others());
+        component->node().wake();
+    });
+}
+/// The same for what has no operation, and nothing to do at a component that does not run.
+void enqueue_end(const std::weak_ptr<component_state>& component, boost::asio::io_context& context, auto end) noexcept {
+    try {
+        boost::asio::post(context, [component, end = std::move(end)] {
+            const auto still = component.lock();
+            if (still == nullptr || !still->is_running()) return;
+            end(still->others());
+            still->node().wake();
+        });
+    } catch (...) { // no memory: the peer notices that nobody is there
+    }
+}
+
+JAUSCAT_DECL boost::asio::io_context& context_of(component_state& of) noexcept { return of.context(); }
+JAUSCAT_DECL boost::asio::io_context& context_of(const subscription_state& of) noexcept { return of.context; }
+JAUSCAT_DECL boost::asio::io_context& context_of(const control_state& of) noexcept { return of.context; }
+
+JAUSCAT_DECL void begin_send(const std::shared_ptr<component_state>& from, const jaus::address& to, std::uint16_t code,
+                             std::vector<std::byte> body, operation_ptr<> done) {
+    const jaus::header head{.command_code = code, .destination = to, .source = from->self()};
+    enqueue(from, done,
+            [head, body = std::move(body), done](clients& all) mutable { all.send(head, std::move(body), done); });
+}
+JAUSCAT_DECL void begin_ask(const std::shared_ptr<component_state>& from, const jaus::address& of, std::uint16_t code,
+                            std::vector<std::byte> body, const ask_options& options, operation_ptr<bytes> done) {
+    const jaus::header head{.command_code = code, .destination = of, .source = from->self()};
+    enqueue(from, done, [head, body = std::move(body), options, done](clients& all) mutable {
+        all.ask(head, std::move(body), options, done);
+    });
+}
+
+inline std::shared_ptr<subscription_state> new_subscription(const std::shared_ptr<component_state>& by,
+                                                            operation_ptr<std::shared_ptr<subscription_state>> asked) {
+    auto made = std::make_shared<subscription_state>(subscription_state{.component = by, .context = context_of(*by)});
+    made->asked = std::move(asked);
+    return made;
+}
+JAUSCAT_DECL void begin_connect(const std::shared_ptr<component_state>& from, const jaus::address& to,
+                                std::uint16_t code, const connect_options& options,
+                                operation_ptr<std::shared_ptr<subscription_state>> done) {
+    enqueue(from, done, [from, to, code, options, done](clients& all) {
+        auto made = new_subscription(from, done);
+        made->max_waiting = options.max_waiting;
+        all.connect(to, code, options, std::move(made));
+    });
+}
+JAUSCAT_DECL void begin_event(const std::shared_ptr<component_state>& from, const jaus::address& of,
+                              std::vector<std::byte> request, std::size_t max_waiting,
+                              operation_ptr<std::shared_ptr<subscription_state>> done) {
+    enqueue(from, done, [from, of, request = std::move(request), max_waiting, done](clients& all) {
+        auto made = new_subscription(from, done);
+        made->is_event = true;
+        made->max_waiting = max_waiting;
+        all.request_event(of, request, std::move(made));
+    });
+}
+JAUSCAT_DECL void begin_next(const std::shared_ptr<subscription_state>& of, operation_ptr<bytes> done) {
+    if (of == nullptr) return done->complete(boost::asio::error::operation_aborted, {});
+    boost::asio::post(of->context, [of, done] {
+        if (!of->reports.empty()) {
+            const auto body = std::move(of->reports.front());
+            of->reports.pop_front();
+            return done->complete({}, body);
+        }
+        if (const auto news = std::exchange(of->news, {})) return done->complete(news, {});
+        const auto component = of->component.lock();
+        if (!of->place || component == nullptr || !component->is_running())
+            return done->complete(boost::asio::error::operation_aborted, {});
+        if (of->next) of->next->complete(boost::asio::error::operation_aborted, {}); // one at a time
+        of->next = done;
+    });
+}
+JAUSCAT_DECL void end(const std::shared_ptr<subscription_state>& of) noexcept {
+    enqueue_end(of->component, of->context, [of](clients& all) {
+        all.end(*of);
+        if (of->next) std::exchange(of->next, nullptr)->complete(boost::asio::error::operation_aborted, {});
+    });
+}
+
+JAUSCAT_DECL void begin_control(const std::shared_ptr<component_state>& from, const jaus::address& of,
+                                const control_options& options, operation_ptr<std::shared_ptr<control_state>> done) {
+    enqueue(from, done, [from, of, options, done](clients& all) {
+        auto made = std::make_shared<control_state>(control_state{.component = from, .context = context_of(*from)});
+        made->of = of;
+        made->asked = done;
+        all.control(options, std::move(made));
+    });
+}
+JAUSCAT_DECL void begin_send(const std::shared_ptr<control_state>& by, std::uint16_t code, std::vector<std::byte> body,
+                             operation_ptr<> done) {
+    const auto from = by->component.lock();
+    if (from == nullptr) return done->complete(boost::asio::error::operation_aborted);
+    enqueue(from, done, [by, code, self = from->self(), body = std::move(body), done](clients& all) mutable {
+        if (by->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
+        all.send({.command_code = code, .destination = by->of, .source = self}, std::move(body), done);
+    });
+}
+JAUSCAT_DECL void begin_lost(const std::shared_ptr<control_state>& of, operation_ptr<> done) {
+    boost::asio::post(of->context, [of, done] {
+        if (of->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
+        of->when_lost.push_back(done);
+    });
+}
+JAUSCAT_DECL void end(const std::shared_ptr<control_state>& of) noexcept {
+    enqueue_end(of->component, of->context, [of](clients& all) {
+        all.release(*of);
+        for (const auto& one : std::exchange(of->when_lost, {})) one->complete(boost::asio::error::operation_aborted);
+    });
+}
+
+} // namespace app
+
+JAUSCAT_DECL bool control::is_held() const noexcept {
+    return state_ != nullptr && state_->state == jaus::control_state::held;
+}
+JAUSCAT_DECL const jaus::address& control::of() const noexcept { return state_->of; }
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

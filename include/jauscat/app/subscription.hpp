@@ -1,0 +1,44 @@
+// Reports as a stream: of a service connection, or of an event.
+#pragma once
+#include <jauscat/app/detail/client.hpp>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+
+/// The reports of a service connection or of an event; ended with this object.
+template <jaus::coded_message Report> class subscription {
+  public:
+    subscription() = default;
+    explicit subscription(std::shared_ptr<app::subscription_state> state) noexcept : state_{std::move(state)} {}
+    ~subscription() { end(); }
+    subscription(subscription&& other) noexcept = default;
+    subscription& operator=(subscription&& other) noexcept {
+        if (this != &other) {
+            end();
+            state_ = std::move(other.state_);
+        }
+        return *this;
+    }
+
+    /// The next report. Errors: silent (once each time the reports stop; they may continue), connection_refused by a
+    /// provider that has restarted, malformed_answer; operation_aborted after `end`. One operation at a time.
+    template <class Token = default_token> auto async_next(Token&& token = Token{}) {
+        return boost::asio::async_initiate<Token, void(app::error_code, received<Report>)>(
+            [](auto handler, const std::shared_ptr<app::subscription_state>& state) {
+                app::begin_next(state, app::make_operation<app::bytes>(std::move(handler), app::decoded_as<Report>{},
+                                                                       app::context_of(*state)));
+            },
+            token, state_);
+    }
+    /// Ends the connection or the event.
+    void end() noexcept {
+        if (state_) app::end(std::exchange(state_, nullptr));
+    }
+    [[nodiscard]] explicit operator bool() const noexcept { return state_ != nullptr; }
+
+  private:
+    std::shared_ptr<app::subscription_state> state_{};
+};
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat
