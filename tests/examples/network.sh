@@ -68,13 +68,25 @@ a_wrong_size_is_noticed() {
     expect 0 "00 00 00 00" "$bin/sdo_read" udp 2001 0
     expect 0 "4a" "$bin/sdo_read" udp 1008 0 # a string may be shorter
 }
-a_component_answers() { # primitive_driver
+is_a_component() { # SAYS PROGRAM ARGUMENTS...: the program is system b
     local ocu=("$bin/ocu" --config "$bin/JausConfig.xml" --this a --to 2.1.33.1)
-    start "" "$bin/primitive_driver" "$bin/JausConfig.xml" b
+    start "$1" "${@:2}"
     expect 0 "OK: the report equals the command" "${ocu[@]}" --wait 30 propulsive_linear_effort_x=50
     expect 0 "Report Wrench Effort" "${ocu[@]}" --query
-    expect 2 "primitive_driver CONFIGURATION SYSTEM" "$bin/primitive_driver"
-    expect 1 "primitive_driver: " "$bin/primitive_driver" "$bin/JausConfig.xml" nobody
+}
+a_component_answers() { # primitive_driver
+    local config=(--config "$bin/JausConfig.xml")
+    is_a_component "" "$bin/primitive_driver" "${config[@]}" --this b
+    expect 0 "Example" "$bin/primitive_driver" --help
+    expect 2 "unknown option 'JausConfig.xml'" "$bin/primitive_driver" JausConfig.xml
+    expect 2 "--this needs a value" "$bin/primitive_driver" --this
+    expect 1 "primitive_driver: " "$bin/primitive_driver" "${config[@]}" --this nobody
+    expect 1 "missing.xml" "$bin/primitive_driver" --config missing.xml
+}
+a_component_of_parts_answers() { # jaus_node
+    is_a_component "" "$bin/jaus_node" "$bin/JausConfig.xml" b
+    expect 2 "jaus_node CONFIGURATION SYSTEM" "$bin/jaus_node"
+    expect 1 "jaus_node: " "$bin/jaus_node" "$bin/JausConfig.xml" nobody
 }
 absent_peers_are_told_of_once() {
     expect 0 "communicator: stopped" "$bin/communicator" --config "$bin/JausConfig.xml" --this a < <(printf 'wait 4\nq\n')

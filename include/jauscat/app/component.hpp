@@ -107,6 +107,12 @@ class component {
     }
     template <jaus::query_message Query, class Token = default_token>
     auto async_ask(const jaus::address& of, const Query& query, const ask_options& options, Token&& token = Token{});
+    template <class T>
+    requires(!jaus::query_message<T>)
+    void async_ask(const jaus::address&, const T&, auto&&...) {
+        static_assert(jaus::query_message<T>,
+                      "async_ask: no report answers this message; the schema of a query names its report");
+    }
     /// Requests control of a component. Errors: control_refused, no_answer, already_asked, not_one_address,
     /// not_running.
     template <class Token = default_token>

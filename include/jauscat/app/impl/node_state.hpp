@@ -37,6 +37,8 @@ class node_state {
 
   private:
     net::jaus_node_options net_options();
+    /// Of the components, for the log.
+    [[nodiscard]] std::string names() const;
 
     node_options options_;
     std::unique_ptr<boost::asio::io_context> own_context_{};

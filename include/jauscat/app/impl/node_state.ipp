@@ -99,6 +99,14 @@ JAUSCAT_DECL void node_state::stop() {
     if (own_context_) own_context_->stop();
 }
 
+JAUSCAT_DECL std::string node_state::names() const {
+    std::string all;
+    for (const auto& one : components_)
+        if (one->is_running())
+            all.append(", ").append(one->identity().identification).append(" ").append(net::to_jausip(one->self()));
+    return all;
+}
+
 JAUSCAT_DECL int node_state::run() {
     try {
         boost::asio::signal_set signals{*context_, SIGINT, SIGTERM};
@@ -106,6 +114,7 @@ JAUSCAT_DECL int node_state::run() {
             if (!error) stop();
         });
         start();
+        log("JAUS on " + net::detail::text(net_.config().me().endpoint()) + names() + " (Ctrl-C ends)");
         context_->run();
         stop();
         return EXIT_SUCCESS;

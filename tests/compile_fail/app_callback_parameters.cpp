@@ -1,0 +1,10 @@
+// expect: when_stopped
+#define JAUSCAT_SEPARATE_COMPILATION
+#include <jauscat/app.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
+
+namespace jaus = jauscat::jaus;
+
+void use(jauscat::component& driver) {
+    driver.when_stopped([](int) {});
+}
