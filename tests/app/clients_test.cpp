@@ -1,10 +1,19 @@
 #include "two_nodes.hpp"
+#include <jauscat/schema/jaus/communications.hpp>
+#include <jauscat/schema/jaus/dynamic_configuration.hpp>
+#include <jauscat/schema/jaus/environment_sensor.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 
 #include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/use_future.hpp>
 
+#include <algorithm>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -18,11 +27,17 @@ struct driver_and_operator : operator_and_robot {
     bool done{};
 
     driver_and_operator() {
+        serve();
+        start();
+    }
+    struct not_started {};
+    explicit driver_and_operator(not_started) { serve(); }
+
+    void serve() {
         driver.on([this](const jaus::set_wrench_effort& told) { jaus::copy_present(told, effort); });
         driver.reports([this] { return effort; });
         driver.when_stopped([this] { ++stopped; });
         driver.ready();
-        start();
     }
     /// Runs the coroutine to its end.
     void run(auto coroutine) {
@@ -74,10 +89,12 @@ TEST_CASE("events of every change come once for each change") {
 }
 
 TEST_CASE("control that another component takes over is lost, and a command by it is refused before it is sent") {
-    driver_and_operator test;
+    driver_and_operator test{driver_and_operator::not_started{}};
+    jauscat::component other{test.mine, {.id = 40, .name = "another operator"}};
+    test.start();
     test.run([&]() -> boost::asio::awaitable<void> {
         auto control = co_await test.unit.async_control(test.arm, {.authority = 100});
-        auto second = co_await test.robot_unit.async_control(test.arm, {.authority = 200});
+        auto second = co_await other.async_control(test.arm, {.authority = 200});
         error_code why;
         co_await control.async_lost(boost::asio::redirect_error(boost::asio::use_awaitable, why));
         CHECK(why == jauscat::node_errc::control_lost);
@@ -87,8 +104,8 @@ TEST_CASE("control that another component takes over is lost, and a command by i
                                     boost::asio::redirect_error(boost::asio::use_awaitable, why));
         CHECK(why == jauscat::node_errc::control_lost);
         CHECK(test.effort == jaus::report_wrench_effort{});
-        auto third = co_await test.unit.async_control(
-            test.arm, {.authority = 150}, boost::asio::redirect_error(boost::asio::use_awaitable, why));
+        auto third = co_await test.unit.async_control(test.arm, {.authority = 150},
+                                                      boost::asio::redirect_error(boost::asio::use_awaitable, why));
         CHECK(why == jauscat::node_errc::control_refused);
         CHECK_FALSE(third.is_held());
     });
@@ -142,9 +159,7 @@ TEST_CASE("a report is subscribed to once, and again when that has ended") {
 }
 
 TEST_CASE("messages with lists and large messages are sent and received as typed values") {
-    driver_and_operator test{no_start};
-    std::vector<jaus::feature_class_metadata> received;
-    std::string long_text(20'000, 'x');
+    driver_and_operator test{driver_and_operator::not_started{}};
     jaus::report_image picture{};
     const std::vector<std::byte> pixels(100'000, std::byte{7});
     picture.image_data = pixels;
@@ -156,10 +171,124 @@ TEST_CASE("messages with lists and large messages are sent and received as typed
         co_await test.unit.async_send(test.arm, picture);
         CHECK(taken == pixels.size());
         const auto back = co_await test.unit.async_ask(test.arm, jaus::query_image{});
-        CHECK(back.image_data.size() == pixels.size());
+        CHECK(std::ranges::equal(back->image_data, pixels));
+        const auto name = co_await test.unit.async_ask(
+            test.arm, jaus::query_identification{jaus::query_type::component_identification});
+        CHECK(name->identification == "Primitive Driver");
+        const auto services = co_await test.unit.async_ask(test.arm, jaus::query_services{});
+        REQUIRE(services->service.size() == 2);
+        const auto& own = services->service[1];
+        const auto has = [](const auto& list, std::uint16_t code) {
+            return std::ranges::any_of(list, [&](const auto& one) { return one.command_code == code; });
+        };
+        CHECK(has(own.input_message, jaus::command_code_of<jaus::set_wrench_effort>));
+        CHECK(has(own.input_message, jaus::command_code_of<jaus::query_image>));
+        CHECK(has(own.output_message, jaus::command_code_of<jaus::report_image>));
+        CHECK(has(own.input_message, jaus::command_code_of<jaus::create_service_connection>));
+    });
+}
+
+TEST_CASE("operations end with operation_aborted when their component goes away") {
+    operator_and_robot test;
+    test.driver.ready();
+    std::vector<error_code> errors;
+    const auto note = [&](error_code error, auto&&...) { errors.push_back(error); };
+    std::optional<jauscat::component> unit{std::in_place, test.mine, jauscat::component_options{.id = 41}};
+    std::optional<jauscat::subscription<jaus::report_global_pose>> stream;
+    test.start();
+    auto nobody = test.arm;
+    nobody.component = 99;
+    unit->async_send(nobody, jaus::standby{}, note);
+    unit->async_ask(nobody, jaus::query_global_pose{}, note);
+    unit->async_control(nobody, {}, note);
+    unit->async_connect<jaus::report_global_pose>(nobody, {}, note);
+    unit->async_event<jaus::report_global_pose>(nobody, {.event_type = jaus::event_type::every_change}, note);
+    bool begun = false;
+    boost::asio::post(test.context, [&] { begun = true; }); // behind them
+    REQUIRE(test.until([&] { return begun; }));
+    unit->async_send(nobody, jaus::standby{}, note); // not begun
+    CHECK(errors.empty());
+    unit.reset();
+    REQUIRE(test.until([&] { return errors.size() == 6; }));
+    CHECK(std::ranges::all_of(errors, [](error_code e) { return e == boost::asio::error::operation_aborted; }));
+}
+
+TEST_CASE("handles that outlive component, node and context do no harm") {
+    jauscat::control control;
+    jauscat::subscription<jaus::report_wrench_effort> stream;
+    auto context = std::make_unique<boost::asio::io_context>();
+    {
+        driver_and_operator test;
+        test.run([&]() -> boost::asio::awaitable<void> {
+            control = co_await test.unit.async_control(test.arm, {});
+            stream = co_await test.unit.async_connect<jaus::report_wrench_effort>(test.arm, {.rate = 100});
+        });
+        test.robots.stop();
+        test.mine.stop();
+        CHECK_FALSE(control.is_held());
+    }
+}
+
+TEST_CASE("operations that never begin are destroyed with their context") {
+    auto alive = std::make_shared<int>();
+    {
+        operator_and_robot test;
+        test.unit.async_send(test.arm, jaus::standby{}, [alive](error_code) {});
+        test.unit.async_ask(test.arm, jaus::query_component_status{}, [alive](error_code, auto&&) {});
+    }
+    CHECK(alive.use_count() == 1);
+}
+
+TEST_CASE("each error of an operation is told apart") {
+    driver_and_operator test;
+    test.run([&]() -> boost::asio::awaitable<void> {
+        using jauscat::node_errc;
+        error_code why;
+        auto into = boost::asio::redirect_error(boost::asio::use_awaitable, why);
+        const jaus::set_wrench_effort command{.propulsive_linear_effort_x = 5};
+        co_await test.unit.async_send(test.arm, jaus::set_wrench_effort{.propulsive_linear_effort_x = 1000}, into);
+        CHECK(why == node_errc::not_encodable);
+        auto all = test.arm;
+        all.instance = 255;
+        co_await test.unit.async_send(all, command, into);
+        CHECK(why == node_errc::not_one_address);
+        auto elsewhere = test.arm;
+        elsewhere.subsystem = 77;
+        co_await test.unit.async_send(elsewhere, command, into);
+        CHECK(why == node_errc::unroutable);
+        auto nobody = test.arm;
+        nobody.component = 99;
+        co_await test.unit.async_send(nobody, command, into);
+        CHECK(why == node_errc::no_answer);
+        co_await test.unit.async_ask(nobody, jaus::query_component_status{}, {.timeout = std::chrono::milliseconds{20}},
+                                     into);
+        CHECK(why == node_errc::no_answer);
+        co_await test.unit.async_ask(test.arm, jaus::query_global_pose{0xFFFF}, into);
+        CHECK(why == node_errc::refused);
+        co_await test.unit.async_ask(test.arm, jaus::query_global_pose{0xFFFF},
+                                     {.timeout = std::chrono::milliseconds{20}, .acknowledged = false}, into);
+        CHECK(why == node_errc::no_answer);
+        co_await test.unit.async_ask(test.arm, jaus::query_component_status{}, {.acknowledged = false}, into);
+        CHECK(why == error_code{});
+        test.mine.stop();
+        co_await test.unit.async_send(test.arm, command, into);
+        CHECK(why == node_errc::not_running);
+        CHECK(why.message() == "the node is not running");
+        CHECK(std::string{why.category().name()} == "jauscat.node");
     });
 }
 
 #endif
+
+TEST_CASE("a thread that blocks gets the result by a future") {
+    operator_and_robot test;
+    test.driver.ready();
+    test.start();
+    auto status = test.unit.async_ask(test.arm, jaus::query_component_status{}, boost::asio::use_future);
+    auto sent = test.unit.async_send(test.arm, jaus::standby{}, boost::asio::use_future);
+    REQUIRE(test.until([&] { return sent.wait_for(std::chrono::seconds{0}) == std::future_status::ready; }));
+    CHECK(status.get().primary_status_code == jaus::primary_status_code::ready);
+    CHECK_NOTHROW(sent.get());
+}
 
 } // namespace

@@ -5,52 +5,91 @@
 #include <jauscat/app/error.hpp>
 #include <jauscat/schema/jaus/event.hpp>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 namespace jauscat {
 inline namespace JAUSCAT_WAY {
 
-/// A received message whose lists are in memory of its own.
+/// A received message together with the bytes and lists that it refers to.
 template <class T> class owned {
   public:
     owned() = default;
     /// Decodes `body`.
     explicit owned(app::bytes body, wire::errc& why) {
-        for (std::size_t size = 16 * body.size() + 64;; size *= 2) {
-            memory_ = std::shared_ptr<std::byte[]>{new std::byte[size]};
-            wire::arena memory{{memory_.get(), size}};
-            const auto decoded = wire::decode(value_, body, memory);
+        bytes_.assign(body.begin(), body.end());
+        if constexpr (wire::needs_memory<T>) {
+            for (std::size_t size = 16 * body.size() + 64;; size *= 2) {
+                lists_.reset(new std::byte[size]);
+                wire::arena memory{{lists_.get(), size}};
+                const auto decoded = wire::decode(value_, bytes_, memory);
+                why = decoded ? wire::errc::ok : decoded.error();
+                if (why != wire::errc::arena_full) return;
+                value_ = {};
+            }
+        } else {
+            const auto decoded = wire::decode(value_, bytes_);
             why = decoded ? wire::errc::ok : decoded.error();
-            if (why != wire::errc::arena_full) return;
-            value_ = {};
         }
     }
+    owned(owned&&) noexcept = default;
+    owned& operator=(owned&&) noexcept = default;
+    owned(const owned&) = delete; // a copy would refer to the memory of another
+    owned& operator=(const owned&) = delete;
+
     [[nodiscard]] const T& operator*() const noexcept { return value_; }
     [[nodiscard]] const T* operator->() const noexcept { return &value_; }
 
   private:
-    std::shared_ptr<std::byte[]> memory_{};
+    std::vector<std::byte> bytes_{};
+    std::unique_ptr<std::byte[]> lists_{};
     T value_{};
 };
 
 namespace app {
 
+/// Whether a value refers to bytes or lists outside of itself.
+template <class V> struct refers {
+    static constexpr bool value = false;
+};
+template <> struct refers<std::string_view> {
+    static constexpr bool value = true;
+};
+template <class E> struct refers<wire::list<E>> {
+    static constexpr bool value = true;
+};
+template <class V> struct refers<std::optional<V>> : refers<V> {};
+template <class V, std::size_t N> struct refers<std::array<V, N>> : refers<V> {};
+template <class V, std::size_t N> struct refers<wire::inline_list<V, N>> : refers<V> {};
+template <class... V> struct refers<std::variant<V...>> {
+    static constexpr bool value = (refers<V>::value || ...);
+};
+template <wire::message T> struct refers<T> {
+    template <auto... Members> static constexpr bool any(wire::key_list<Members...>) {
+        return (refers<wire::member_t<Members>>::value || ... || false);
+    }
+    static constexpr bool value =
+        !wire::layout_of<T>::all_items([]<class Item>() { return !any(typename Item::keys{}); });
+};
+
 template <class T> struct received_form {
     using type = T;
 };
 template <class T>
-requires wire::needs_memory<T>
+requires refers<T>::value
 struct received_form<T> {
     using type = owned<T>;
 };
 
 } // namespace app
 
-/// What an operation gives that receives a message: the message itself, or where it has lists an `owned` one.
+/// What an operation gives that receives a message: the message itself, or where it refers to text, bytes or lists an
+/// `owned` one.
 template <jaus::coded_message T> using received = typename app::received_form<T>::type;
 
 struct control_options {
@@ -106,7 +145,7 @@ template <class T> struct decoded_as {
     std::tuple<error_code, received<T>> operator()(error_code error, bytes body) const {
         if (error) return {error, received<T>{}};
         wire::errc why{};
-        if constexpr (wire::needs_memory<T>) {
+        if constexpr (refers<T>::value) {
             owned<T> value{body, why};
             return {why == wire::errc::ok ? error : make_error_code(node_errc::malformed_answer), std::move(value)};
         } else {

@@ -193,7 +193,11 @@ JAUSCAT_DECL void clients::end_all(error_code why, time_point now, jaus::message
         if (one->asked) one->asked->complete(why, nullptr);
         if (one->next) one->next->complete(why, {});
     }
-    for (auto& one : held_) one.machine->release(out);
+    for (auto& one : held_) {
+        one.machine->release(out);
+        if (one.state->asked) std::exchange(one.state->asked, nullptr)->complete(why, nullptr);
+        for (const auto& lost : std::exchange(one.state->when_lost, {})) lost->complete(why);
+    }
     held_.clear();
 }
 

@@ -150,10 +150,8 @@ JAUSCAT_DECL void component_state::take(taken_message message) {
 
 JAUSCAT_DECL void component_state::give(given_report report) {
     if (is_running()) throw std::logic_error{"reports are given before the node starts"};
-    const auto is_same = [&](const auto& one) {
-        return one.command_code == report.command_code || one.command_code == report.query_code;
-    };
-    if (std::ranges::any_of(gives_, is_same) || std::ranges::any_of(takes_, is_same))
+    if (std::ranges::any_of(gives_, [&](const auto& one) { return one.query_code == report.query_code; }) ||
+        std::ranges::any_of(takes_, [&](const auto& one) { return one.command_code == report.query_code; }))
         throw std::logic_error{"a second source of " + text::message_name(report.command_code)};
     gives_.push_back(std::move(report));
 }
