@@ -30,10 +30,10 @@ bool takes_all_lines() {
         std::array<std::byte, 1024> memory{}, bytes{};
         wire::arena arena{memory};
         jauscat::result<std::span<std::byte>, wire::errc> encoded{wire::errc::truncated};
-        const auto wrong = text::from_text(line, arena, messages{},
-                                           [&](const auto& message) { encoded = wire::encode(message, bytes); });
+        const auto read = text::from_text(line, arena, messages{},
+                                          [&](const auto& message) { encoded = wire::encode(message, bytes); });
         if (encoded) continue;
-        std::cerr << line << ": " << (wrong.empty() ? describe(encoded.error()) : wrong) << '\n';
+        std::cerr << line << ": " << (read ? describe(encoded.error()) : describe(read.error())) << '\n';
         good = false;
     }
     return good;
@@ -46,14 +46,14 @@ int main() {
     std::array<std::byte, 1024> memory{}; // for lists, texts and bytes
     wire::arena arena{memory};
     jaus::set_wrench_effort command{};
-    auto wrong = text::from_text("propulsive_linear_effort_x=50 resistive_linear_effort_x=12.5%", command, arena);
-    if (!wrong.empty()) return std::cerr << wrong << '\n', 1;
+    auto read = text::from_text("propulsive_linear_effort_x=50 resistive_linear_effort_x=12.5%", command, arena);
+    if (!read) return std::cerr << describe(read.error()) << '\n', 1;
     std::cout << text::to_text(command) << text::to_json(command).dump(2) << '\n';
 
-    wrong = text::from_text("propulsive_linear_effort_x=150", command, arena);
-    std::cout << wrong << '\n';
-    wrong = text::from_text("propulsive_linear_efort_x=50", command, arena);
-    std::cout << wrong << '\n';
+    read = text::from_text("propulsive_linear_effort_x=150", command, arena);
+    if (read.error().code == text::errc::out_of_range) std::cout << describe(read.error()) << '\n';
+    read = text::from_text("propulsive_linear_efort_x=50", command, arena);
+    if (read.error().code == text::errc::unknown_field) std::cout << describe(read.error()) << '\n';
     // [use end]
     return takes_all_lines() ? 0 : 1;
 }

@@ -6,16 +6,17 @@
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/wire/encode.hpp>
 
-template <class Message> std::string body_from_words(std::span<const std::string> words, std::vector<std::byte>& body) {
+template <class Message>
+jauscat::result<std::vector<std::byte>, std::string> body_from_words(std::span<const std::string> words) {
     std::vector<std::byte> lists(std::size_t{1} << 16U);
     jauscat::wire::arena memory{lists};
     Message message{};
-    if (auto wrong = jauscat::text::from_words(words, message, memory); !wrong.empty()) return wrong;
-    body.resize(std::size_t{1} << 16U);
+    if (const auto filled = jauscat::text::from_words(words, message, memory); !filled) return filled.error().message;
+    std::vector<std::byte> body(std::size_t{1} << 16U);
     const auto encoded = jauscat::wire::encode(message, body);
     if (!encoded) return std::string{jauscat::wire::describe(encoded.error())};
     body.resize(encoded->size());
-    return {};
+    return body;
 }
 
 template <class Message> std::string body_to_text(std::span<const std::byte> body, std::size_t first_offset) {

@@ -1,6 +1,8 @@
 // All messages of the standard behind functions that are the same for each: filled from words, shown as lines.
 #pragma once
 
+#include <jauscat/base/result.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,8 +11,8 @@
 
 struct message_kind {
     std::uint16_t command_code{};
-    /// The body with the fields that `words` name, `authority_code=5`; else what is wrong.
-    std::string (*from_words)(std::span<const std::string> words, std::vector<std::byte>& body){};
+    /// The body with the fields that `words` name, `authority_code=5`, or what is wrong with them.
+    jauscat::result<std::vector<std::byte>, std::string> (*from_words)(std::span<const std::string> words){};
     /// A line for each field of a body, with offsets counted from `first_offset`.
     std::string (*to_text)(std::span<const std::byte> body, std::size_t first_offset){};
     /// The field and byte of a body that does not decode; empty where it does.

@@ -44,12 +44,15 @@ no answer, or if control is refused or lost before the end; 2 for a wrong comman
 /// The order to send the message `name` with the fields that the command line names.
 order order_from(const std::string& name, const words& assignments) {
     order made;
-    if (const auto wrong = text::find_message(name, made.command_code); !wrong.empty())
-        throw example::usage_error{wrong};
+    const auto code = text::find_message(name);
+    if (!code) throw example::usage_error{code.error().message};
+    made.command_code = *code;
     const auto* const kind = find_kind(made.command_code);
     if (kind == nullptr)
         throw example::usage_error{text::message_name(made.command_code) + " cannot be sent by its name"};
-    if (const auto wrong = kind->from_words(assignments, made.body); !wrong.empty()) throw example::usage_error{wrong};
+    auto body = kind->from_words(assignments);
+    if (!body) throw example::usage_error{body.error()};
+    made.body = *std::move(body);
     return made;
 }
 

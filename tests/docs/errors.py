@@ -18,6 +18,10 @@ SUCCESS = {"ok", "none", "handled", "accepted"}
 # Values to whose text in `describe` the page has nothing to add.
 EXPLAINED = {
     "include/jauscat/net/error.hpp errc": "empty_message",
+    "include/jauscat/text/error.hpp errc":
+        "unfinished_escape unfinished_quote not_an_assignment invalid_path index_too_large duplicate missing_name "
+        "unknown_message unhandled_message unknown_field missing_field wrong_kind invalid_value out_of_range wrong_size "
+        "inconsistent too_deep",
     "include/jauscat/translate/errc.hpp errc": "truncated",
     "include/jauscat/jaus/component/component_outcome.hpp component_outcome": "deferred malformed acknowledgement",
     "include/jauscat/jaus/routing/routed.hpp routed": "no_receiver source_is_elsewhere",

@@ -23,13 +23,13 @@ std::string body_of(std::string_view line) {
     std::vector<std::byte> lists(1 << 16);
     wire::arena memory{lists};
     std::string body;
-    const std::string wrong = text::from_text(line, memory, known_messages{}, [&](const auto& message) {
+    const auto read = text::from_text(line, memory, known_messages{}, [&](const auto& message) {
         std::vector<std::byte> bytes(wire::encoded_size(message));
         const auto written = wire::encode(message, bytes);
         body = written ? to_hex(bytes) : std::string{wire::describe(written.error())};
         if (written) std::erase(body, ' ');
     });
-    return wrong.empty() ? body : wrong;
+    return read ? body : std::string{describe(read.error())};
 }
 
 } // namespace
@@ -292,9 +292,85 @@ TEST_CASE("words that are not assignments are reported") {
     CHECK(body_of("report_component_status primary_status_code.x=1") == "primary_status_code is a single value");
 }
 
+TEST_CASE("each error of a text has a code, the field and the value concerned") {
+    const auto error_of = [](std::string_view line) {
+        std::array<std::byte, 64> lists{};
+        wire::arena memory{lists};
+        return text::from_text(line, memory, known_messages{}, [](const auto&) {}).error();
+    };
+    struct row {
+        std::string_view line;
+        text::errc code;
+        std::string_view field{}, value{};
+    };
+    const std::string deep =
+        "spool_mission mission_tree.child[0].child[0].child[0].child[0].child[0].child[0].child[0]."
+        "child[0].child[0].child[0].child[0].child[0].child[0].child[0].child[0].child[0].task_id=1 "
+        "mission_id=1 append_flag=0 mission_tree.task_id=2";
+    for (const row& one : std::initializer_list<row>{
+             {"set_wrench_effort fast", text::errc::not_an_assignment, "", "fast"},
+             {"set_joint_motion pose..pose_time=1", text::errc::invalid_path, "pose..pose_time"},
+             {"set_joint_motion pose[0]pose_time=1", text::errc::invalid_path, "pose[0]pose_time"},
+             {"set_joint_efforts joint[x]=1", text::errc::invalid_path, "joint[x]"},
+             {"set_joint_efforts joint[65536]=1", text::errc::index_too_large, "joint[65536]"},
+             {"set_joint_efforts joint[0]=1 joint[0]=2", text::errc::duplicate, "joint[0]"},
+             {"set_joint_efforts joint[0]=1 joint.x=2", text::errc::duplicate, "joint.x"},
+             {" ", text::errc::missing_name},
+             {"set_wrench_efort", text::errc::unknown_message, "", "set_wrench_efort"},
+             {"0x0999", text::errc::unknown_message, "", "0x0999"},
+             {"query_time", text::errc::unhandled_message, "", "query_time"},
+             {"set_wrench_effort speed=1", text::errc::unknown_field, "speed"},
+             {"set_joint_motion pose[0].pose_tim=1", text::errc::unknown_field, "pose[0].pose_tim"},
+             {"set_joint_efforts joint[1]=100", text::errc::missing_field, "joint[0]"},
+             {"report_time time_stamp.hours=12", text::errc::missing_field, "time_stamp.milliseconds"},
+             {"set_joint_efforts joint=1", text::errc::wrong_kind, "joint"},
+             {"report_component_status primary_status_code.x=1", text::errc::wrong_kind, "primary_status_code"},
+             {"set_joint_efforts joint[0]=fast", text::errc::invalid_value, "joint[0]", "fast"},
+             {"report_time date_stamp=2007-02-31", text::errc::invalid_value, "date_stamp", "2007-02-31"},
+             {"report_image camera_id=1 video_format=0 image_data=0", text::errc::invalid_value, "image_data"},
+             {"set_joint_efforts joint[0]=100.5", text::errc::out_of_range, "joint[0]", "100.5"},
+             {"set_joint_efforts joint[300]=1", text::errc::wrong_size, "joint"},
+             {"report_camera_pose camera_id=1 camera_name=0123456789abcdef", text::errc::wrong_size, "camera_name"},
+             {"set_joint_efforts number_of_joints=2 joint[0]=1", text::errc::inconsistent, "number_of_joints"},
+             {"set_wrench_effort presence_vector=1", text::errc::inconsistent, "presence_vector"},
+             {deep, text::errc::too_deep, "mission_tree"},
+             {"report_image camera_id=1 video_format=0 image_data="
+              "000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000"
+              "000000000000000000000000000000000000",
+              text::errc::arena_full, "image_data"},
+         }) {
+        CAPTURE(one.line);
+        const text::error found = error_of(one.line);
+        CHECK(found.code == one.code);
+        CHECK(found.field == one.field);
+        CHECK(found.value == one.value);
+        CHECK(!describe(found).empty());
+        CHECK(describe(found.code) != "unknown error");
+    }
+    CHECK(error_of("set_wrench_effort") == text::error{});
+
+    constexpr std::string_view open = "report_camera_pose camera_name=\"left";
+    CHECK(error_of(open).code == text::errc::unfinished_quote);
+    CHECK(error_of(open).offset == open.find('"'));
+    constexpr std::string_view escape = "report_camera_pose camera_name=\"\\x0g\"";
+    CHECK(error_of(escape).code == text::errc::unfinished_escape);
+    CHECK(error_of(escape).offset == escape.find('x'));
+}
+
+TEST_CASE("a stamp of another form and one that does not exist have different errors") {
+    jaus::time_stamp time{};
+    CHECK(text::from_text(time, "12:34").error() == text::errc::invalid_value);
+    CHECK(text::from_text(time, "24:00:00.000, day 5").error() == text::errc::out_of_range);
+    jaus::date_stamp date{};
+    CHECK(text::from_text(date, "27.6.2007").error() == text::errc::invalid_value);
+    CHECK(text::from_text(date, "2007-02-31").error() == text::errc::out_of_range);
+}
+
 TEST_CASE("lists that exceed their memory are reported") {
     std::array<std::byte, 8> little{};
     wire::arena memory{little};
     jaus::set_joint_motion message{};
-    CHECK(text::from_text("pose[0].pose_time=1", message, memory) == "pose does not fit into the memory for lists");
+    const auto read = text::from_text("pose[0].pose_time=1", message, memory);
+    CHECK(read.error().code == text::errc::arena_full);
+    CHECK(describe(read.error()) == "pose does not fit into the memory for lists");
 }

@@ -24,13 +24,13 @@ template <class T> std::string wrong(std::string_view line) {
     std::vector<std::byte> lists(4096);
     wire::arena memory{lists};
     T message{};
-    return text::from_text(line, message, memory);
+    return text::from_text(line, message, memory).error().message;
 }
 template <class T> T made(const json& fields) {
     std::vector<std::byte> lists(4096);
     wire::arena memory{lists};
     T message{};
-    REQUIRE(text::from_json(fields, message, memory).empty());
+    REQUIRE(text::from_json(fields, message, memory));
     return message;
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("an array is read from text, with all elements") {
     std::vector<std::byte> lists(4096);
     wire::arena memory{lists};
     hand found{};
-    REQUIRE(text::from_text("offsets[0]=1 offsets[1]=-2 offsets[2]=3 offsets[3]=raw:-4", found, memory).empty());
+    REQUIRE(text::from_text("offsets[0]=1 offsets[1]=-2 offsets[2]=3 offsets[3]=raw:-4", found, memory));
     CHECK(found == hand{.offsets = std::array<std::int8_t, 4>{1, -2, 3, -4}});
     CHECK(wrong<hand>("offsets[0]=1") == "offsets has 1 elements, must have 4");
     CHECK(wrong<hand>("offsets[1]=1 offsets[3]=1") == "offsets[0] is missing");

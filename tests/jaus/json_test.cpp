@@ -22,7 +22,7 @@ struct memory {
 template <class T> std::string wrong(const char* fields) {
     memory m;
     T message{};
-    return text::from_json(json::parse(fields), message, m.lists);
+    return text::from_json(json::parse(fields), message, m.lists).error().message;
 }
 
 } // namespace
@@ -91,7 +91,7 @@ TEST_CASE("text that is not UTF-8, and NaN and infinity, survive JSON") {
         const std::string written = text::to_json(sent).dump();
         INFO(written);
         jaus::report_camera_pose read{};
-        CHECK(text::from_json(json::parse(written), read, m.lists).empty());
+        CHECK(text::from_json(json::parse(written), read, m.lists));
         CHECK(read == sent);
     }
     CHECK(text::to_json(jaus::report_camera_pose{.camera_name = "\xFF\xFE"}).dump() ==
@@ -104,7 +104,7 @@ TEST_CASE("text that is not UTF-8, and NaN and infinity, survive JSON") {
         const std::string written = text::to_json(sent).dump();
         INFO(written);
         jaus::typed_value read{};
-        CHECK(text::from_json(json::parse(written), read, m.lists).empty());
+        CHECK(text::from_json(json::parse(written), read, m.lists));
         const float again = std::get<float>(read.value);
         CHECK((again == number || (again != again && number != number)));
     }
@@ -122,7 +122,7 @@ TEST_CASE("integers of 64 bits survive JSON") {
         const std::string written = text::to_json(sent).dump();
         INFO(written);
         jaus::typed_value read{};
-        CHECK(text::from_json(json::parse(written), read, m.lists).empty());
+        CHECK(text::from_json(json::parse(written), read, m.lists));
         CHECK(read == sent);
     }
 }

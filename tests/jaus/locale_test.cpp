@@ -20,7 +20,7 @@ std::string wrong_with(const char* line) {
     std::array<std::byte, 64> lists{};
     wire::arena memory{lists};
     jaus::set_travel_speed message{};
-    return text::from_text(line, message, memory);
+    return text::from_text(line, message, memory).error().message;
 }
 
 } // namespace

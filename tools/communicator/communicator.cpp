@@ -225,8 +225,9 @@ class communicator {
     }
 
     void obey(const std::string& line) {
-        words all;
-        if (const auto problem = text::split(line, all); !problem.empty()) return wrong(problem);
+        const auto split = text::split(line);
+        if (!split) return wrong(split.error().message);
+        const words& all = *split;
         if (all.empty() || all.front().starts_with('#')) return;
         const auto& verb = all.front();
         if (verb == "send" && all.size() >= 3) return send(all);
@@ -261,18 +262,20 @@ class communicator {
             head.destination = *id;
         else
             return wrong("'" + all[1] + "' is neither a system of the configuration nor a JAUS ID; see peers");
-        if (const auto problem = text::find_message(all[2], head.command_code); !problem.empty()) return wrong(problem);
+        const auto code = text::find_message(all[2]);
+        if (!code) return wrong(code.error().message);
+        head.command_code = *code;
         const auto* const kind = find_kind(head.command_code);
         if (kind == nullptr) return wrong(text::message_name(head.command_code) + " cannot be sent by its name");
-        std::vector<std::byte> body;
-        if (const auto problem = kind->from_words(std::span{all}.subspan(3), body); !problem.empty())
-            return wrong(problem);
+        const auto filled = kind->from_words(std::span{all}.subspan(3));
+        if (!filled) return wrong(filled.error());
+        const std::span<const std::byte> body = *filled;
         head.sequence_number = ++sequence_;
         const auto report = jaus::report_code_of(head.command_code);
         const bool to_one = jaus::names_one_component(head.destination);
         if (report == 0 && to_one && body.size() <= jaus::max_body_size)
             send_acknowledged(head, body);
-        else if (const auto sent = node_.send(head, std::span<const std::byte>{body}); !sent)
+        else if (const auto sent = node_.send(head, body); !sent)
             wrong(events::not_sent, {{"code", head.command_code}}, sent.error().message);
         else {
             show(events::message_sent, example::message_members(head, body),

@@ -10,8 +10,8 @@ class filler {
   public:
     explicit filler(wire::arena& memory) : memory_{memory} {}
 
-    /// Fills a value-initialised object. Returns what is wrong, or nothing.
-    [[nodiscard]] std::string fill(const structure& type, void* object, const input& in) {
+    /// Fills a value-initialised object.
+    [[nodiscard]] result<void, error> fill(const structure& type, void* object, const input& in) {
         static const input empty{.what = input::kind::object};
         if (!fields(type, object, in.what == input::kind::nothing ? empty : in, nullptr)) return wrong_;
         return inconsistency{}.find(type, object);
@@ -26,10 +26,14 @@ class filler {
         std::vector<std::string_view>& filled; // counters that follow from lists
     };
 
-    bool fail(const std::string& why) {
-        wrong_ = path_.empty() ? why : path_ + " " + why;
+    /// Adds the field to an error that names none.
+    bool fail(error why) {
+        wrong_ = std::move(why);
+        wrong_.field = path_;
+        if (!path_.empty()) wrong_.message = path_ + " " + wrong_.message;
         return false;
     }
+    bool fail(errc code, const std::string& why) { return fail({.code = code, .message = why}); }
     /// Enters the next level of the path that errors name.
     bool inside(const std::string& step, auto&& go) {
         const std::size_t size = path_.size();
@@ -39,12 +43,12 @@ class filler {
         path_.resize(size);
         return done;
     }
-    bool said(const std::string& why) { return why.empty() || fail(why); }
+    bool said(const result<void, error>& done) { return done || fail(done.error()); }
 
     /// `more` may be in the input beside the fields; the counters `filled` are known without it.
     bool fields(const structure& type, void* object, const input& in, const frame* outer, std::string_view more = {},
                 std::vector<std::string_view> filled = {}) {
-        if (in.what != input::kind::object) return fail("is a structure with fields");
+        if (in.what != input::kind::object) return fail(not_a("is a structure with fields"));
         if (!known_names(type, in, more)) return false;
         const frame here{type, object, in, outer, filled};
         std::optional<std::uint64_t> mask;
@@ -70,8 +74,9 @@ class filler {
                     std::uint64_t zero{};
                     done = step([&] {
                         return number(one, *part, zero) &&
-                               (zero == 0 || fail("is " + std::to_string(zero) + ", but there is no " +
-                                                  std::string{type.members[i + 1].name}));
+                               (zero == 0 ||
+                                fail(errc::inconsistent, "is " + std::to_string(zero) + ", but there is no " +
+                                                             std::string{type.members[i + 1].name}));
                     });
                     if (done) done = empty_list(type.members[i + 1], here);
                 }
@@ -91,18 +96,21 @@ class filler {
         for (const member& one : type.members) names.push_back(one.name);
         for (const input& part : in.parts) {
             if (part.what == input::kind::nothing || part.name == more) continue;
-            if (std::ranges::find(names, part.name) == names.end())
-                return fail((path_.empty() ? "there is no field '" : "has no field '") + part.name + "'" +
-                            suggestion(part.name, names));
+            if (std::ranges::find(names, part.name) != names.end()) continue;
+            fail(errc::unknown_field, (path_.empty() ? "there is no field '" : "has no field '") + part.name + "'" +
+                                          suggestion(part.name, names));
+            wrong_.field += (path_.empty() ? "" : ".") + part.name;
+            return false;
         }
         return true;
     }
 
     /// A count or a presence vector.
     bool number(const member& one, const input& part, std::uint64_t& found) {
-        if (part.what != input::kind::leaf) return fail("is a single value");
-        const auto& is = std::get<integer_form>(one.how->is);
-        return said(scan_bits(part.text, false, is.bits, {}, found));
+        if (part.what != input::kind::leaf) return fail(not_single());
+        const auto scanned = scan_bits(part.text, false, std::get<integer_form>(one.how->is).bits, {});
+        found = scanned.value_or(0);
+        return scanned || fail(scanned.error());
     }
 
     bool given(const member& one, const input& part, const frame& here) {
@@ -127,7 +135,7 @@ class filler {
         return missing(one);
     }
     bool missing(const member& one) {
-        return inside(std::string{one.name}, [&] { return fail("is missing"); });
+        return inside(std::string{one.name}, [&] { return fail(errc::missing_field, "is missing"); });
     }
     bool empty_list(const member& one, const frame& here) {
         one.make(here.object);
@@ -155,9 +163,9 @@ class filler {
             if (!inside(std::string{one.name}, [&] {
                     if (!number(one, *part, found)) return false;
                     const std::uint64_t size = one.number(here.object);
-                    return found == size ||
-                           fail("is " + std::to_string(found) + ", but " + std::string{here.type.members[i + 1].name} +
-                                " has " + std::to_string(size));
+                    return found == size || fail(errc::inconsistent, "is " + std::to_string(found) + ", but " +
+                                                                         std::string{here.type.members[i + 1].name} +
+                                                                         " has " + std::to_string(size));
                 }))
                 return false;
         }
@@ -168,8 +176,9 @@ class filler {
             if (one.what == member::role::presence_vector && one.number(here.object) != mask)
                 return inside("presence_vector", [&] {
                     const std::size_t digits = std::get<integer_form>(one.how->is).bits / 4;
-                    return fail("is " + hex_number(mask, digits) + ", but the fields that are there make " +
-                                hex_number(one.number(here.object), digits));
+                    return fail(errc::inconsistent, "is " + hex_number(mask, digits) +
+                                                        ", but the fields that are there make " +
+                                                        hex_number(one.number(here.object), digits));
                 });
         return true;
     }
@@ -206,15 +215,15 @@ class filler {
     }
     bool choice(const member& one, void* at, const input& part, const frame& here) {
         const choice_case* const found = selected(one, here);
-        if (found == nullptr) return fail("has no form for this " + std::string{one.tag.name});
+        if (found == nullptr) return fail(errc::inconsistent, "has no form for this " + std::string{one.tag.name});
         void* const inner = found->make(at);
         if (found->how == nullptr)
             return (part.what == input::kind::object && part.parts.empty()) ||
-                   fail("has no value for this " + std::string{one.tag.name});
+                   fail(errc::inconsistent, "has no value for this " + std::string{one.tag.name});
         const input* held = &part;
         if (!std::holds_alternative<structure_form>(found->how->is) && part.what == input::kind::object) {
             held = part.find("value");
-            if (held == nullptr || part.parts.size() != 1) return fail("is a single value");
+            if (held == nullptr || part.parts.size() != 1) return fail(not_single());
         }
         return value(*found->how, inner, *held, here);
     }
@@ -236,15 +245,16 @@ class filler {
         return in.what == input::kind::object ? fields(*is.of, at, in, &here) : said(fill_value(is, at, in));
     }
     bool told(const list_form& is, void* at, const input& in, const frame& here) {
-        if (in.what != input::kind::array) return fail("is a list");
+        if (in.what != input::kind::array) return fail(not_a("is a list"));
         if (in.parts.size() > is.most)
-            return fail("has " + std::to_string(in.parts.size()) + " elements, must have at most " +
-                        std::to_string(is.most));
+            return fail(errc::wrong_size, "has " + std::to_string(in.parts.size()) + " elements, must have at most " +
+                                              std::to_string(is.most));
         if (in.parts.size() < is.least)
-            return fail("has " + std::to_string(in.parts.size()) + " elements, must have " + std::to_string(is.least));
+            return fail(errc::wrong_size,
+                        "has " + std::to_string(in.parts.size()) + " elements, must have " + std::to_string(is.least));
         if (in.parts.empty()) return true;
         auto* const first = static_cast<std::byte*>(is.resize(at, in.parts.size(), memory_));
-        if (first == nullptr) return fail(std::string{no_capacity});
+        if (first == nullptr) return fail(no_capacity());
         for (std::size_t i = 0; i != in.parts.size(); ++i)
             if (!inside("[" + std::to_string(i) + "]",
                         [&] { return element(is, first + i * is.stride, in.parts[i], here); }))
@@ -252,17 +262,18 @@ class filler {
         return true;
     }
     bool element(const list_form& is, void* at, const input& in, const frame& here) {
-        if (in.what == input::kind::nothing) return fail("is missing");
+        if (in.what == input::kind::nothing) return fail(errc::missing_field, "is missing");
         if (is.field.empty() || in.what == input::kind::leaf) return value(*is.element, at, in, here);
         const input* const part = in.find(is.field);
-        if (part == nullptr || in.parts.size() != 1) return fail("has one field, " + std::string{is.field});
+        if (part == nullptr || in.parts.size() != 1)
+            return fail(errc::wrong_kind, "has one field, " + std::string{is.field});
         return inside(std::string{is.field}, [&] { return value(*is.element, at, *part, here); });
     }
     bool told(const tree_form& is, void* at, const input& in, const frame& here) {
         const std::size_t nodes = nodes_of(in, 1, is.max_depth);
-        if (nodes == 0) return fail("has more than " + std::to_string(is.max_depth) + " levels");
+        if (nodes == 0) return fail(errc::too_deep, "has more than " + std::to_string(is.max_depth) + " levels");
         auto* next = static_cast<std::byte*>(is.nodes.resize(at, nodes, memory_));
-        if (next == nullptr) return fail(std::string{no_capacity});
+        if (next == nullptr) return fail(no_capacity());
         return node(is, next, in, here);
     }
     /// How many there are; 0 where they are too deep.
@@ -282,25 +293,28 @@ class filler {
         next += is.nodes.stride;
         const input* const children = in.find("child");
         if (children != nullptr && children->what != input::kind::array)
-            return inside("child", [&] { return fail("is a list"); });
+            return inside("child", [&] { return fail(not_a("is a list")); });
         const std::size_t count = children == nullptr ? 0 : children->parts.size();
         is.children.set(at, count);
         const structure& type = *std::get<structure_form>(is.nodes.element->is).of;
         if (!fields(type, at, in, &here, "child", {is.children.name})) return false;
         if (is.children.get(at) != count)
             return inside(std::string{is.children.name}, [&] {
-                return fail("is " + std::to_string(is.children.get(at)) + ", but child has " + std::to_string(count));
+                return fail(errc::inconsistent,
+                            "is " + std::to_string(is.children.get(at)) + ", but child has " + std::to_string(count));
             });
         for (std::size_t i = 0; i != count; ++i)
             if (!inside("child[" + std::to_string(i) + "]", [&] { return node(is, next, children->parts[i], here); }))
                 return false;
         return true;
     }
-    bool told(const choice_form&, void*, const input&, const frame&) { return fail("has no form"); } // see choice
+    bool told(const choice_form&, void*, const input&, const frame&) {
+        return fail(errc::inconsistent, "has no form");
+    } // see choice
 
     wire::arena& memory_;
     std::string path_;
-    std::string wrong_;
+    error wrong_;
 };
 
 } // namespace jauscat::text::detail

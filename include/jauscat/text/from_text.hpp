@@ -6,41 +6,44 @@
 //     report_identification query_type=system_identification authority_code=1 type=10001 identification="left arm"
 //
 // Names are those of to_text and JSON. Numbers may carry their unit; enumerators are named or numbered, flags joined by
-// |; bytes are hex; counts may be left out. All functions return an error message for the author of the line, or
-// an empty text.
+// |; bytes are hex; counts may be left out. `error::message` is for the author of the line.
 #pragma once
 #include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/schema/jaus/command_code.hpp>
 #include <jauscat/text/describe.hpp>
+#include <jauscat/text/error.hpp>
 #include <jauscat/text/filler.hpp>
 
 namespace jauscat::text {
 
 /// Fills a message from a tree of names and values. Its lists, texts and bytes lie in `memory`. After an error the
 /// message is valid but unspecified.
-template <wire::message T> [[nodiscard]] std::string from_input(const input& in, T& message, wire::arena& memory) {
+template <wire::message T>
+[[nodiscard]] result<void, error> from_input(const input& in, T& message, wire::arena& memory) {
     message = T{};
     return detail::filler{memory}.fill(describe<T>(), &message, in);
 }
 /// The same for a value-initialised object of which only the structure is known.
-[[nodiscard]] inline std::string from_input(const input& in, const structure& type, void* object, wire::arena& memory) {
+[[nodiscard]] inline result<void, error> from_input(const input& in, const structure& type, void* object,
+                                                    wire::arena& memory) {
     return detail::filler{memory}.fill(type, object, in);
 }
 
 /// From words like `pose[1].pose_time=2.5`, as a shell hands them over.
 template <wire::message T>
-[[nodiscard]] std::string from_words(std::span<const std::string> words, T& message, wire::arena& memory) {
+[[nodiscard]] result<void, error> from_words(std::span<const std::string> words, T& message, wire::arena& memory) {
     input tree{.what = input::kind::object};
     for (const std::string& word : words)
-        if (std::string wrong = assign(word, tree); !wrong.empty()) return wrong;
+        if (auto assigned = assign(word, tree); !assigned) return assigned;
     return from_input(tree, message, memory);
 }
 
 /// The same from one line, in which quotes keep spaces together.
-template <wire::message T> [[nodiscard]] std::string from_text(std::string_view line, T& message, wire::arena& memory) {
-    std::vector<std::string> words;
-    if (std::string wrong = split(line, words); !wrong.empty()) return wrong;
-    return from_words(words, message, memory);
+template <wire::message T>
+[[nodiscard]] result<void, error> from_text(std::string_view line, T& message, wire::arena& memory) {
+    const auto words = split(line);
+    if (!words) return words.error();
+    return from_words(*words, message, memory);
 }
 
 /// "Set End-Effector Path Motion" to "set_end_effector_path_motion".
@@ -59,53 +62,56 @@ template <wire::message T> [[nodiscard]] std::string from_text(std::string_view 
 }
 
 /// The command code of a message that is named as in its schema, as in the standard, or by its code in hex: 0405,
-/// 0405h, 0x0405.
-[[nodiscard]] inline std::string find_message(std::string_view name, std::uint16_t& command_code) {
+/// 0405h, 0x0405. Error: unknown_message.
+[[nodiscard]] inline result<std::uint16_t, error> find_message(std::string_view name) {
+    const auto unknown = [&](const std::string& message) {
+        return error{.code = errc::unknown_message, .value = std::string{name}, .message = message};
+    };
     std::string_view digits = name;
     if (digits.starts_with("0x") || digits.starts_with("0X")) digits.remove_prefix(2);
     if (digits.ends_with('h') || digits.ends_with('H')) digits.remove_suffix(1);
     std::uint16_t code{};
-    const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
-    if (error == std::errc{} && stop == digits.data() + digits.size()) {
-        command_code = code;
-        return std::ranges::find(jaus::catalog, code, &jaus::catalog_entry::command_code) != jaus::catalog.end()
-                   ? std::string{}
-                   : "there is no message with the code " + hex_number(code, 4);
+    const auto [stop, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+    if (failed == std::errc{} && stop == digits.data() + digits.size()) {
+        if (std::ranges::find(jaus::catalog, code, &jaus::catalog_entry::command_code) != jaus::catalog.end())
+            return code;
+        return unknown("there is no message with the code " + hex_number(code, 4));
     }
     const std::string wanted = snake_case(name);
     std::vector<std::string> names;
     for (const jaus::catalog_entry& entry : jaus::catalog) {
         names.push_back(snake_case(entry.name));
-        if (names.back() != wanted) continue;
-        command_code = entry.command_code;
-        return {};
+        if (names.back() == wanted) return entry.command_code;
     }
     const std::vector<std::string_view> views{names.begin(), names.end()};
-    return "there is no message '" + std::string{name} + "'" + suggestion(wanted, views);
+    return unknown("there is no message '" + std::string{name} + "'" + suggestion(wanted, views));
 }
 
 /// Calls use.template operator()<Message>() for the message type of a code; false where the list has none.
 template <template <class...> class List, class... Messages>
-bool with_message(std::uint16_t command_code, List<Messages...>, auto&& use) {
+[[nodiscard]] bool with_message(std::uint16_t command_code, List<Messages...>, auto&& use) {
     return (... || (jaus::command_code_of<Messages> == command_code && (use.template operator()<Messages>(), true)));
 }
 
 /// The message that a line names in its first word, with the fields of the others: calls use(message). Memory as in
 /// from_input; `messages` are those it may be.
 template <class List>
-[[nodiscard]] std::string from_text(std::string_view line, wire::arena& memory, List messages, auto&& use) {
-    std::vector<std::string> words;
-    if (std::string wrong = split(line, words); !wrong.empty()) return wrong;
-    if (words.empty()) return "the name of a message is missing";
-    std::uint16_t command_code{};
-    std::string wrong = find_message(words.front(), command_code);
-    if (!wrong.empty()) return wrong;
-    const bool known = with_message(command_code, messages, [&]<class Message>() {
+[[nodiscard]] result<void, error> from_text(std::string_view line, wire::arena& memory, List messages, auto&& use) {
+    const auto words = split(line);
+    if (!words) return words.error();
+    if (words->empty()) return error{.code = errc::missing_name, .message = "the name of a message is missing"};
+    const std::string& name = words->front();
+    const auto command_code = find_message(name);
+    if (!command_code) return command_code.error();
+    result<void, error> filled;
+    const bool known = with_message(*command_code, messages, [&]<class Message>() {
         Message message{};
-        wrong = from_words(std::span<const std::string>{words}.subspan(1), message, memory);
-        if (wrong.empty()) use(message);
+        filled = from_words(std::span{*words}.subspan(1), message, memory);
+        if (filled) use(message);
     });
-    return known ? wrong : "the message " + words.front() + " is not handled here";
+    if (known) return filled;
+    return error{
+        .code = errc::unhandled_message, .value = name, .message = "the message " + name + " is not handled here"};
 }
 
 } // namespace jauscat::text

@@ -1,5 +1,6 @@
 // Checks members that depend on each other across structures: counts, flags, type codes.
 #pragma once
+#include <jauscat/text/error.hpp>
 #include <jauscat/text/structure.hpp>
 
 namespace jauscat::text::detail {
@@ -11,35 +12,38 @@ inline std::size_t size_of(const form& how, const void* at) {
     return 0;
 }
 
-/// Walks over a message and returns the first contradiction, or nothing.
+/// Walks over a message and returns the first contradiction.
 class inconsistency {
   public:
-    [[nodiscard]] std::string find(const structure& type, const void* object) {
+    [[nodiscard]] result<void, error> find(const structure& type, const void* object) {
         fields(type, object, nullptr, {});
         return std::move(found_);
     }
 
   private:
+    void blame(const std::string& name, const std::string& why) {
+        found_ = {.code = errc::inconsistent, .field = name, .message = name + why};
+    }
     void fields(const structure& type, const void* object, const scope* outer, const std::string& path) {
         const scope here{type.id, object, outer};
         for (const member& one : type.members) {
-            if (!found_.empty() || one.what != member::role::value) continue;
+            if (found_.code != errc::ok || one.what != member::role::value) continue;
             const void* const at = one.find(object);
             const std::string name = path + std::string{one.name};
             if (one.gate.owner != nullptr) {
                 const bool announced = value_of(one.gate, here) != 0;
                 if (announced && at == nullptr)
-                    found_ = name + " is missing, although " + std::string{one.gate.name} + " is set";
+                    blame(name, " is missing, although " + std::string{one.gate.name} + " is set");
                 if (!announced && at != nullptr)
-                    found_ = name + " is there, although " + std::string{one.gate.name} + " is not set";
+                    blame(name, " is there, although " + std::string{one.gate.name} + " is not set");
             }
-            if (at == nullptr || !found_.empty()) continue;
+            if (at == nullptr || found_.code != errc::ok) continue;
             if (one.counter.owner != nullptr) {
                 const std::uint64_t count = value_of(one.counter, here);
                 const std::size_t size = size_of(*one.how, at);
                 if (size != (count < one.counter_excess ? 0 : count - one.counter_excess))
-                    found_ = name + " has " + std::to_string(size) + ", but " + std::string{one.counter.name} + " is " +
-                             std::to_string(count);
+                    blame(name, " has " + std::to_string(size) + ", but " + std::string{one.counter.name} + " is " +
+                                    std::to_string(count));
             }
             value(one, at, here, name);
         }
@@ -66,7 +70,7 @@ class inconsistency {
         return around == nullptr ? 0 : other.get(around->object);
     }
 
-    std::string found_;
+    error found_;
 };
 
 } // namespace jauscat::text::detail

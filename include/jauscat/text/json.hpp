@@ -171,14 +171,15 @@ template <wire::message T> [[nodiscard]] json presence_vector_of(const T& messag
 
 /// A message from the JSON of its fields. `presence_vector`, as a number or text in hex, may be among them: it
 /// determines the members of list elements if the lists are empty. Counts may be omitted, scaled fields may be numbers,
-/// and all values of from_text are accepted as text. Lists, texts and bytes are stored in `memory`. Returns an error
-/// message, or an empty text; after an error the message is valid but unspecified.
-template <wire::message T> [[nodiscard]] std::string from_json(const json& fields, T& message, wire::arena& memory) {
+/// and all values of from_text are accepted as text. Lists, texts and bytes are stored in `memory`. After an error
+/// the message is valid but unspecified.
+template <wire::message T>
+[[nodiscard]] result<void, error> from_json(const json& fields, T& message, wire::arena& memory) {
     return from_input(detail::input_of(fields), message, memory);
 }
 /// The same for a value-initialised object of which only the structure is known.
-[[nodiscard]] inline std::string from_json(const json& fields, const structure& type, void* object,
-                                           wire::arena& memory) {
+[[nodiscard]] inline result<void, error> from_json(const json& fields, const structure& type, void* object,
+                                                   wire::arena& memory) {
     return from_input(detail::input_of(fields), type, object, memory);
 }
 

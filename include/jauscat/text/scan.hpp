@@ -1,4 +1,4 @@
-// Single values from text: numbers, hex, names of enumerators and bits. Each returns what is wrong, or nothing.
+// Single values from text: numbers, hex, names of enumerators and bits. Their errors name no field.
 #pragma once
 #include <jauscat/text/input.hpp>
 #include <jauscat/text/structure.hpp>
@@ -20,8 +20,8 @@ struct whole_number {
     if (made.negative || text.starts_with('+')) text.remove_prefix(1);
     const int base = text.starts_with("0x") || text.starts_with("0X") ? 16 : 10;
     if (base == 16) text.remove_prefix(2);
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), made.bits, base);
-    if (error != std::errc{} || stop != text.data() + text.size()) return std::nullopt;
+    const auto [stop, failed] = std::from_chars(text.data(), text.data() + text.size(), made.bits, base);
+    if (failed != std::errc{} || stop != text.data() + text.size()) return std::nullopt;
     if (made.negative) {
         if (made.bits > std::uint64_t{1} << 63) return std::nullopt;
         made.negative = made.bits != 0;
@@ -35,8 +35,8 @@ struct whole_number {
     if (text == "-Infinity") return -std::numeric_limits<double>::infinity();
     if (text.starts_with('+')) text.remove_prefix(1);
     double made{};
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), made);
-    if (error != std::errc{} || stop != text.data() + text.size()) return std::nullopt;
+    const auto [stop, failed] = std::from_chars(text.data(), text.data() + text.size(), made);
+    if (failed != std::errc{} || stop != text.data() + text.size()) return std::nullopt;
     return made;
 }
 /// Pairs of hex digits; spaces between pairs.
@@ -75,93 +75,89 @@ inline bool is_raw(std::string_view& text) {
     return true;
 }
 
-inline std::string limits(const std::string& lowest, const std::string& highest, std::string_view unit) {
-    return "must be " + lowest + " to " + highest + (unit.empty() ? "" : " " + std::string{unit});
+/// An error whose message is about `text`: "is '150', must be -100 to 100 %".
+inline error says(errc code, std::string_view text, const std::string& wrong) {
+    return {.code = code, .value = std::string{text}, .message = "is '" + std::string{text} + "', " + wrong};
 }
-inline std::string says(std::string_view text, const std::string& wrong) {
-    return "is '" + std::string{text} + "', " + wrong;
+inline error beyond(std::string_view text, const std::string& lowest, const std::string& highest,
+                    std::string_view unit) {
+    return says(errc::out_of_range, text,
+                "must be " + lowest + " to " + highest + (unit.empty() ? "" : " " + std::string{unit}));
 }
 
 /// An integer on the wire, within its bits.
-inline std::string scan_bits(std::string_view text, bool is_signed, unsigned bits, std::string_view unit,
-                             std::uint64_t& number) {
+[[nodiscard]] inline result<std::uint64_t, error> scan_bits(std::string_view text, bool is_signed, unsigned bits,
+                                                            std::string_view unit) {
     const std::uint64_t most = ~std::uint64_t{} >> (64 - bits + (is_signed ? 1 : 0));
     const auto found = scan_whole(text);
     const bool fits = found && (found->negative ? is_signed && ~found->bits <= most : found->bits <= most);
-    if (!fits) {
-        const std::string lowest = is_signed ? std::to_string(-static_cast<std::int64_t>(most) - 1) : "0";
-        return says(text, limits(lowest, std::to_string(most), unit));
-    }
-    number = found->bits;
-    return {};
+    if (fits) return found->bits;
+    const std::string lowest = is_signed ? std::to_string(-static_cast<std::int64_t>(most) - 1) : "0";
+    return beyond(text, lowest, std::to_string(most), unit);
 }
 
-inline std::string scan_flags(std::string_view text, const integer_form& is, std::uint64_t& number) {
-    number = 0;
-    if (text == "none") return {};
-    if (scan_whole(text)) return scan_bits(text, false, is.bits, {}, number);
+[[nodiscard]] inline result<std::uint64_t, error> scan_flags(std::string_view text, const integer_form& is) {
+    std::uint64_t number = 0;
+    if (text == "none") return number;
+    if (scan_whole(text)) return scan_bits(text, false, is.bits, {});
     while (true) {
         const std::size_t bar = std::min(text.find('|'), text.size());
         const std::string_view name = trimmed(text.substr(0, bar));
         const auto found = std::ranges::find(is.names, name);
         std::uint64_t bit = static_cast<std::uint64_t>(found - is.names.begin());
         if (name.empty() || found == is.names.end()) {
-            if (!name.starts_with("bit ") || !scan_bits(name.substr(4), false, 6, {}, bit).empty() || bit >= is.bits)
-                return says(name, "which is no flag" + suggestion(name, is.names));
+            bit = name.starts_with("bit ") ? scan_bits(name.substr(4), false, 6, {}).value_or(is.bits) : is.bits;
+            if (bit >= is.bits) return says(errc::invalid_value, name, "which is no flag" + suggestion(name, is.names));
         }
         number |= std::uint64_t{1} << bit;
-        if (bar == text.size()) return {};
+        if (bar == text.size()) return number;
         text.remove_prefix(bar + 1);
     }
 }
 
-inline std::string scan(std::string_view text, const integer_form& is, std::uint64_t& number) {
+[[nodiscard]] inline result<std::uint64_t, error> scan(std::string_view text, const integer_form& is) {
     text = without_unit(text, is.unit);
-    if (is_raw(text)) return scan_bits(text, is.is_signed, is.bits, {}, number);
+    if (is_raw(text)) return scan_bits(text, is.is_signed, is.bits, {});
     switch (is.what) {
     case integer_form::meaning::boolean:
-        if (text != "true" && text != "false" && text != "1" && text != "0") return says(text, "must be true or false");
-        number = text == "true" || text == "1" ? 1 : 0;
-        return {};
-    case integer_form::meaning::flags: return scan_flags(text, is, number);
+        if (text != "true" && text != "false" && text != "1" && text != "0")
+            return says(errc::invalid_value, text, "must be true or false");
+        return std::uint64_t{text == "true" || text == "1"};
+    case integer_form::meaning::flags: return scan_flags(text, is);
     case integer_form::meaning::enumeration:
-        if (const auto found = std::ranges::find(is.names, text); !text.empty() && found != is.names.end()) {
-            number = static_cast<std::uint64_t>(found - is.names.begin());
-            return {};
-        }
-        if (!scan_whole(text)) return says(text, "which is no value of it" + suggestion(text, is.names));
+        if (const auto found = std::ranges::find(is.names, text); !text.empty() && found != is.names.end())
+            return static_cast<std::uint64_t>(found - is.names.begin());
+        if (!scan_whole(text))
+            return says(errc::invalid_value, text, "which is no value of it" + suggestion(text, is.names));
         break;
     case integer_form::meaning::number: break;
     }
-    return scan_bits(text, is.is_signed, is.bits, is.unit, number);
+    return scan_bits(text, is.is_signed, is.bits, is.unit);
 }
 
-inline std::string scan(std::string_view text, const real_form& is, double& real) {
+[[nodiscard]] inline result<double, error> scan(std::string_view text, const real_form& is) {
     const auto found = scan_real(without_unit(text, is.unit));
-    if (!found) return says(text, "which is no number");
+    if (!found) return says(errc::invalid_value, text, "which is no number");
     if (std::isfinite(*found) && std::abs(*found) > is.most)
-        return says(text, limits(real_text(-is.most), real_text(is.most), is.unit));
-    real = *found;
-    return {};
+        return beyond(text, real_text(-is.most), real_text(is.most), is.unit);
+    return *found;
 }
 
-inline std::string scan_raw(std::string_view text, const scaled_form& is, double& real) {
-    std::uint64_t raw{};
-    if (std::string wrong = scan_bits(text, is.is_signed, is.bits, {}, raw); !wrong.empty()) return wrong;
-    if (is.is_signed && raw == ~std::uint64_t{} << (is.bits - 1))
-        return says(text, "a raw value that stands for nothing");
-    real = is.to_real(raw);
-    return {};
+[[nodiscard]] inline result<double, error> scan_raw(std::string_view text, const scaled_form& is) {
+    const auto raw = scan_bits(text, is.is_signed, is.bits, {});
+    if (!raw) return raw.error();
+    if (is.is_signed && *raw == ~std::uint64_t{} << (is.bits - 1))
+        return says(errc::out_of_range, text, "a raw value that stands for nothing");
+    return is.to_real(*raw);
 }
-inline std::string scan(std::string_view text, const scaled_form& is, double& real) {
+[[nodiscard]] inline result<double, error> scan(std::string_view text, const scaled_form& is) {
     text = without_unit(text, is.unit);
-    if (is_raw(text)) return scan_raw(text, is, real);
+    if (is_raw(text)) return scan_raw(text, is);
     const auto found = scan_real(text);
-    if (!found) return says(text, "which is no number");
+    if (!found) return says(errc::invalid_value, text, "which is no number");
     if (!(*found >= is.lowest && *found <= is.highest))
-        return says(text, limits(real_text(is.min), real_text(is.max), is.unit));
-    real = *found;
-    return {};
+        return beyond(text, real_text(is.min), real_text(is.max), is.unit);
+    return *found;
 }
 
 } // namespace jauscat::text::detail

@@ -1,6 +1,7 @@
 // Text form of JAUS time and date stamps.
 #pragma once
 #include <jauscat/schema/jaus/time_stamp.hpp>
+#include <jauscat/text/error.hpp>
 
 #include <array>
 #include <charconv>
@@ -40,35 +41,36 @@ namespace detail {
 }
 } // namespace detail
 
-/// Reads what to_text writes, digit for digit; false where `text` is something else or no time of day.
-[[nodiscard]] inline bool from_text(jaus::time_stamp& time, std::string_view text) {
+/// Reads what to_text writes, digit for digit. Errors: invalid_value (another form), out_of_range (no time of day).
+[[nodiscard]] inline result<void, errc> from_text(jaus::time_stamp& time, std::string_view text) {
     unsigned hours{}, minutes{}, seconds{}, milliseconds{}, day{};
     if (!detail::take_number(text, 2, ":", hours) || !detail::take_number(text, 2, ":", minutes) ||
         !detail::take_number(text, 2, ".", seconds) || !detail::take_number(text, 3, ", day ", milliseconds) ||
         text.size() > 2 || !detail::take_number(text, text.size(), "", day))
-        return false;
-    if (hours > 23 || minutes > 59 || seconds > 59 || day < 1 || day > 31) return false;
+        return errc::invalid_value;
+    if (hours > 23 || minutes > 59 || seconds > 59 || day < 1 || day > 31) return errc::out_of_range;
     time = {.milliseconds = static_cast<std::uint16_t>(milliseconds),
             .seconds = static_cast<std::uint8_t>(seconds),
             .minutes = static_cast<std::uint8_t>(minutes),
             .hours = static_cast<std::uint8_t>(hours),
             .day = static_cast<std::uint8_t>(day)};
-    return true;
+    return {};
 }
 
-/// Reads what to_text writes, digit for digit; false where `text` is something else or no date from 2000 to 2127.
-[[nodiscard]] inline bool from_text(jaus::date_stamp& date, std::string_view text) {
+/// Reads what to_text writes, digit for digit. Errors: invalid_value (another form), out_of_range (no date from 2000 to
+/// 2127).
+[[nodiscard]] inline result<void, errc> from_text(jaus::date_stamp& date, std::string_view text) {
     unsigned year{}, month{}, day{};
     if (!detail::take_number(text, 4, "-", year) || !detail::take_number(text, 2, "-", month) ||
         !detail::take_number(text, 2, "", day) || !text.empty())
-        return false;
+        return errc::invalid_value;
     const std::chrono::year_month_day found{std::chrono::year{static_cast<int>(year)}, std::chrono::month{month},
                                             std::chrono::day{day}};
-    if (year < 2000 || year > 2127 || !found.ok()) return false;
+    if (year < 2000 || year > 2127 || !found.ok()) return errc::out_of_range;
     date = {.day = static_cast<std::uint8_t>(day),
             .month = static_cast<std::uint8_t>(month),
             .year = static_cast<std::uint8_t>(year - 2000)};
-    return true;
+    return {};
 }
 
 } // namespace jauscat::text

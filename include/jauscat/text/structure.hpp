@@ -2,6 +2,7 @@
 // schema once (see describe.hpp); what prints, parses or documents any message is written against it and compiled once,
 // not once for each of 158 messages.
 #pragma once
+#include <jauscat/text/error.hpp>
 #include <jauscat/wire/arena.hpp>
 
 #include <cstdint>
@@ -71,8 +72,8 @@ struct packed_form {
     unsigned bits{};       ///< of the integer
     std::uint64_t (*get)(const void* value){};
     void (*set)(void* value, std::uint64_t){};
-    std::string (*show)(const void* value){};           ///< nullptr where it has no notation of its own
-    bool (*read)(void* value, std::string_view text){}; ///< the same notation back
+    std::string (*show)(const void* value){};                         ///< nullptr where it has no notation of its own
+    result<void, errc> (*read)(void* value, std::string_view text){}; ///< the same notation back
 };
 
 /// A structure shown as bytes: a message inside a message.
