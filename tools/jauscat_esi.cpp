@@ -46,7 +46,9 @@ template <class Table> std::string esi_of(std::uint8_t component, std::uint16_t 
 }
 
 int check(const std::string& file) {
-    const auto findings = esi::check_esi(file);
+    const auto checked = esi::check_esi(file);
+    if (!checked) throw std::runtime_error{checked.error().message};
+    const auto& findings = *checked;
     std::size_t missing = 0;
     for (const auto& each : findings) {
         std::cout << (each.met() ? example::good("ok     ") : example::bad("MISSING")) << "  " << each.what << "  ("

@@ -18,6 +18,8 @@ SUCCESS = {"ok", "none", "handled", "accepted"}
 # Values to whose text in `describe` the page has nothing to add.
 EXPLAINED = {
     "include/jauscat/net/error.hpp errc": "empty_message",
+    "include/jauscat/esi/error.hpp errc":
+        "unreadable not_xml not_esi missing unexpected invalid_value duplicate inconsistent",
     "include/jauscat/text/error.hpp errc":
         "unfinished_escape unfinished_quote not_an_assignment invalid_path index_too_large duplicate missing_name "
         "unknown_message unhandled_message unknown_field missing_field wrong_kind invalid_value out_of_range wrong_size "

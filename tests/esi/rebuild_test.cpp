@@ -114,7 +114,7 @@ class machine {
 /// Sends the same requests to both machines; true if the answers are equal.
 template <class Table> void compare_machines(std::size_t transfer_size, const slave_description& slave = sample_slave) {
     const auto xml = esi::write_esi(test::sample_device<Table>(slave, transfer_size != 0));
-    const esi::emulated_device device{esi::parse_esi(xml, "sample.xml")};
+    const esi::emulated_device device{*esi::parse_esi(xml, "sample.xml")};
     CHECK(device.transfer_size() == transfer_size);
     machine original{slave, sample_components<Table>, transfer_size};
     machine rebuilt{device.description(), device.components(), device.transfer_size()};
@@ -200,11 +200,13 @@ TEST_CASE("a slave with process data is rebuilt from its file with its PDOs and 
         const auto described = test::sample_device<>(slave);
         const auto xml = esi::write_esi(described);
         CHECK(esi::parse_esi(xml, "sample.xml") == described);
-        for (const auto& each : esi::check_esi_text(xml, "sample.xml")) {
+        const auto findings = esi::check_esi_text(xml, "sample.xml");
+        REQUIRE(findings);
+        for (const auto& each : *findings) {
             INFO(each.what << ": " << each.problem);
             CHECK(each.met());
         }
-        const esi::emulated_device device{esi::parse_esi(xml, "sample.xml")};
+        const esi::emulated_device device{*esi::parse_esi(xml, "sample.xml")};
         machine original{slave, sample_components<translation::seed_table>, 28};
         machine rebuilt{device.description(), device.components(), 28};
         const auto size = make_sii_image(slave).size();
@@ -224,7 +226,7 @@ TEST_CASE("a slave with process data is rebuilt from its file with its PDOs and 
 }
 
 TEST_CASE("the standard objects of a rebuilt slave have the values of its SII") {
-    const esi::emulated_device device{esi::parse_esi(test::sample_esi(), "sample.xml")};
+    const esi::emulated_device device{*esi::parse_esi(test::sample_esi(), "sample.xml")};
     machine rebuilt{device.description(), device.components(), device.transfer_size()};
     const auto hex = [&](std::uint16_t index, std::uint8_t subindex) {
         return test::to_hex(rebuilt.upload(index, subindex).data);
@@ -248,7 +250,7 @@ TEST_CASE("the standard objects of a rebuilt slave have the values of its SII") 
 }
 
 TEST_CASE("rebuilt objects have sizes, access and command codes") {
-    const esi::emulated_device device{esi::parse_esi(test::sample_esi<fixed_table>(), "sample.xml")};
+    const esi::emulated_device device{*esi::parse_esi(test::sample_esi<fixed_table>(), "sample.xml")};
     REQUIRE(device.components().size() == 2);
     const auto& own = device.components()[0];
     CHECK(own.index == 0x1B15);
@@ -263,13 +265,15 @@ TEST_CASE("rebuilt objects have sizes, access and command codes") {
 }
 
 TEST_CASE("features that an emulated slave lacks are refused by name") {
-    const auto complaint = [](auto change) -> std::string {
+    const auto complaint = [](auto change, esi::errc code = esi::errc::cannot_be_emulated) -> std::string {
         auto device = test::sample_device();
         change(device);
         try {
             const esi::emulated_device made{device};
             return "accepted";
         } catch (const esi::esi_error& error) {
+            CHECK(error.code() == code);
+            CHECK(!error.error().element.empty());
             return error.what();
         }
     };
@@ -294,8 +298,8 @@ TEST_CASE("features that an emulated slave lacks are refused by name") {
           "\"arm <1>\": <Objects>: a device without #x1000 cannot be emulated");
     CHECK(complaint([](esi::device& d) { d.objects[1].name = "other"; }) ==
           "\"arm <1>\": <Object>: #x1008 is of a kind that cannot be emulated");
-    CHECK(complaint([](esi::device& d) { d.objects[4].properties[0].value = "256"; }) ==
+    CHECK(complaint([](esi::device& d) { d.objects[4].properties[0].value = "256"; }, esi::errc::invalid_value) ==
           "\"arm <1>\": <Object>: #x1B15: its property JausComponent is no component ID");
-    CHECK(complaint([](esi::device& d) { d.objects[4].entries[1].properties.clear(); }) ==
+    CHECK(complaint([](esi::device& d) { d.objects[4].entries[1].properties.clear(); }, esi::errc::missing) ==
           "\"arm <1>\": <Object>: #x1B15: subindex 26 has no property JausCommandCode with a command code");
 }

@@ -180,11 +180,7 @@ class esi_checker : xml_source {
     // Errors across elements, such as types that do not fit their objects, are found by reading the file.
     void check_reading() {
         auto& result = add("types, sizes and references agree", "tools and emulators build the dictionary from them");
-        try {
-            static_cast<void>(parse_esi(text_, name_));
-        } catch (const esi_error& error) {
-            result.problem = error.what();
-        }
+        result.problem = parse_esi(text_, name_).error().message;
     }
 
     finding& add(std::string what, std::string reason) {
@@ -202,14 +198,15 @@ class esi_checker : xml_source {
 } // namespace detail
 
 /// Checks all requirements of configuration tools; one finding each, in a fixed order. `source` is the file's
-/// name in messages. Throws `esi_error` for a text that is not a well-formed ESI document.
-inline std::vector<finding> check_esi_text(std::string_view text, const std::string& source) {
-    return detail::esi_checker{text, source}.check();
+/// name in messages. Errors: not_xml, not_esi.
+[[nodiscard]] inline result<std::vector<finding>, error> check_esi_text(std::string_view text,
+                                                                        const std::string& source) {
+    return detail::caught([&] { return detail::esi_checker{text, source}.check(); });
 }
 
-/// The same for a file.
-inline std::vector<finding> check_esi(const std::filesystem::path& path) {
-    return check_esi_text(detail::text_of(path), path.string());
+/// The same for a file. Error, also: unreadable.
+[[nodiscard]] inline result<std::vector<finding>, error> check_esi(const std::filesystem::path& path) {
+    return detail::caught([&] { return detail::esi_checker{detail::text_of(path), path.string()}.check(); });
 }
 
 } // namespace jauscat::esi

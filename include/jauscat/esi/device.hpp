@@ -5,24 +5,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace jauscat::esi {
-
-/// An ESI file that cannot be used. `what()` is `file:line: element: problem and expectation`.
-class esi_error : public std::runtime_error {
-  public:
-    /// `line` of the file; 0: none.
-    esi_error(const std::string& text, std::size_t at_line) : std::runtime_error{text}, line_{at_line} {}
-
-    /// Line in the file, from 1; 0 if the file could not be read, or if the device is not from a file.
-    [[nodiscard]] std::size_t line() const noexcept { return line_; }
-
-  private:
-    std::size_t line_;
-};
 
 /// Additional property of an object or entry. Tools ignore unknown names.
 struct property {

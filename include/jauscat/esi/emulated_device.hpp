@@ -3,6 +3,7 @@
 
 #include <jauscat/bridge/object_list.hpp>
 #include <jauscat/esi/device.hpp>
+#include <jauscat/esi/error.hpp>
 #include <jauscat/esi/make_device.hpp>
 #include <jauscat/esi/text_values.hpp>
 #include <jauscat/ethercat/slave/sii_image.hpp>
@@ -24,7 +25,9 @@ namespace jauscat::esi {
 /// Converts an ESI description to the arguments of `ethercat::slave`, `ethercat::standard_objects`,
 /// `ethercat::mapped_objects` and `bridge::listed_objects`. Must outlive them.
 ///
-///     esi::emulated_device device{esi::read_esi("arm.xml")};
+///     const auto described = esi::read_esi("arm.xml");
+///     if (!described) return std::cerr << describe(described.error()) << '\n', 1;
+///     esi::emulated_device device{*described};
 ///     bridge::listed_objects listed{device.components(), application};
 ///     ethercat::mapped_objects mapped{device.description(), listed};
 ///     ethercat::standard_objects objects{device.description(), mapped};
@@ -44,23 +47,23 @@ class emulated_device {
         const auto emulated =
             make_device(description_, {device_.vendor_name, device_.group_type, device_.group_name, device_.type},
                         components_, device_.coe.segmented_sdo);
-        const auto compare = [this](bool same, const std::string& what_differs) {
-            if (!same) fail(what_differs + " cannot be emulated");
+        const auto compare = [this](bool same, const char* element, const std::string& what_differs) {
+            if (!same) fail(errc::cannot_be_emulated, element, what_differs + " cannot be emulated");
         };
-        compare(emulated.physics == device_.physics, "<Device>: its ports (Physics)");
-        compare(emulated.profile == device_.profile, "<ProfileNo>: a device profile");
-        compare(emulated.rx_pdos == device_.rx_pdos, "<RxPdo>: these outputs");
-        compare(emulated.tx_pdos == device_.tx_pdos, "<TxPdo>: these inputs");
-        compare(emulated.fmmus == device_.fmmus, "<Fmmu>: these FMMUs");
-        compare(emulated.sync_managers == device_.sync_managers, "<Sm>: these SyncManagers");
-        compare(emulated.coe == device_.coe, "<CoE>: these features");
-        compare(emulated.eeprom == device_.eeprom, "<Eeprom>: this memory");
+        compare(emulated.physics == device_.physics, "Device", "its ports (Physics)");
+        compare(emulated.profile == device_.profile, "ProfileNo", "a device profile");
+        compare(emulated.rx_pdos == device_.rx_pdos, "RxPdo", "these outputs");
+        compare(emulated.tx_pdos == device_.tx_pdos, "TxPdo", "these inputs");
+        compare(emulated.fmmus == device_.fmmus, "Fmmu", "these FMMUs");
+        compare(emulated.sync_managers == device_.sync_managers, "Sm", "these SyncManagers");
+        compare(emulated.coe == device_.coe, "CoE", "these features");
+        compare(emulated.eeprom == device_.eeprom, "Eeprom", "this memory");
         for (const auto& each : device_.objects)
-            compare(std::ranges::find(emulated.objects, each) != emulated.objects.end(),
-                    "<Object>: " + hex_number(each.index, 4) + " is of a kind that");
+            compare(std::ranges::find(emulated.objects, each) != emulated.objects.end(), "Object",
+                    hex_number(each.index, 4) + " is of a kind that");
         for (const auto& each : emulated.objects)
-            compare(std::ranges::find(device_.objects, each) != device_.objects.end(),
-                    "<Objects>: a device without " + hex_number(each.index, 4));
+            compare(std::ranges::find(device_.objects, each) != device_.objects.end(), "Objects",
+                    "a device without " + hex_number(each.index, 4));
     }
     emulated_device(const emulated_device&) = delete;
     emulated_device& operator=(const emulated_device&) = delete;
@@ -75,13 +78,16 @@ class emulated_device {
     }
 
   private:
-    [[noreturn]] void fail(const std::string& what) const { throw esi_error{'"' + device_.name + "\": " + what, 0}; }
+    [[noreturn]] void fail(errc code, const std::string& element, const std::string& what) const {
+        throw esi_error{
+            {.code = code, .element = element, .message = '"' + device_.name + "\": <" + element + ">: " + what}};
+    }
 
     void read_description() {
         if (const auto count = device_.sync_managers.size(); count != 2 && count != 4)
-            fail("<Sm>: expected two, the mailbox, or four, with outputs and inputs");
+            fail(errc::cannot_be_emulated, "Sm", "expected two, the mailbox, or four, with outputs and inputs");
         if (device_.eeprom.config_data.size() != ethercat::sii_configuration_checked)
-            fail("<ConfigData>: expected 14 bytes, words 0 to 6 of the SII");
+            fail(errc::cannot_be_emulated, "ConfigData", "expected 14 bytes, words 0 to 6 of the SII");
         std::array<std::byte, wire::max_size<ethercat::sii_configuration>> words{};
         std::ranges::copy(device_.eeprom.config_data, words.begin());
         ethercat::sii_configuration configuration{};
@@ -131,17 +137,20 @@ class emulated_device {
     }
 
     void add_component(const object& what, const std::string& id) {
-        const auto where = "<Object>: " + hex_number(what.index, 4) + ": ";
+        const auto where = hex_number(what.index, 4) + ": ";
         const auto component = parse_number(id, 0xFF);
-        if (!component) fail(where + "its property " + std::string{property_names::component} + " is no component ID");
+        if (!component)
+            fail(errc::invalid_value, "Object",
+                 where + "its property " + std::string{property_names::component} + " is no component ID");
         auto& entries = entries_.emplace_back();
         for (const auto& each : what.entries) {
             if (each.subindex == 0) continue;
             const auto* code = find(each.properties, property_names::command_code);
             const auto number = code == nullptr ? std::nullopt : parse_number(code->value, 0xFFFF);
             if (!number)
-                fail(where + "subindex " + std::to_string(each.subindex) + " has no property " +
-                     std::string{property_names::command_code} + " with a command code");
+                fail(errc::missing, "Object",
+                     where + "subindex " + std::to_string(each.subindex) + " has no property " +
+                         std::string{property_names::command_code} + " with a command code");
             entries.push_back({.subindex = each.subindex,
                                .command_code = static_cast<std::uint16_t>(*number),
                                .name = each.name,

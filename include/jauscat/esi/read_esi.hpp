@@ -30,7 +30,8 @@ class esi_reader : xml_source {
         const auto descriptions = child(root, "Descriptions");
         const auto devices = child(descriptions, "Devices");
         const auto node = child(devices, "Device");
-        if (const auto second = node.next_sibling("Device")) fail(second, "a second device, expected one in a file");
+        if (const auto second = node.next_sibling("Device"))
+            fail(errc::unexpected, second, "a second device, expected one in a file");
 
         device made{};
         made.vendor_id = number(child(vendor, "Id"));
@@ -39,7 +40,8 @@ class esi_reader : xml_source {
         for (const auto group : child(descriptions, "Groups").children("Group"))
             if (text(child(group, "Type")) == made.group_type) made.group_name = text(child(group, "Name"));
         if (made.group_name.empty())
-            fail(child(node, "GroupType"), "no <Group> has the type \"" + made.group_type + '"');
+            fail(errc::unknown_reference, child(node, "GroupType"),
+                 "no <Group> has the type \"" + made.group_type + '"');
         made.physics = attribute(node, "Physics").value();
         const auto type = child(node, "Type");
         made.type = text(type);
@@ -57,7 +59,8 @@ class esi_reader : xml_source {
         for (const auto each : node.children("Fmmu")) made.fmmus.emplace_back(each.text().get());
         for (const auto each : node.children("Sm")) {
             if (made.sync_managers.size() == max_sync_managers)
-                fail(each, "expected at most " + std::to_string(max_sync_managers) + " <Sm>: a slave has no more");
+                fail(errc::unexpected, each,
+                     "expected at most " + std::to_string(max_sync_managers) + " <Sm>: a slave has no more");
             made.sync_managers.push_back(read_sync_manager(each));
         }
         for (const auto each : node.children("RxPdo")) made.rx_pdos.push_back(read_pdo(each));
@@ -73,7 +76,9 @@ class esi_reader : xml_source {
 
     sync_manager read_sync_manager(pugi::xml_node node) const {
         const auto use = parse_sync_manager_use(node.text().get());
-        if (!use) fail(node, '"' + std::string{node.text().get()} + "\", expected MBoxOut, MBoxIn, Outputs or Inputs");
+        if (!use)
+            fail(errc::invalid_value, node,
+                 '"' + std::string{node.text().get()} + "\", expected MBoxOut, MBoxIn, Outputs or Inputs");
         const auto size = [&](const char* name) {
             return static_cast<std::uint16_t>(node.attribute(name) ? number(node, name, 0xFFFF) : 0);
         };
@@ -95,7 +100,8 @@ class esi_reader : xml_source {
                  .mandatory = is_set("Mandatory")};
         for (const auto each : node.children("Entry")) {
             if (made.entries.size() == max_pdo_entries)
-                fail(each, "expected at most " + std::to_string(max_pdo_entries) + " <Entry>: a PDO has no more");
+                fail(errc::unexpected, each,
+                     "expected at most " + std::to_string(max_pdo_entries) + " <Entry>: a PDO has no more");
             pdo_entry entry{.index = static_cast<std::uint16_t>(number(child(each, "Index"), 0xFFFF)),
                             .bits = static_cast<std::uint8_t>(number(child(each, "BitLen"), 0xFF))};
             if (entry.index != 0) {
@@ -142,7 +148,7 @@ class esi_reader : xml_source {
         for (const auto& each : made.entries)
             if (made.code == object_code::variable || each.subindex != 0) bits += each.bit_size;
         if (const auto said = child(node, "BitSize"); number(said) != bits)
-            fail(said, "expected " + std::to_string(bits) + ", the size of " + type);
+            fail(errc::inconsistent, said, "expected " + std::to_string(bits) + ", the size of " + type);
         return made;
     }
 
@@ -156,45 +162,48 @@ class esi_reader : xml_source {
     pugi::xml_node named_type(pugi::xml_node user, const std::string& name) const {
         for (const auto each : types_.children("DataType"))
             if (each.child("Name").text().get() == name) return each;
-        fail(user, "its type \"" + name + "\" is no base type; expected a <DataType> of that name in <DataTypes>");
+        fail(errc::unknown_reference, user,
+             "its type \"" + name + "\" is no base type; expected a <DataType> of that name in <DataTypes>");
     }
 
     void read_items(object& made, pugi::xml_node type) const {
         made.code = object_code::record;
         for (const auto item : type.children("SubItem")) {
             if (made.code == object_code::array)
-                fail(item, "an item behind the elements of an array, expected none there");
+                fail(errc::unexpected, item, "an item behind the elements of an array, expected none there");
             entry each{.name = text(child(item, "Name")), .type = text(child(item, "Type"))};
             each.properties = read_properties(item);
             set_access(each, item);
             if (item.child("SubIdx")) {
                 each.subindex = static_cast<std::uint8_t>(number(item.child("SubIdx"), 0xFF));
                 if (!made.entries.empty() && each.subindex <= made.entries.back().subindex)
-                    fail(item.child("SubIdx"), "expected ascending subindices");
+                    fail(errc::inconsistent, item.child("SubIdx"), "expected ascending subindices");
                 append(made, each, item);
                 continue;
             }
             if (made.entries.size() > 1)
-                fail(item, "the elements of an array behind a record's items, expected them behind subindex 0 alone");
+                fail(errc::unexpected, item,
+                     "the elements of an array behind a record's items, expected them behind subindex 0 alone");
             made.code = object_code::array;
             const auto array = named_type(item, each.type);
             const auto bounds = child(array, "ArrayInfo");
             each.type = text(child(array, "BaseType"));
             const auto first = number(child(bounds, "LBound"), 1), count = number(child(bounds, "Elements"), 254);
-            if (first != 1) fail(child(bounds, "LBound"), "expected 1, the first subindex");
+            if (first != 1) fail(errc::invalid_value, child(bounds, "LBound"), "expected 1, the first subindex");
             for (std::uint32_t i = 0; i != count; ++i) {
                 each.subindex = static_cast<std::uint8_t>(i + 1);
                 append(made, each, item);
             }
         }
         if (made.entries.empty() || made.entries.front().subindex != 0 || made.entries.front().type != "USINT")
-            fail(type, "expected a <SubItem> with <SubIdx> 0 of type USINT first");
+            fail(errc::missing, type, "expected a <SubItem> with <SubIdx> 0 of type USINT first");
     }
 
     void append(object& made, entry each, pugi::xml_node item) const {
         const auto bits = bits_of(each.type);
         if (!bits)
-            fail(item, "its type \"" + each.type + "\" is unknown; expected a base type such as OCTET_STRING(28)");
+            fail(errc::unknown_reference, item,
+                 "its type \"" + each.type + "\" is unknown; expected a base type such as OCTET_STRING(28)");
         each.bit_size = *bits;
         made.entries.push_back(std::move(each));
     }
@@ -203,25 +212,26 @@ class esi_reader : xml_source {
     void name_items(object& made, pugi::xml_node info) const {
         auto each = made.entries.begin();
         for (const auto item : info.children("SubItem")) {
-            if (each == made.entries.end()) fail(item, "more items than the object's type has");
+            if (each == made.entries.end()) fail(errc::unexpected, item, "more items than the object's type has");
             each->name = text(child(item, "Name"));
             set_default(*each++, item.child("Info"));
         }
         if (each != made.entries.begin() && each != made.entries.end())
-            fail(info,
+            fail(errc::inconsistent, info,
                  "expected " + std::to_string(made.entries.size()) + " <SubItem>, one for each of the object's type");
     }
 
     void set_access(entry& made, pugi::xml_node node) const {
         const std::string_view access = node.child("Flags").child("Access").text().get();
         if (access != "ro" && access != "wo" && access != "rw" && !access.empty())
-            fail(node, "access \"" + std::string{access} + "\", expected ro, wo or rw");
+            fail(errc::invalid_value, node, "access \"" + std::string{access} + "\", expected ro, wo or rw");
         made.readable = access != "wo"; // ro by default
         made.writable = access == "wo" || access == "rw";
     }
 
     void set_default(entry& made, pugi::xml_node info) const {
-        if (const auto value = info.child("DefaultValue")) fail(value, "expected <DefaultData> in its place");
+        if (const auto value = info.child("DefaultValue"))
+            fail(errc::unexpected, value, "expected <DefaultData> in its place");
         auto data = info.child("DefaultData");
         if (data) {
             made.default_data = bytes(data);
@@ -230,15 +240,17 @@ class esi_reader : xml_source {
                 made.default_data.push_back(static_cast<std::byte>(c));
         }
         if (made.default_data.size() > (made.bit_size + 7) / 8)
-            fail(data, std::to_string(made.default_data.size()) + " bytes, expected at most " +
-                           std::to_string((made.bit_size + 7) / 8));
+            fail(errc::inconsistent, data,
+                 std::to_string(made.default_data.size()) + " bytes, expected at most " +
+                     std::to_string((made.bit_size + 7) / 8));
     }
 
     void check_indices(pugi::xml_node dictionary, const std::vector<object>& objects) const {
         std::set<std::uint16_t> seen;
         for (const auto& each : objects)
             if (!seen.insert(each.index).second)
-                fail(dictionary, "object " + hex_number(each.index, 4) + " is there twice, expected each once");
+                fail(errc::duplicate, dictionary,
+                     "object " + hex_number(each.index, 4) + " is there twice, expected each once");
     }
 
     pugi::xml_node types_{};
@@ -246,12 +258,14 @@ class esi_reader : xml_source {
 
 } // namespace detail
 
-/// Reads an ESI document from text; `source` is the file's name in messages. Throws `esi_error`.
-inline device parse_esi(std::string_view text, std::string source) {
-    return detail::esi_reader{text, std::move(source)}.read();
+/// Reads an ESI document from text; `source` is the file's name in messages.
+[[nodiscard]] inline result<device, error> parse_esi(std::string_view text, std::string source) {
+    return detail::caught([&] { return detail::esi_reader{text, std::move(source)}.read(); });
 }
 
-/// Reads an ESI file. Throws `esi_error`.
-inline device read_esi(const std::filesystem::path& path) { return parse_esi(detail::text_of(path), path.string()); }
+/// Reads an ESI file.
+[[nodiscard]] inline result<device, error> read_esi(const std::filesystem::path& path) {
+    return detail::caught([&] { return detail::esi_reader{detail::text_of(path), path.string()}.read(); });
+}
 
 } // namespace jauscat::esi
