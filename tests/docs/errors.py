@@ -17,7 +17,9 @@ problems = []
 SUCCESS = {"ok", "none", "handled", "accepted"}
 # Values to whose text in `describe` the page has nothing to add.
 EXPLAINED = {
-    "include/jauscat/net/error.hpp errc": "empty_message",
+    "include/jauscat/net/error.hpp errc": "empty_message invalid_address not_ethernet",
+    "include/jauscat/net/config_error.hpp config_errc":
+        "unreadable not_xml wrong_root unexpected missing duplicate too_many invalid_value no_such_system",
     "include/jauscat/esi/error.hpp errc":
         "unreadable not_xml not_esi missing unexpected invalid_value duplicate inconsistent",
     "include/jauscat/text/error.hpp errc":

@@ -58,10 +58,11 @@ TEST_CASE("one file configures every system") {
     CHECK(config.with_this("b").me().port == 39778);
     CHECK(config.me().port == 39777);
     try {
-        config.with_this("c");
+        static_cast<void>(config.with_this("c"));
         FAIL("a system that is not there was accepted");
     } catch (const config_error& error) {
         CHECK(std::string{error.what()} == "test.xml: there is no system \"c\"; the file has: a, b");
+        CHECK(error.code() == net::config_errc::no_such_system);
     }
 }
 
@@ -91,15 +92,16 @@ TEST_CASE("a jausip is four numbers from the subsystem to the instance") {
 
 TEST_CASE("a file that cannot be read is named, with the reason") {
     try {
-        read_jaus_config("/nonexistent/JausConfig.xml");
+        static_cast<void>(read_jaus_config("/nonexistent/JausConfig.xml"));
         FAIL("a missing file was accepted");
     } catch (const config_error& error) {
         CHECK(std::string{error.what()}.starts_with("/nonexistent/JausConfig.xml: cannot be read: No such file"));
         CHECK(std::string{error.what()}.find("; give the path") != std::string::npos);
         CHECK(error.line() == 0);
+        CHECK(error.code() == net::config_errc::unreadable);
     }
     try {
-        read_jaus_config("/");
+        static_cast<void>(read_jaus_config("/"));
         FAIL("a directory was accepted");
     } catch (const config_error& error) {
         CHECK(std::string{error.what()}.starts_with("/: cannot be read: Is a directory"));
@@ -112,11 +114,60 @@ TEST_CASE("errors of a file have its path") {
     std::ofstream{path} << "<jausconfig>\n</jausconfig>";
     CHECK_THROWS_AS(read_jaus_config(path), config_error);
     try {
-        read_jaus_config(path);
+        static_cast<void>(read_jaus_config(path));
     } catch (const config_error& error) {
         CHECK(std::string{error.what()}.starts_with(path.string() + ":1: no <system>"));
     }
     std::filesystem::remove(path);
+}
+
+TEST_CASE("each error of a configuration has a code, and the name and line concerned") {
+    using net::config_errc;
+    struct row {
+        std::string text;
+        config_errc code;
+        std::string_view name;
+        std::size_t line;
+    };
+    const auto file = [](const std::string& line) {
+        return "<jausconfig thissystem='a'>\n" + net_test::system_a + line + "\n</jausconfig>\n";
+    };
+    const std::string b = "<system name='b' jausip='2.0.0.0' ip='127.0.0.1' port='39778'";
+    std::string addresses;
+    for (int i = 0; i != 8; ++i) addresses += "<ip>10.0.0." + std::to_string(i) + "</ip>";
+    for (const row& one : {
+             row{"<jausconfig>", config_errc::not_xml, "", 1},
+             row{"<configuration/>", config_errc::wrong_root, "configuration", 1},
+             row{file("stray"), config_errc::unexpected, "jausconfig", 3},
+             row{file(b + "><framing><a/></framing></system>"), config_errc::unexpected, "framing", 3},
+             row{file(b + " colour='red'/>"), config_errc::unknown_name, "colour", 3},
+             row{file("<system name='b'/>"), config_errc::missing, "jausip", 3},
+             row{"<jausconfig>\n" + net_test::system_a + "</jausconfig>", config_errc::missing, "thissystem", 1},
+             row{file(net_test::system_a), config_errc::duplicate, "name", 3},
+             row{file(b + "><limits/><limits/></system>"), config_errc::duplicate, "limits", 3},
+             row{file(b + "><node id='1'/><node id='1'/></system>"), config_errc::duplicate, "id", 3},
+             row{file(b + '>' + addresses + "</system>"), config_errc::too_many, "ip", 3},
+             row{file("<system name='b' jausip='2' ip='127.0.0.1' port='1'/>"), config_errc::invalid_value, "jausip",
+                 3},
+             row{file(b + " framing='jaus'/>"), config_errc::invalid_value, "framing", 3},
+             row{file(b + "><limits rate='-1'/></system>"), config_errc::invalid_value, "rate", 3},
+             row{"<jausconfig thissystem='c'>" + net_test::system_a + "</jausconfig>", config_errc::no_such_system,
+                 "thissystem", 1},
+             row{file(b + "><multicast group='ff15::1'/></system>"), config_errc::inconsistent, "group", 3},
+             row{file(b + "><ethernet/></system>"), config_errc::unknown_name, "ethernet", 3},
+             row{file(b + "><ethercat interface='eth0'/></system>"), config_errc::inconsistent, "ethercat", 3},
+         }) {
+        CAPTURE(one.text);
+        try {
+            static_cast<void>(net::parse_jaus_config(one.text, "test.xml"));
+            FAIL("accepted");
+        } catch (const config_error& error) {
+            CHECK(error.code() == one.code);
+            CHECK(error.name() == one.name);
+            CHECK(error.line() == one.line);
+            CHECK(describe(error.code()) != "unknown error");
+        }
+    }
 }
 
 TEST_CASE("malformed XML is refused with its line") {

@@ -24,12 +24,14 @@ static_assert(ethercat::link<raw_link>);
 
 namespace {
 
-std::string refusal(const std::string& interface) {
+/// Why an interface cannot be opened; ok if it can.
+net::error refusal(const std::string& interface) {
     try {
         raw_link opened{interface};
-        return "opened";
+        return {};
     } catch (const net::open_error& error) {
-        return error.what();
+        CHECK(describe(error.error()) == error.what());
+        return error.error();
     }
 }
 
@@ -246,16 +248,22 @@ TEST_CASE("an interface that disappears is reported, and used again when it retu
 }
 
 TEST_CASE("an interface that cannot be used is refused with the reason", "[veth]") {
-    CHECK(refusal("jc7") == "there is no interface jc7; this machine has: lo, jc1, jc0");
-    CHECK(refusal("a-name-that-is-much-too-long").starts_with("there is no interface a-name-that-is-much-too-long; "));
+    CHECK(refusal("jc7").message == "there is no interface jc7; this machine has: lo, jc1, jc0");
+    CHECK(refusal("jc7").code == net::errc::no_interface);
+    CHECK(refusal("a-name-that-is-much-too-long")
+              .message.starts_with("there is no interface a-name-that-is-much-too-long; "));
     REQUIRE(ip("link set jc0 down"));
-    CHECK(refusal("jc0") == "interface jc0 is down; run: sudo ip link set jc0 up");
+    CHECK(refusal("jc0").message == "interface jc0 is down; run: sudo ip link set jc0 up");
+    CHECK(refusal("jc0").code == net::errc::interface_down);
     REQUIRE(ip("link set jc0 up"));
-    CHECK(refusal("jc0") == "opened");
-    CHECK(refusal("lo") == "lo is not an Ethernet interface; this machine has: lo, jc1, jc0");
+    CHECK(refusal("jc0") == net::error{});
+    CHECK(refusal("lo").message == "lo is not an Ethernet interface; this machine has: lo, jc1, jc0");
+    CHECK(refusal("lo").code == net::errc::not_ethernet);
 }
 
 TEST_CASE("without the capability the error has the setcap command for this program", "[unprivileged]") {
-    CHECK(refusal("jc0") == "raw Ethernet needs the capability CAP_NET_RAW; run once: sudo setcap cap_net_raw+ep " +
-                                std::filesystem::read_symlink("/proc/self/exe").string());
+    CHECK(refusal("jc0").message ==
+          "raw Ethernet needs the capability CAP_NET_RAW; run once: sudo setcap cap_net_raw+ep " +
+              std::filesystem::read_symlink("/proc/self/exe").string());
+    CHECK(refusal("jc0").code == net::errc::not_permitted);
 }

@@ -144,17 +144,26 @@ TEST_CASE("waiting for a frame ends at its deadline") {
 
 TEST_CASE("an unknown host and a port in use are explained") {
     try {
-        net::udp_link::connect("no-such-host.invalid");
+        static_cast<void>(net::udp_link::connect("no-such-host.invalid"));
         FAIL("connected to nowhere");
     } catch (const net::open_error& error) {
         CHECK(std::string{error.what()}.starts_with("cannot reach a slave at no-such-host.invalid:34980: "));
+        CHECK(error.code() == net::errc::unreachable);
+        CHECK(error.error().reason);
     }
     const auto slave = serve();
     try {
-        net::udp_link::serve(slave.port(), "127.0.0.1");
+        static_cast<void>(net::udp_link::serve(slave.port(), "127.0.0.1"));
         FAIL("two slaves at one port");
     } catch (const net::open_error& error) {
         CHECK(std::string{error.what()}.find("find the program that holds the port") != std::string::npos);
+        CHECK(error.code() == net::errc::address_in_use);
+        CHECK(error.error().reason == std::errc::address_in_use);
     }
-    CHECK_THROWS_AS(net::udp_link::serve(0, "localhost"), net::open_error);
+    try {
+        static_cast<void>(net::udp_link::serve(0, "localhost"));
+        FAIL("served at a name");
+    } catch (const net::open_error& error) {
+        CHECK(error.code() == net::errc::invalid_address);
+    }
 }

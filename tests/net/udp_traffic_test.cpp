@@ -293,10 +293,12 @@ TEST_CASE("time to live and loopback of multicast follow the options") {
 TEST_CASE("a group that cannot be joined is explained") {
     boost::asio::io_context context;
     udp_transport transport{context, any_port};
+    auto code = net::errc::ok;
     const auto complaint = [&](const net::multicast_options& options, auto act) {
         try {
             act(options);
         } catch (const net::open_error& error) {
+            code = error.code();
             return std::string{error.what()};
         }
         return std::string{"done"};
@@ -306,12 +308,15 @@ TEST_CASE("a group that cannot be joined is explained") {
     const net::multicast_options no_group{.group = boost::asio::ip::make_address("10.0.0.1")};
     CHECK(complaint(no_group, join) == "10.0.0.1 is no multicast group; use 224.1.0.1");
     CHECK(complaint(no_group, send) == "10.0.0.1 is no multicast group; use 224.1.0.1");
+    CHECK(code == net::errc::invalid_address);
     const net::multicast_options no_interface{.interface_name = "nowhere0"};
     CHECK(complaint(no_interface, send) ==
           "cannot use the multicast group 224.1.0.1 on nowhere0: No such device; see ip -brief address");
+    CHECK(code == net::errc::no_interface);
     const net::multicast_options once{.interface_name = "lo"};
     CHECK(complaint(once, join) == "done");
     CHECK(complaint(once, join) == "cannot join the multicast group 224.1.0.1 on lo: Address already in use");
+    CHECK(code == net::errc::not_opened);
 }
 
 TEST_CASE("one socket serves both IP versions and names their addresses in the usual form") {

@@ -145,6 +145,7 @@ TEST_CASE("an address of another machine cannot be bound") {
     } catch (const net::open_error& error) {
         CHECK(std::string{error.what()}.starts_with("cannot receive at UDP 192.0.2.1:39777: Cannot assign"));
         CHECK(std::string{error.what()}.ends_with("this machine does not have that address: see ip -brief address"));
+        CHECK(error.code() == net::errc::unknown_address);
     }
 }
 

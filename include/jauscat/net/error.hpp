@@ -3,6 +3,7 @@
 
 #include <jauscat/base/result.hpp>
 
+#include <cerrno>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -22,6 +23,15 @@ enum class errc : std::uint8_t {
     back_pressure,   ///< the network takes less than is sent; `reason` is the system's
     not_sent,        ///< the network refuses the datagram; `reason` is the system's
     privileges_kept, ///< privileges cannot be dropped; `reason` is the system's, if it gives one
+    invalid_address, ///< opening: no IP address, or no multicast group
+    address_in_use,  ///< opening: another socket has the port; `reason` is the system's
+    unknown_address, ///< opening: this machine does not have the address; `reason` is the system's
+    not_permitted,   ///< opening: a privilege is missing; `reason` is the system's
+    no_interface,    ///< opening: this machine does not have the interface; `reason` is the system's, if it gives one
+    interface_down,  ///< opening: the interface is down
+    not_ethernet,    ///< opening: the interface is of another kind
+    unreachable,     ///< opening: no route to the host or group, or no such host; `reason` is the system's
+    not_opened,      ///< opening: the system refuses for another reason; `reason` is the system's
 };
 
 /// The error in one line. `error::message` says more.
@@ -38,6 +48,15 @@ enum class errc : std::uint8_t {
     case errc::back_pressure: return "the network takes less than is sent";
     case errc::not_sent: return "the network refuses the datagram";
     case errc::privileges_kept: return "privileges cannot be dropped";
+    case errc::invalid_address: return "not an IP address, or not a multicast group";
+    case errc::address_in_use: return "another socket has the port";
+    case errc::unknown_address: return "this machine does not have the address";
+    case errc::not_permitted: return "a privilege is missing";
+    case errc::no_interface: return "this machine does not have the interface";
+    case errc::interface_down: return "the interface is down";
+    case errc::not_ethernet: return "the interface is not an Ethernet interface";
+    case errc::unreachable: return "no route to the host or group, or no such host";
+    case errc::not_opened: return "the system refuses the socket";
     }
     return "unknown error";
 }
@@ -61,7 +80,7 @@ requires std::is_enum_v<Enumeration>
     return {static_cast<int>(code), category};
 }
 
-/// Why a network operation failed.
+/// Why a network operation or the opening of a socket failed.
 struct error {
     errc code{};
     std::error_code reason{}; ///< of the layer below: of the system, or by `reason_of`; none for most codes
@@ -69,5 +88,11 @@ struct error {
 
     friend bool operator==(const error&, const error&) = default;
 };
+
+/// The line for the operator.
+[[nodiscard]] inline std::string_view describe(const error& why) noexcept { return why.message; }
+
+/// The last error of the system, as the reason of an error.
+[[nodiscard]] inline std::error_code last_system_error() noexcept { return {errno, std::generic_category()}; }
 
 } // namespace jauscat::net

@@ -99,7 +99,7 @@ struct jaus_config {
 
     /// The same configuration for another of its systems, so that one file serves all programs.
     /// Throws `config_error` if there is no system of that name.
-    jaus_config with_this(std::string_view name) const;
+    [[nodiscard]] jaus_config with_this(std::string_view name) const;
 
     /// The system for messages to `destination`, or null if none covers it; it may be `me()`.
     /// A level of 0 in an entry covers every ID. If several entries match, the one that names the higher level is
@@ -129,8 +129,9 @@ constexpr int rank(const jaus::address& entry) noexcept {
 }
 
 /// Error with the position in the file of `config`.
-inline config_error complaint(const jaus_config& config, std::size_t line, const std::string& text) {
-    return {config.source + ':' + std::to_string(line) + ": " + text, line};
+inline config_error complaint(const jaus_config& config, config_errc code, std::string name, std::size_t line,
+                              const std::string& text) {
+    return {code, std::move(name), line, config.source + ':' + std::to_string(line) + ": " + text};
 }
 
 inline std::string no_such_system(const jaus_config& config, std::string_view name) {
@@ -147,7 +148,9 @@ inline const system_entry* jaus_config::find(std::string_view name) const noexce
 }
 
 inline jaus_config jaus_config::with_this(std::string_view name) const {
-    if (!find(name)) throw config_error{source + ": " + detail::no_such_system(*this, name), 0};
+    if (!find(name))
+        throw config_error{config_errc::no_such_system, "thissystem", 0,
+                           source + ": " + detail::no_such_system(*this, name)};
     jaus_config changed = *this;
     changed.this_system = name;
     return changed;

@@ -32,29 +32,30 @@ class config_reader {
     jaus_config read() {
         const auto root = source_.root();
         if (!is_root_name(root.name()))
-            fail(source_.line_of(root),
-                 "the root element is <" + std::string{root.name()} + ">; it must be <jausconfig>");
+            source_.fail(config_errc::wrong_root, root,
+                         "the root element is <" + std::string{root.name()} + ">; it must be <jausconfig>");
         if (root.next_sibling())
-            fail(source_.line_of(root.next_sibling()), "something follows </jausconfig>; remove it");
+            source_.fail(config_errc::unexpected, root.next_sibling(), "something follows </jausconfig>; remove it");
 
         std::array values{config_value{"thissystem"}};
         source_.collect(root, values, {"system"});
         for (const auto node : root.children("system")) config_.systems.push_back(system(node));
         if (config_.systems.empty())
-            fail(source_.line_of(root), "no <system>; give at least one, with <name>, <jausip>, <ip> and <port>");
+            source_.fail(config_errc::missing, "system", source_.line_of(root),
+                         "no <system>; give at least one, with <name>, <jausip>, <ip> and <port>");
 
         check_ethercat(source_, config_);
         const auto& this_system = values[0];
         if (!this_system.given)
-            fail(source_.line_of(root), "no <thissystem>; name there the <system> that this program is");
-        if (!config_.find(this_system.text)) fail(this_system.line, no_such_system(config_, this_system.text));
+            source_.fail(config_errc::missing, "thissystem", source_.line_of(root),
+                         "no <thissystem>; name there the <system> that this program is");
+        if (!config_.find(this_system.text))
+            source_.fail(config_errc::no_such_system, this_system, no_such_system(config_, this_system.text));
         config_.this_system = this_system.text;
         return std::move(config_);
     }
 
   private:
-    [[noreturn]] void fail(std::size_t line, const std::string& text) const { source_.fail(line, text); }
-
     static bool is_root_name(std::string_view name) {
         const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
         return std::ranges::equal(name, std::string_view{"jausconfig"}, {}, lower);
@@ -89,20 +90,23 @@ class config_reader {
 
     std::string unique_name(const config_value& value) const {
         if (const auto* taken = config_.find(value.text))
-            fail(value.line, "the name " + quoted(value.text) + " is taken by the <system> in line " +
-                                 std::to_string(taken->line) + "; give each its own");
+            source_.fail(config_errc::duplicate, value,
+                         "the name " + quoted(value.text) + " is taken by the <system> in line " +
+                             std::to_string(taken->line) + "; give each its own");
         return std::string{value.text};
     }
 
     jaus::address unique_jausip(const config_value& value) const {
         const auto id = parse_jausip(value.text);
         if (!id || std::max({id->subsystem, id->node, id->component, id->instance}) > 254)
-            fail(value.line, "jausip " + quoted(value.text) +
-                                 " is not subsystem.node.component.instance, each 0 (all) to 254, such as 1.0.0.0");
+            source_.fail(config_errc::invalid_value, value,
+                         "jausip " + quoted(value.text) +
+                             " is not subsystem.node.component.instance, each 0 (all) to 254, such as 1.0.0.0");
         const auto taken = std::ranges::find(config_.systems, *id, &system_entry::jausip);
         if (taken != config_.systems.end())
-            fail(value.line, "the jausip " + to_jausip(*id) + " is taken by the <system> in line " +
-                                 std::to_string(taken->line) + "; give each its own");
+            source_.fail(config_errc::duplicate, value,
+                         "the jausip " + to_jausip(*id) + " is taken by the <system> in line " +
+                             std::to_string(taken->line) + "; give each its own");
         return *id;
     }
 
@@ -116,9 +120,11 @@ class config_reader {
     void add_ip(system_entry& entry, const config_value& value) const {
         auto address = config_ip(source_, value);
         if (address == entry.ip || std::ranges::find(entry.more_ips, address) != entry.more_ips.end())
-            fail(value.line, "ip " + address.to_string() + " is given twice in <system>; keep one");
+            source_.fail(config_errc::duplicate, value,
+                         "ip " + address.to_string() + " is given twice in <system>; keep one");
         if (entry.more_ips.size() + 1 == system_entry::max_ips)
-            fail(value.line, "a <system> has at most " + std::to_string(system_entry::max_ips) + " <ip>");
+            source_.fail(config_errc::too_many, value,
+                         "a <system> has at most " + std::to_string(system_entry::max_ips) + " <ip>");
         entry.more_ips.push_back(std::move(address));
     }
 
@@ -130,12 +136,13 @@ class config_reader {
         multicast_options made;
         if (group.given) made.group = config_ip(source_, group, "224.1.0.1");
         if (!made.group.is_multicast())
-            fail(group.line, "group " + quoted(group.text) + " is no multicast group, such as 224.1.0.1");
+            source_.fail(config_errc::invalid_value, group,
+                         "group " + quoted(group.text) + " is no multicast group, such as 224.1.0.1");
         if (made.group.is_v6() != entry.ip.is_v6())
-            fail(group.given ? group.line : source_.line_of(node),
-                 "the group " + made.group.to_string() + " and the ip " + entry.ip.to_string() +
-                     " are of different IP versions; give a group of the other, such as " +
-                     (entry.ip.is_v6() ? "ff15::e001:1" : "224.1.0.1"));
+            source_.fail(config_errc::inconsistent, group.name, group.given ? group.line : source_.line_of(node),
+                         "the group " + made.group.to_string() + " and the ip " + entry.ip.to_string() +
+                             " are of different IP versions; give a group of the other, such as " +
+                             (entry.ip.is_v6() ? "ff15::e001:1" : "224.1.0.1"));
         made.port = config_number_or<std::uint16_t>(source_, port, made.port, 1, 65535, "a UDP port");
         made.ttl = config_number_or<std::uint8_t>(source_, ttl, made.ttl, 0, 255, "a number of hops");
         made.interface_name = interface_name.text;
@@ -168,11 +175,13 @@ class config_reader {
             .id = id_of(id, "a node's ID"), .name = std::string{name.text}, .line = source_.line_of(node)};
         const auto taken = std::ranges::find(entry.nodes, made.id, &node_entry::id);
         if (taken != entry.nodes.end())
-            fail(id.line, "the node " + std::to_string(made.id) + " is taken by the <node> in line " +
-                              std::to_string(taken->line) + "; put all its components there");
+            source_.fail(config_errc::duplicate, id,
+                         "the node " + std::to_string(made.id) + " is taken by the <node> in line " +
+                             std::to_string(taken->line) + "; put all its components there");
         if (entry.jausip.node != 0 && entry.jausip.node != made.id)
-            fail(id.line, "the node " + std::to_string(made.id) + " is outside of its system's jausip " +
-                              to_jausip(entry.jausip));
+            source_.fail(config_errc::inconsistent, id,
+                         "the node " + std::to_string(made.id) + " is outside of its system's jausip " +
+                             to_jausip(entry.jausip));
         entry.nodes.push_back(made);
         for (const auto child : node.children("component")) add_component(entry, child, made.id);
     }
@@ -192,14 +201,17 @@ class config_reader {
                              .line = line};
         made.authority = config_number_or<std::uint8_t>(source_, authority, 0, 0, 255, "an authority code");
         if (entry.jausip.subsystem == 0)
-            fail(line, "a <system> with components needs a jausip that names its subsystem, such as 1.0.0.0");
+            source_.fail(config_errc::inconsistent, node,
+                         "a <system> with components needs a jausip that names its subsystem, such as 1.0.0.0");
         if (!covers(entry.jausip, made.id))
-            fail(line, "the component " + to_jausip(made.id) + " is outside of its system's jausip " +
-                           to_jausip(entry.jausip));
+            source_.fail(config_errc::inconsistent, node,
+                         "the component " + to_jausip(made.id) + " is outside of its system's jausip " +
+                             to_jausip(entry.jausip));
         const auto [taken, is_new] = component_lines_.emplace(std::bit_cast<std::uint32_t>(made.id), line);
         if (!is_new)
-            fail(line, "the component " + to_jausip(made.id) + " is taken by the <component> in line " +
-                           std::to_string(taken->second) + "; give each its own id or instance");
+            source_.fail(config_errc::duplicate, node,
+                         "the component " + to_jausip(made.id) + " is taken by the <component> in line " +
+                             std::to_string(taken->second) + "; give each its own id or instance");
         entry.components.push_back(std::move(made));
     }
 
@@ -211,19 +223,21 @@ class config_reader {
 } // namespace detail
 
 /// Reads a configuration from text; `source` is the file's name in messages. Throws `config_error`.
-inline jaus_config parse_jaus_config(std::string_view text, std::string source) {
+[[nodiscard]] inline jaus_config parse_jaus_config(std::string_view text, std::string source) {
     const detail::config_source parsed{text, std::move(source)};
     return detail::config_reader{parsed}.read();
 }
 
 /// Reads a configuration file. Throws `config_error`.
-inline jaus_config read_jaus_config(const std::filesystem::path& path) {
+[[nodiscard]] inline jaus_config read_jaus_config(const std::filesystem::path& path) {
     std::ifstream file{path, std::ios::binary};
     file.peek(); // a directory can be opened, and fails here
     if (!file && !file.eof())
-        throw config_error{path.string() + ": cannot be read: " + std::generic_category().message(errno) +
-                               "; give the path of a JausConfig.xml, such as examples/JausConfig.xml",
-                           0};
+        throw config_error{config_errc::unreadable,
+                           {},
+                           0,
+                           path.string() + ": cannot be read: " + std::generic_category().message(errno) +
+                               "; give the path of a JausConfig.xml, such as examples/JausConfig.xml"};
     std::ostringstream text;
     text << file.rdbuf();
     return parse_jaus_config(text.str(), path.string());

@@ -19,14 +19,18 @@ namespace detail {
 
 /// Throws `open_error` with what to do.
 [[noreturn]] inline void fail_multicast(const multicast_options& options, const char* what, int error) {
-    auto reason = std::string{what} + ' ' + options.group.to_string();
-    if (!options.interface_name.empty()) reason += " on " + options.interface_name;
-    reason += std::string{": "} + std::strerror(error);
-    if (error == ENODEV || error == EADDRNOTAVAIL)
-        reason +=
-            options.interface_name.empty() ? "; no route leads there: name an interface" : "; see ip -brief address";
-    if (error == ENOBUFS) reason += "; see sysctl net.ipv4.igmp_max_memberships";
-    throw open_error{reason};
+    net::error why{.code = errc::not_opened,
+                   .reason = {error, std::generic_category()},
+                   .message = std::string{what} + ' ' + options.group.to_string()};
+    if (!options.interface_name.empty()) why.message += " on " + options.interface_name;
+    why.message += std::string{": "} + std::strerror(error);
+    if (error == ENODEV || error == EADDRNOTAVAIL) {
+        const bool named = !options.interface_name.empty();
+        why.code = named ? errc::no_interface : errc::unreachable;
+        why.message += named ? "; see ip -brief address" : "; no route leads there: name an interface";
+    }
+    if (error == ENOBUFS) why.message += "; see sysctl net.ipv4.igmp_max_memberships";
+    throw open_error{why};
 }
 
 /// The interface's index; 0 without a name: the routing table selects the interface. Throws `open_error`.
@@ -43,7 +47,8 @@ template <class T> bool set_option(int socket, int level, int name, const T& val
 
 inline void need_multicast_group(const multicast_options& options) {
     if (!options.group.is_multicast())
-        throw open_error{options.group.to_string() + " is no multicast group; use 224.1.0.1"};
+        throw open_error{{.code = errc::invalid_address,
+                          .message = options.group.to_string() + " is no multicast group; use 224.1.0.1"}};
 }
 
 } // namespace detail

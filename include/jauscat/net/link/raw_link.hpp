@@ -42,17 +42,18 @@ class raw_link {
     /// interface does not exist, is down or is not Ethernet. It need not have a link yet: `problem()` reports that.
     explicit raw_link(std::string interface) : name_{std::move(interface)} {
         // Protocol 0 receives nothing; `bind` sets the EtherType, so that no frame of another interface is received.
-        if (socket_.get() < 0)
-            throw open_error{errno == EPERM ? not_permitted()
-                                            : std::string{"no packet socket: "} + std::strerror(errno)};
+        if (socket_.get() < 0) throw open_error{no_socket()};
         receive_datagrams_only();
         detail::limit_blocking(socket_.get());
         if (::if_nametoindex(name_.c_str()) == 0)
-            throw open_error{"there is no interface " + name_ + "; " + detail::all_interfaces()};
-        if (auto problem = bind(); !problem.empty()) throw open_error{problem};
+            throw open_error{{.code = errc::no_interface,
+                              .reason = last_system_error(),
+                              .message = "there is no interface " + name_ + "; " + detail::all_interfaces()}};
+        if (const auto bound = bind(); !bound) throw open_error{bound.error()};
         const auto state = detail::state_of_interface(socket_.get(), name_);
         problem_ = detail::problem_of_interface(state, name_);
-        if (state == detail::interface_state::down) throw open_error{problem_};
+        if (state == detail::interface_state::down)
+            throw open_error{{.code = errc::interface_down, .message = problem_}};
     }
 
     /// Takes the socket over.
@@ -121,12 +122,12 @@ class raw_link {
     /// was removed and has returned under its name, such as a USB adapter.
     void explain(int error) {
         problem_ = detail::problem_of_interface(detail::state_of_interface(socket_.get(), name_), name_);
-        if (problem_.empty() && ::if_nametoindex(name_.c_str()) != index_) problem_ = bind();
+        if (problem_.empty() && ::if_nametoindex(name_.c_str()) != index_) problem_ = bind().error().message;
         if (problem_.empty() && error != 0) problem_ = "interface " + name_ + ": " + std::strerror(error);
     }
 
-    /// Binds to the interface that has the name now. Returns the reason for a failure, or an empty text.
-    std::string bind() {
+    /// Binds to the interface that has the name now.
+    [[nodiscard]] result<void, net::error> bind() {
         sockaddr_ll address{};
         address.sll_family = AF_PACKET;
         address.sll_protocol = htons(ethercat::ether_type_ethercat);
@@ -134,22 +135,23 @@ class raw_link {
         auto* const generic = reinterpret_cast<sockaddr*>(&address);
         socklen_t size = sizeof address;
         if (::bind(socket_.get(), generic, size) != 0 || ::getsockname(socket_.get(), generic, &size) != 0)
-            return "cannot use interface " + name_ + ": " + std::strerror(errno);
+            return not_opened("cannot use interface " + name_ + ": ");
         if (address.sll_hatype != ARPHRD_ETHER)
-            return name_ + " is not an Ethernet interface; " + detail::all_interfaces();
+            return net::error{.code = errc::not_ethernet,
+                              .message = name_ + " is not an Ethernet interface; " + detail::all_interfaces()};
         index_ = static_cast<unsigned>(address.sll_ifindex);
         std::memcpy(mac_.data(), address.sll_addr, mac_.size());
         return receive_every_destination();
     }
 
     /// Slaves accept any destination address, so a link must, too: it is promiscuous while it is open.
-    std::string receive_every_destination() {
+    [[nodiscard]] result<void, net::error> receive_every_destination() {
         packet_mreq membership{};
         membership.mr_ifindex = static_cast<int>(index_);
         membership.mr_type = PACKET_MR_PROMISC;
         if (::setsockopt(socket_.get(), SOL_PACKET, PACKET_ADD_MEMBERSHIP, &membership, sizeof membership) == 0)
             return {};
-        return "interface " + name_ + " cannot listen to every address: " + std::strerror(errno);
+        return not_opened("interface " + name_ + " cannot listen to every address: ");
     }
 
     /// Other frames of the EtherType, such as network variables, would wake the receiver without need.
@@ -169,14 +171,23 @@ class raw_link {
         };
         const sock_fprog filter{.len = program.size(), .filter = program.data()};
         if (::setsockopt(socket_.get(), SOL_SOCKET, SO_ATTACH_FILTER, &filter, sizeof filter) != 0)
-            throw open_error{std::string{"the packet socket takes no filter: "} + std::strerror(errno)};
+            throw open_error{not_opened("the packet socket takes no filter: ")};
     }
 
-    static std::string not_permitted() {
+    /// The system's last error.
+    static net::error not_opened(const std::string& what) {
+        const auto reason = last_system_error();
+        return {.code = errc::not_opened, .reason = reason, .message = what + reason.message()};
+    }
+    static net::error no_socket() {
+        if (errno != EPERM) return not_opened("no packet socket: ");
+        const auto reason = last_system_error();
         std::error_code unknown;
         const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-        return "raw Ethernet needs the capability CAP_NET_RAW; run once: sudo setcap cap_net_raw+ep " +
-               (unknown ? "<this program>" : program.string());
+        return {.code = errc::not_permitted,
+                .reason = reason,
+                .message = "raw Ethernet needs the capability CAP_NET_RAW; run once: sudo setcap cap_net_raw+ep " +
+                           (unknown ? "<this program>" : program.string())};
     }
 
     detail::file_descriptor socket_{::socket(AF_PACKET, SOCK_RAW | SOCK_CLOEXEC, 0)};

@@ -40,7 +40,9 @@ class udp_link {
     static udp_link serve(std::uint16_t port = ethercat_port, const std::string& address = "0.0.0.0") {
         boost::system::error_code error;
         const auto ip = boost::asio::ip::make_address(address, error);
-        if (error) throw open_error{'"' + address + "\" is not an IP address, such as 127.0.0.1"};
+        if (error)
+            throw open_error{{.code = errc::invalid_address,
+                              .message = '"' + address + "\" is not an IP address, such as 127.0.0.1"}};
         udp_link link;
         detail::bind_udp(link.socket_, {ip, port});
         detail::limit_blocking(link.socket_.native_handle());
@@ -59,7 +61,10 @@ class udp_link {
             link.socket_.connect(link.peer_, error);
         }
         if (error)
-            throw open_error{"cannot reach a slave at " + host + ':' + std::to_string(port) + ": " + error.message()};
+            throw open_error{
+                {.code = errc::unreachable,
+                 .reason = error,
+                 .message = "cannot reach a slave at " + host + ':' + std::to_string(port) + ": " + error.message()}};
         detail::limit_blocking(link.socket_.native_handle());
         return link;
     }

@@ -37,11 +37,19 @@ class config_source {
     config_source(std::string_view text, std::string source) : source_{std::move(source)} {
         for (auto end = text.find('\n'); end != text.npos; end = text.find('\n', end + 1)) line_ends_.push_back(end);
         const auto parsed = document_.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
-        if (!parsed) fail(line_at(parsed.offset), std::string{"not well-formed XML: "} + parsed.description());
+        if (!parsed)
+            fail(config_errc::not_xml, {}, line_at(parsed.offset),
+                 std::string{"not well-formed XML: "} + parsed.description());
     }
 
-    [[noreturn]] void fail(std::size_t line, const std::string& text) const {
-        throw config_error{source_ + ':' + std::to_string(line) + ": " + text, line};
+    [[noreturn]] void fail(config_errc code, std::string_view name, std::size_t line, const std::string& text) const {
+        throw config_error{code, std::string{name}, line, source_ + ':' + std::to_string(line) + ": " + text};
+    }
+    [[noreturn]] void fail(config_errc code, const config_value& value, const std::string& text) const {
+        fail(code, value.name, value.line, text);
+    }
+    [[noreturn]] void fail(config_errc code, pugi::xml_node node, const std::string& text) const {
+        fail(code, node.name(), line_of(node), text);
     }
 
     [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
@@ -58,8 +66,10 @@ class config_source {
             if (all && name == repeated) return void(all->push_back({repeated, trimmed(text), line, true}));
             const auto value = std::ranges::find(values, name, &config_value::name);
             if (value == values.end())
-                fail(line, "unknown " + quoted(name) + inside + "; remove it or correct its name");
-            if (value->given) fail(line, quoted(name) + " is given twice" + inside + "; keep one");
+                fail(config_errc::unknown_name, name, line,
+                     "unknown " + quoted(name) + inside + "; remove it or correct its name");
+            if (value->given)
+                fail(config_errc::duplicate, name, line, quoted(name) + " is given twice" + inside + "; keep one");
             *value = {value->name, trimmed(text), line, true};
         };
         for (const auto attribute : node.attributes()) {
@@ -70,12 +80,14 @@ class config_source {
         }
         for (const auto child : node.children()) {
             const auto line = line_of(child);
-            if (child.type() != pugi::node_element) fail(line, "stray text" + inside + "; remove it");
+            if (child.type() != pugi::node_element)
+                fail(config_errc::unexpected, node.name(), line, "stray text" + inside + "; remove it");
             if (std::ranges::find(others, child.name()) != others.end()) continue;
             set(child.name(), child.text().get(), line);
             if (child.first_attribute() || child.first_child() != child.last_child() ||
                 child.first_child().type() == pugi::node_element)
-                fail(line, '<' + std::string{child.name()} + "> takes a plain text and nothing else");
+                fail(config_errc::unexpected, child,
+                     '<' + std::string{child.name()} + "> takes a plain text and nothing else");
         }
     }
 
@@ -83,7 +95,7 @@ class config_source {
     void need(pugi::xml_node node, std::initializer_list<config_value> values) const {
         for (const auto& value : values)
             if (value.text.empty())
-                fail(value.given ? value.line : line_of(node),
+                fail(config_errc::missing, value.name, value.given ? value.line : line_of(node),
                      "this <" + std::string{node.name()} + "> needs <" + std::string{value.name} + '>');
     }
 
@@ -91,7 +103,8 @@ class config_source {
     [[nodiscard]] pugi::xml_node only_child(pugi::xml_node node, const char* name) const {
         const auto child = node.child(name);
         if (const auto second = child.next_sibling(name))
-            fail(line_of(second), quoted(name) + " is given twice in <" + std::string{node.name()} + ">; keep one");
+            fail(config_errc::duplicate, second,
+                 quoted(name) + " is given twice in <" + std::string{node.name()} + ">; keep one");
         return child;
     }
 

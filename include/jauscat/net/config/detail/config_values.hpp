@@ -19,8 +19,9 @@ T config_number(const config_source& source, const config_value& value, T first,
     const auto* const end = value.text.data() + value.text.size();
     const auto [stop, error] = std::from_chars(value.text.data(), end, number);
     if (error != std::errc{} || stop != end || number < first || number > last)
-        source.fail(value.line, std::string{value.name} + ' ' + quoted(value.text) + " is not " + std::string{what} +
-                                    ", " + std::to_string(first) + " to " + std::to_string(last));
+        source.fail(config_errc::invalid_value, value,
+                    std::string{value.name} + ' ' + quoted(value.text) + " is not " + std::string{what} + ", " +
+                        std::to_string(first) + " to " + std::to_string(last));
     return number;
 }
 
@@ -36,8 +37,9 @@ inline boost::asio::ip::address config_ip(const config_source& source, const con
     boost::system::error_code wrong;
     auto address = boost::asio::ip::make_address(std::string{value.text}, wrong);
     if (wrong)
-        source.fail(value.line, std::string{value.name} + ' ' + quoted(value.text) + " is not an IP address, such as " +
-                                    std::string{example});
+        source.fail(config_errc::invalid_value, value,
+                    std::string{value.name} + ' ' + quoted(value.text) + " is not an IP address, such as " +
+                        std::string{example});
     return address;
 }
 
@@ -45,8 +47,9 @@ inline boost::asio::ip::address config_ip(const config_source& source, const con
 inline bool config_choice(const config_source& source, const config_value& value, std::string_view no,
                           std::string_view yes) {
     if (value.given && value.text != no && value.text != yes)
-        source.fail(value.line, std::string{value.name} + ' ' + quoted(value.text) + " is unknown; use " +
-                                    std::string{no} + " or " + std::string{yes});
+        source.fail(config_errc::invalid_value, value,
+                    std::string{value.name} + ' ' + quoted(value.text) + " is unknown; use " + std::string{no} +
+                        " or " + std::string{yes});
     return value.given && value.text == yes;
 }
 

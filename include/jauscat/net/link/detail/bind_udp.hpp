@@ -40,14 +40,19 @@ inline void bind_udp(boost::asio::ip::udp::socket& socket, const boost::asio::ip
     if (!error) return;
 
     const auto port = std::to_string(local.port());
-    auto reason = "cannot receive at UDP " + text(local) + ": " + error.message();
-    if (error == boost::asio::error::address_in_use)
-        reason += "; find the program that holds the port with: ss -ulpn 'sport = :" + port + "'";
-    else if (error == boost::system::errc::address_not_available)
-        reason += "; this machine does not have that address: see ip -brief address";
-    else if (error == boost::asio::error::access_denied)
-        reason += "; ports below 1024 are for privileged programs: take a higher one";
-    throw open_error{reason};
+    net::error why{.code = errc::not_opened, .reason = error};
+    why.message = "cannot receive at UDP " + text(local) + ": " + error.message();
+    if (error == boost::asio::error::address_in_use) {
+        why.code = errc::address_in_use;
+        why.message += "; find the program that holds the port with: ss -ulpn 'sport = :" + port + "'";
+    } else if (error == boost::system::errc::address_not_available) {
+        why.code = errc::unknown_address;
+        why.message += "; this machine does not have that address: see ip -brief address";
+    } else if (error == boost::asio::error::access_denied) {
+        why.code = errc::not_permitted;
+        why.message += "; ports below 1024 are for privileged programs: take a higher one";
+    }
+    throw open_error{why};
 }
 
 } // namespace jauscat::net::detail

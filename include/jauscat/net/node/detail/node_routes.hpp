@@ -21,7 +21,7 @@ namespace jauscat::net::detail {
 inline jaus::address manager_of(const jaus_config& config, std::uint8_t node) {
     const auto& me = config.me();
     if (me.jausip.subsystem == 0)
-        throw complaint(config, me.line,
+        throw complaint(config, config_errc::inconsistent, "jausip", me.line,
                         "this system's jausip " + to_jausip(me.jausip) +
                             " has no subsystem; a node needs one, such as 1.0.0.0");
     if (node == 0) node = me.jausip.node;
@@ -59,8 +59,9 @@ class node_routes {
             if (const auto what = table_.add_component(components[i].component, components[i].instance,
                                                        static_cast<std::uint16_t>(i));
                 what != jaus::added::ok)
-                throw config_error{
-                    config.source + ": component " + to_jausip(components[i]) + ": " + std::string{describe(what)}, 0};
+                throw config_error{config_errc::inconsistent, "component", 0,
+                                   config.source + ": component " + to_jausip(components[i]) + ": " +
+                                       std::string{describe(what)}};
         for (const auto& system : config.systems)
             hop_of_system_.push_back(&system == &config.me() ? jaus::unknown_hop : add(system));
         if (config.me().multicast) add_group(*config.me().multicast);
@@ -81,8 +82,9 @@ class node_routes {
     }
 
   private:
-    [[noreturn]] void fail(const system_entry& system, const std::string& why) const {
-        throw complaint(config_, system.line, why);
+    [[noreturn]] void fail(config_errc code, const std::string& name, const system_entry& system,
+                           const std::string& why) const {
+        throw complaint(config_, code, name, system.line, why);
     }
 
     [[nodiscard]] std::size_t max_unknown_peers() const noexcept { return strangers_ ? 254 : 0; } // subsystems
@@ -111,17 +113,20 @@ class node_routes {
     jaus::hop add(const system_entry& system) {
         const auto to = system.endpoint();
         if (to == config_.me().endpoint())
-            fail(system, "the system " + detail::quoted(system.name) + " listens where this system does, at " +
-                             text(to) + "; give each its own port");
+            fail(config_errc::duplicate, "port", system,
+                 "the system " + detail::quoted(system.name) + " listens where this system does, at " + text(to) +
+                     "; give each its own port");
         const auto [at, is_new] = by_endpoint_.emplace(to, static_cast<jaus::hop>(neighbours_.size()));
         if (is_new)
             neighbours_.push_back({to, system.framing});
         else if (neighbours_[at->second].framing != system.framing)
-            fail(system, "another system at " + text(to) + " has another framing; give them the same");
+            fail(config_errc::inconsistent, "framing", system,
+                 "another system at " + text(to) + " has another framing; give them the same");
         const jaus::hop hop = at->second;
         if (const auto what = table_.add_route(system.jausip, hop); what != jaus::added::ok)
-            fail(system, "the jausip " + to_jausip(system.jausip) + " of " + detail::quoted(system.name) +
-                             " cannot be used by this system: " + std::string{describe(what)});
+            fail(config_errc::inconsistent, "jausip", system,
+                 "the jausip " + to_jausip(system.jausip) + " of " + detail::quoted(system.name) +
+                     " cannot be used by this system: " + std::string{describe(what)});
         if (!shares_group(system)) table_.keep_outside_groups(hop);
         return hop;
     }

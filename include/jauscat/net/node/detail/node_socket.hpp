@@ -21,7 +21,7 @@ class node_socket {
         const auto& me = config.me();
         if (!me.multicast) return;
         if (me.ip.is_unspecified())
-            throw complaint(config, me.line,
+            throw complaint(config, config_errc::inconsistent, "multicast", me.line,
                             "the system " + detail::quoted(me.name) + " has multicast and the ip " + me.ip.to_string() +
                                 "; give the address by which others know it");
         auto shared = options;
