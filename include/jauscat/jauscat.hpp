@@ -47,6 +47,7 @@
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 #include <jauscat/translate/diagnose.hpp>
+#include <jauscat/translate/diagnose_image.hpp>
 #include <jauscat/translate/fixed_length.hpp>
 #include <jauscat/translate/image_translator.hpp>
 #include <jauscat/translate/translator.hpp>

@@ -101,7 +101,7 @@ TEST_CASE("a command beyond the capacity for acknowledgements is refused before 
     for (std::size_t i = 0; i != exchange::capacity; ++i)
         REQUIRE(r.commands("0100 3412", jaus::ack_nak::request) == translate::errc::ok);
     const auto before = r.outputs;
-    CHECK(r.commands("0100 7856", jaus::ack_nak::request) == translate::errc::too_large);
+    CHECK(r.commands("0100 7856", jaus::ack_nak::request) == translate::errc::no_capacity);
     CHECK(r.outputs == before);
     CHECK(r.commands("0100 7856") == translate::errc::ok);
 }
@@ -121,7 +121,7 @@ TEST_CASE("a restarted controller continues the count from the command that the 
     REQUIRE(second.commands("0200 4444") == translate::errc::ok);
     second.slave_works();
     CHECK(values_of(second.inputs).propulsive_linear_effort_y == 0x4444);
-    CHECK_FALSE(second.mine.start(std::span{second.outputs}.first(20), second.inputs));
+    CHECK(second.mine.start(std::span{second.outputs}.first(20), second.inputs).error() == translate::errc::wrong_size);
 }
 
 TEST_CASE("acknowledgements wrap around with the counter") {
@@ -146,17 +146,27 @@ TEST_CASE("a query is answered from the inputs, with the requested elements that
                          r.inputs));
     std::array<std::byte, 64> out{};
     const auto ask = [&](std::string_view body) {
-        return std::span{out}.first(r.mine.on_query<jaus::query_wrench_effort>(
-            robot::head(exchange::query_code, jaus::ack_nak::none, 9), from_hex(body), r.inputs, out));
+        return r.mine.on_query<jaus::query_wrench_effort>(robot::head(exchange::query_code, jaus::ack_nak::none, 9),
+                                                          from_hex(body), r.inputs, out);
     };
-    const auto answer = jaus::split(ask("0608"));
+    const auto answer = jaus::split(*ask("0608"));
     REQUIRE(answer);
     CHECK(answer.header.command_code == 0x4405);
     CHECK(answer.header.sequence_number == 9);
     CHECK(answer.header.source.component == 33);
     CHECK(answer.header.destination.component == 32);
     CHECK(to_hex(answer.body) == "02 08 22 22 aa");
-    CHECK(ask("06").empty());
+    CHECK(ask("06").error() == translate::errc::truncated);
+    CHECK(ask("060800").error() == translate::errc::wrong_size);
+    const auto into = [&](std::size_t size) {
+        return r.mine
+            .on_query<jaus::query_wrench_effort>(robot::head(exchange::query_code), from_hex("0608"), r.inputs,
+                                                 std::span{out}.first(size))
+            .error();
+    };
+    CHECK(into(15) == translate::errc::no_space);
+    CHECK(into(20) == translate::errc::no_space);
+    CHECK(into(21) == translate::errc::ok);
 }
 
 TEST_CASE("only complete commands and queries for the slave's component use the process image") {

@@ -3,6 +3,7 @@
 #include "support/catch.hpp"
 #include "support/hex.hpp"
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
+#include <jauscat/translate/diagnose_image.hpp>
 #include <jauscat/translate/image_translator.hpp>
 
 namespace jauscat::test {

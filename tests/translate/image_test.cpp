@@ -145,6 +145,54 @@ using drive_translator = translate::image_translator<drive_table>;
 
 } // namespace
 
+TEST_CASE("a diagnosis names the field of the message that an image refuses") {
+    const auto refused = [](const std::string& body) {
+        auto bytes = full_image;
+        const auto error = command::to_image(from_hex(body), bytes).error();
+        return translate::diagnose_to_image<translation::set_wrench_effort_table>(error, from_hex(body), bytes);
+    };
+    using translate::errc;
+    CHECK(refused("0100 ff7f") == translate::diagnosis{});
+    CHECK(refused("") ==
+          translate::diagnosis{.error = errc::truncated, .field = "presence_vector", .codec = wire::errc::truncated});
+    CHECK(refused("0300 ff7f 01") == translate::diagnosis{.error = errc::truncated,
+                                                          .field = "propulsive_linear_effort_y",
+                                                          .codec = wire::errc::truncated});
+    CHECK(refused("0100 ff7f 00") ==
+          translate::diagnosis{.error = errc::wrong_size, .codec = wire::errc::trailing_bytes});
+    CHECK(refused("0110 ff7f") == translate::diagnosis{.error = errc::reserved_value,
+                                                       .field = "presence_vector",
+                                                       .codec = wire::errc::unknown_presence_bit});
+    CHECK(refused("2100 0000 0080") == translate::diagnosis{.error = errc::out_of_range,
+                                                            .field = "propulsive_rotational_effort_z",
+                                                            .value = static_cast<std::uint64_t>(-32768),
+                                                            .codec = wire::errc::out_of_range});
+    const auto row = translate::diagnose_to_image<drive_table>(errc::reserved_value, from_hex("03 3412 81"),
+                                                               std::array<std::byte, 7>{});
+    CHECK(row == translate::diagnosis{.error = errc::reserved_value, .row = 0, .field = "direction", .value = 3});
+}
+
+TEST_CASE("a diagnosis names the field of the image that a message refuses") {
+    const auto refused = [](const std::string& image) {
+        std::array<std::byte, 4> body{};
+        const auto error = drive_translator::from_image(from_hex(image), body).error();
+        return translate::diagnose_from_image<drive_table>(error, from_hex(image));
+    };
+    using translate::errc;
+    CHECK(refused("3f 12 34 81 00 00 00") == translate::diagnosis{});
+    CHECK(refused("3f 12 34") == translate::diagnosis{.error = errc::truncated});
+    CHECK(refused("4f 12 34 81 00 00 00") ==
+          translate::diagnosis{.error = errc::wrong_packet, .row = 1, .field = "version", .value = 4});
+    CHECK(refused("32 12 34 81 00 00 00") ==
+          translate::diagnosis{.error = errc::reserved_value, .row = 0, .field = "sign", .value = 2});
+    CHECK(refused("3f 12 34 81 01 00 00") ==
+          translate::diagnosis{.error = errc::out_of_range, .row = 3, .field = "lamps", .value = 0x181});
+    const auto bits = translate::diagnose_from_image<translation::set_wrench_effort_table>(
+        errc::reserved_value, bytes_of({.presence_vector = 0x1000}));
+    CHECK(bits.field == "presence_vector");
+    CHECK(bits.value == 0x1000);
+}
+
 TEST_CASE("map_values, constant and copy work in an image as in a packet") {
     std::array<std::byte, 7> bytes{};
     REQUIRE(drive_translator::to_image(from_hex("02 3412 81"), bytes) == translate::errc::ok);

@@ -43,17 +43,18 @@ class image_exchange {
         : slave_{slave}, component_{component}, timeout_{timeout} {}
 
     /// Call before the first command, and after the slave was lost: the counter continues from the last command that
-    /// the slave has executed, so that `outputs` do not count as a new one. False if outputs or inputs have the size of
-    /// another image.
-    constexpr bool start(std::span<std::byte> outputs, std::span<const std::byte> inputs) noexcept {
+    /// the slave has executed, so that `outputs` do not count as a new one. Errors: wrong_size (outputs or inputs of
+    /// another image), out_of_range.
+    [[nodiscard]] constexpr result<void, translate::errc> start(std::span<std::byte> outputs,
+                                                                std::span<const std::byte> inputs) noexcept {
         typename CommandTable::image_type image{};
-        if (outputs.size() != command::image_size || inputs.size() != report::image_size ||
-            !wire::decode(image, outputs))
-            return false;
+        if (outputs.size() != command::image_size || inputs.size() != report::image_size)
+            return translate::errc::wrong_size;
+        if (const auto used = wire::decode(image, outputs); !used) return translate::errc_of(used.error());
         count_field::of(image) = taken(inputs);
         if constexpr (!std::is_void_v<typename CommandTable::presence_row>)
             CommandTable::presence_row::says_presence::of(image) = {};
-        return static_cast<bool>(wire::encode(image, outputs));
+        return translate::errc_of(wire::encode(image, outputs).error());
     }
 
     /// Whether the message is for the process image. All others are for the mailbox.
@@ -65,41 +66,46 @@ class image_exchange {
     }
 
     /// A command into `outputs`. What is refused here the caller answers. Errors: those of image_translator::to_image,
-    /// and too_large where `capacity` commands wait for their acknowledgement already; the outputs are then unchanged.
+    /// and no_capacity where `capacity` commands wait for their acknowledgement already; the outputs are then
+    /// unchanged.
     [[nodiscard]] constexpr result<void, translate::errc>
     on_command(const jaus::header& head, std::span<const std::byte> body, std::span<std::byte> outputs,
                std::span<const std::byte> inputs, time_point now) noexcept {
         const bool wanted = head.ack_nak == jaus::ack_nak::request;
-        if (wanted && waiting_ == capacity) return translate::errc::too_large;
+        if (wanted && waiting_ == capacity) return translate::errc::no_capacity;
         const bool seen = given(outputs) == taken(inputs);
         const auto done = seen ? command::to_image(body, outputs) : command::merge(body, outputs);
         if (wanted && done) wait_[waiting_++] = {head, deadline{now, timeout_}, given(outputs)};
         return done;
     }
 
-    /// Writes the report requested by the query with this header and body to `out`; returns its size, or 0 where the
-    /// query is malformed or `out` too small.
+    /// Writes the report requested by the query with this header and body to `out`, and returns it. Errors:
+    /// truncated, wrong_size, reserved_value (a malformed query), those of image_translator::read, no_space.
     template <class Query>
-    constexpr std::size_t on_query(const jaus::header& head, std::span<const std::byte> body,
-                                   std::span<const std::byte> inputs, std::span<std::byte> out) const noexcept {
+    [[nodiscard]] constexpr result<std::span<std::byte>, translate::errc>
+    on_query(const jaus::header& head, std::span<const std::byte> body, std::span<const std::byte> inputs,
+             std::span<std::byte> out) const noexcept {
         static_assert(jaus::command_code_of<Query> == query_code, "on_query: not the query of this report");
         Query query{};
         translate::image_message<typename ReportTable::message_type> values{};
-        if (!wire::decode(query, body) || !report::read(inputs, values)) return 0;
+        if (const auto used = wire::decode(query, body); !used) return translate::errc_of(used.error());
+        if (const auto read = report::read(inputs, values); !read) return read.error();
         jaus::keep_requested(values, query.presence_vector);
-        if (out.size() < jaus::header_size) return 0;
+        if (out.size() < jaus::header_size) return translate::errc::no_space;
         const auto encoded = wire::encode(values, out.subspan(jaus::header_size));
-        if (!encoded) return 0;
+        if (!encoded) return translate::errc_of(encoded.error());
         jaus::header answer = jaus::answer_to(addressed(head));
         answer.command_code = report_code;
         answer.data_size = static_cast<std::uint16_t>(encoded->size());
-        return wire::encode(answer, out) ? jaus::header_size + encoded->size() : 0;
+        if (const auto head_bytes = wire::encode(answer, out); !head_bytes)
+            return translate::errc_of(head_bytes.error());
+        return out.first(jaus::header_size + encoded->size());
     }
 
     /// After each cycle, until it returns 0: writes the next acknowledgement to `out`, which holds 16 bytes. ACK for a
     /// command that the slave has executed, NAK for one that it has not executed in time.
-    constexpr std::size_t acknowledgement(std::span<const std::byte> inputs, time_point now,
-                                          std::span<std::byte> out) noexcept {
+    [[nodiscard]] constexpr std::size_t acknowledgement(std::span<const std::byte> inputs, time_point now,
+                                                        std::span<std::byte> out) noexcept {
         const auto last = taken(inputs);
         const auto waits = std::span{wait_}.first(waiting_);
         const auto over = [&](const waiting& each) {

@@ -664,13 +664,13 @@ template <class Image = wrench_effort_path> class basic_ring {
             return unit.on_not_executed(query.header, {.why = refusal::stale}, now, out);
         // Not packet_, which a running transfer may use.
         std::array<std::byte, jaus::header_size + wire::max_size<typename Image::report_table::message_type>> report{};
-        const auto size =
+        const auto made =
             at.image->template on_query<typename Image::query>(addressed(query), body, inputs(at), report);
-        if (size == 0)
-            return unit.on_not_executed(
-                query.header, {.why = refusal::not_translated, .error = translate::errc::out_of_range}, now, out);
+        if (!made)
+            return unit.on_not_executed(query.header, {.why = refusal::not_translated, .error = made.error()}, now,
+                                        out);
         at.front->watcher().from_image(*at.front, inputs(at));
-        out(bytes{report}.first(size));
+        out(*made);
         unit.on_executed(query.header, now, out);
     }
     void take_confirmations(place& at, time_point now, jaus::message_sink out) {

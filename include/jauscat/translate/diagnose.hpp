@@ -17,7 +17,8 @@ struct diagnosis {
     std::size_t row = no_row;  ///< of the table, from 0
     std::string_view parent{}; ///< the structure around the field, such as "destination"; empty if there is none
     std::string_view field{};  ///< the name of the field whose value is refused
-    std::uint64_t value{};     ///< its value
+    std::uint64_t value{};     ///< its value; signed ones in two's complement
+    wire::errc codec{};        ///< process images: why the field does not decode or encode; ok if a row refuses it
 
     friend constexpr bool operator==(const diagnosis&, const diagnosis&) = default;
 };
@@ -27,7 +28,10 @@ namespace detail {
 template <class Path> constexpr void blame(diagnosis& found, const auto& object) noexcept {
     found.parent = Path::parent();
     found.field = Path::field();
-    found.value = static_cast<std::uint64_t>(Path::of(object));
+    if constexpr (requires { Path::of(object).last(); }) // an element of a message for a process image
+        found.value = static_cast<std::uint64_t>(Path::of(object).last());
+    else
+        found.value = static_cast<std::uint64_t>(Path::of(object));
 }
 // The field on the side that is read; where the row has none there, that on the other side.
 template <class Read, class... More>

@@ -20,6 +20,7 @@ enum class errc : std::uint8_t {
     wrong_packet,             ///< a field that this table fixes has another value: not a packet of this table
     fragment_to_slave,        ///< delivery: part of a large data set; reassemble it first
     broadcast_names_no_slave, ///< delivery: the destination node is 255 or 0
+    no_capacity,              ///< process image: too many commands wait for their acknowledgement
 };
 
 /// The error in one line, for logs.
@@ -38,6 +39,7 @@ enum class errc : std::uint8_t {
     case errc::wrong_packet: return "wrong packet: not an SDO download request of this table";
     case errc::fragment_to_slave: return "cannot be delivered: part of a large data set, reassemble it first";
     case errc::broadcast_names_no_slave: return "cannot be delivered: the destination node names no slave";
+    case errc::no_capacity: return "no capacity: too many commands wait for their acknowledgement";
     }
     return "unknown error";
 }

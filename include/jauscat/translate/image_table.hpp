@@ -27,6 +27,7 @@ struct is_for_packets {
 template <wire::message Message, wire::fixed_message Image, class... Rows> struct image_table {
     using message_type = Message;
     using image_type = Image;
+    using rows = row_list<Rows...>;
     static_assert((detail::require_row<Rows, image_message<Message>, Image>() && ...));
     using message_paths = typename detail::leaves<wire::layout_of<Message>>::type;
     using used = joined_paths<typename Rows::uses...>;

@@ -30,7 +30,10 @@ template <class T>
     return legal;
 }
 
-constexpr errc errc_of(wire::errc error) noexcept {
+} // namespace detail
+
+/// The error of a translation whose message or image does not decode or encode.
+[[nodiscard]] constexpr errc errc_of(wire::errc error) noexcept {
     switch (error) {
     case wire::errc::ok: return errc::ok;
     case wire::errc::truncated: return errc::truncated;
@@ -40,8 +43,6 @@ constexpr errc errc_of(wire::errc error) noexcept {
     default: return errc::out_of_range;
     }
 }
-
-} // namespace detail
 
 /// Translates by the rows of `Table`, an image_table.
 template <class Table> struct image_translator {
@@ -96,7 +97,7 @@ template <class Table> struct image_translator {
         image_message<message_type> message{};
         if (const auto values = read(image, message); !values) return values.error();
         const auto encoded = wire::encode(message, body);
-        if (!encoded) return detail::errc_of(encoded.error());
+        if (!encoded) return errc_of(encoded.error());
         return encoded->size();
     }
     template <bool Merge>
@@ -106,7 +107,7 @@ template <class Table> struct image_translator {
         if (!wire::decode_prefix(values, image)) return errc::no_space;
         image_message<message_type> message{};
         Table::keep(values, message);
-        if (const auto used = wire::decode(message, body); !used) return detail::errc_of(used.error());
+        if (const auto used = wire::decode(message, body); !used) return errc_of(used.error());
         message.presence = detail::presence_in<wire::layout_of<message_type>>::of(message, body);
         if (!detail::all_values_are_legal(message)) return errc::out_of_range;
         [[maybe_unused]] const image_type before = values;
@@ -115,7 +116,7 @@ template <class Table> struct image_translator {
             using presence = typename Table::presence_row::says_presence;
             presence::of(values) |= presence::of(before);
         }
-        return detail::errc_of(wire::encode(values, image).error());
+        return errc_of(wire::encode(values, image).error());
     }
 };
 
