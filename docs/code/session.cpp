@@ -113,7 +113,7 @@ int main() try {
 
     const auto sent = unit.send({.destination = target}, jaus::set_wrench_effort{.propulsive_linear_effort_x = 50},
                                 node.now(), node.out());
-    if (!sent) return std::cerr << describe(sent.error) << '\n', 1;
+    if (!sent) return std::cerr << describe(sent.error()) << '\n', 1;
     net::run_until(context, 2s, [&] { return outcome.has_value(); });
     std::cout << "operator: " << (outcome == jaus::delivered::acknowledged ? "obeyed\n" : "not obeyed\n");
 

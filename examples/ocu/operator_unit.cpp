@@ -278,7 +278,7 @@ bool operator_unit::send(bytes message) {
         if (wire::decode_prefix(head, numbered)) number_ = head.sequence_number;
         out_(numbered);
     });
-    if (!sent) say(events::not_sent, {}, "FAILED: " + std::string{describe(sent.error)});
+    if (!sent) say(events::not_sent, {}, "FAILED: " + std::string{describe(sent.error())});
     return static_cast<bool>(sent);
 }
 

@@ -98,7 +98,8 @@ TEST_CASE("a complete message is sent with acknowledgement if the component is i
         REQUIRE(made);
         return p.ocu.core.send(*made, net::jaus_node::now(), p.ocu.node.out());
     };
-    REQUIRE(send(make(1, 1, 99)).error == jaus::send_errc::invalid);
+    REQUIRE(send(make(1, 1, 99)).error() ==
+            jaus::send_error{.code = jaus::send_errc::invalid_message, .message = jaus::errc::invalid_source});
     REQUIRE(send(p.ocu.self));
     REQUIRE(p.until([&] { return p.ocu.hooks.delivered.size() == 1; }));
     REQUIRE(p.robot.core.state() == jaus::primary_status_code::standby);

@@ -5,6 +5,7 @@
 #include <jauscat/jaus/component/acknowledged_receiver.hpp>
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/schema/jaus/core.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
 
 #include <tuple>
 
@@ -14,6 +15,7 @@ using namespace jauscat::test;
 using namespace std::chrono_literals;
 using support::instant;
 namespace jaus = jauscat::jaus;
+namespace wire = jauscat::wire;
 using jaus::ack_nak;
 using jaus::delivered;
 using jaus::message_outcome;
@@ -82,16 +84,16 @@ TEST_CASE("a message requests acknowledgement and is not sent again once acknowl
     REQUIRE(sent);
     REQUIRE(o.sent.size() == 1);
     REQUIRE(o.sent.header(0).ack_nak == ack_nak::request);
-    REQUIRE(o.sent.header(0).sequence_number == sent.sequence_number);
+    REQUIRE(o.sent.header(0).sequence_number == *sent);
     REQUIRE(o.sent.body<jaus::set_component_authority>(0).authority_code == 7);
     REQUIRE(o.commands.waiting() == 1);
-    REQUIRE(o.answer(0x0001, sent.sequence_number, ack_nak::ack));
-    REQUIRE(o.heard == outcomes{{sent.sequence_number, delivered::acknowledged}});
+    REQUIRE(o.answer(0x0001, *sent, ack_nak::ack));
+    REQUIRE(o.heard == outcomes{{*sent, delivered::acknowledged}});
     REQUIRE(o.commands.waiting() == 0);
     REQUIRE_FALSE(o.commands.next_event());
     o.on_time(instant{10s});
     REQUIRE(o.sent.size() == 1);
-    REQUIRE_FALSE(o.answer(0x0001, sent.sequence_number, ack_nak::ack)); // a second one is nobody's
+    REQUIRE_FALSE(o.answer(0x0001, *sent, ack_nak::ack)); // a second one is nobody's
     REQUIRE(o.heard.size() == 1);
 }
 
@@ -155,34 +157,47 @@ TEST_CASE("an acknowledgement counts only with the code, number, sender and addr
 TEST_CASE("as many messages as places can wait") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()));
-    REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).sequence_number == 2);
-    REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).error == send_errc::no_capacity);
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).value_or(0) == 2);
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).error().code ==
+            send_errc::no_capacity);
     REQUIRE(o.sent.size() == 2);
     REQUIRE(o.commands.next_event() == instant{100ms});
     REQUIRE(o.answer(0x0003, 1, ack_nak::ack));
     REQUIRE(o.commands.next_event() == instant{150ms});
-    REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).sequence_number == 3);
+    REQUIRE(o.commands.send(to_arm, jaus::resume{}, instant{50ms}, o.sent.sink()).value_or(0) == 3);
 }
 
 TEST_CASE("messages that cannot be acknowledged, or do not fit, are not sent") {
     ocu o;
     const auto send = [&](const jaus::header& head, const auto& body) {
-        return o.commands.send(head, body, instant{0s}, o.sent.sink()).error;
+        return o.commands.send(head, body, instant{0s}, o.sent.sink()).error();
+    };
+    const auto no_message = [](jaus::errc why) {
+        return jaus::send_error{.code = send_errc::invalid_message, .message = why};
     };
     REQUIRE(send({.destination = {255, 49, 2, 3}, .source = ocu_address}, jaus::standby{}) ==
-            send_errc::not_one_address);
-    REQUIRE(send({.destination = {1, 49, 0, 3}, .source = ocu_address}, jaus::standby{}) == send_errc::not_one_address);
-    REQUIRE(send({.priority = 16, .destination = arm_address}, jaus::standby{}) == send_errc::invalid);
-    REQUIRE(send(to_arm, jaus::report_component_control{}) == send_errc::too_large); // 21 bytes, a place has 20
+            jaus::send_error{send_errc::not_one_address});
+    REQUIRE(send({.destination = {1, 49, 0, 3}, .source = ocu_address}, jaus::standby{}) ==
+            jaus::send_error{send_errc::not_one_address});
+    REQUIRE(send({.priority = 16, .destination = arm_address}, jaus::standby{}) ==
+            no_message(jaus::errc::invalid_header));
+    REQUIRE(send(to_arm, jaus::set_wrench_effort{.propulsive_linear_effort_x = 101}) ==
+            jaus::send_error{.code = send_errc::not_encodable, .body = wire::errc::out_of_range});
+    REQUIRE(describe(send(to_arm, jaus::set_wrench_effort{.propulsive_linear_effort_x = 101})) ==
+            wire::describe(wire::errc::out_of_range));
+    REQUIRE(send(to_arm, jaus::report_component_control{}) ==
+            jaus::send_error{send_errc::too_large}); // 21 bytes, a place has 20
     const auto large = message(to_arm, jaus::report_component_control{});
-    REQUIRE(o.commands.send(large, instant{0s}, o.sent.sink()).error == send_errc::too_large);
-    REQUIRE(o.commands.send(std::span{large}.first(15), instant{0s}, o.sent.sink()).error == send_errc::invalid);
-    REQUIRE(o.commands.send(std::span{large}.first(20), instant{0s}, o.sent.sink()).error == send_errc::invalid);
+    REQUIRE(o.commands.send(large, instant{0s}, o.sent.sink()).error().code == send_errc::too_large);
+    REQUIRE(o.commands.send(std::span{large}.first(15), instant{0s}, o.sent.sink()).error() ==
+            no_message(jaus::errc::truncated));
+    REQUIRE(o.commands.send(std::span{large}.first(20), instant{0s}, o.sent.sink()).error() ==
+            no_message(jaus::errc::wrong_size));
     const auto part = message({.destination = arm_address, .data_flag = jaus::data_flag::first}, jaus::standby{});
-    REQUIRE(o.commands.send(part, instant{0s}, o.sent.sink()).error == send_errc::too_large);
+    REQUIRE(o.commands.send(part, instant{0s}, o.sent.sink()).error().code == send_errc::too_large);
     REQUIRE(o.sent.empty());
     REQUIRE(o.commands.waiting() == 0);
-    REQUIRE(jaus::acknowledged_sender{{}, {}}.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).error ==
+    REQUIRE(jaus::acknowledged_sender{{}, {}}.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).error().code ==
             send_errc::no_capacity);
 }
 
@@ -191,8 +206,8 @@ TEST_CASE("a complete message is sent with a sequence number of the sender's") {
     const auto ready =
         message({.priority = 9, .destination = arm_address, .source = ocu_address, .sequence_number = 50},
                 jaus::set_component_authority{3});
-    REQUIRE(o.commands.send(ready, instant{0s}, o.sent.sink()).sequence_number == 1);
-    REQUIRE(o.commands.send(ready, instant{0s}, o.sent.sink()).sequence_number == 2);
+    REQUIRE(o.commands.send(ready, instant{0s}, o.sent.sink()).value_or(0) == 1);
+    REQUIRE(o.commands.send(ready, instant{0s}, o.sent.sink()).value_or(0) == 2);
     REQUIRE(o.sent.header(1).sequence_number == 2);
     REQUIRE(o.sent.header(1).priority == 9);
     REQUIRE(o.sent.header(1).ack_nak == ack_nak::request);
@@ -206,11 +221,11 @@ TEST_CASE("a restarted program begins with another number, so that its first mes
         std::array<std::byte, 2 * 20> copies{};
         jaus::acknowledged_sender commands{places, copies, {.first_number = first}};
         sent_messages sent{};
-        REQUIRE(commands.send(to_arm, jaus::release_component_control{}, instant{0s}, sent.sink()).sequence_number ==
+        REQUIRE(commands.send(to_arm, jaus::release_component_control{}, instant{0s}, sent.sink()).value_or(0) ==
                 first);
         REQUIRE(a.hear(0x000E, first) == received::handed_on);
         REQUIRE(a.hear(0x000E, first) == received::repeated);
-        REQUIRE(commands.send(to_arm, jaus::standby{}, instant{0s}, sent.sink()).sequence_number ==
+        REQUIRE(commands.send(to_arm, jaus::standby{}, instant{0s}, sent.sink()).value_or(0) ==
                 static_cast<std::uint16_t>(first + 1));
     }
     REQUIRE(a.handed_on == 3);
@@ -218,14 +233,14 @@ TEST_CASE("a restarted program begins with another number, so that its first mes
 
 TEST_CASE("numbers wrap around and skip those in use") {
     ocu o;
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).sequence_number == 1);
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).value_or(0) == 1);
     for (unsigned n = 2; n <= 0xFFFF; ++n) {
-        REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).sequence_number == n);
+        REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).value_or(0) == n);
         REQUIRE(o.answer(0x0003, static_cast<std::uint16_t>(n), ack_nak::ack));
         o.sent.clear();
     }
     // 0 is the number of those that do not count.
-    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).sequence_number == 2);
+    REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()).value_or(0) == 2);
 }
 
 TEST_CASE("the outcome handler may send the next message in the freed place") {
@@ -630,11 +645,11 @@ TEST_CASE("over a channel that loses, duplicates and delays, a message is delive
                         ? s.commands.send(head, jaus::standby{}, channel.now, channel.sink())
                         : s.commands.send(head, jaus::set_component_authority{1}, channel.now, channel.sink());
                 if (!sent) {
-                    REQUIRE(sent.error == send_errc::no_capacity);
+                    REQUIRE(sent.error().code == send_errc::no_capacity);
                     break;
                 }
                 --s.left;
-                fates[{head.source.component, head.destination.component, sent.sequence_number}];
+                fates[{head.source.component, head.destination.component, *sent}];
             }
             return s.commands.next_event();
         });

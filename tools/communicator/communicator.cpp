@@ -290,7 +290,7 @@ class communicator {
         show(events::message_sent, example::message_members(head, body),
              "sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
         const auto what = core_.send(*made, now(), node_.out());
-        if (!what) wrong(events::not_sent, {{"code", head.command_code}}, std::string{describe(what.error)});
+        if (!what) wrong(events::not_sent, {{"code", head.command_code}}, std::string{describe(what.error())});
     }
     void peers() {
         std::string lines, names, heard;

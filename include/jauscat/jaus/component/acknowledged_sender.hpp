@@ -41,7 +41,8 @@ enum class send_errc : std::uint8_t {
     no_capacity,     ///< as many messages wait for an acknowledgement as there are places: send it again later
     too_large,       ///< more bytes than a place holds, or more than one packet
     not_one_address, ///< an octet of the destination is 0 or 255: no single receiver would acknowledge it
-    invalid,         ///< not a message, or a value that does not encode
+    invalid_message, ///< header and body are no message; `send_error::message` says why
+    not_encodable,   ///< a value of the body does not encode; `send_error::body` says why
 };
 
 /// The error in one line, for logs.
@@ -51,17 +52,32 @@ enum class send_errc : std::uint8_t {
     case send_errc::no_capacity: return "too many messages wait for an acknowledgement";
     case send_errc::too_large: return "the message is larger than the place for its copy";
     case send_errc::not_one_address: return "only a message to a single component can be acknowledged";
-    case send_errc::invalid: return "not a message, or a value outside the limits of its field";
+    case send_errc::invalid_message: return "header and body are no message";
+    case send_errc::not_encodable: return "a value of the body does not encode";
     }
     return "unknown error";
 }
 
-/// Result of sending: the sequence number that identifies the outcome, or the error.
-struct [[nodiscard]] send_result {
-    send_errc error{};               ///< why it was not sent
-    std::uint16_t sequence_number{}; ///< identifies the message when its outcome is reported
-    [[nodiscard]] constexpr explicit operator bool() const noexcept { return error == send_errc::ok; }
+/// Why a message was not sent. Only the member that send_errc names for the code has a value.
+struct send_error {
+    send_errc code{};
+    errc message{};
+    wire::errc body{};
+
+    friend constexpr bool operator==(const send_error&, const send_error&) = default;
 };
+
+/// The error in one line, with the reason where there is one.
+[[nodiscard]] constexpr std::string_view describe(const send_error& error) noexcept {
+    switch (error.code) {
+    case send_errc::invalid_message: return describe(error.message);
+    case send_errc::not_encodable: return wire::describe(error.body);
+    default: return describe(error.code);
+    }
+}
+
+/// Result of sending: the sequence number, which identifies the message when its outcome is reported.
+using send_result = result<std::uint16_t, send_error>;
 
 struct acknowledgement_options {
     /// By default a message times out after one second. The receiver must remember it for longer than `retry.total()`.
@@ -83,7 +99,7 @@ struct acknowledgement_options {
 ///     std::array<jaus::awaited_message, 16> places{};
 ///     std::array<std::byte, 16 * 64> copies{};
 ///     jaus::acknowledged_sender commands{places, copies, {.retry = {.interval = 100ms, .attempts = 4}}};
-///     commands.send(head, jaus::standby{}, now, out);
+///     if (const auto sent = commands.send(head, jaus::standby{}, now, out); !sent) log(describe(sent.error()));
 ///     commands.on_message(received_header, [&](const jaus::awaited_message& m, jaus::delivered what) { ... });
 class acknowledged_sender {
   public:
@@ -98,24 +114,25 @@ class acknowledged_sender {
 
     /// Sends `body` with `head`, after setting its command code, sequence number and acknowledgement request.
     template <coded_message T>
-    constexpr send_result send(const header& head, const T& body, time_point now, message_sink out) noexcept {
+    [[nodiscard]] constexpr send_result send(const header& head, const T& body, time_point now,
+                                             message_sink out) noexcept {
         return send(head, command_code_of<T>, now, out, [&](const header& numbered, std::span<std::byte> copy) {
-            return make_message(numbered, body, copy);
+            const auto made = make_message(numbered, body, copy);
+            if (made.error() != errc::invalid_body) return with_error(made);
+            const auto encoded = wire::encode(body, copy.subspan(header_size)); // again, for its error
+            return written{send_error{.code = send_errc::not_encodable, .body = encoded.error()}};
         });
     }
     /// The same for an encoded message; its header is rewritten. A message of several packets is too large.
-    constexpr send_result send(std::span<const std::byte> message, time_point now, message_sink out) noexcept {
+    [[nodiscard]] constexpr send_result send(std::span<const std::byte> message, time_point now,
+                                             message_sink out) noexcept {
         header head{};
-        if (!wire::decode_prefix(head, message) || message.size() != header_size + head.data_size)
-            return {send_errc::invalid};
-        if (head.data_flag != data_flag::only) return {send_errc::too_large};
-        return send(head, head.command_code, now, out,
-                    [&](const header& numbered, std::span<std::byte> copy) -> result<std::span<std::byte>, errc> {
-                        if (copy.size() < message.size()) return errc::no_space;
-                        std::ranges::copy(message, copy.begin());
-                        if (!wire::encode(numbered, copy)) return errc::invalid_header;
-                        return copy.first(message.size());
-                    });
+        if (!wire::decode_prefix(head, message)) return not_a_message(errc::truncated);
+        if (message.size() != header_size + head.data_size) return not_a_message(errc::wrong_size);
+        if (head.data_flag != data_flag::only) return send_error{send_errc::too_large};
+        return send(head, head.command_code, now, out, [&](const header& numbered, std::span<std::byte> copy) {
+            return with_error(join(numbered, message.subspan(header_size), copy));
+        });
     }
 
     /// A received message, with or without a body. True: it is an ACK or NAK of a waiting message, and `tell(const
@@ -159,26 +176,33 @@ class acknowledged_sender {
     }
 
   private:
+    using written = result<std::span<std::byte>, send_error>;
+
+    [[nodiscard]] static constexpr send_error not_a_message(errc why) noexcept {
+        return {.code = send_errc::invalid_message, .message = why};
+    }
+    [[nodiscard]] static constexpr written with_error(const result<std::span<std::byte>, errc>& message) noexcept {
+        if (message) return *message;
+        const bool large = message.error() == errc::no_space || message.error() == errc::body_too_large;
+        return large ? send_error{send_errc::too_large} : not_a_message(message.error());
+    }
     constexpr send_result send(header head, std::uint16_t command_code, time_point now, message_sink out,
                                auto&& write) noexcept {
-        if (!names_one_component(head.destination)) return {send_errc::not_one_address};
+        if (!names_one_component(head.destination)) return send_error{send_errc::not_one_address};
         const auto place = std::ranges::find(places_, std::size_t{0}, &awaited_message::size);
-        if (place == places_.end()) return {send_errc::no_capacity};
+        if (place == places_.end()) return send_error{send_errc::no_capacity};
         head.command_code = command_code;
         head.ack_nak = ack_nak::request;
         head.sequence_number = free_number(head);
         const auto copy = copy_of(*place);
-        const auto message = write(std::as_const(head), copy);
-        if (!message) {
-            const bool large = message.error() == errc::no_space || message.error() == errc::body_too_large;
-            return {large ? send_errc::too_large : send_errc::invalid};
-        }
+        const written message = write(std::as_const(head), copy);
+        if (!message) return message.error();
         head.data_size = static_cast<std::uint16_t>(message->size() - header_size);
         const auto& retry = options_.retry;
         *place = {head, message->size(), 1, saturating_add(now, retry.interval), deadline{now, retry.total()}};
         next_ = following(head.sequence_number);
         out(*message);
-        return {send_errc::ok, head.sequence_number};
+        return head.sequence_number;
     }
     [[nodiscard]] static constexpr std::uint16_t counted(std::uint16_t number) noexcept {
         return std::max<std::uint16_t>(number, 1);

@@ -83,14 +83,16 @@ template <class... Parts> class component {
     /// Sends a message of the component and repeats it until it is acknowledged; the hook on_delivered gets the
     /// outcome.
     template <coded_message T>
-    constexpr send_result send(header head, const T& body, time_point now, message_sink out) noexcept {
+    [[nodiscard]] constexpr send_result send(header head, const T& body, time_point now, message_sink out) noexcept {
         head.source = self_;
         return sender_.send(head, body, now, out);
     }
     /// The same for a complete message with this component as source.
-    constexpr send_result send(std::span<const std::byte> message, time_point now, message_sink out) noexcept {
+    [[nodiscard]] constexpr send_result send(std::span<const std::byte> message, time_point now,
+                                             message_sink out) noexcept {
         header head{};
-        if (!wire::decode_prefix(head, message) || head.source != self_) return {send_errc::invalid};
+        if (wire::decode_prefix(head, message) && head.source != self_)
+            return send_error{.code = send_errc::invalid_message, .message = errc::invalid_source};
         return sender_.send(message, now, out);
     }
     /// An event of the application's; see component_state::change.
