@@ -95,8 +95,7 @@ inline unsigned command_by_mailbox(row& into, unsigned count, jauscat::net::raw_
                                                    confirmation, [&] { return jauscat::net::run(link, master); }));
     }};
     const operator_unit unit{socket.port(), slave, count, into.times};
-    while (!unit.done())
-        jauscat::net::run_until(socket.context(), std::chrono::milliseconds{20}, [&] { return unit.done(); });
+    while (!jauscat::net::run_until(socket.context(), std::chrono::milliseconds{20}, [&] { return unit.done(); })) {}
     return unit.lost();
 }
 

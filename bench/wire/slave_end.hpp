@@ -37,7 +37,7 @@ class slave_end {
                   if (size == 0) continue;
                   const auto frame = std::span{buffer}.first(size);
                   slave_.process(frame);
-                  link_.send(frame);
+                  static_cast<void>(link_.send(frame)); // a lost reply counts as a lost frame
                   if (slave_.take_outputs()) obey();
               }
           }} {}

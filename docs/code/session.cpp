@@ -108,13 +108,13 @@ int main() try {
     unit.change(jaus::state_event::initialized);
 
     control.ask(100, node.now(), node.out());
-    net::run_until(context, 2s, [&] { return control.state() != jaus::control_state::asking; });
-    if (control.state() != jaus::control_state::held) return std::cerr << "no control\n", 1;
+    if (!net::run_until(context, 2s, [&] { return control.state() == jaus::control_state::held; }))
+        return std::cerr << "no control\n", 1;
 
     const auto sent = unit.send({.destination = target}, jaus::set_wrench_effort{.propulsive_linear_effort_x = 50},
                                 node.now(), node.out());
     if (!sent) return std::cerr << describe(sent.error()) << '\n', 1;
-    net::run_until(context, 2s, [&] { return outcome.has_value(); });
+    if (!net::run_until(context, 2s, [&] { return outcome.has_value(); })) return std::cerr << "no outcome\n", 1;
     std::cout << "operator: " << (outcome == jaus::delivered::acknowledged ? "obeyed\n" : "not obeyed\n");
 
     const auto asked =
@@ -123,13 +123,12 @@ int main() try {
                                                   .requested_periodic_update_rate = 20,
                                                   .requested_presence_vector = 1});
     if (!asked) return std::cerr << asked.error().message << '\n', 1;
-    net::run_until(context, 2s, [&] { return forward != 0; });
+    if (!net::run_until(context, 2s, [&] { return forward != 0; })) return std::cerr << "no report\n", 1;
     std::cout << "operator: the driver reports " << forward << " %\n";
 
     control.release(node.out());
-    net::run_until(context, 2s, [&] { return arm.is_free(); });
+    return net::run_until(context, 2s, [&] { return arm.is_free(); }) ? 0 : 1;
     // [operator end]
-    return forward != 0 ? 0 : 1;
 } catch (const std::exception& error) {
     return std::cerr << error.what() << '\n', 1;
 }

@@ -209,7 +209,8 @@ bool operator_unit::work(const std::function<bool()>& done, const std::function<
         tell_control();
         return done();
     };
-    while (!look() && !given_up()) net::run_until(context_, milliseconds{10}, look);
+    bool is_done = look();
+    while (!is_done && !given_up()) is_done = net::run_until(context_, milliseconds{10}, look);
     return done();
 }
 /// For states that end without a message: a request that is not answered is abandoned after its repeats.

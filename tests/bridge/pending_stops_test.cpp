@@ -34,7 +34,7 @@ TEST_CASE("zeros refused three times alternate with an emergency") {
     stops.require_rest();
     for (int i = 0; i != 3; ++i) {
         CHECK(stops.next() == stop_order::rest);
-        stops.refused(stop_order::rest, false, instant{0s});
+        CHECK(stops.refused(stop_order::rest, false, instant{0s}));
     }
     CHECK(stops.next() == stop_order::emergency);
     stops.confirmed(stop_order::emergency);
@@ -61,12 +61,12 @@ TEST_CASE(
 TEST_CASE("an actuator that lacked emergencies gets the next one nevertheless") {
     pending_stops stops{20ms};
     stops.require_emergency();
-    stops.refused(stop_order::emergency, true, instant{0s});
+    CHECK(stops.refused(stop_order::emergency, true, instant{0s}));
     CHECK(stops.next() == stop_order::rest);
     stops.confirmed(stop_order::rest);
     CHECK(stops.settled());
     stops.require_emergency();
-    stops.refused(stop_order::emergency, false, instant{0s});
+    CHECK(stops.refused(stop_order::emergency, false, instant{0s}));
     stops.confirmed(stop_order::rest);
     CHECK(stops.next() == stop_order::emergency);
 }

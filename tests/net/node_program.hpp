@@ -125,7 +125,7 @@ struct pair {
 
     bool until(auto done) { return support::until(context, done); }
     void run_for(std::chrono::milliseconds time) {
-        net::run_until(context, time, [] { return false; });
+        static_cast<void>(net::run_until(context, time, [] { return false; }));
     }
 };
 

@@ -120,7 +120,7 @@ class operator_end : public end {
             ++held_back;
             return;
         }
-        who.efforts[result.sequence_number] = {*number, now};
+        who.efforts[*result] = {*number, now};
         ++sent;
     }
     void on_delivered(commander& who, const jaus::awaited_message& m, jaus::delivered what) {

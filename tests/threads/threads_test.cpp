@@ -73,7 +73,7 @@ TEST_CASE("a slave on one thread serves a master on another") {
             const auto size = slave_link.receive(frame, 10ms);
             if (size == 0) continue;
             device.process(std::span{frame}.first(size));
-            slave_link.send(std::span{frame}.first(size));
+            static_cast<void>(slave_link.send(std::span{frame}.first(size))); // the master repeats what is lost
         }
     }};
 

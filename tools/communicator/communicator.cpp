@@ -74,7 +74,7 @@ class communicator {
                 else if (input_->ended())
                     quit();
             }
-            net::run_until(context_, 10ms, [] { return example::stop_requested.load(); });
+            static_cast<void>(net::run_until(context_, 10ms, [] { return example::stop_requested.load(); }));
             std::erase_if(awaited_, [this](const awaited_report& report) {
                 if (!report.until.is_reached(now())) return false;
                 wrong(events::no_answer, {{"code", report.command_code}, {"address", text::to_text(report.from)}},

@@ -34,7 +34,7 @@ class udp_listener {
     void run(const std::function<void(std::span<const std::byte>, const origin&)>& datagram,
              const std::function<bool()>& stop) {
         receive(datagram);
-        while (!stop()) jauscat::net::run_until(context_, std::chrono::milliseconds{100}, stop);
+        while (!jauscat::net::run_until(context_, std::chrono::milliseconds{100}, stop)) {}
     }
 
   private:

@@ -137,12 +137,12 @@ class component {
     }
     /// A message that `accept` has deferred was executed.
     void on_executed(const jaus::header& head, time_point now, jaus::message_sink out) {
-        core_.finish(head, true, now, out);
+        static_cast<void>(core_.finish(head, true, now, out)); // not requested by every message
     }
     /// It was not.
     void on_not_executed(const jaus::header& head, const refusal_reason& why, time_point now, jaus::message_sink out) {
         front_.watcher().refused(*this, head, why);
-        core_.finish(head, false, now, out);
+        static_cast<void>(core_.finish(head, false, now, out)); // not requested by every message
     }
 
     /// A command is in the slave's outputs, and the slave has not executed it in time: it must not execute it later.
@@ -196,7 +196,7 @@ class component {
         std::size_t left = 0;
         for (const jaus::header& each : std::span{waiting_}.first(waiting_count_))
             if ((each.command_code == jaus::command_code_of<jaus::clear_emergency>) == clears)
-                core_.finish(each, executed, now, out);
+                static_cast<void>(core_.finish(each, executed, now, out)); // not requested by every message
             else
                 waiting_[left++] = each;
         waiting_count_ = left;

@@ -49,7 +49,8 @@ class listed_objects {
 
     /// Aborts: no_object, no_subindex, read_only, length_mismatch (exact sizes), length_too_high, those of the
     /// application.
-    ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
+    [[nodiscard]] ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex,
+                                             std::span<const std::byte> data) noexcept {
         const auto* const object = find(index);
         if (object == nullptr) return ethercat::abort_code::no_object;
         if (subindex == 0) return ethercat::abort_code::read_only;

@@ -55,7 +55,7 @@ class order_queue {
 
     /// Queues a message. Where it supersedes a waiting command of the same sender, `superseded(const header&)` gets the
     /// older one's header; fields that only the older one carries are kept.
-    constexpr queued push(const order& message, bytes body, auto&& superseded) {
+    [[nodiscard]] constexpr queued push(const order& message, bytes body, auto&& superseded) {
         if (body.size() > share()) return queued::too_large;
         if (order* const older = superseded_by(message)) {
             const auto place = body_place(*older);

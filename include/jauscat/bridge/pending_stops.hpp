@@ -72,7 +72,7 @@ class pending_stops {
     }
     /// The actuator has refused `what`. `unknown`: it has no object for it. An actuator without emergencies only needs
     /// rest. False if the end of an emergency is dropped.
-    constexpr bool refused(stop_order what, bool unknown, time_point now) noexcept {
+    [[nodiscard]] constexpr bool refused(stop_order what, bool unknown, time_point now) noexcept {
         ++refusals_;
         next_attempt_ = saturating_add(now, interval_ * std::min(refusals_, slowest));
         if (what == stop_order::emergency && unknown) {

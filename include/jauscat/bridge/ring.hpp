@@ -57,7 +57,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
     /// Writes the next frame to `frame`, which holds 1514 bytes, and returns its size; 0 when there is nothing to send
     /// now.
-    std::size_t next_frame(std::span<std::byte> frame, time_point now) {
+    [[nodiscard]] std::size_t next_frame(std::span<std::byte> frame, time_point now) {
         if (cycles() && now >= next_cycle_) {
             // Missed cycles are skipped.
             next_cycle_ = std::max(next_cycle_ + interval(), now + interval() / 2);

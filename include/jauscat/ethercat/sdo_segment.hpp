@@ -24,8 +24,8 @@ inline constexpr std::size_t segment_overhead = wire::max_size<sdo_segment_heade
 
 /// Writes a segment (or, without data, the answer to one) to the front of `out`, which holds `segment_size` bytes, and
 /// returns its size. The header's count of unused bytes is filled in where `data` are to be counted.
-inline std::size_t encode_segment(sdo_segment_header header, std::span<const std::byte> data,
-                                  std::span<std::byte> out) noexcept {
+[[nodiscard]] inline std::size_t encode_segment(sdo_segment_header header, std::span<const std::byte> data,
+                                                std::span<std::byte> out) noexcept {
     const std::size_t size = segment_size(data.size());
     const bool carries_data = header.specifier == sdo_specifier::download_segment_request;
     if (carries_data) header.unused = static_cast<std::uint8_t>(size - segment_overhead - data.size());

@@ -41,13 +41,13 @@ template <class T, std::size_t Capacity> class inline_list {
     }
 
     /// False, and nothing is added, when the list is full.
-    constexpr bool push_back(const T& element) noexcept {
+    [[nodiscard]] constexpr bool push_back(const T& element) noexcept {
         if (size_ == Capacity) return false;
         elements_[size_++] = element;
         return true;
     }
     /// Default elements are added, or the last ones dropped; false, and nothing changes, beyond the capacity.
-    constexpr bool resize(std::size_t size) noexcept {
+    [[nodiscard]] constexpr bool resize(std::size_t size) noexcept {
         if (size > Capacity) return false;
         for (std::size_t i = size_; i < size; ++i) elements_[i] = T{};
         size_ = static_cast<size_type>(size);

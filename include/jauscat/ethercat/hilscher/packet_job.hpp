@@ -32,7 +32,7 @@ class packet_job {
         : io_{request, confirmation.first(std::min(confirmation.size(), confirmation_size)), options} {}
 
     /// Starts the requested service. If it returns false, no job of the master runs: call `finish`.
-    bool start(master& m) noexcept {
+    [[nodiscard]] bool start(master& m) noexcept {
         if (!wire::decode_prefix(head_, io_.request) || is_answer(head_)) return false;
         status_ = check_header();
         if (status_ != packet_status::ok) return false;
@@ -53,7 +53,7 @@ class packet_job {
     }
 
     /// The master's job has ended. True if another one runs now.
-    bool next(master& m) noexcept {
+    [[nodiscard]] bool next(master& m) noexcept {
         if (!runs_) return false;
         if (error_ == master_error{}) error_ = m.error();
         return std::visit([&](auto& service) { return take(next_of(service, m)); }, service_);
@@ -61,9 +61,11 @@ class packet_job {
 
     /// Writes the confirmation and returns its size, 40 to 1596 bytes; 0 where the request is no request packet or the
     /// confirmation has no room. A service of several jobs that `next` has not seen through has failed.
-    std::size_t finish(const master& m) noexcept { return finish(m, has_run_ ? m.error() : master_error{}); }
+    [[nodiscard]] std::size_t finish(const master& m) noexcept {
+        return finish(m, has_run_ ? m.error() : master_error{});
+    }
     /// The same where no job could be started, and why.
-    std::size_t finish(const master& m, const master_error& error) noexcept {
+    [[nodiscard]] std::size_t finish(const master& m, const master_error& error) noexcept {
         if (!wire::decode_prefix(head_, io_.request) || is_answer(head_)) return 0;
         head_.ul_cmd = static_cast<packet_command>(static_cast<std::uint32_t>(head_.ul_cmd) + 1);
         if (status_ == packet_status::ok) status_ = hilscher::status_of(error);

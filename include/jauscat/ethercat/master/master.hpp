@@ -83,7 +83,7 @@ class master {
 
     /// Writes the next frame to `out`, which holds 1514 bytes, and returns its size; 0 when there is nothing to send
     /// now.
-    std::size_t next_frame(std::span<std::byte> out, time_point now) noexcept {
+    [[nodiscard]] std::size_t next_frame(std::span<std::byte> out, time_point now) noexcept {
         if (idle() || !frames_.may_send(now)) return 0;
         frame_builder frame{out, frames_.next_index()};
         with_machine([&](auto& machine) { machine.request(frame); });

@@ -87,7 +87,7 @@ class process_data {
 
     /// A cycle is due: writes its frame to `out`, which holds 1514 bytes, and returns its size; 0 where there is
     /// nothing to exchange, and where it does not fit.
-    std::size_t next_frame(std::span<std::byte> out, time_point now) noexcept {
+    [[nodiscard]] std::size_t next_frame(std::span<std::byte> out, time_point now) noexcept {
         if (outstanding_.waits()) {
             ++statistics_.lost;
             is_complete_ = false;

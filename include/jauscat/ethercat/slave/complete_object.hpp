@@ -54,7 +54,7 @@ template <class Objects> class complete_object {
 
     /// `data` are of `size()` bytes. Entries are written one by one: those before one that refuses stay written.
     /// A subindex 0 that can be written is 0 meanwhile, as mapping objects need it; any other has to be what it is.
-    abort_code write(std::span<const std::byte> data) noexcept {
+    [[nodiscard]] abort_code write(std::span<const std::byte> data) noexcept {
         const auto count = data.empty() ? std::byte{} : data.front();
         const auto entry = objects_.describe(index_, 0);
         const bool sets_count = first_ == 0 && entry && is_writable(entry->access);
@@ -68,7 +68,7 @@ template <class Objects> class complete_object {
     }
 
     /// Calls f(subindex) for each entry until one returns an error, and returns that.
-    abort_code for_subindices(auto&& f) const noexcept {
+    [[nodiscard]] abort_code for_subindices(auto&& f) const noexcept {
         return for_entries([&](const place& at) { return f(at.subindex); }).error;
     }
 
@@ -81,8 +81,10 @@ template <class Objects> class complete_object {
     };
     static constexpr bool is_whole(std::size_t bits) noexcept { return bits % 8 == 0; }
 
-    abort_code write_count(std::byte count) noexcept { return objects_.write(index_, 0, std::array{count}); }
-    abort_code write_entry(const place& at, std::span<const std::byte> data) noexcept {
+    [[nodiscard]] abort_code write_count(std::byte count) noexcept {
+        return objects_.write(index_, 0, std::array{count});
+    }
+    [[nodiscard]] abort_code write_entry(const place& at, std::span<const std::byte> data) noexcept {
         if (is_whole(at.bits)) return objects_.write(index_, at.subindex, data.subspan(at.bit / 8, at.bits / 8));
         std::array<std::byte, max_bit_entry> bits{};
         copy_bits(data, at.bit, bits, 0, at.bits);

@@ -98,7 +98,7 @@ class esc : public esc_memory {
             count(d, d.working_counter + (read_any ? 1u : 0u) + (written_any ? write_count : 0u));
     }
 
-    constexpr bool read_mapped(const fmmu_overlap& overlap, std::span<std::byte> data) noexcept {
+    [[nodiscard]] constexpr bool read_mapped(const fmmu_overlap& overlap, std::span<std::byte> data) noexcept {
         if (overlap.is_bytes())
             return read(overlap.memory_start(), data.subspan(overlap.data_start(), overlap.memory_size()));
         std::array<std::byte, max_datagram_data + 1> bytes{}; // bits may begin and end within a byte
@@ -108,7 +108,7 @@ class esc : public esc_memory {
         return true;
     }
 
-    constexpr bool write_mapped(const fmmu_overlap& overlap, std::span<const std::byte> data) noexcept {
+    [[nodiscard]] constexpr bool write_mapped(const fmmu_overlap& overlap, std::span<const std::byte> data) noexcept {
         if (overlap.is_bytes())
             return write(overlap.memory_start(), data.subspan(overlap.data_start(), overlap.memory_size()));
         if (overlap.memory_start() + overlap.memory_size() > memory_size) return false;

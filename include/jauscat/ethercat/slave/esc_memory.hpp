@@ -109,7 +109,7 @@ class esc_memory {
     constexpr bool take_sii_command() noexcept { return std::exchange(sii_command_written_, false); }
 
     /// A master's read of memory, or'ed to what `out` holds where `combine`. False if it does not count.
-    constexpr bool read(std::size_t address, std::span<std::byte> out, bool combine = false) noexcept {
+    [[nodiscard]] constexpr bool read(std::size_t address, std::span<std::byte> out, bool combine = false) noexcept {
         if (!may_access(address, out.size(), sync_manager_direction::master_reads)) return false;
         for (std::size_t i = 0; i != out.size(); ++i)
             out[i] = combine ? out[i] | memory_[address + i] : memory_[address + i];
@@ -118,7 +118,7 @@ class esc_memory {
     }
 
     /// A master's write of memory. False if it does not count.
-    constexpr bool write(std::size_t address, std::span<const std::byte> in) noexcept {
+    [[nodiscard]] constexpr bool write(std::size_t address, std::span<const std::byte> in) noexcept {
         if (!may_access(address, in.size(), sync_manager_direction::master_writes)) return false;
         for (std::size_t i = 0; i != in.size(); ++i)
             if (is_writable(address + i)) memory_[address + i] = in[i];

@@ -21,7 +21,7 @@ class loopback_link {
     }
 
     /// Hands the frame to the slaves at once; false where it is too long, or another waits to be fetched.
-    bool send(std::span<const std::byte> frame) noexcept {
+    [[nodiscard]] bool send(std::span<const std::byte> frame) noexcept {
         if (size_ != 0 || frame.size() > frame_.size()) return false;
         std::ranges::copy(frame, frame_.begin());
         size_ = frame.size();
@@ -30,7 +30,7 @@ class loopback_link {
     }
 
     /// Never waits: a frame is there at once or not at all.
-    std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds) noexcept {
+    [[nodiscard]] std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds) noexcept {
         const std::size_t size = std::exchange(size_, 0);
         if (size > buffer.size()) return 0;
         std::ranges::copy(std::span{frame_}.first(size), buffer.begin());

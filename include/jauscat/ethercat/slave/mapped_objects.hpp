@@ -45,7 +45,8 @@ class mapped_objects {
         return {.size = size};
     }
     /// Aborts: no_subindex, read_only, those of the application.
-    abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
+    [[nodiscard]] abort_code write(std::uint16_t index, std::uint8_t subindex,
+                                   std::span<const std::byte> data) noexcept {
         if (!has(index)) return application_.write(index, subindex, data);
         return subindex == 0 || find(index, subindex).entry != nullptr ? abort_code::read_only
                                                                        : abort_code::no_subindex;

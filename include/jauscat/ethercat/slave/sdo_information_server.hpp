@@ -28,7 +28,8 @@ template <class Objects> class sdo_information_server {
 
     /// Writes the answer, or its first fragment, to the front of `out`, which has at least 16 bytes. Returns its size;
     /// 0 for a request that is too short.
-    std::size_t answer(const Objects& objects, std::span<const std::byte> message, std::span<std::byte> out) noexcept {
+    [[nodiscard]] std::size_t answer(const Objects& objects, std::span<const std::byte> message,
+                                     std::span<std::byte> out) noexcept {
         forget();
         sdo_information_header request{};
         const auto used = wire::decode_prefix(request, message);
@@ -49,7 +50,7 @@ template <class Objects> class sdo_information_server {
     }
 
     /// The next fragment. Only if `has_more`.
-    std::size_t next(const Objects& objects, std::span<std::byte> out) noexcept {
+    [[nodiscard]] std::size_t next(const Objects& objects, std::span<std::byte> out) noexcept {
         --left_;
         const auto room = put_header({.opcode = opcode_, .incomplete = left_ != 0, .fragments_left = left_}, out);
         const auto size =

@@ -56,7 +56,7 @@ class slave_objects {
         return read(object.index, object.subindex, out);
     }
     /// Writes the entry or the whole object.
-    abort_code write(const transfer_object& object, std::span<const std::byte> data) noexcept {
+    [[nodiscard]] abort_code write(const transfer_object& object, std::span<const std::byte> data) noexcept {
         if (!object.complete) return write(object.index, object.subindex, data);
         complete_object whole{*this, object.index, object.subindex};
         return data.size() == whole.size() ? whole.write(data) : abort_code::length_mismatch;
@@ -70,7 +70,8 @@ class slave_objects {
         return {.size = 1};
     }
     /// Writes one entry.
-    abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
+    [[nodiscard]] abort_code write(std::uint16_t index, std::uint8_t subindex,
+                                   std::span<const std::byte> data) noexcept {
         if (!keeps_count(index) || subindex != 0) return objects_.write(index, subindex, data);
         if (data.size() != 1) return abort_code::length_mismatch;
         rule_.set_entries(index, std::to_integer<std::uint8_t>(data[0]));

@@ -55,7 +55,8 @@ class standard_objects {
     }
 
     /// Aborts: no_subindex, read_only, those of the application.
-    abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
+    [[nodiscard]] abort_code write(std::uint16_t index, std::uint8_t subindex,
+                                   std::span<const std::byte> data) noexcept {
         value found{};
         const auto error = find(index, subindex, found);
         if (error == abort_code::no_object) return application_.write(index, subindex, data);

@@ -113,7 +113,7 @@ class acknowledged_receiver {
     /// Acknowledges a message that its handler deferred: ACK if it was executed, NAK if not. The answer is remembered
     /// for `memory` from now on. Several with the same header are finished in order of arrival. False: the message is
     /// not pending, or requested no acknowledgement; nothing is sent.
-    constexpr bool finish(const header& head, bool executed, time_point now, message_sink out) noexcept {
+    [[nodiscard]] constexpr bool finish(const header& head, bool executed, time_point now, message_sink out) noexcept {
         if (!is_acknowledged(head)) return false;
         const ack_nak answer = executed ? ack_nak::ack : ack_nak::nak;
         if (may_be_repeated(head.command_code)) return acknowledge(head, self_, answer, out);

@@ -77,7 +77,8 @@ template <class... Parts> class component {
 
     /// Acknowledges a deferred message: `request` is its header; ACK if `executed`, else NAK. False: no such message is
     /// pending, or no acknowledgement was requested.
-    constexpr bool finish(const header& request, bool executed, time_point now, message_sink out) noexcept {
+    [[nodiscard]] constexpr bool finish(const header& request, bool executed, time_point now,
+                                        message_sink out) noexcept {
         return receiver_.finish(request, executed, now, out);
     }
     /// Sends a message of the component and repeats it until it is acknowledged; the hook on_delivered gets the

@@ -64,7 +64,7 @@ class component_clock {
     constexpr explicit component_clock(const address& self) noexcept : self_{self} {}
 
     /// Sets the clock at `now` of the caller's time. False, and no change, where date stamps cannot tell the date.
-    constexpr bool set(civil_time time, time_point now) noexcept {
+    [[nodiscard]] constexpr bool set(civil_time time, time_point now) noexcept {
         if (!has_date_stamp(time)) return false;
         offset_ = time.time_since_epoch() - now.time_since_epoch();
         has_time_ = has_date_ = true;
@@ -107,7 +107,7 @@ class component_clock {
         return civil_time{now.time_since_epoch() + offset_};
     }
 
-    constexpr bool set_from(const set_time& m, time_point now) noexcept {
+    [[nodiscard]] constexpr bool set_from(const set_time& m, time_point now) noexcept {
         using namespace std::chrono;
         if (!m.time_stamp && !m.date_stamp) return true;
         const civil_time shown = has_time_ || has_date_ ? running(now) : civil_time{unset};

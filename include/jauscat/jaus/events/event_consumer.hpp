@@ -187,7 +187,7 @@ template <std::size_t Capacity> class event_consumer {
         };
         if (rounds_to_0(wanted.requested_periodic_rate) || rounds_to_0(wanted.requested_minimum_periodic_rate))
             return false;
-        e.request.resize(max_create_event_size);
+        if (!e.request.resize(max_create_event_size)) return false;
         const auto encoded = wire::encode(wanted, std::span{e.request.begin(), e.request.size()});
         return encoded && e.request.resize(encoded->size());
     }

@@ -47,7 +47,7 @@ class payload_reader {
     [[nodiscard]] constexpr std::size_t offset() const noexcept { return at_; }
 
   private:
-    constexpr wire::errc read(payload_element& element) noexcept {
+    [[nodiscard]] constexpr wire::errc read(payload_element& element) noexcept {
         if (at_ == bytes_.size()) return wire::errc::truncated;
         const auto number = std::to_integer<std::uint8_t>(bytes_[at_]);
         if (number == 0 || number > types_.size()) return wire::errc::unknown_tag;

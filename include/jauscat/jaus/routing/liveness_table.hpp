@@ -44,7 +44,7 @@ class liveness_table {
         return heard::appeared;
     }
     /// `who` is kept permanently, also without messages; false if the table is full.
-    constexpr bool keep(const address& who) noexcept {
+    [[nodiscard]] constexpr bool keep(const address& who) noexcept {
         return on_heard(who, time_point{}, duration::max()) != heard::no_capacity;
     }
 

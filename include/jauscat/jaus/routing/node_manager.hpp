@@ -82,10 +82,10 @@ class node_manager {
     /// The components that are present.
     [[nodiscard]] const liveness_table& present() const noexcept { return present_; }
     /// `who` counts as alive permanently, also without heartbeats; false if the table is full.
-    bool keep(const address& who) noexcept { return present_.keep(who); }
+    [[nodiscard]] bool keep(const address& who) noexcept { return present_.keep(who); }
     /// Writes the body of Report Configuration of the subsystem or the node to the front of `body`; returns its size,
     /// or nothing if `what` is neither or the memory is too small. For events of this report.
-    std::optional<std::size_t> configuration(query_field what, std::span<std::byte> body) const noexcept {
+    [[nodiscard]] std::optional<std::size_t> configuration(query_field what, std::span<std::byte> body) const noexcept {
         std::optional<std::size_t> used;
         with_components(what, [&](const report_configuration& report) {
             if (const auto encoded = wire::encode(report, body)) used = encoded->size();

@@ -141,7 +141,7 @@ class routing_table {
     }
 
   private:
-    constexpr added add(const address& entry, const route_entry& where) noexcept {
+    [[nodiscard]] constexpr added add(const address& entry, const route_entry& where) noexcept {
         const bool of_own_node = is_own_node(entry);
         if (of_own_node && component_count_ == components_.size()) return added::full;
         const inserted what = routes_.insert(entry, where);

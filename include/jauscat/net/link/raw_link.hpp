@@ -61,7 +61,7 @@ class raw_link {
 
     /// Sends a frame, padded to 60 bytes, with the interface's address as source if the frame has zeros there.
     /// False if it has no Ethernet header or the interface refuses it; `problem()` has the reason.
-    bool send(std::span<const std::byte> frame) {
+    [[nodiscard]] bool send(std::span<const std::byte> frame) {
         problem_.clear();
         if (frame.size() < header_size) {
             problem_ = "a frame of " + std::to_string(frame.size()) + " bytes has no Ethernet header";
@@ -83,7 +83,7 @@ class raw_link {
 
     /// The next frame, padded to 60 bytes. `buffer` must have 60 bytes, or nothing is received; 1514 hold every frame.
     /// Without a frame, `problem()` reports whether the interface is the reason.
-    std::size_t receive(std::span<std::byte> buffer, duration timeout) {
+    [[nodiscard]] std::size_t receive(std::span<std::byte> buffer, duration timeout) {
         problem_.clear();
         const auto size = wait_.receive(socket_.get(), buffer, timeout, [&](int flags) { return take(buffer, flags); });
         if (size == 0 && problem_.empty() && timeout > duration{}) explain(0);

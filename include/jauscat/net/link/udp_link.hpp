@@ -37,7 +37,7 @@ class udp_link {
 
     /// The slave's end: receives at a port (0: selected by the system) and answers to the last sender.
     /// `address` is the IP address to receive at; the default is all of this machine's. Throws `open_error`.
-    static udp_link serve(std::uint16_t port = ethercat_port, const std::string& address = "0.0.0.0") {
+    [[nodiscard]] static udp_link serve(std::uint16_t port = ethercat_port, const std::string& address = "0.0.0.0") {
         boost::system::error_code error;
         const auto ip = boost::asio::ip::make_address(address, error);
         if (error)
@@ -51,7 +51,7 @@ class udp_link {
 
     /// The master's end: sends to a slave's host (a name or an address) and port, and receives only from there.
     /// Throws `open_error` without a route to the host. A missing slave is detected at the first exchange.
-    static udp_link connect(const std::string& host, std::uint16_t port = ethercat_port) {
+    [[nodiscard]] static udp_link connect(const std::string& host, std::uint16_t port = ethercat_port) {
         udp_link link;
         boost::system::error_code error;
         boost::asio::ip::udp::resolver resolver{*link.context_};
@@ -71,7 +71,7 @@ class udp_link {
 
     /// Sends as many bytes as the frame's EtherCAT header announces. False if the frame is shorter, if a serving end
     /// has received no frame yet, and if the network refuses it; `problem()` has the reason.
-    bool send(std::span<const std::byte> frame) {
+    [[nodiscard]] bool send(std::span<const std::byte> frame) {
         problem_.clear();
         ethercat::frame_header header;
         const auto payload = frame.subspan(std::min(frame.size(), header_size));
@@ -91,7 +91,7 @@ class udp_link {
     }
 
     /// The next frame, padded to 60 bytes. `buffer` must have 60 bytes, or nothing is received; 1514 hold every frame.
-    std::size_t receive(std::span<std::byte> buffer, duration timeout) {
+    [[nodiscard]] std::size_t receive(std::span<std::byte> buffer, duration timeout) {
         problem_.clear();
         return wait_.receive(socket_.native_handle(), buffer, timeout, [&](int flags) { return take(buffer, flags); });
     }

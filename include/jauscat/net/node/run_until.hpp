@@ -12,7 +12,8 @@ namespace jauscat::net {
 
 /// Runs the handlers of `context` until `done()` is true, at most for `timeout`; duration::max(): without limit.
 /// `done` is called after each handler. Returns `done()`.
-template <std::predicate Done> bool run_until(boost::asio::io_context& context, duration timeout, Done done) {
+template <std::predicate Done>
+[[nodiscard]] bool run_until(boost::asio::io_context& context, duration timeout, Done done) {
     const deadline end{now(), std::max(timeout, duration{})};
     context.restart();
     while (!done())
