@@ -57,8 +57,9 @@ inline result<std::uint16_t, node_errc> clients::send_acknowledged(const jaus::h
     if (!made) return node_errc::not_encodable;
     if (!component_.is_routable(head.destination)) return node_errc::unroutable;
     const auto sent = component_.send_acknowledged(*made);
-    if (!sent) return sent.error == jaus::send_errc::no_capacity ? node_errc::queue_full : node_errc::not_encodable;
-    return sent.sequence_number;
+    if (!sent)
+        return sent.error().code == jaus::send_errc::no_capacity ? node_errc::queue_full : node_errc::not_encodable;
+    return *sent;
 }
 
 JAUSCAT_DECL void clients::send(jaus::header head, std::vector<std::byte> body, const operation_ptr<>& done) {

@@ -65,7 +65,7 @@ class component_state {
     [[nodiscard]] clients& others() noexcept;
     [[nodiscard]] boost::asio::io_context& context() noexcept { return context_; }
     /// Sends a whole message of this component until it is acknowledged.
-    jaus::send_result send_acknowledged(bytes message);
+    result<std::uint16_t, jaus::send_error> send_acknowledged(bytes message);
     /// Whether the configuration has a system for it.
     [[nodiscard]] bool is_routable(const jaus::address& to) const;
 

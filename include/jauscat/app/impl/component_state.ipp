@@ -131,7 +131,7 @@ JAUSCAT_DECL component_state::component_state(node_state& node, const jaus::addr
 JAUSCAT_DECL component_state::~component_state() = default;
 
 JAUSCAT_DECL clients& component_state::others() noexcept { return core_->others; }
-JAUSCAT_DECL jaus::send_result component_state::send_acknowledged(bytes message) {
+JAUSCAT_DECL result<std::uint16_t, jaus::send_error> component_state::send_acknowledged(bytes message) {
     return core_->machine.send(message, net::now(), node_.net().out());
 }
 JAUSCAT_DECL bool component_state::is_routable(const jaus::address& to) const {
