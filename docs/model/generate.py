@@ -61,8 +61,9 @@ def graph(direction, lines):
 
 
 def module_of(header):
-    """Of `jauscat/net/link/detail/bind_udp.hpp` it is `net/link/detail`, of `jauscat/net.hpp` nothing."""
-    return header.removeprefix("jauscat/").rpartition("/")[0]
+    """Of `jauscat/net/link/detail/bind_udp.hpp` it is `net/link/detail`, of `jauscat/net.hpp` nothing. `impl/` belongs to
+    the folder around it."""
+    return header.removeprefix("jauscat/").rpartition("/")[0].removesuffix("/impl")
 
 
 def all_includes(root):

@@ -1,7 +1,8 @@
-// The part of the library that is no template, for the one source of a program that compiles it: see compilation.hpp.
+// The part of the library that is no template, for the one source of a program that compiles it: see
+// base/compilation.hpp.
 #pragma once
 #ifndef JAUSCAT_SEPARATE_COMPILATION
-#error "define JAUSCAT_SEPARATE_COMPILATION for all sources of the program, or do not include <jauscat/src.hpp>"
+#    error "define JAUSCAT_SEPARATE_COMPILATION for all sources of the program, or do not include <jauscat/src.hpp>"
 #endif
 #include <jauscat/app/impl/clients.ipp>
 #include <jauscat/app/impl/component.ipp>

@@ -17,6 +17,8 @@ problems = []
 SUCCESS = {"ok", "none", "handled", "accepted"}
 # Values to whose text in `describe` the page has nothing to add.
 EXPLAINED = {
+    "include/jauscat/app/error.hpp node_errc":
+        "not_running not_encodable not_one_address control_refused already_asked",
     "include/jauscat/net/error.hpp errc": "empty_message invalid_address not_ethernet",
     "include/jauscat/net/config_error.hpp config_errc":
         "unreadable not_xml wrong_root unexpected missing duplicate too_many invalid_value no_such_system",

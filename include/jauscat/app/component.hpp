@@ -1,8 +1,8 @@
 // A JAUS component: handlers of messages, reports, and what happens when it is stopped.
 #pragma once
+#include <jauscat/app/client.hpp>
 #include <jauscat/app/component_options.hpp>
 #include <jauscat/app/control.hpp>
-#include <jauscat/app/detail/client.hpp>
 #include <jauscat/app/node.hpp>
 #include <jauscat/app/subscription.hpp>
 #include <jauscat/jaus/events/report_field.hpp>

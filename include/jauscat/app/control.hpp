@@ -1,6 +1,6 @@
 // Control of another component, as long as an object lives.
 #pragma once
-#include <jauscat/app/detail/client.hpp>
+#include <jauscat/app/client.hpp>
 
 namespace jauscat {
 inline namespace JAUSCAT_WAY {

@@ -1,6 +1,6 @@
 // Errors of asynchronous operations, as error codes.
 #pragma once
-#include <jauscat/compilation.hpp>
+#include <jauscat/base/compilation.hpp>
 
 #include <boost/system/error_code.hpp>
 

@@ -1,6 +1,6 @@
 // Options of a node.
 #pragma once
-#include <jauscat/compilation.hpp>
+#include <jauscat/base/compilation.hpp>
 
 #include <cstdint>
 #include <functional>

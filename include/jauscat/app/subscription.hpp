@@ -1,6 +1,6 @@
 // Reports as a stream: of a service connection, or of an event.
 #pragma once
-#include <jauscat/app/detail/client.hpp>
+#include <jauscat/app/client.hpp>
 
 namespace jauscat {
 inline namespace JAUSCAT_WAY {

@@ -1,7 +1,7 @@
 // Asynchronous operations in Asio's way: the handler behind a virtual function, so that what starts them is no
 // template.
 #pragma once
-#include <jauscat/compilation.hpp>
+#include <jauscat/base/compilation.hpp>
 
 #include <boost/asio/associated_executor.hpp>
 #include <boost/asio/async_result.hpp>

@@ -1,7 +1,7 @@
 // What components and their typed handlers share: messages as bytes. Compiled once.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
-#include <jauscat/compilation.hpp>
 #include <jauscat/jaus/component/message_outcome.hpp>
 #include <jauscat/jaus/events/report_field.hpp>
 #include <jauscat/schema/jaus/header.hpp>

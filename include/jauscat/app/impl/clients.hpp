@@ -1,6 +1,6 @@
 // What a component asks of others: questions, commands, control, reports as streams.
 #pragma once
-#include <jauscat/app/detail/client.hpp>
+#include <jauscat/app/client.hpp>
 #include <jauscat/jaus/component/acknowledged_sender.hpp>
 #include <jauscat/jaus/component/component_part.hpp>
 #include <jauscat/jaus/component/held_control.hpp>

@@ -6,7 +6,6 @@
 #include <jauscat/jaus/component/described_component.hpp>
 #include <jauscat/jaus/events/events.hpp>
 #include <jauscat/jaus/events/service_connections.hpp>
-#include <jauscat/net/node/detail/offered_messages.hpp>
 
 #include <boost/asio/io_context.hpp>
 

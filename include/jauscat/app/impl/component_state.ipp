@@ -3,6 +3,7 @@
 #include <jauscat/app/impl/clients.ipp>
 #include <jauscat/app/impl/component_state.hpp>
 #include <jauscat/app/impl/node_state.hpp>
+#include <jauscat/net/node/detail/offered_messages.hpp>
 #include <jauscat/text/jaus.hpp>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What control, subscriptions and questions share: requests to other components as bytes. Compiled once.
+// Questions and commands to other components: options, received messages, and the requests as bytes.
 #pragma once
 #include <jauscat/app/detail/handler.hpp>
 #include <jauscat/app/detail/operation.hpp>

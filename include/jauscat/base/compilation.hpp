@@ -7,9 +7,9 @@
 /// The names of the classes concerned differ (`jauscat::header_only::node`, `jauscat::compiled_once::node`), so that a
 /// program that mixes both ways does not link.
 #ifdef JAUSCAT_SEPARATE_COMPILATION
-#define JAUSCAT_DECL
-#define JAUSCAT_WAY compiled_once
+#    define JAUSCAT_DECL
+#    define JAUSCAT_WAY compiled_once
 #else
-#define JAUSCAT_DECL inline
-#define JAUSCAT_WAY header_only
+#    define JAUSCAT_DECL inline
+#    define JAUSCAT_WAY header_only
 #endif
