@@ -83,6 +83,14 @@ a_component_answers() { # primitive_driver
     expect 1 "primitive_driver: " "$bin/primitive_driver" "${config[@]}" --this nobody
     expect 1 "missing.xml" "$bin/primitive_driver" --config missing.xml
 }
+a_coroutine_drives() { # drive
+    local config=(--config "$bin/JausConfig.xml")
+    start "Ctrl-C ends" "$bin/primitive_driver" "${config[@]}" --this b
+    expect 0 "in force: 50.0015 %" "$bin/drive" "${config[@]}" --this a
+    [ "$(grep -c "reported: 50.0015 %" "$work/out.log")" -eq 3 ] || fail "not three reports"
+    kill "$server" && wait "$server"
+    expect 1 "no answer in time" "$bin/drive" "${config[@]}" --this a
+}
 a_component_of_parts_answers() { # jaus_node
     is_a_component "" "$bin/jaus_node" "$bin/JausConfig.xml" b
     expect 2 "jaus_node CONFIGURATION SYSTEM" "$bin/jaus_node"

@@ -1,0 +1,36 @@
+// An operator: takes control of a primitive driver, commands an effort, and receives its reports.
+//     drive --this a
+#include <jauscat/app.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
+
+#include <boost/asio/co_spawn.hpp>
+
+#include <exception>
+#include <iostream>
+
+namespace asio = boost::asio;
+namespace jaus = jauscat::jaus;
+
+asio::awaitable<void> drive(jauscat::component& unit, jaus::address driver) {
+    auto control = co_await unit.async_control(driver, {.authority = 100}); // until the end of the scope
+    co_await control.async_send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50}); // until acknowledged
+    const auto report = co_await unit.async_ask(driver, jaus::query_wrench_effort{.presence_vector = 0x0001});
+    std::cout << "in force: " << report.propulsive_linear_effort_x.value() << " %\n";
+    auto efforts = co_await unit.async_connect<jaus::report_wrench_effort>(driver, {.rate = 20}); // hertz
+    for (int i = 0; i != 3; ++i) {
+        const auto next = co_await efforts.async_next();
+        std::cout << "reported: " << next.propulsive_linear_effort_x.value() << " %\n";
+    }
+}
+
+int main(int argc, char** argv) {
+    jauscat::node node{argc, argv};
+    jauscat::component unit{node, {.id = 32, .name = "operator"}};
+    unit.ready();
+    const jaus::address driver{.instance = 1, .component = 33, .node = 1, .subsystem = 2};
+    asio::co_spawn(node.context(), drive(unit, driver), [&](const std::exception_ptr& problem) {
+        node.stop();
+        if (problem) std::rethrow_exception(problem); // run logs it, and returns 1
+    });
+    return node.run();
+}
