@@ -13,7 +13,7 @@ template <auto First, auto... Rest> struct at {
     static consteval std::string_view parent() noexcept { return wire::name_of<First>(); }
     template <auto Outer> using within = at<Outer, First, Rest...>;
     [[gnu::always_inline]] static constexpr auto& of(auto& object) noexcept {
-        return at<Rest...>::of(object.*wire::place_in<decltype(object), First>);
+        return at<Rest...>::of(wire::member_of<First>(object));
     }
 };
 /// The last step of a path.
@@ -22,9 +22,7 @@ template <auto Member> struct at<Member> {
     static consteval std::string_view field() noexcept { return wire::name_of<Member>(); }
     static consteval std::string_view parent() noexcept { return {}; }
     template <auto Outer> using within = at<Outer, Member>;
-    [[gnu::always_inline]] static constexpr auto& of(auto& object) noexcept {
-        return object.*wire::place_in<decltype(object), Member>;
-    }
+    [[gnu::always_inline]] static constexpr auto& of(auto& object) noexcept { return wire::member_of<Member>(object); }
 };
 
 namespace detail {

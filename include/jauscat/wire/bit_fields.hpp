@@ -26,7 +26,7 @@ template <auto Member, std::size_t Width> struct bit_field {
 
     /// The member's bits: an unsigned value that does not fit has more than `Width`.
     JAUSCAT_INLINE static constexpr std::uint64_t value(const auto& object) noexcept {
-        const auto bits = static_cast<std::uint64_t>(object.*place_in<decltype(object), Member>);
+        const auto bits = static_cast<std::uint64_t>(member_of<Member>(object));
         if constexpr (is_signed)
             return bits & low_bits;
         else
@@ -43,15 +43,15 @@ template <auto Member, std::size_t Width> struct bit_field {
         if constexpr (std::is_same_v<value_type, bool> || Width >= sizeof(value_type) * 8)
             return true;
         else if constexpr (is_signed)
-            return from_bits(value(object)) == object.*place_in<decltype(object), Member>;
+            return from_bits(value(object)) == member_of<Member>(object);
         else
             return value(object) >> Width == 0;
     }
     JAUSCAT_INLINE static constexpr void assign(auto& object, std::uint64_t bits) noexcept {
-        object.*place_in<decltype(object), Member> = from_bits(bits);
+        member_of<Member>(object) = from_bits(bits);
     }
     JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(bit_field{}, object.*place_in<decltype(object), Member>);
+        visitor(bit_field{}, member_of<Member>(object));
     }
 
   private:

@@ -32,7 +32,7 @@ template <auto Member, class Codec> struct field {
 
     JAUSCAT_INLINE static constexpr errc put(const auto& object, std::byte* out) noexcept {
         using used = codec_in_mode<Codec, raw_object<decltype(object)>>;
-        auto& value = object.*place_in<decltype(object), Member>;
+        auto& value = member_of<Member>(object);
         if constexpr (optional) // not value_of(): a call for each type of member costs compile time
             return used::store(out, static_cast<typename used::value_type>(*value));
         else
@@ -43,7 +43,7 @@ template <auto Member, class Codec> struct field {
         typename used::value_type value{};
         if (const errc error = used::load(in, value); error != errc::ok) return error;
         using stored = std::conditional_t<raw_object<decltype(object)>, raw_value, value_type>;
-        object.*place_in<decltype(object), Member> = static_cast<stored>(value);
+        member_of<Member>(object) = static_cast<stored>(value);
         return errc::ok;
     }
 
@@ -60,7 +60,7 @@ template <auto Member, class Codec> struct field {
     }
 
     JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(field{}, object.*place_in<decltype(object), Member>);
+        visitor(field{}, member_of<Member>(object));
     }
 };
 
@@ -78,7 +78,7 @@ template <auto Member> struct not_on_wire {
     JAUSCAT_INLINE static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
     JAUSCAT_INLINE static constexpr errc get(auto&, const std::byte*) noexcept { return errc::ok; }
     JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(not_on_wire{}, object.*place_in<decltype(object), Member>);
+        visitor(not_on_wire{}, member_of<Member>(object));
     }
 };
 

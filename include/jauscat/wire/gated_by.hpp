@@ -21,17 +21,17 @@ template <auto Flag, class Item> struct gated_by {
     static consteval std::string_view name() { return item_label<Item>(); }
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
-        return (object.*place_in<decltype(object), key>).has_value() ? detail::size_of_item<Item>(object, here) : 0;
+        return member_of<key>(object).has_value() ? detail::size_of_item<Item>(object, here) : 0;
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
         const bool there = look_up<Flag>(here);
-        if (there != (object.*place_in<decltype(object), key>).has_value()) return {c.at, errc::presence_mismatch};
+        if (there != member_of<key>(object).has_value()) return {c.at, errc::presence_mismatch};
         if (there) detail::put_item<Item>(object, c, here);
         return c;
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
         if (!look_up<Flag>(here))
-            (object.*place_in<decltype(object), key>).reset();
+            member_of<key>(object).reset();
         else if (detail::spend(c, Item::min_size))
             detail::get_item<Item>(object, c, here);
         return c;

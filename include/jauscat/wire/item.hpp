@@ -106,14 +106,12 @@ JAUSCAT_INLINE constexpr auto& emplace_in(auto& member) noexcept {
 /// Marks an object with raw integers as scaled fields.
 template <class Object> concept raw_object = requires { typename std::remove_cvref_t<Object>::raw_of; };
 
-/// The pointer to `Member` in an object of this type: itself, or one to its slot in a `raw`. A constant, because a
-/// function would be compiled for each member of each message.
-template <class Object, auto Member> inline constexpr auto place_in = Member;
-template <raw_object Object, auto Member>
-inline constexpr auto place_in<Object, Member> = std::remove_cvref_t<Object>::template place<Member>;
 /// The member `Member` of a value, or its slot in a `raw`.
-template <auto Member> constexpr auto& member_of(auto& object) noexcept {
-    return object.*place_in<decltype(object), Member>;
+template <auto Member, class Object> JAUSCAT_INLINE constexpr auto& member_of(Object& object) noexcept {
+    if constexpr (raw_object<Object>)
+        return object.*Object::template place<Member>;
+    else
+        return object.*Member;
 }
 
 /// Mode of a view: real values, or the integers on the wire.

@@ -57,11 +57,11 @@ template <auto Member> struct presence_flag {
     JAUSCAT_INLINE static constexpr errc put(const auto&, std::byte*) noexcept { return errc::ok; }
     // Not called for a bit that is clear: presence_group clears the member.
     JAUSCAT_INLINE static constexpr errc get(auto& object, const std::byte*) noexcept {
-        object.*place_in<decltype(object), Member> = true;
+        member_of<Member>(object) = true;
         return errc::ok;
     }
     JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(presence_flag{}, object.*place_in<decltype(object), Member>);
+        visitor(presence_flag{}, member_of<Member>(object));
     }
 };
 
@@ -189,9 +189,9 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     /// Whether `Item` travels with `object`.
     template <class Item> JAUSCAT_INLINE static constexpr bool is_present(const auto& object) noexcept {
         if constexpr (Item::optional)
-            return (object.*place_in<decltype(object), Item::key>).has_value();
+            return member_of<Item::key>(object).has_value();
         else if constexpr (takes_bit<Item>)
-            return object.*place_in<decltype(object), Item::key>;
+            return member_of<Item::key>(object);
         else
             return true;
     }
@@ -208,7 +208,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
         if constexpr (!takes_bit<Item>)
             return 0;
         else
-            return static_cast<mask_type>(static_cast<bool>(object.*place_in<decltype(object), Item::key>)) << at++;
+            return static_cast<mask_type>(static_cast<bool>(member_of<Item::key>(object))) << at++;
     }
 
     // Bytes that the set bits stand for.
@@ -241,7 +241,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
                                                         out_cursor& c, const auto& here) noexcept {
         if constexpr (takes_bit<Item>) {
             const auto bit = mask_type{1} << at++;
-            if (!(object.*place_in<decltype(object), Item::key>)) return true;
+            if (!member_of<Item::key>(object)) return true;
             m |= bit;
         }
         if constexpr (fixed_item<Item>) {
@@ -255,9 +255,9 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     }
     template <class Item> JAUSCAT_INLINE static constexpr void absent(auto& object) noexcept {
         if constexpr (Item::optional)
-            (object.*place_in<decltype(object), Item::key>).reset();
+            member_of<Item::key>(object).reset();
         else
-            object.*place_in<decltype(object), Item::key> = false;
+            member_of<Item::key>(object) = false;
     }
     template <class Item>
     JAUSCAT_INLINE static constexpr bool get_fixed(auto& object, mask_type m, std::size_t& at, const std::byte*& in,
@@ -277,8 +277,7 @@ template <unknown_bits Unknown, codec Carrier, class... Items> struct presence_g
     template <class Item>
     JAUSCAT_INLINE static constexpr void set_flag([[maybe_unused]] auto& object, [[maybe_unused]] mask_type m,
                                                   [[maybe_unused]] std::size_t& at) noexcept {
-        if constexpr (requires { Item::takes_bit; })
-            object.*place_in<decltype(object), Item::key> = (m >> at & 1u) != 0;
+        if constexpr (requires { Item::takes_bit; }) member_of<Item::key>(object) = (m >> at & 1u) != 0;
         if constexpr (takes_bit<Item>) ++at;
     }
 

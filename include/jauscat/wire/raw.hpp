@@ -41,7 +41,7 @@ template <class... Items> struct slots_of<layout<Items...>> : joined_slots<typen
 
 } // namespace detail
 
-/// The place of one member in a `raw`: its only member is `value`. Also for types like `raw` (see place_in).
+/// The place of one member in a `raw`: its only member is `value`. Also for types like `raw` (see member_of).
 template <auto Member, class Value> using raw_slot = detail::slot<Member, Value>;
 template <class... Slots> using raw_slot_list = detail::slot_list<Slots...>;
 /// The list of the places of all members of `T`.

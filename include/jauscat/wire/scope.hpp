@@ -53,7 +53,7 @@ template <raw_object Object> struct owner_of<Object> {
 };
 
 template <auto First, auto... Rest> JAUSCAT_INLINE constexpr auto along(const auto& object) noexcept {
-    const auto& member = object.*place_in<decltype(object), First>;
+    const auto& member = member_of<First>(object);
     if constexpr (sizeof...(Rest) == 0)
         return member;
     else

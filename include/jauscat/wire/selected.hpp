@@ -179,16 +179,15 @@ template <auto Member, class Selector, class... Cases> struct selected {
     }
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
-        return table_in<decltype(object)>::size(value_of(object.*place_in<decltype(object), Member>),
-                                                Selector::value(here));
+        return table_in<decltype(object)>::size(value_of(member_of<Member>(object)), Selector::value(here));
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        return table_in<decltype(object)>::put(value_of(object.*place_in<decltype(object), Member>),
-                                               Selector::value(here), c, root_of(here));
+        return table_in<decltype(object)>::put(value_of(member_of<Member>(object)), Selector::value(here), c,
+                                               root_of(here));
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        return table_in<decltype(object)>::get(emplace_in(object.*place_in<decltype(object), Member>),
-                                               Selector::value(here), c, root_of(here));
+        return table_in<decltype(object)>::get(emplace_in(member_of<Member>(object)), Selector::value(here), c,
+                                               root_of(here));
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         return table<value_type, false>::measure(Selector::value(here), c, here.end);
@@ -205,13 +204,13 @@ template <auto Member, class Selector, class... Cases> struct selected {
         return legal ? std::optional{value} : std::nullopt;
     }
     JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(selected{}, object.*place_in<decltype(object), Member>);
+        visitor(selected{}, member_of<Member>(object));
     }
 
   private:
     template <class Object>
-    using table_in = table<std::remove_cvref_t<decltype(value_of(std::declval<Object&>().*place_in<Object, Member>))>,
-                           raw_object<Object>>;
+    using table_in =
+        table<std::remove_cvref_t<decltype(value_of(member_of<Member>(std::declval<Object&>())))>, raw_object<Object>>;
 };
 
 } // namespace jauscat::wire

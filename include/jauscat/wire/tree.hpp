@@ -46,9 +46,7 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
 
     static consteval std::string_view name() { return name_of<Member>(); }
     /// The number of a node's children.
-    [[nodiscard]] static constexpr std::size_t children(const auto& one) noexcept {
-        return (one.*place_in<decltype(one), Children>);
-    }
+    [[nodiscard]] static constexpr std::size_t children(const auto& one) noexcept { return member_of<Children>(one); }
 
     /// Calls `step(index, node)`, which returns an errc, for each node; returns its first error, or that of numbers of
     /// children which the nodes do not have.
@@ -64,19 +62,18 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
 
     JAUSCAT_INLINE static constexpr std::size_t size(const auto& object, const auto& here) noexcept {
         std::size_t total = 0;
-        for (const auto& one : object.*place_in<decltype(object), Member>)
-            total += inner_layout::size(one, object_scope{one, here});
+        for (const auto& one : member_of<Member>(object)) total += inner_layout::size(one, object_scope{one, here});
         return total;
     }
     JAUSCAT_INLINE static constexpr out_cursor put(const auto& object, out_cursor c, const auto& here) noexcept {
-        const errc error = for_each_node(object.*place_in<decltype(object), Member>, [&](std::size_t, const auto& one) {
+        const errc error = for_each_node(member_of<Member>(object), [&](std::size_t, const auto& one) {
             c = inner_layout::put(one, c, object_scope{one, here});
             return c.error;
         });
         return {c.at, error};
     }
     JAUSCAT_INLINE static constexpr in_cursor get(auto& object, in_cursor c, const auto& here) noexcept {
-        auto& nodes = object.*place_in<decltype(object), Member>;
+        auto& nodes = member_of<Member>(object);
         using stored = typename std::remove_reference_t<decltype(nodes)>::value_type;
         std::size_t count = 0;
         const in_cursor end = walk_bytes(c, count, byte_scope<plain_root, plain_root>{c.at, c.at, {}});
@@ -112,7 +109,7 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
         return list_view<tree, std::remove_cvref_t<decltype(here)>>{in, count, here};
     }
     JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
-        visitor(tree{}, object.*place_in<decltype(object), Member>);
+        visitor(tree{}, member_of<Member>(object));
     }
 
   private:
