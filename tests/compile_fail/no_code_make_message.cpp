@@ -1,4 +1,4 @@
-// expect: make_message: the message has no command code; add it to its wire::schema
+// expect: the message has no command code: add it to its jauscat::wire::schema, as command_code
 #include "small_message.hpp"
 #include <jauscat/jaus/message/message.hpp>
 

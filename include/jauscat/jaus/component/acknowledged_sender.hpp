@@ -123,6 +123,10 @@ class acknowledged_sender {
             return written{send_error{.code = send_errc::not_encodable, .body = encoded.error()}};
         });
     }
+    template <uncoded_type T> constexpr send_result send(const header&, const T&, time_point, message_sink) noexcept {
+        refuse_uncoded_type<T>();
+        return {send_errc::invalid};
+    }
     /// The same for an encoded message; its header is rewritten. A message of several packets is too large.
     [[nodiscard]] constexpr send_result send(std::span<const std::byte> message, time_point now,
                                              message_sink out) noexcept {

@@ -79,6 +79,19 @@ template <coded_message T>
     return put(answer_to(request, self), body, memory, out);
 }
 
+template <uncoded_type T> constexpr bool put(const header&, const T&, auto&&...) noexcept {
+    refuse_uncoded_type<T>();
+    return false;
+}
+template <uncoded_type T> constexpr bool answer(const header&, const address&, const T&, auto&&...) noexcept {
+    refuse_uncoded_type<T>();
+    return false;
+}
+template <uncoded_type T> constexpr message_outcome decode_for(std::span<const std::byte>, auto&&) noexcept {
+    refuse_uncoded_type<T>();
+    return message_outcome::malformed;
+}
+
 /// Answers `request` with an ACK or a NAK from `self`.
 [[nodiscard]] constexpr bool acknowledge(header request, const address& self, ack_nak how, message_sink out) noexcept {
     request.destination = self;

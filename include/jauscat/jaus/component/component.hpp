@@ -88,6 +88,10 @@ template <class... Parts> class component {
         head.source = self_;
         return sender_.send(head, body, now, out);
     }
+    template <uncoded_type T> constexpr send_result send(const header&, const T&, auto&&...) noexcept {
+        refuse_uncoded_type<T>();
+        return {send_errc::invalid};
+    }
     /// The same for a complete message with this component as source.
     [[nodiscard]] constexpr send_result send(std::span<const std::byte> message, time_point now,
                                              message_sink out) noexcept {

@@ -122,11 +122,7 @@ template <coded_message T, class F> constexpr auto on(F handle) {
         static_assert(message_handler<F, T>, "on: the handler of a message returns something, which would be ignored");
     return detail::typed_handler<T, F>{std::move(handle)};
 }
-template <class T, class F>
-requires(!coded_message<T>)
-constexpr auto on(F) {
-    static_assert(coded_message<T>, "on: the message has no command code; add it to its wire::schema");
-}
+template <uncoded_type T, class F> constexpr auto on(F) { refuse_uncoded_type<T>(); }
 /// Handles command codes that no handler takes: `handle(const header&, std::span<const std::byte> body)`.
 template <class F> constexpr auto on_unknown(F handle) {
     static_assert(std::invocable<F&, const header&, const std::span<const std::byte>&>,

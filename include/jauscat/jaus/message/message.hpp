@@ -118,11 +118,10 @@ make_message(const header& head, const T& body, std::span<std::byte> out) noexce
     return detail::put_message(head, body, out).of(out);
 }
 
-template <class T>
-requires(!coded_message<T>)
-constexpr auto make_message(const header&, const T&, auto&&...) noexcept {
-    static_assert(coded_message<T>, "make_message: the message has no command code; add it to its wire::schema");
-    return result<std::span<std::byte>, errc>{errc::invalid_body};
+template <uncoded_type T>
+constexpr result<std::span<std::byte>, errc> make_message(const header&, const T&, auto&&...) noexcept {
+    refuse_uncoded_type<T>();
+    return errc::invalid_body;
 }
 
 /// An acknowledgement has no body, for any command code. RA 3.3 part 2, ACK/NAK.

@@ -104,6 +104,12 @@ class jaus_node {
         arm();
         return what;
     }
+    template <jaus::uncoded_type T>
+    requires(!std::convertible_to<const T&, bytes>)
+    result<void, error> send(const jaus::header&, const T&) {
+        jaus::refuse_uncoded_type<T>();
+        return {};
+    }
     /// Sink for messages that components send on behalf of the application. Whole messages of at most 4096 bytes;
     /// unroutable ones are logged.
     [[nodiscard]] jaus::message_sink out() noexcept { return out_; }

@@ -212,6 +212,12 @@ class node_machine {
         head.command_code = jaus::command_code_of<T>;
         return send(head, *written, now);
     }
+    template <jaus::uncoded_type T>
+    requires(!std::convertible_to<const T&, bytes>)
+    result<void, error> send(const jaus::header&, const T&, time_point) {
+        jaus::refuse_uncoded_type<T>();
+        return {};
+    }
     /// Sends a whole message of a component, of at most 4096 bytes; an unroutable one is logged.
     void put(bytes message, time_point now) noexcept {
         if (!running()) return;

@@ -21,6 +21,16 @@ template <class T>
 concept coded_message = wire::message<T> && requires {
     { wire::schema<typename detail::real_form<T>::type>::command_code } -> std::convertible_to<std::uint16_t>;
 };
+/// A type that the functions for messages refuse, with one sentence instead of a list of candidates.
+template <class T> concept uncoded_type = !coded_message<T>;
+/// The sentence.
+template <class T> consteval void refuse_uncoded_type() noexcept {
+    static_assert(wire::message<T>,
+                  "the type has no schema: specialise jauscat::wire::schema for it, with its layout as type");
+    static_assert(!wire::message<T>,
+                  "the message has no command code: add it to its jauscat::wire::schema, as command_code");
+}
+
 template <coded_message T>
 inline constexpr std::uint16_t command_code_of = wire::schema<typename detail::real_form<T>::type>::command_code;
 
