@@ -5,8 +5,8 @@
 //   min_size, max_size        bytes
 //   put, get                  write and read; fixed items take a pointer, variable ones a cursor
 //   size(object)              variable items: bytes that `object` needs
-//   extent(bytes)             variable items: bytes it takes in a message that was measured before
 //   measure(cursor)           variable items: steps over it and checks that it is complete
+//   extent(bytes)             where that is faster than measure: bytes it takes in a message that was measured before
 //   visit(object, f)          calls f(leaf item, member) for each member
 //   read<Member, Mode>(bytes) one member out of measured bytes
 // Variable items take the scope they stand in as their last argument (see scope.hpp).

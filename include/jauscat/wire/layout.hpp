@@ -82,8 +82,11 @@ JAUSCAT_INLINE constexpr std::size_t extent_of_item([[maybe_unused]] const std::
                                                     [[maybe_unused]] const auto& here) noexcept {
     if constexpr (fixed_item<Item>)
         return Item::max_size;
-    else
+    else if constexpr (requires { Item::extent(in, here); })
         return Item::extent(in, here);
+    else
+        return static_cast<std::size_t>(
+            Item::measure({in, static_cast<std::size_t>(here.end - in) - Item::min_size}, here).at - in);
 }
 // Past an item of `Size` bytes; for all items of that size, so that layouts of fixed items need no function for each.
 template <std::size_t Size> JAUSCAT_INLINE constexpr bool put_next(errc error, out_cursor& c) noexcept {

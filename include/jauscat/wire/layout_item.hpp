@@ -68,10 +68,12 @@ template <class Item, class T = structure_around<Item>>
 concept measures = requires(in_cursor c, const viewing_scope<T>& here) {
     { Item::measure(c, here) } -> std::same_as<in_cursor>;
 };
+// No item has to have an extent.
 template <class Item, class T = structure_around<Item>>
-concept tells_extent = requires(const std::byte* in, const viewing_scope<T>& here) {
-    { Item::extent(in, here) } -> std::same_as<std::size_t>;
-};
+concept no_wrong_extent = !requires(const std::byte* in, const viewing_scope<T>& here) { Item::extent(in, here); } ||
+                          requires(const std::byte* in, const viewing_scope<T>& here) {
+                              { Item::extent(in, here) } -> std::same_as<std::size_t>;
+                          };
 
 } // namespace detail
 
@@ -81,7 +83,7 @@ concept fixed_layout_item = fixed_item<Item> && detail::puts_fixed<Item> && deta
 /// An item whose size varies, or that looks at what stands around it.
 template <class Item>
 concept variable_layout_item = !fixed_item<Item> && detail::tells_size<Item> && detail::puts<Item> &&
-                               detail::gets<Item> && detail::measures<Item> && detail::tells_extent<Item>;
+                               detail::gets<Item> && detail::measures<Item> && detail::no_wrong_extent<Item>;
 /// What a `layout` consists of; item.hpp lists the operations. An item that a view reads also has
 /// `read<Member, Mode>(bytes, scope)`, which returns the value.
 template <class Item>
@@ -109,8 +111,8 @@ template <class Item> struct missing_operation {
                   "layout: a variable item has no get(object, in_cursor, scope) that returns in_cursor");
     static_assert(fixed || measures<Item>,
                   "layout: a variable item has no measure(in_cursor, scope) that returns in_cursor");
-    static_assert(fixed || tells_extent<Item>,
-                  "layout: a variable item has no extent(const std::byte*, scope) that returns std::size_t");
+    static_assert(fixed || no_wrong_extent<Item>,
+                  "layout: the extent(const std::byte*, scope) of a variable item does not return std::size_t");
     static constexpr bool named = true;
 };
 template <class Item> inline constexpr bool checked_item = true;

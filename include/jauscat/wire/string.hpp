@@ -112,12 +112,8 @@ template <auto Member> struct run_to_end : detail::octet_run<Member, rest> {
         return {c.at + c.slack, 0};
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return {c.at + c.slack, 0}; }
-    // How far it reaches is known to the view alone, which reads it as the last item.
-    JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
-        return static_cast<std::size_t>(here.end - in);
-    }
     template <auto, reading> JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
-        return base::pointing_at(in, extent(in, here));
+        return base::pointing_at(in, static_cast<std::size_t>(here.end - in));
     }
     JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(run_to_end{}, member_of<Member>(object));
@@ -141,11 +137,8 @@ template <auto Member, std::size_t Size> struct lenient_run : detail::octet_run<
         return {c.at + c.slack, 0};
     }
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto&) noexcept { return {c.at + c.slack, 0}; }
-    JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
-        return static_cast<std::size_t>(here.end - in);
-    }
     template <auto, reading> JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
-        return base::pointing_at(in, base::filled(in, extent(in, here)));
+        return base::pointing_at(in, base::filled(in, static_cast<std::size_t>(here.end - in)));
     }
     JAUSCAT_INLINE static constexpr void visit(auto& object, auto&& visitor) {
         visitor(lenient_run{}, member_of<Member>(object));

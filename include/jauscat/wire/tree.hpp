@@ -76,7 +76,8 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
         auto& nodes = member_of<Member>(object);
         using stored = typename std::remove_reference_t<decltype(nodes)>::value_type;
         std::size_t count = 0;
-        const in_cursor end = walk_bytes(c, count, byte_scope<plain_root, plain_root>{c.at, c.at, {}});
+        const in_cursor end =
+            walk_bytes(c, count, byte_scope<plain_root, plain_root>{c.at, c.at + min_size + c.slack, {}});
         if (end.at == nullptr) return end;
         const auto get_node = [&](std::size_t i, stored& one) {
             if (i != 0) c.slack -= inner_layout::min_size;
@@ -98,10 +99,6 @@ template <auto Member, auto Children, std::size_t MaxDepth> struct tree {
     JAUSCAT_INLINE static constexpr in_cursor measure(in_cursor c, const auto& here) noexcept {
         std::size_t count = 0;
         return walk_bytes(c, count, here);
-    }
-    JAUSCAT_INLINE static constexpr std::size_t extent(const std::byte* in, const auto& here) noexcept {
-        std::size_t count = 0;
-        return static_cast<std::size_t>(walk_bytes({in, unbounded}, count, here).at - in);
     }
     template <auto, reading> JAUSCAT_INLINE static constexpr auto read(const std::byte* in, const auto& here) noexcept {
         std::size_t count = 0;

@@ -1,4 +1,4 @@
-// expect: layout: a variable item has no extent(const std::byte*, scope) that returns std::size_t
+// expect: layout: the extent(const std::byte*, scope) of a variable item does not return std::size_t
 #include "small_message.hpp"
 
 using jauscat::wire::in_cursor;
@@ -16,6 +16,7 @@ struct own_item {
     static constexpr out_cursor put(const auto&, out_cursor c, const auto&) { return c; }
     static constexpr in_cursor get(auto&, in_cursor c, const auto&) { return c; }
     static constexpr in_cursor measure(in_cursor c, const auto&) { return c; }
+    static constexpr int extent(const std::byte*, const auto&) { return 0; }
     static constexpr void visit(auto& object, auto&& visitor) { visitor(own_item{}, object.value); }
 };
 
