@@ -125,7 +125,7 @@ class acknowledged_sender {
     }
     template <uncoded_type T> constexpr send_result send(const header&, const T&, time_point, message_sink) noexcept {
         refuse_uncoded_type<T>();
-        return {send_errc::invalid};
+        return send_error{send_errc::invalid_message};
     }
     /// The same for an encoded message; its header is rewritten. A message of several packets is too large.
     [[nodiscard]] constexpr send_result send(std::span<const std::byte> message, time_point now,

@@ -90,7 +90,7 @@ template <class... Parts> class component {
     }
     template <uncoded_type T> constexpr send_result send(const header&, const T&, auto&&...) noexcept {
         refuse_uncoded_type<T>();
-        return {send_errc::invalid};
+        return send_error{send_errc::invalid_message};
     }
     /// The same for a complete message with this component as source.
     [[nodiscard]] constexpr send_result send(std::span<const std::byte> message, time_point now,
