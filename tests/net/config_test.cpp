@@ -138,7 +138,7 @@ TEST_CASE("each error of a configuration has a code, and the name and line conce
     for (const row& one : {
              row{"<jausconfig>", config_errc::not_xml, "", 1},
              row{"<configuration/>", config_errc::wrong_root, "configuration", 1},
-             row{file("stray"), config_errc::unexpected, "jausconfig", 3},
+             row{file("stray"), config_errc::unexpected, "jausconfig", 2},
              row{file(b + "><framing><a/></framing></system>"), config_errc::unexpected, "framing", 3},
              row{file(b + " colour='red'/>"), config_errc::unknown_name, "colour", 3},
              row{file("<system name='b'/>"), config_errc::missing, "jausip", 3},

@@ -122,8 +122,8 @@ class randomiser {
             member = elements;
         } else {
             const bool full = chance(g_, 0.05);
-            member.resize(
-                length<Count>(full ? traits::capacity : std::min<std::size_t>(traits::capacity, 4), object, here));
+            const std::size_t most = full ? traits::capacity : std::min<std::size_t>(traits::capacity, 4);
+            static_cast<void>(member.resize(length<Count>(most, object, here))); // within the capacity
             for (auto& one : member) element(one);
         }
     }
