@@ -1,4 +1,5 @@
 // expect: layout: a member of the message is missing from its layout
+// and: extra
 #include "small_message.hpp"
 
 template <> struct jauscat::wire::schema<small_message> {

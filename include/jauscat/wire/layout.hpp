@@ -2,6 +2,7 @@
 // here.
 #pragma once
 #include <jauscat/wire/layout_item.hpp>
+#include <jauscat/wire/missing_member.hpp>
 #include <jauscat/wire/packed_size.hpp>
 #include <jauscat/wire/scalar.hpp>
 #include <jauscat/wire/scope.hpp>
@@ -212,8 +213,10 @@ template <class T> struct checked_schema {
     static_assert(std::is_aggregate_v<T>, "layout: a message must be a plain aggregate");
     static_assert(detail::owned_by<T>(keys{}), "layout: a field names a member of another struct");
     static_assert(detail::listed_once(keys{}), "layout: a member is listed twice");
-    static_assert(!detail::listed_once(keys{}) || !has_more_members_than<T, keys::count>,
-                  "layout: a member of the message is missing from its layout");
+    static constexpr bool too_few =
+        detail::owned_by<T>(keys{}) && detail::listed_once(keys{}) && has_more_members_than<T, keys::count>;
+    using missing = detail::missing_member<T, keys, too_few>;
+    static_assert(!missing::unnamed, "layout: a member of the message is missing from its layout");
 };
 /// The layout of a structure, checked against its members.
 template <class T> using layout_of = typename checked_schema<T>::type;
