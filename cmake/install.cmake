@@ -1,12 +1,13 @@
 # Installs the headers, a package for find_package(jauscat) and files for pkg-config: the targets jauscat::jauscat and
-# jauscat::text, and jauscat::esi and jauscat::net where what they need is there (find_package(jauscat COMPONENTS net)
-# insists on it). All of it is in the component "development"; the tools, if they are built, are in the component "tools".
+# jauscat::text, and jauscat::esi, jauscat::net and jauscat::compiled where what they need is there
+# (find_package(jauscat COMPONENTS net) insists on it). All of it is in the component "development"; the tools, if they are built, are in the component "tools".
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/jauscat) # the same for every machine, so not beside libraries
 set(pc_dir ${CMAKE_INSTALL_DATADIR}/pkgconfig)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 
-install(DIRECTORY include/jauscat schemas/jauscat DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY include/jauscat schemas/jauscat DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        FILES_MATCHING PATTERN "*.hpp" PATTERN "*.ipp")
 install(FILES schemas/JausConfig.xsd DESTINATION ${CMAKE_INSTALL_DATADIR}/jauscat)
 install(TARGETS jauscat jauscat_text EXPORT jauscat-targets)
 install(EXPORT jauscat-targets NAMESPACE jauscat:: DESTINATION ${package_dir})
@@ -17,6 +18,9 @@ endif()
 if(TARGET jauscat_net)
     install(TARGETS jauscat_net EXPORT jauscat-net-targets)
     install(EXPORT jauscat-net-targets NAMESPACE jauscat:: DESTINATION ${package_dir})
+    # jauscat::compiled is compiled by its users: what is installed is the same for every machine.
+    install(DIRECTORY src DESTINATION ${CMAKE_INSTALL_DATADIR}/jauscat)
+    install(FILES cmake/compiled.cmake DESTINATION ${package_dir})
 endif()
 
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/jauscat-config-version.cmake

@@ -21,7 +21,7 @@ elseif(HOW STREQUAL add_subdirectory)
     set(way -DJAUSCAT_SOURCE=${SOURCE})
 elseif(HOW STREQUAL fetch_content)
     run(${CMAKE_COMMAND} -E chdir ${SOURCE} ${CMAKE_COMMAND} -E tar czf ${WORK}/jauscat.tar.gz
-        CMakeLists.txt LICENSE cmake include schemas)
+        CMakeLists.txt LICENSE cmake include schemas src)
     set(way -DJAUSCAT_ARCHIVE=${WORK}/jauscat.tar.gz)
 endif()
 
@@ -36,6 +36,14 @@ else()
     run(${CMAKE_COMMAND} -S ${consumer} -B . -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DJAUSCAT_HOW=${HOW} ${way})
     run(${CMAKE_COMMAND} --build .)
     run(${WORK}/build/version_consumer)
+    run(${WORK}/build/compiled_consumer)
+    run(${WORK}/build/header_only_consumer)
+    # A program that mixes both ways does not link, and the linker names the class.
+    execute_process(COMMAND ${CMAKE_COMMAND} --build . --target mixed_consumer WORKING_DIRECTORY ${WORK}/build
+        RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(code EQUAL 0 OR NOT output MATCHES "undefined reference to .*jauscat::(header_only|compiled_once)::node")
+        message(FATAL_ERROR "A program of both ways links, or for another reason does not:\n${output}")
+    endif()
 endif()
 run(${WORK}/build/codec_consumer)
 if(NOT HOW STREQUAL single_header)
