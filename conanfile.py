@@ -16,7 +16,7 @@ class Jauscat(ConanFile):
     settings = "os", "arch", "compiler", "build_type"
     options = {"net": [True, False]}
     default_options = {"net": True, "boost/*:header_only": True}
-    exports_sources = "CMakeLists.txt", "LICENSE", "cmake/*", "include/*", "schemas/*"
+    exports_sources = "CMakeLists.txt", "LICENSE", "cmake/*", "include/*", "schemas/*", "src/*"
     no_copy_source = True
 
     def requirements(self):
