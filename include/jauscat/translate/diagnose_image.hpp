@@ -51,7 +51,7 @@ template <class Table>
         return found;
     }
     detail::blame_illegal(found, message);
-    if (found.field.empty()) detail::find_row_to_packet(typename Table::rows{}, found, message, values, sizes{});
+    if (found.field.empty()) detail::find_row<true>(typename Table::rows{}, found, message, values, sizes{});
     return found;
 }
 
@@ -63,7 +63,7 @@ template <class Table>
     typename Table::image_type values{};
     if (error == errc::ok || !wire::decode_prefix(values, image)) return found;
     image_message<typename Table::message_type> message{};
-    detail::find_row_from_packet(typename Table::rows{}, found, values, message, sizes{});
+    detail::find_row<false>(typename Table::rows{}, found, values, message, sizes{});
     if (found.row == diagnosis::no_row) detail::blame(found, wire::diagnose(message));
     return found;
 }
