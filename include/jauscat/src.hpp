@@ -9,3 +9,4 @@
 #include <jauscat/app/impl/component_state.ipp>
 #include <jauscat/app/impl/error.ipp>
 #include <jauscat/app/impl/node_state.ipp>
+#include <jauscat/app/impl/search.ipp>

@@ -188,6 +188,32 @@ TEST_CASE("messages with lists and large messages are sent and received as typed
     });
 }
 
+TEST_CASE("components are found by their ID, name and messages, on all nodes that are heard") {
+    driver_and_operator test{driver_and_operator::not_started{}};
+    jauscat::component camera{test.robots, {.id = 37, .name = "front camera"}};
+    std::vector<jaus::address> appeared, disappeared;
+    test.mine.when_appeared([&](const jaus::address& who) { appeared.push_back(who); });
+    test.mine.when_disappeared([&](const jaus::address& who) { disappeared.push_back(who); });
+    test.start();
+    const auto has = [](const auto& list, const jaus::address& who) {
+        return std::ranges::find(list, who) != list.end();
+    };
+    REQUIRE(test.until([&] { return has(appeared, test.robots.manager()); }));
+    test.run([&]() -> boost::asio::awaitable<void> {
+        auto found = co_await test.unit.async_find({.component = 33});
+        CHECK(found.size() == 1);
+        CHECK((!found.empty() && found[0].address == test.arm && found[0].identification == "Primitive Driver"));
+        found = co_await test.unit.async_find({.name = "camera"});
+        CHECK((found.size() == 1 && found[0].address == camera.address()));
+        found = co_await test.unit.async_find({.command_code = jaus::command_code_of<jaus::set_wrench_effort>});
+        CHECK((found.size() == 1 && found[0].address == test.arm));
+        found = co_await test.unit.async_find({.component = 99, .timeout = std::chrono::milliseconds{50}});
+        CHECK(found.empty());
+    });
+    test.robots.stop();
+    CHECK(test.until([&] { return has(disappeared, test.robots.manager()); }));
+}
+
 TEST_CASE("operations end with operation_aborted when their component goes away") {
     operator_and_robot test;
     test.driver.ready();

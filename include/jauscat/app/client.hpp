@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -113,6 +114,20 @@ struct connect_options {
     std::size_t max_waiting{256};              ///< reports that async_next has not taken; then the oldest is dropped
 };
 
+/// What a component must be or have to be found.
+struct find_options {
+    std::uint8_t component{};                  ///< component ID; 0: any
+    std::string name{};                        ///< a part of its identification
+    std::uint16_t command_code{};              ///< of a message that it takes or sends; 0: any
+    duration timeout{std::chrono::seconds{1}}; ///< then the search ends with those that have answered
+};
+/// A component that has answered.
+struct found_component {
+    jaus::address address{};
+    std::string identification{};
+    std::vector<std::uint16_t> takes{}, sends{}; ///< command codes, by Report Services
+};
+
 namespace app {
 
 struct subscription_state;
@@ -134,6 +149,8 @@ JAUSCAT_DECL void begin_next(const std::shared_ptr<subscription_state>&, operati
 JAUSCAT_DECL void end(const std::shared_ptr<subscription_state>&) noexcept;
 JAUSCAT_DECL void begin_control(const std::shared_ptr<component_state>&, const jaus::address& of,
                                 const control_options& options, operation_ptr<std::shared_ptr<control_state>> done);
+JAUSCAT_DECL void begin_find(const std::shared_ptr<component_state>&, const find_options& options,
+                             operation_ptr<std::vector<found_component>> done);
 JAUSCAT_DECL void begin_lost(const std::shared_ptr<control_state>&, operation_ptr<> done);
 JAUSCAT_DECL void end(const std::shared_ptr<control_state>&) noexcept;
 JAUSCAT_DECL std::shared_ptr<component_state> component_of(const control_state&) noexcept;

@@ -159,6 +159,18 @@ class component {
             token, state_, of, std::move(body), why == wire::errc::ok);
     }
 
+    /// Looks for components: asks the node managers that are heard for their components, and these for identification
+    /// and services. Not an error if none is found.
+    template <class Token = default_token> auto async_find(const find_options& options, Token&& token = Token{}) {
+        return boost::asio::async_initiate<Token, void(app::error_code, std::vector<found_component>)>(
+            [](auto handler, const std::shared_ptr<app::component_state>& state, const find_options& what) {
+                app::begin_find(state, what,
+                                app::make_operation<std::vector<found_component>>(
+                                    std::move(handler), app::no_conversion{}, app::context_of(*state)));
+            },
+            token, state_, options);
+    }
+
   private:
     template <class F> void take(F f);
 

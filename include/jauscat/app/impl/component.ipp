@@ -3,6 +3,7 @@
 #include <jauscat/app/component.hpp>
 #include <jauscat/app/impl/component_state.ipp>
 #include <jauscat/app/impl/node_state.ipp>
+#include <jauscat/app/impl/search.ipp>
 
 #include <stdexcept>
 #include <utility>
