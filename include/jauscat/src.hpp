@@ -4,9 +4,13 @@
 #ifndef JAUSCAT_SEPARATE_COMPILATION
 #    error "define JAUSCAT_SEPARATE_COMPILATION for all sources of the program, or do not include <jauscat/src.hpp>"
 #endif
+#include <jauscat/app/impl/bus.ipp>
+#include <jauscat/app/impl/bus_error.ipp>
+#include <jauscat/app/impl/bus_state.ipp>
 #include <jauscat/app/impl/clients.ipp>
 #include <jauscat/app/impl/component.ipp>
 #include <jauscat/app/impl/component_state.ipp>
 #include <jauscat/app/impl/error.ipp>
 #include <jauscat/app/impl/node_state.ipp>
 #include <jauscat/app/impl/search.ipp>
+#include <jauscat/app/impl/slave.ipp>

@@ -4,6 +4,7 @@
 #include <jauscat/bridge/delivery.hpp>
 #include <jauscat/ethercat/master/activity.hpp>
 #include <jauscat/ethercat/master/sdo_options.hpp>
+#include <jauscat/ethercat/master/slave_record.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -16,6 +17,7 @@ struct slave_options {
     std::uint16_t position{};  ///< in the ring, from 0
     slave_identity identity{}; ///< subsystem, station address = JAUS node, instance
     bool cyclic{};             ///< runs in OP: what fits its process data goes by them
+    ethercat::identity_check expected{}; ///< another slave is not brought up
 };
 
 /// The times of a bridge. `at_rest_within` derives them from the one that counts.

@@ -18,7 +18,18 @@
 
 namespace jauscat::bridge {
 
+/// Jobs of others than a ring for its master. One that keeps a stop order waiting is cancelled: its error is then
+/// `timeout`.
+struct shared_jobs {
+    /// May start a job of the idle master, and says whether it has.
+    jaus::hook<bool(ethercat::master& idle)> begin{};
+    /// That job has ended. Its result is the master's until this has returned.
+    jaus::hook<void(ethercat::master& idle)> done{};
+};
+
 /// `Image` lists the messages carried by the process data of cyclic slaves.
+///
+/// Other work on the same link goes by the same master, in turn with the slaves' jobs: see `share`.
 ///
 /// Call `on_time` at `next_event()` and after the components have received messages, and `on_frame` for each received
 /// frame; after either, send the frames from `next_frame` until it returns none. JAUS messages (acknowledgements and
@@ -38,6 +49,17 @@ template <class Image = wrench_effort_path> class basic_ring {
         places_[place_count_++].front = &front;
         return true;
     }
+
+    /// Jobs of others. Those that reset slaves of this ring (scan, bring_up, change_state) end their work as a loss does.
+    void share(const shared_jobs& others) noexcept { shared_ = others; }
+    /// Cancels the job of others that runs, with the error `timeout`; it ends in the next turn. False: there is none.
+    bool cancel_shared() noexcept {
+        if (work_ != work::shared) return false;
+        master_.cancel(ethercat::master_errc::timeout);
+        return true;
+    }
+    /// The slaves are cleared of what an earlier master has left in them: they are not scanned again.
+    [[nodiscard]] bool is_cleared() const noexcept { return is_cleared_; }
 
     /// Takes a frame that arrived. False if it was not waited for: it may be another master's.
     bool on_frame(bytes frame, time_point now, jaus::message_sink out) {
@@ -156,7 +178,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         std::size_t waiting_count{};
     };
     // Purpose of the master's current job.
-    enum class work : std::uint8_t { none, scan, bring_up, configure, safe_op, op, collect, message };
+    enum class work : std::uint8_t { none, scan, bring_up, configure, safe_op, op, collect, message, shared };
     enum class purpose : std::uint8_t { order, stop, keep_alive };
 
     [[nodiscard]] std::span<place> places() noexcept { return std::span{places_}.first(place_count_); }
@@ -191,14 +213,25 @@ template <class Image = wrench_effort_path> class basic_ring {
         }
         for (place& each : places())
             if (begin_stop(each, now, out)) return true;
-        // Round robin: no slave waits for more than one job of each of the others.
-        for (std::size_t i = 0; i != place_count_; ++i) {
-            place& each = places_[(last_served_ + 1 + i) % place_count_];
-            if (!begin_other(each, now, out)) continue;
-            last_served_ = static_cast<std::size_t>(&each - places_.data());
+        // Round robin: no slave waits for more than one job of each of the others. The last turn is the shared jobs'.
+        const std::size_t turns = place_count_ + 1;
+        for (std::size_t i = 0; i != turns; ++i) {
+            const auto turn = (last_served_ + 1 + i) % turns;
+            if (turn == place_count_ ? !begin_shared() : !begin_other(places_[turn], now, out)) continue;
+            last_served_ = turn;
             return true;
         }
         return false;
+    }
+
+    bool begin_shared() {
+        if (!shared_.begin || !shared_.begin(master_)) return false;
+        work_ = work::shared;
+        return true;
+    }
+    void end_shared() {
+        if (master_.result<ethercat::scan>().value_or(0) != 0) is_cleared_ = true;
+        shared_.done(master_);
     }
 
     bool begin_stop(place& at, time_point now, jaus::message_sink out) {
@@ -244,7 +277,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     bool begin_bring_up(place& at) {
         if (!is_cleared_) return begin_job(at, work::scan, ethercat::scan{});
         const auto& slave = at.front->options();
-        return begin_job(at, work::bring_up, ethercat::bring_up{slave.position, slave.identity.station});
+        return begin_job(at, work::bring_up, ethercat::bring_up{slave.position, slave.identity.station, slave.expected});
     }
     // Nothing that moves the actuator goes before a stop order that it has not confirmed.
     [[nodiscard]] static bool is_held_back(const order& each) noexcept {
@@ -313,6 +346,10 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (work_ == work::message) {
             if (job_->next(master_)) return;
             return confirm(now, out);
+        }
+        if (work_ == work::shared) {
+            work_ = work::none;
+            return end_shared();
         }
         place& at = *served_;
         const auto result = master_.error();
@@ -730,6 +767,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     stop_order stop_{};
     order order_{};
     std::optional<time_point> hindered_since_{};
+    shared_jobs shared_{};
     std::optional<ethercat::packet_job> job_{};
     std::array<std::byte, message_size> message_{};
     std::array<std::byte, std::max(any_exchange::buffer_size, message_size)> packet_{};

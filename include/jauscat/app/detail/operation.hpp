@@ -3,6 +3,8 @@
 #pragma once
 #include <jauscat/base/compilation.hpp>
 
+#include <utility> // asio/awaitable.hpp of Boost 1.74 uses it without its header
+
 #include <boost/asio/associated_executor.hpp>
 #include <boost/asio/async_result.hpp>
 #include <boost/asio/error.hpp>
@@ -17,7 +19,6 @@
 
 #include <memory>
 #include <tuple>
-#include <utility>
 
 namespace jauscat {
 inline namespace JAUSCAT_WAY {

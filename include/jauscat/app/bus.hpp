@@ -1,0 +1,98 @@
+// An EtherCAT bus: finds its slaves, and what all operations on them share.
+#pragma once
+#include <jauscat/app/bus_error.hpp>
+#include <jauscat/app/bus_options.hpp>
+#include <jauscat/app/detail/operation.hpp>
+#include <jauscat/app/slave.hpp>
+
+#include <boost/asio/io_context.hpp>
+
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+
+/// The master of an EtherCAT bus of up to 16 slaves.
+///
+///     jauscat::bus bus{node.context(), "eth0"};
+///     co_await bus.async_start();
+///     auto drive = bus.slave({.position = 2});
+///     co_await drive.async_write(0x6060, 0, std::int8_t{9});
+///
+/// Operations are executed one after the other, in the order of their start; none blocks. Each takes a completion token
+/// of Boost.Asio (by default the result is awaited by a coroutine) and may end with
+/// - `not_started`, `no_such_slave`, `ambiguous`: there is no such slave;
+/// - `no_reply`, `not_sent`: the link is out;
+/// - `timed_out`: the options' `timeout` has passed;
+/// - `stopped`: a bridge on this bus had to stop an actuator first;
+/// - boost::asio::error::operation_aborted: by the handler's cancellation slot, by `cancel`, `stop` or the end of the
+///   bus.
+///
+/// Between operations the states of all slaves are watched. A slave that does not answer is lost: this is logged, the
+/// callback is called, operations go on to try it. When it answers again, it is used again; if it was reset, it is
+/// brought to PRE-OP first, provided that it is the same slave.
+///
+/// Use it, its slaves and its bridges on the thread that runs the io_context. While it works, run() of the io_context
+/// does not return.
+class bus {
+  public:
+    /// Opens the link: raw Ethernet on the network interface `where` ("eth0"; needs CAP_NET_RAW), or EtherCAT in UDP
+    /// with slaves at "udp:HOST" or "udp:HOST:PORT". Throws `net::open_error`. The io_context must outlive the bus.
+    JAUSCAT_DECL bus(boost::asio::io_context& context, std::string_view where, const bus_options& options = {});
+    /// Brings what bridges move to rest, for at most 0.7 s, and aborts all operations.
+    JAUSCAT_DECL ~bus();
+    bus(const bus&) = delete;
+    bus& operator=(const bus&) = delete;
+
+    /// Finds all slaves, clears them of what an earlier master has left, brings each to PRE-OP and reads its identity,
+    /// alias and name. Slaves of a bridge that works already are left as they are. At a second time all is found again.
+    /// If some slaves cannot be brought up, the first one's error is the operation's, each is logged, and the others
+    /// can be used. Errors: no_reply, not_sent, no_slaves, too_many_slaves, not_configurable, state_not_reached,
+    /// slave_lost, AL status codes. `void(error_code)`.
+    template <class Token = default_token> auto async_start(Token&& token = Token{}) {
+        return boost::asio::async_initiate<Token, void(app::error_code)>(
+            [](auto handler, bus* self) {
+                self->start(app::make_operation<>(std::move(handler), app::no_conversion{}, self->context()));
+            },
+            token, this);
+    }
+
+    /// A handle of the slave that is as `which` requires. Throws `std::invalid_argument` if that requires nothing.
+    [[nodiscard]] JAUSCAT_DECL jauscat::slave slave(slave_choice which) const;
+    /// The slaves, in the order of their positions; empty until `async_start`.
+    [[nodiscard]] JAUSCAT_DECL std::vector<slave_info> slaves() const;
+
+    /// Aborts all operations that are not done.
+    JAUSCAT_DECL void cancel();
+    /// As at its end: nothing is sent until an operation is started.
+    JAUSCAT_DECL void stop();
+
+    /// Called when a slave is lost: it does not answer.
+    JAUSCAT_DECL void when_lost(std::function<void(const slave_info& slave, boost::system::error_code why)> f);
+    /// Called when a lost slave answers again.
+    JAUSCAT_DECL void when_found(std::function<void(const slave_info& slave)> f);
+    /// Called when a slave is in another state than before, or has an error.
+    JAUSCAT_DECL void when_changed(std::function<void(const slave_info& slave, const ethercat::al_status& now)> f);
+    /// Called for each emergency that a slave has sent.
+    JAUSCAT_DECL void
+    when_emergency(std::function<void(const slave_info& slave, const ethercat::coe_emergency& emergency)> f);
+
+    [[nodiscard]] JAUSCAT_DECL boost::asio::io_context& context() const noexcept;
+    /// For the classes of this folder.
+    [[nodiscard]] const std::shared_ptr<app::bus_state>& state() const noexcept { return state_; }
+
+  private:
+    JAUSCAT_DECL void start(app::operation_ptr<> done);
+
+    std::shared_ptr<app::bus_state> state_;
+};
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#include <jauscat/app/impl/bus.ipp>
+#endif

@@ -1,0 +1,104 @@
+// Errors of the operations of a bus, as error codes.
+#pragma once
+#include <jauscat/compilation.hpp>
+#include <jauscat/schema/ethercat/al_state.hpp>
+#include <jauscat/schema/ethercat/coe.hpp>
+
+#include <boost/system/error_code.hpp>
+
+#include <cstdint>
+#include <string_view>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+
+/// Why an operation of a bus failed. Other errors of such operations:
+/// - an ethercat::abort_code: the slave has aborted the transfer of an object;
+/// - an ethercat::al_status_code: the slave has refused a state;
+/// - boost::asio::error::operation_aborted: it was cancelled, or the bus has ended.
+enum class bus_errc : std::uint8_t {
+    ok,
+    not_started,      ///< the slaves are not known: async_start has not succeeded
+    no_reply,         ///< no frame returns: cable, interface, power
+    not_sent,         ///< the interface takes no frames
+    no_slaves,        ///< frames return, but no slave has taken part
+    no_such_slave,    ///< no slave is as required
+    ambiguous,        ///< several slaves are as required
+    too_many_slaves,  ///< the bus has more than 16
+    wrong_slave,      ///< another slave than before, or than required, is at the position
+    slave_lost,       ///< the slave does not answer to its address: it was reset, or a cable behind another slave is out
+    no_objects,       ///< the slave has no CoE mailbox
+    not_taken,        ///< the slave does not read its mailbox
+    no_answer,        ///< the slave has taken the request and does not answer: it may have executed it
+    refused,          ///< the slave refused the mailbox message, the transfer or the state, without a known reason
+    malformed_answer, ///< the slave does not follow the protocol
+    wrong_size,       ///< the object is not as large as the type that was to be read
+    too_large,        ///< the object is larger than 65,536 bytes
+    state_not_reached,///< the slave has not reached the state in time
+    not_configurable, ///< the slave's process data or its SII cannot be used
+    needs_cycles,     ///< OP needs the cyclic exchange, which a bridge has
+    served,           ///< a bridge serves the slave: its states are the bridge's
+    timed_out,        ///< not done within the time that it may take
+    stopped,          ///< it has kept a slave from stopping, and was cancelled: repeat it
+};
+
+/// The error in one line.
+[[nodiscard]] constexpr std::string_view describe(bus_errc error) noexcept {
+    switch (error) {
+    case bus_errc::ok: return "ok";
+    case bus_errc::not_started: return "the slaves are not known: start the bus";
+    case bus_errc::no_reply: return "no frame returns: check cable, interface and that a slave is running";
+    case bus_errc::not_sent: return "the link takes no frames: check that the interface is up";
+    case bus_errc::no_slaves: return "no slave takes part: check cable and power";
+    case bus_errc::no_such_slave: return "no slave is as required: check position, alias, name and identity";
+    case bus_errc::ambiguous: return "several slaves are as required: name one by its position or its alias";
+    case bus_errc::too_many_slaves: return "a bus has at most 16 slaves";
+    case bus_errc::wrong_slave: return "another slave than the required one is at the position: check order and wiring";
+    case bus_errc::slave_lost: return "the slave does not answer to its address: check its power and its cables";
+    case bus_errc::no_objects: return "the slave has no CoE mailbox, and so no objects";
+    case bus_errc::not_taken: return "the slave does not read its mailbox: check that it is in PRE-OP or higher";
+    case bus_errc::no_answer: return "the slave has taken the request and does not answer";
+    case bus_errc::refused: return "refused by the slave";
+    case bus_errc::malformed_answer: return "the slave does not follow the protocol";
+    case bus_errc::wrong_size: return "the object has another size than the type that was to be read";
+    case bus_errc::too_large: return "the object has more than 65536 bytes";
+    case bus_errc::state_not_reached: return "the slave has not reached the state in time";
+    case bus_errc::not_configurable: return "the slave's process data or its SII cannot be used";
+    case bus_errc::needs_cycles: return "OP needs the cyclic exchange of a bridge";
+    case bus_errc::served: return "a bridge serves the slave and controls its states";
+    case bus_errc::timed_out: return "not done in time";
+    case bus_errc::stopped: return "cancelled in favour of a stop order: repeat it";
+    }
+    return "unknown error";
+}
+
+/// The category of these errors, of abort codes, and of AL status codes.
+[[nodiscard]] JAUSCAT_DECL const boost::system::error_category& bus_category() noexcept;
+[[nodiscard]] JAUSCAT_DECL const boost::system::error_category& abort_category() noexcept;
+[[nodiscard]] JAUSCAT_DECL const boost::system::error_category& al_status_category() noexcept;
+
+[[nodiscard]] inline boost::system::error_code make_error_code(bus_errc error) noexcept {
+    return {static_cast<int>(error), bus_category()};
+}
+
+} // namespace JAUSCAT_WAY
+
+namespace ethercat {
+
+[[nodiscard]] inline boost::system::error_code make_error_code(abort_code code) noexcept {
+    return {static_cast<int>(code), abort_category()};
+}
+[[nodiscard]] inline boost::system::error_code make_error_code(al_status_code code) noexcept {
+    return {static_cast<int>(code), al_status_category()};
+}
+
+} // namespace ethercat
+} // namespace jauscat
+
+template <> struct boost::system::is_error_code_enum<jauscat::bus_errc> : std::true_type {};
+template <> struct boost::system::is_error_code_enum<jauscat::ethercat::abort_code> : std::true_type {};
+template <> struct boost::system::is_error_code_enum<jauscat::ethercat::al_status_code> : std::true_type {};
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#include <jauscat/app/impl/bus_error.ipp>
+#endif

@@ -1,0 +1,67 @@
+// Options of a bus, and the choice of a slave.
+#pragma once
+#include <jauscat/base/time.hpp>
+#include <jauscat/compilation.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+
+/// All options have defaults.
+struct bus_options {
+    duration timeout{std::chrono::seconds{5}};        ///< of an operation, with the time that it waits for others
+    duration start_timeout{std::chrono::seconds{30}}; ///< of async_start
+    /// Each slave's state is read so often, and its emergencies are collected. 0: never. Slaves of a bridge are watched
+    /// as its options say.
+    duration check_interval{std::chrono::milliseconds{100}};
+    duration frame_timeout{std::chrono::milliseconds{20}}; ///< a frame that is not back by now is lost and repeated
+    unsigned frame_retries{9};                             ///< of one frame
+    /// The link may deliver frames twice, as an IP network may. Makes transfers slow.
+    bool frames_may_be_copied{};
+    /// Before an object is written, 0 is written to subindex 0: for slaves that abort with 06010003h otherwise.
+    bool clear_subindex_0{};
+    std::string name{}; ///< in front of lines of the log; empty: the name of the link
+    /// Gets a line when a slave is lost, returns or reports an emergency, and for each problem of the link. By default
+    /// they are written to standard error.
+    std::function<void(std::string_view line)> log{};
+};
+
+/// Identity of a slave, object 1018h; what is not given is not compared.
+struct required_identity {
+    std::optional<std::uint32_t> vendor{};
+    std::optional<std::uint32_t> product{};
+    std::optional<std::uint32_t> revision{};
+    std::optional<std::uint32_t> serial{};
+};
+
+/// A slave by its position, alias, name or identity: it is as all that is given requires.
+struct slave_choice {
+    std::optional<std::uint16_t> position{}; ///< in the ring, from 0
+    std::optional<std::uint16_t> alias{};    ///< configured station alias, 1 to 65535
+    std::string name{};                      ///< device name, object 1008h
+    required_identity identity{};
+};
+
+/// What a bus knows of a slave.
+struct slave_info {
+    std::uint16_t position{}; ///< in the ring, from 0
+    std::uint16_t station{};  ///< station address
+    std::uint16_t alias{};    ///< configured station alias; 0: none
+    std::string name{};       ///< object 1008h; empty: it has none
+    std::uint32_t vendor{};
+    std::uint32_t product{};
+    std::uint32_t revision{};
+    std::uint32_t serial{};
+    bool has_objects{}; ///< it has a CoE mailbox
+    bool is_served{};   ///< by a bridge
+    bool is_lost{};     ///< it does not answer
+};
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

@@ -1,0 +1,59 @@
+// The categories of the errors of a bus.
+#pragma once
+#include <jauscat/app/bus_error.hpp>
+#include <jauscat/ethercat/code_texts.hpp>
+
+#include <cstdio>
+#include <string>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+
+JAUSCAT_DECL const boost::system::error_category& bus_category() noexcept {
+    static const class : public boost::system::error_category {
+      public:
+        [[nodiscard]] const char* name() const noexcept override { return "jauscat.bus"; }
+        [[nodiscard]] std::string message(int code) const override {
+            return std::string{describe(static_cast<bus_errc>(code))};
+        }
+    } category;
+    return category;
+}
+
+namespace app {
+
+/// A number with its text around it.
+template <class Code> std::string numbered(const char* format, Code code) {
+    char text[48]{};
+    std::snprintf(text, sizeof text, format, static_cast<unsigned>(code));
+    return text;
+}
+
+} // namespace app
+
+JAUSCAT_DECL const boost::system::error_category& abort_category() noexcept {
+    static const class : public boost::system::error_category {
+      public:
+        [[nodiscard]] const char* name() const noexcept override { return "jauscat.abort"; }
+        [[nodiscard]] std::string message(int code) const override {
+            return app::numbered("abort code %08Xh: ", code) +
+                   std::string{ethercat::describe(static_cast<ethercat::abort_code>(code))};
+        }
+    } category;
+    return category;
+}
+
+JAUSCAT_DECL const boost::system::error_category& al_status_category() noexcept {
+    static const class : public boost::system::error_category {
+      public:
+        [[nodiscard]] const char* name() const noexcept override { return "jauscat.al_status"; }
+        [[nodiscard]] std::string message(int code) const override {
+            return app::numbered("AL status code %04Xh: ", code) +
+                   std::string{ethercat::describe(static_cast<ethercat::al_status_code>(code))};
+        }
+    } category;
+    return category;
+}
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

@@ -1,0 +1,150 @@
+// A bus behind its handle: one queue of jobs for the master of a ring, which serves the slaves of bridges, too.
+#pragma once
+#include <jauscat/app/bus_error.hpp>
+#include <jauscat/app/bus_options.hpp>
+#include <jauscat/app/detail/object_value.hpp>
+#include <jauscat/app/slave.hpp>
+#include <jauscat/bridge/ring.hpp>
+#include <jauscat/net/link/any_link.hpp>
+#include <jauscat/net/link/ring_runner.hpp>
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+namespace app {
+
+class bus_state;
+
+/// Something for the master to do in one job or more. It is told when it has come to an end.
+class bus_job {
+  public:
+    bus_job() = default;
+    virtual ~bus_job() = default;
+    bus_job(const bus_job&) = delete;
+    bus_job& operator=(const bus_job&) = delete;
+
+    /// Starts the next job. False: there is none.
+    virtual bool begin(bus_state& bus, ethercat::master& master) = 0;
+    /// That one has ended.
+    virtual void end(bus_state& bus, ethercat::master& master) = 0;
+    /// Nobody waits for the outcome.
+    [[nodiscard]] virtual bool is_over() const = 0;
+    virtual void fail(error_code why) = 0;
+
+    time_point due{time_point::max()}; ///< it may take so long
+};
+
+/// A slave that was found.
+struct bus_slave {
+    slave_info info{};
+    ethercat::al_status al{};
+    bool is_identified{};
+    bool is_configured{}; ///< its process data, since it was brought up
+    error_code why{};     ///< it is lost
+    time_point next_look{};
+};
+
+/// One link. What it calls of the application runs later, from the io_context.
+class bus_state : public std::enable_shared_from_this<bus_state> {
+  public:
+    static constexpr std::size_t max_object_size = 65536;
+
+    bus_state(boost::asio::io_context& context, std::string_view where, bus_options options);
+    ~bus_state();
+
+    void start(operation_ptr<> done);
+    void read(const slave_choice& which, std::uint16_t index, std::uint8_t subindex, std::optional<std::size_t> size,
+              operation_ptr<object_bytes> done);
+    void write(const slave_choice& which, std::uint16_t index, std::uint8_t subindex, object_bytes bytes,
+               operation_ptr<> done);
+    void list_objects(const slave_choice& which, ethercat::object_list_type list,
+                      operation_ptr<std::vector<std::uint16_t>> done);
+    void describe(const slave_choice& which, std::uint16_t index, operation_ptr<object_information> done);
+    void describe_entry(const slave_choice& which, std::uint16_t index, std::uint8_t subindex,
+                        operation_ptr<entry_information> done);
+    void state(const slave_choice& which, operation_ptr<ethercat::al_status> done);
+    void change(const slave_choice& which, ethercat::al_state goal, operation_ptr<> done);
+    void cancel();
+    void stop() noexcept;
+    /// The handle has gone: nothing is started any more.
+    void close() noexcept;
+
+    [[nodiscard]] boost::asio::io_context& context() noexcept { return context_; }
+    [[nodiscard]] std::vector<slave_info> infos() const;
+    /// Nullptr and the error where none, or several, are as required.
+    [[nodiscard]] bus_slave* find(const slave_choice& which, error_code& error);
+    void log(std::string_view line) const;
+
+    std::function<void(const slave_info&, error_code)> on_lost{};
+    std::function<void(const slave_info&)> on_found{};
+    std::function<void(const slave_info&, const ethercat::al_status&)> on_changed{};
+    std::function<void(const slave_info&, const ethercat::coe_emergency&)> on_emergency{};
+
+    // For its jobs.
+    [[nodiscard]] const bus_options& options() const noexcept { return options_; }
+    [[nodiscard]] ethercat::download_options download_options() const noexcept {
+        return {.clear_subindex_0 = options_.clear_subindex_0};
+    }
+    [[nodiscard]] std::span<std::byte> memory() noexcept { return memory_; }
+    [[nodiscard]] bridge::ring& ring() noexcept { return *ring_; }
+    [[nodiscard]] std::vector<bus_slave>& slaves() noexcept { return slaves_; }
+    void note_lost(bus_slave& slave, error_code why);
+    void note_found(bus_slave& slave);
+    void note_state(bus_slave& slave, const ethercat::al_status& al);
+    /// The frames do not return at all.
+    void note_all_lost(error_code why);
+    /// Of an operation of this slave.
+    void note_outcome(bus_slave& slave, error_code error);
+    void note_emergencies(bus_slave& slave, ethercat::master& master);
+    [[nodiscard]] bus_slave* at(std::uint16_t position);
+    void set_started() noexcept { is_started_ = true; }
+
+  private:
+    /// Messages of the ring, to the node of their source.
+    struct ring_output {
+        void operator()(std::span<const std::byte>) const {}
+    };
+
+    template <class... Results, class Make, class Take>
+    void ask(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take);
+    void add(std::unique_ptr<bus_job> job, duration limit);
+    void open();
+    bool begin_job(ethercat::master& master);
+    void end_job(ethercat::master& master);
+    std::unique_ptr<bus_job> next_job(time_point now);
+    void look_at_time();
+    void look_at_link();
+    void abort_all(error_code why);
+    /// Calls a function of the application from the io_context, unless the bus has ended by then.
+    template <class F, class... Arguments> void call_later(F bus_state::*function, Arguments... arguments);
+
+    boost::asio::io_context& context_;
+    std::string where_;
+    bus_options options_;
+    std::unique_ptr<net::any_link> link_;
+    bridge::bridge_options timing_{};
+    std::unique_ptr<bridge::ring> ring_{};
+    ring_output output_{};
+    std::optional<net::detail::wake_timer> timer_{};
+    std::optional<net::ring_runner<net::any_link>> runner_{};
+    std::vector<std::byte> memory_;
+    std::deque<std::unique_ptr<bus_job>> queue_{};
+    std::unique_ptr<bus_job> current_{};
+    std::vector<bus_slave> slaves_{};
+    std::string problem_{}; ///< of the link, as it was logged
+    bool looked_last_{};    ///< the last job was a look at a slave
+    bool has_seen_master_{}, has_seen_gap_{};
+    bool is_started_{};
+    bool is_closed_{};
+};
+
+} // namespace app
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

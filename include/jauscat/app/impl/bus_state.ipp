@@ -1,0 +1,695 @@
+// The functions of bus_state, and its jobs.
+#pragma once
+#include <jauscat/app/impl/bus_state.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+
+#include <boost/asio/post.hpp>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <iostream>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+namespace app {
+
+/// The master's error, as an operation has it.
+inline error_code error_of(const ethercat::master_error& error) noexcept {
+    using enum ethercat::master_errc;
+    switch (error.code) {
+    case ok: return {};
+    case not_sent:
+    case no_space: return bus_errc::not_sent;
+    case no_reply: return bus_errc::no_reply;
+    case timeout: return bus_errc::stopped;
+    case no_slave:
+    case wrong_station:
+    case duplicate_station:
+    case working_counter: return bus_errc::slave_lost;
+    case wrong_identity: return bus_errc::wrong_slave;
+    case no_mailbox:
+    case no_coe: return bus_errc::no_objects;
+    case al_error:
+        if (error.al_status == ethercat::al_status_code::none) return bus_errc::refused;
+        return error.al_status;
+    case state_timeout: return bus_errc::state_not_reached;
+    case too_many_slaves: return bus_errc::too_many_slaves;
+    case sii_busy:
+    case sii_error:
+    case sii_malformed:
+    case no_fmmu:
+    case too_many_managers:
+    case image_full:
+    case watchdog_range:
+    case watchdog_not_kept: return bus_errc::not_configurable;
+    case not_configured: return bus_errc::needs_cycles;
+    case mailbox_full: return bus_errc::not_taken;
+    case mailbox_timeout: return bus_errc::no_answer;
+    case busy:
+    case mailbox_error: return bus_errc::refused;
+    case unexpected_reply:
+    case toggle_bit:
+    case fragment_missing: return bus_errc::malformed_answer;
+    case sdo_abort:
+    case clear_refused:
+        if (error.abort == ethercat::abort_code::none) return bus_errc::refused;
+        return error.abort;
+    case size_mismatch: return bus_errc::wrong_size;
+    case data_too_long: return bus_errc::too_large;
+    }
+    return bus_errc::refused;
+}
+
+inline std::string name_of(const slave_info& slave) {
+    auto name = "slave " + std::to_string(slave.position);
+    if (!slave.name.empty()) name += " (" + slave.name + ")";
+    return name;
+}
+
+/// Brings a slave up and reads its alias and its name.
+class slave_identification {
+  public:
+    static constexpr std::uint16_t first_station = 1001; // JAUS nodes are up to 254
+
+    slave_identification() = default;
+    /// Another slave than `required` is not brought up.
+    slave_identification(std::uint16_t position, const ethercat::identity_check& required) : required_{required} {
+        found.info.position = position;
+        found.info.station = static_cast<std::uint16_t>(first_station + position);
+    }
+
+    bool begin(bus_state& bus, ethercat::master& master) {
+        const auto station = found.info.station;
+        switch (step_) {
+        case step::bring_up:
+            return master.start(ethercat::bring_up{found.info.position, station, required_}).has_value();
+        case step::alias:
+            return master
+                .start(ethercat::exchange_datagram{ethercat::command::fprd, station,
+                                                   ethercat::esc_registers::station_alias.address, alias_})
+                .has_value();
+        case step::name:
+            return master
+                .start(ethercat::upload{station, ethercat::standard_indices::device_name, 0, bus.memory()})
+                .has_value();
+        case step::done: break;
+        }
+        return false;
+    }
+    void end(bus_state& bus, ethercat::master& master) {
+        error = error_of(master.error());
+        switch (step_) {
+        case step::bring_up:
+            if (const auto record = master.result<ethercat::bring_up>()) take(*record);
+            step_ = error ? step::done : step::alias;
+            return;
+        case step::alias:
+            if (master.result<ethercat::exchange_datagram>().value_or(0) == 1)
+                found.info.alias = static_cast<std::uint16_t>(std::to_integer<unsigned>(alias_[0]) |
+                                                              std::to_integer<unsigned>(alias_[1]) << 8);
+            step_ = found.info.has_objects ? step::name : step::done;
+            return;
+        case step::name:
+            if (const auto name = master.result<ethercat::upload>())
+                std::tie(std::ignore, found.info.name) =
+                    object_conversion<std::string>{}({}, {name->begin(), name->end()});
+            error = {}; // not every slave has one
+            static_cast<void>(bus);
+            step_ = step::done;
+            return;
+        case step::done: return;
+        }
+    }
+
+    bus_slave found{};
+    error_code error{};
+
+  private:
+    enum class step : std::uint8_t { bring_up, alias, name, done };
+
+    void take(const ethercat::slave_record& record) {
+        auto& info = found.info;
+        info.vendor = record.identity.vendor;
+        info.product = record.identity.product;
+        info.revision = record.identity.revision;
+        info.serial = record.identity.serial;
+        info.has_objects = record.mailbox.coe && record.mailbox.receive_size != 0;
+        found.al.state = ethercat::al_state::pre_op;
+        found.is_identified = true;
+    }
+
+    ethercat::identity_check required_{};
+    step step_{};
+    std::array<std::byte, 2> alias_{};
+};
+
+/// Finds all slaves.
+class start_job final : public bus_job {
+  public:
+    explicit start_job(operation_ptr<> done) : done_{std::move(done)} {}
+
+    bool begin(bus_state& bus, ethercat::master& master) override {
+        if (!is_counted_) return master.start(ethercat::scan{}).has_value();
+        for (;;) {
+            if (is_identifying_ && one_.begin(bus, master)) return true;
+            if (std::exchange(is_identifying_, false)) keep(bus);
+            if (found_.size() == count_) break;
+            one_ = {static_cast<std::uint16_t>(found_.size()), {}};
+            is_identifying_ = true;
+        }
+        bus.slaves() = std::move(found_);
+        bus.set_started();
+        done_->complete(error_);
+        return false;
+    }
+    void end(bus_state& bus, ethercat::master& master) override {
+        if (is_counted_) return one_.end(bus, master);
+        is_counted_ = true;
+        if (const auto counted = master.result<ethercat::scan>(); !counted)
+            fail(error_of(counted.error()));
+        else if (*counted == 0)
+            fail(bus_errc::no_slaves);
+        else if (*counted > ethercat::slave_capacity)
+            fail(bus_errc::too_many_slaves);
+        else
+            count_ = *counted;
+    }
+    [[nodiscard]] bool is_over() const override { return done_->is_done(); }
+    void fail(error_code why) override { done_->complete(why); }
+
+  private:
+    void keep(bus_state& bus) {
+        auto& found = one_.found;
+        found.info.is_lost = one_.error.failed();
+        found.why = one_.error;
+        if (one_.error) {
+            bus.log(name_of(found.info) + " is not brought up: " + one_.error.message());
+            if (!error_) error_ = one_.error;
+        }
+        found_.push_back(std::move(found));
+    }
+
+    operation_ptr<> done_;
+    bool is_counted_{};
+    std::size_t count_{};
+    bool is_identifying_{};
+    slave_identification one_{};
+    std::vector<bus_slave> found_{};
+    error_code error_{};
+};
+
+/// Looks at the state of a slave, collects its emergencies, and brings it up again after it was reset.
+class look_job final : public bus_job {
+  public:
+    explicit look_job(std::uint16_t position) : position_{position} {}
+
+    bool begin(bus_state& bus, ethercat::master& master) override {
+        const auto* const slave = bus.at(position_);
+        if (slave == nullptr) return false;
+        switch (step_) {
+        case step::look: return master.start(ethercat::check{slave->info.station}).has_value();
+        case step::collect: return master.start(ethercat::collect_emergencies{slave->info.station}).has_value();
+        case step::identify: return one_.begin(bus, master) || (identified(bus), false);
+        case step::done: break;
+        }
+        return false;
+    }
+    void end(bus_state& bus, ethercat::master& master) override {
+        auto* const slave = bus.at(position_);
+        if (slave == nullptr) return;
+        const auto error = error_of(master.error());
+        switch (step_) {
+        case step::look: return looked(bus, *slave, master, error);
+        case step::collect:
+            bus.note_outcome(*slave, error);
+            bus.note_emergencies(*slave, master);
+            step_ = step::done;
+            return;
+        case step::identify: return one_.end(bus, master);
+        case step::done: return;
+        }
+    }
+    [[nodiscard]] bool is_over() const override { return false; }
+    void fail(error_code) override {}
+
+  private:
+    enum class step : std::uint8_t { look, collect, identify, done };
+
+    void looked(bus_state& bus, bus_slave& slave, ethercat::master& master, error_code error) {
+        step_ = step::done;
+        bus.note_outcome(slave, error);
+        if (error == bus_errc::slave_lost) {
+            ethercat::identity_check required{};
+            const auto& info = slave.info;
+            if (slave.is_identified) required = {info.vendor, info.product, info.revision, info.serial};
+            one_ = {position_, required};
+            step_ = step::identify;
+        }
+        if (error) return;
+        const auto* const record = master.find(slave.info.station);
+        if (record == nullptr) return;
+        bus.note_state(slave, record->al);
+        if (record->reply_waiting) step_ = step::collect;
+    }
+    void identified(bus_state& bus) {
+        step_ = step::done;
+        auto* const slave = bus.at(position_);
+        if (slave == nullptr) return;
+        if (one_.error) return bus.note_lost(*slave, one_.error);
+        slave->info.alias = one_.found.info.alias; // all else is as it was, or was not known
+        const auto lost = *slave;
+        *slave = one_.found;
+        slave->info.is_lost = lost.info.is_lost;
+        slave->why = lost.why;
+        slave->next_look = lost.next_look;
+        slave->al = lost.al;
+        bus.note_found(*slave);
+        bus.note_state(*slave, one_.found.al);
+    }
+
+    std::uint16_t position_{};
+    step step_{};
+    slave_identification one_{};
+};
+
+/// One job of the master for a slave. `make(slave)` gives that job, `take(value, done)` completes the operation.
+template <class Make, class Take, class... Results> class slave_job final : public bus_job {
+    using job_type = std::invoke_result_t<Make&, bus_slave&>;
+
+  public:
+    slave_job(slave_choice which, operation_ptr<Results...> done, Make make, Take take)
+        : which_{std::move(which)}, done_{std::move(done)}, make_{std::move(make)}, take_{std::move(take)} {}
+
+    bool begin(bus_state& bus, ethercat::master& master) override {
+        error_code error;
+        auto* const slave = bus.find(which_, error);
+        if (slave == nullptr) {
+            fail(error);
+            return false;
+        }
+        position_ = slave->info.position;
+        return master.start(make_(*slave)).has_value();
+    }
+    void end(bus_state& bus, ethercat::master& master) override {
+        const auto outcome = master.result<job_type>();
+        const auto error = outcome ? error_code{} : error_of(outcome.error());
+        if (auto* const slave = bus.at(position_)) {
+            bus.note_outcome(*slave, error);
+            bus.note_emergencies(*slave, master);
+        }
+        if (error) return fail(error);
+        if constexpr (std::is_void_v<typename job_type::result_type::value_type>)
+            take_(*done_);
+        else
+            take_(*outcome, *done_);
+    }
+    [[nodiscard]] bool is_over() const override { return done_->is_done(); }
+    void fail(error_code why) override { done_->complete(why, Results{}...); }
+
+  private:
+    slave_choice which_;
+    operation_ptr<Results...> done_;
+    Make make_;
+    Take take_;
+    std::uint16_t position_{};
+};
+
+/// Takes a slave to a state, and configures its process data before SAFE-OP.
+class change_job final : public bus_job {
+  public:
+    change_job(slave_choice which, ethercat::al_state goal, operation_ptr<> done)
+        : which_{std::move(which)}, goal_{goal}, done_{std::move(done)} {}
+
+    bool begin(bus_state& bus, ethercat::master& master) override {
+        error_code error;
+        auto* const slave = bus.find(which_, error);
+        if (slave == nullptr) return fail(error), false;
+        if (slave->info.is_served) return fail(bus_errc::served), false;
+        if (goal_ == ethercat::al_state::op) return fail(bus_errc::needs_cycles), false;
+        position_ = slave->info.position;
+        const auto station = slave->info.station;
+        if (goal_ != ethercat::al_state::safe_op || slave->is_configured) {
+            step_ = step::change;
+            return master.start(ethercat::change_state{station, goal_}).has_value();
+        }
+        if (step_ == step::look) return master.start(ethercat::check{station}).has_value();
+        if (step_ == step::configure) return master.start(ethercat::configure{station}).has_value();
+        return master.start(ethercat::change_state{station, ethercat::al_state::pre_op}).has_value();
+    }
+    void end(bus_state& bus, ethercat::master& master) override {
+        auto* const slave = bus.at(position_);
+        const auto error = error_of(master.error());
+        if (slave == nullptr) return fail(bus_errc::no_such_slave);
+        bus.note_outcome(*slave, error);
+        if (error) return fail(error);
+        switch (step_) {
+        case step::look:
+            if (const auto al = master.result<ethercat::check>()) {
+                if (al->state == goal_ && !al->error) break;
+                step_ = al->state == ethercat::al_state::pre_op && !al->error ? step::configure : step::pre_op;
+            }
+            return;
+        case step::pre_op: step_ = step::configure; return;
+        case step::configure: slave->is_configured = true; return;
+        case step::change: break;
+        }
+        if (goal_ == ethercat::al_state::init) slave->is_configured = false;
+        bus.note_state(*slave, {.state = goal_});
+        done_->complete({});
+    }
+    [[nodiscard]] bool is_over() const override { return done_->is_done(); }
+    void fail(error_code why) override { done_->complete(why); }
+
+  private:
+    enum class step : std::uint8_t { look, pre_op, configure, change };
+
+    slave_choice which_;
+    ethercat::al_state goal_;
+    operation_ptr<> done_;
+    step step_{};
+    std::uint16_t position_{};
+};
+
+inline bridge::bridge_options timing_of(const bus_options& options) {
+    bridge::bridge_options timing{};
+    timing.master = {.frame_timeout = options.frame_timeout,
+                     .frames_may_be_copied = options.frames_may_be_copied,
+                     .retries = options.frame_retries};
+    timing.download = {.clear_subindex_0 = options.clear_subindex_0};
+    return timing;
+}
+
+JAUSCAT_DECL bus_state::bus_state(boost::asio::io_context& context, std::string_view where, bus_options options)
+    : context_{context},
+      where_{options.name.empty() ? std::string{where} : options.name},
+      options_{std::move(options)},
+      link_{net::open_link(where)},
+      timing_{timing_of(options_)},
+      memory_(max_object_size) {}
+JAUSCAT_DECL bus_state::~bus_state() { close(); }
+
+JAUSCAT_DECL void bus_state::log(std::string_view line) const {
+    const auto whole = where_ + ": " + std::string{line};
+    try {
+        if (options_.log)
+            options_.log(whole);
+        else
+            std::cerr << whole + "\n";
+    } catch (...) { // of the application's log: frames are under way
+    }
+}
+
+template <class F, class... Arguments>
+void bus_state::call_later(F bus_state::*function, Arguments... arguments) {
+    if (!(this->*function)) return;
+    boost::asio::post(context_, [weak = weak_from_this(), function, arguments...] {
+        const auto self = weak.lock();
+        if (!self || self->is_closed_) return;
+        if (const auto call = (*self).*function) call(arguments...); // it may end the bus
+    });
+}
+
+// ---- The queue.
+
+JAUSCAT_DECL void bus_state::open() {
+    if (runner_) return;
+    ring_ = std::make_unique<bridge::ring>(timing_);
+    ring_->share({.begin = jaus::bound<&bus_state::begin_job>(*this), .done = jaus::bound<&bus_state::end_job>(*this)});
+    runner_.emplace(context_, *link_, *ring_, output_);
+    runner_->after_turn = [this] {
+        look_at_link();
+        look_at_time();
+    };
+    timer_.emplace(context_, [this] {
+        look_at_time();
+        runner_->wake()();
+    });
+    runner_->start();
+}
+
+JAUSCAT_DECL void bus_state::add(std::unique_ptr<bus_job> job, duration limit) {
+    if (is_closed_) return job->fail(boost::asio::error::operation_aborted);
+    open();
+    job->due = deadline{net::now(), limit}.at();
+    queue_.push_back(std::move(job));
+    timer_->arm(queue_.back()->due);
+    runner_->wake()();
+}
+
+JAUSCAT_DECL bool bus_state::begin_job(ethercat::master& master) {
+    const auto now = net::now();
+    for (;;) {
+        if (!current_) current_ = next_job(now);
+        if (!current_) return false;
+        if (!current_->is_over() && current_->begin(*this, master)) return true;
+        current_.reset();
+    }
+}
+JAUSCAT_DECL void bus_state::end_job(ethercat::master& master) {
+    if (current_) current_->end(*this, master);
+}
+
+/// Operations and looks at slaves alternate where both wait.
+JAUSCAT_DECL std::unique_ptr<bus_job> bus_state::next_job(time_point now) {
+    std::erase_if(queue_, [](const auto& each) { return each->is_over(); });
+    bus_slave* seen_last{};
+    if (options_.check_interval > duration{} && is_started_)
+        for (auto& each : slaves_)
+            if (!each.info.is_served && each.next_look <= now && (!seen_last || each.next_look < seen_last->next_look))
+                seen_last = &each;
+    const bool looks = seen_last != nullptr && (queue_.empty() || !looked_last_);
+    looked_last_ = looks;
+    if (looks) {
+        seen_last->next_look = now + options_.check_interval;
+        return std::make_unique<look_job>(seen_last->info.position);
+    }
+    if (queue_.empty()) return nullptr;
+    auto next = std::move(queue_.front());
+    queue_.pop_front();
+    return next;
+}
+
+JAUSCAT_DECL void bus_state::look_at_time() {
+    if (!runner_) return;
+    const auto now = net::now();
+    auto next = time_point::max();
+    const auto refuse_late = [&](bus_job& job) {
+        if (job.due <= now) job.fail(bus_errc::timed_out);
+        if (!job.is_over()) next = std::min(next, job.due);
+    };
+    for (const auto& each : queue_) refuse_late(*each);
+    std::erase_if(queue_, [](const auto& each) { return each->is_over(); });
+    if (current_) refuse_late(*current_);
+    if (current_ && current_->is_over()) {
+        if (ring_->cancel_shared())
+            runner_->wake()();
+        else
+            current_.reset();
+    }
+    if (options_.check_interval > duration{} && is_started_ && !current_)
+        for (const auto& each : slaves_)
+            if (!each.info.is_served) next = std::min(next, std::max(each.next_look, now + std::chrono::milliseconds{1}));
+    if (next != time_point::max()) timer_->arm(next);
+}
+
+JAUSCAT_DECL void bus_state::look_at_link() {
+    if (const auto& now = link_->problem(); !now.empty() && now != problem_) {
+        problem_ = now;
+        log(problem_);
+    }
+    const auto& seen = ring_->master().statistics();
+    if (seen.foreign != 0 && !std::exchange(has_seen_master_, true))
+        log("frames of another master are on this link; only one may use it");
+    if (seen.circulated != 0 && !std::exchange(has_seen_gap_, true))
+        log("frames return marked as circulating: a cable between two slaves is out");
+}
+
+JAUSCAT_DECL void bus_state::abort_all(error_code why) {
+    auto all = std::exchange(queue_, {});
+    for (const auto& each : all) each->fail(why);
+    if (current_) current_->fail(why);
+}
+JAUSCAT_DECL void bus_state::cancel() {
+    abort_all(boost::asio::error::operation_aborted);
+    look_at_time();
+}
+JAUSCAT_DECL void bus_state::stop() noexcept {
+    abort_all(boost::asio::error::operation_aborted);
+    current_.reset();
+    if (runner_) runner_->stop();
+    runner_.reset();
+    timer_.reset();
+    ring_.reset();
+    slaves_.clear();
+    is_started_ = false;
+}
+JAUSCAT_DECL void bus_state::close() noexcept {
+    if (std::exchange(is_closed_, true)) return;
+    stop();
+    link_.reset();
+    on_lost = nullptr;
+    on_found = nullptr;
+    on_changed = nullptr;
+    on_emergency = nullptr;
+}
+
+// ---- The slaves.
+
+JAUSCAT_DECL std::vector<slave_info> bus_state::infos() const {
+    std::vector<slave_info> all;
+    for (const auto& each : slaves_) all.push_back(each.info);
+    return all;
+}
+JAUSCAT_DECL bus_slave* bus_state::at(std::uint16_t position) {
+    return position < slaves_.size() ? &slaves_[position] : nullptr;
+}
+JAUSCAT_DECL bus_slave* bus_state::find(const slave_choice& which, error_code& error) {
+    const auto is_same = [](const auto& required, auto value) { return !required || *required == value; };
+    const auto& id = which.identity;
+    error = is_started_ ? bus_errc::no_such_slave : bus_errc::not_started;
+    bus_slave* found{};
+    for (auto& each : slaves_) {
+        const auto& info = each.info;
+        if (!is_same(which.position, info.position)) continue;
+        const bool is_as_required = is_same(which.alias, info.alias) &&
+                                    (which.name.empty() || which.name == info.name) &&
+                                    is_same(id.vendor, info.vendor) && is_same(id.product, info.product) &&
+                                    is_same(id.revision, info.revision) && is_same(id.serial, info.serial);
+        if (!is_as_required) {
+            if (which.position) error = bus_errc::wrong_slave;
+            continue;
+        }
+        if (found != nullptr) {
+            error = bus_errc::ambiguous;
+            return nullptr;
+        }
+        found = &each;
+    }
+    if (found != nullptr) error = {};
+    return found;
+}
+
+JAUSCAT_DECL void bus_state::note_lost(bus_slave& slave, error_code why) {
+    const bool is_known = std::exchange(slave.info.is_lost, true);
+    if (is_known && slave.why == why) return;
+    slave.why = why;
+    slave.is_configured = false;
+    log(name_of(slave.info) + (is_known ? " is still lost: " : " is lost: ") + why.message());
+    if (!is_known) call_later(&bus_state::on_lost, slave.info, why);
+}
+JAUSCAT_DECL void bus_state::note_all_lost(error_code why) {
+    for (auto& each : slaves_)
+        if (!each.info.is_served && !each.info.is_lost) note_lost(each, why);
+}
+JAUSCAT_DECL void bus_state::note_found(bus_slave& slave) {
+    if (!std::exchange(slave.info.is_lost, false)) return;
+    slave.why = {};
+    problem_.clear();
+    log(name_of(slave.info) + " answers again");
+    call_later(&bus_state::on_found, slave.info);
+}
+JAUSCAT_DECL void bus_state::note_outcome(bus_slave& slave, error_code error) {
+    if (slave.info.is_served || error == bus_errc::stopped) return;
+    if (error == bus_errc::no_reply || error == bus_errc::not_sent) return note_all_lost(error);
+    if (error == bus_errc::slave_lost)
+        note_lost(slave, error);
+    else if (error != bus_errc::no_objects)
+        note_found(slave);
+}
+JAUSCAT_DECL void bus_state::note_state(bus_slave& slave, const ethercat::al_status& al) {
+    const auto before = std::exchange(slave.al, al);
+    if (before.state == al.state && before.error == al.error && (!al.error || before.code == al.code)) return;
+    if (al.state == ethercat::al_state::init) slave.is_configured = false;
+    if (al.error) log(name_of(slave.info) + " has an error: " + make_error_code(al.code).message());
+    call_later(&bus_state::on_changed, slave.info, al);
+}
+JAUSCAT_DECL void bus_state::note_emergencies(bus_slave& slave, ethercat::master& master) {
+    const auto* const record = master.find(slave.info.station);
+    if (record == nullptr || slave.info.is_served) return;
+    for (const auto& each : record->emergencies.kept()) {
+        log(name_of(slave.info) + " reports an emergency: " + numbered("%04Xh", each.error_code) +
+            numbered(", error register %02Xh", each.error_register));
+        call_later(&bus_state::on_emergency, slave.info, each);
+    }
+    if (record->emergencies.overflow()) log(name_of(slave.info) + " has reported more emergencies than are kept");
+    master.clear_emergencies(slave.info.station);
+}
+
+// ---- The operations.
+
+template <class... Results, class Make, class Take>
+void bus_state::ask(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take) {
+    using job = slave_job<Make, Take, Results...>;
+    add(std::make_unique<job>(which, std::move(done), std::move(make), std::move(take)), options_.timeout);
+}
+
+JAUSCAT_DECL void bus_state::start(operation_ptr<> done) {
+    add(std::make_unique<start_job>(std::move(done)), options_.start_timeout);
+}
+JAUSCAT_DECL void bus_state::read(const slave_choice& which, std::uint16_t index, std::uint8_t subindex,
+                                  std::optional<std::size_t> size, operation_ptr<object_bytes> done) {
+    ask(
+        which, std::move(done),
+        [=, this](const bus_slave& slave) {
+            return ethercat::upload{slave.info.station, index, subindex, memory_, {.size = size}};
+        },
+        [](auto value, auto& to) { to.complete({}, {value.begin(), value.end()}); });
+}
+JAUSCAT_DECL void bus_state::write(const slave_choice& which, std::uint16_t index, std::uint8_t subindex,
+                                   object_bytes bytes, operation_ptr<> done) {
+    ask(
+        which, std::move(done),
+        [=, this, data = std::move(bytes)](const bus_slave& slave) {
+            return ethercat::download{slave.info.station, index, subindex, data, download_options()};
+        },
+        [](auto& to) { to.complete({}); });
+}
+JAUSCAT_DECL void bus_state::list_objects(const slave_choice& which, ethercat::object_list_type list,
+                                          operation_ptr<std::vector<std::uint16_t>> done) {
+    ask(
+        which, std::move(done),
+        [=, this](const bus_slave& slave) { return ethercat::list_objects{slave.info.station, list, memory_}; },
+        [](const auto& indices, auto& to) {
+            std::vector<std::uint16_t> all;
+            for (const auto index : indices) all.push_back(index);
+            to.complete({}, std::move(all));
+        });
+}
+JAUSCAT_DECL void bus_state::describe(const slave_choice& which, std::uint16_t index,
+                                      operation_ptr<object_information> done) {
+    ask(
+        which, std::move(done),
+        [=, this](const bus_slave& slave) { return ethercat::describe_object{slave.info.station, index, memory_}; },
+        [](const auto& found, auto& to) { to.complete({}, {found.object, std::string{found.name}}); });
+}
+JAUSCAT_DECL void bus_state::describe_entry(const slave_choice& which, std::uint16_t index, std::uint8_t subindex,
+                                            operation_ptr<entry_information> done) {
+    constexpr std::uint8_t all_values = 0x7F;
+    ask(
+        which, std::move(done),
+        [=, this](const bus_slave& slave) {
+            return ethercat::describe_entry{slave.info.station, index, subindex, all_values, memory_};
+        },
+        [](const auto& found, auto& to) {
+            const auto copy = [](auto bytes) { return object_bytes(bytes.begin(), bytes.end()); };
+            to.complete({}, {found.entry, std::string{found.name}, found.unit, copy(found.default_value),
+                             copy(found.minimum), copy(found.maximum)});
+        });
+}
+JAUSCAT_DECL void bus_state::state(const slave_choice& which, operation_ptr<ethercat::al_status> done) {
+    ask(
+        which, std::move(done), [](const bus_slave& slave) { return ethercat::check{slave.info.station}; },
+        [](const ethercat::al_status& al, auto& to) { to.complete({}, al); });
+}
+JAUSCAT_DECL void bus_state::change(const slave_choice& which, ethercat::al_state goal, operation_ptr<> done) {
+    add(std::make_unique<change_job>(which, goal, std::move(done)), options_.timeout);
+}
+
+} // namespace app
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

@@ -1,0 +1,51 @@
+// The functions of slave.
+#pragma once
+#include <jauscat/app/impl/bus_state.ipp>
+#include <jauscat/app/slave.hpp>
+
+#include <boost/system/system_error.hpp>
+
+#include <utility>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+
+JAUSCAT_DECL slave_info slave::info(boost::system::error_code& error) const {
+    const auto* const found = bus_->find(which_, error);
+    return found == nullptr ? slave_info{} : found->info;
+}
+JAUSCAT_DECL slave_info slave::info() const {
+    boost::system::error_code error;
+    auto found = info(error);
+    if (error) throw boost::system::system_error{error};
+    return found;
+}
+JAUSCAT_DECL boost::asio::io_context& slave::context() const noexcept { return bus_->context(); }
+JAUSCAT_DECL void slave::read(std::uint16_t index, std::uint8_t subindex, std::optional<std::size_t> size,
+                              app::operation_ptr<app::object_bytes> done) const {
+    bus_->read(which_, index, subindex, size, std::move(done));
+}
+JAUSCAT_DECL void slave::write(std::uint16_t index, std::uint8_t subindex, app::object_bytes bytes,
+                               app::operation_ptr<> done) const {
+    bus_->write(which_, index, subindex, std::move(bytes), std::move(done));
+}
+JAUSCAT_DECL void slave::list_objects(ethercat::object_list_type list,
+                                      app::operation_ptr<std::vector<std::uint16_t>> done) const {
+    bus_->list_objects(which_, list, std::move(done));
+}
+JAUSCAT_DECL void slave::describe(std::uint16_t index, app::operation_ptr<object_information> done) const {
+    bus_->describe(which_, index, std::move(done));
+}
+JAUSCAT_DECL void slave::describe_entry(std::uint16_t index, std::uint8_t subindex,
+                                        app::operation_ptr<entry_information> done) const {
+    bus_->describe_entry(which_, index, subindex, std::move(done));
+}
+JAUSCAT_DECL void slave::state(app::operation_ptr<ethercat::al_status> done) const {
+    bus_->state(which_, std::move(done));
+}
+JAUSCAT_DECL void slave::change(ethercat::al_state goal, app::operation_ptr<> done) const {
+    bus_->change(which_, goal, std::move(done));
+}
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

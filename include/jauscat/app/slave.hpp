@@ -1,0 +1,158 @@
+// A slave of a bus: its objects, its states.
+#pragma once
+#include <jauscat/app/bus_options.hpp>
+#include <jauscat/app/detail/object_value.hpp>
+#include <jauscat/schema/ethercat/sdo_information.hpp>
+
+#include <boost/asio/io_context.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+namespace app {
+class bus_state;
+}
+
+/// Description of an object, as the slave has it.
+struct object_information {
+    ethercat::object_answer object{};
+    std::string name{};
+};
+/// Description of an entry of an object, as the slave has it. A value that the slave has not sent is empty.
+struct entry_information {
+    ethercat::entry_answer entry{};
+    std::string name{};
+    std::optional<std::uint32_t> unit{}; ///< unit type, as in ETG.1004
+    std::vector<std::byte> default_value{};
+    std::vector<std::byte> minimum{};
+    std::vector<std::byte> maximum{};
+};
+
+/// A handle of a slave, copied like a pointer. It may be used before the slave is found and after it was lost: each
+/// operation looks the slave up. See bus for what holds for all operations; those of objects have the errors slave_lost,
+/// no_objects, not_taken, no_answer, refused, malformed_answer, and abort codes.
+///
+///     auto drive = bus.slave({.position = 2});
+///     co_await drive.async_write(0x6060, 0, std::int8_t{9});
+///     auto word = co_await drive.async_read<std::uint16_t>(0x6041, 0);
+class slave {
+  public:
+    slave(std::shared_ptr<app::bus_state> bus, slave_choice which) : bus_{std::move(bus)}, which_{std::move(which)} {}
+
+    /// Reads an object: an integer, a bool (1 byte), an enumeration, a float or a double of exactly its size
+    /// (wrong_size), a std::string (VISIBLE_STRING; zeros at its end are not part of it) or a std::vector<std::byte>
+    /// (any). Up to 65,536 bytes (too_large). `void(error_code, T)`.
+    template <class T, class Token = default_token>
+    auto async_read(std::uint16_t index, std::uint8_t subindex, Token&& token = Token{}) const {
+        if constexpr (app::require_object_value<T>())
+            return boost::asio::async_initiate<Token, void(app::error_code, T)>(
+                [](auto handler, const slave& self, std::uint16_t i, std::uint8_t s) {
+                    self.read(i, s, app::object_size<T>(),
+                              app::make_operation<app::object_bytes>(std::move(handler), app::object_conversion<T>{},
+                                                                     self.context()));
+                },
+                token, *this, index, subindex);
+    }
+    /// Writes an object: a value of the types of `async_read`, or anything that converts to a std::string_view or a
+    /// std::span<const std::byte>. The type decides how many bytes are written: `std::int8_t{9}`, not 9. In segments if
+    /// they do not fit the mailbox. After an error other than an abort code the object may have been written.
+    /// `void(error_code)`.
+    template <class T, class Token = default_token>
+    auto async_write(std::uint16_t index, std::uint8_t subindex, const T& value, Token&& token = Token{}) const {
+        return boost::asio::async_initiate<Token, void(app::error_code)>(
+            [](auto handler, const slave& self, std::uint16_t i, std::uint8_t s, app::object_bytes bytes) {
+                self.write(i, s, std::move(bytes),
+                           app::make_operation<>(std::move(handler), app::no_conversion{}, self.context()));
+            },
+            token, *this, index, subindex, app::to_object(value));
+    }
+
+    /// Indices of all objects, or of those of a list. `void(error_code, std::vector<std::uint16_t>)`.
+    template <class Token = default_token>
+    auto async_list_objects(ethercat::object_list_type list = ethercat::object_list_type::all,
+                            Token&& token = Token{}) const {
+        return boost::asio::async_initiate<Token, void(app::error_code, std::vector<std::uint16_t>)>(
+            [](auto handler, const slave& self, ethercat::object_list_type which) {
+                self.list_objects(which, app::make_operation<std::vector<std::uint16_t>>(
+                                             std::move(handler), app::no_conversion{}, self.context()));
+            },
+            token, *this, list);
+    }
+    /// `void(error_code, object_information)`.
+    template <class Token = default_token>
+    auto async_describe(std::uint16_t index, Token&& token = Token{}) const {
+        return boost::asio::async_initiate<Token, void(app::error_code, object_information)>(
+            [](auto handler, const slave& self, std::uint16_t i) {
+                self.describe(i, app::make_operation<object_information>(std::move(handler), app::no_conversion{},
+                                                                         self.context()));
+            },
+            token, *this, index);
+    }
+    /// `void(error_code, entry_information)`.
+    template <class Token = default_token>
+    auto async_describe_entry(std::uint16_t index, std::uint8_t subindex, Token&& token = Token{}) const {
+        return boost::asio::async_initiate<Token, void(app::error_code, entry_information)>(
+            [](auto handler, const slave& self, std::uint16_t i, std::uint8_t s) {
+                self.describe_entry(i, s, app::make_operation<entry_information>(std::move(handler),
+                                                                                 app::no_conversion{}, self.context()));
+            },
+            token, *this, index, subindex);
+    }
+
+    /// Reads the state that the slave is in. Errors: slave_lost. `void(error_code, ethercat::al_status)`.
+    template <class Token = default_token> auto async_state(Token&& token = Token{}) const {
+        return boost::asio::async_initiate<Token, void(app::error_code, ethercat::al_status)>(
+            [](auto handler, const slave& self) {
+                self.state(app::make_operation<ethercat::al_status>(std::move(handler), app::no_conversion{},
+                                                                    self.context()));
+            },
+            token, *this);
+    }
+    /// Takes the slave to INIT, PRE-OP or SAFE-OP, step by step; on the way to SAFE-OP its process data are configured.
+    /// An error of the slave is acknowledged. OP is a bridge's (needs_cycles). Errors: slave_lost, served,
+    /// state_not_reached, not_configurable, AL status codes. `void(error_code)`.
+    template <class Token = default_token> auto async_change(ethercat::al_state goal, Token&& token = Token{}) const {
+        return boost::asio::async_initiate<Token, void(app::error_code)>(
+            [](auto handler, const slave& self, ethercat::al_state to) {
+                self.change(to, app::make_operation<>(std::move(handler), app::no_conversion{}, self.context()));
+            },
+            token, *this, goal);
+    }
+
+    /// What the bus knows of the slave, which it has found. Errors: not_started, no_such_slave, ambiguous.
+    [[nodiscard]] JAUSCAT_DECL slave_info info(boost::system::error_code& error) const;
+    /// Throws `boost::system::system_error`.
+    [[nodiscard]] JAUSCAT_DECL slave_info info() const;
+    [[nodiscard]] const slave_choice& choice() const noexcept { return which_; }
+
+    /// For the classes of this folder.
+    [[nodiscard]] const std::shared_ptr<app::bus_state>& bus() const noexcept { return bus_; }
+
+  private:
+    [[nodiscard]] JAUSCAT_DECL boost::asio::io_context& context() const noexcept;
+    JAUSCAT_DECL void read(std::uint16_t index, std::uint8_t subindex, std::optional<std::size_t> size,
+                           app::operation_ptr<app::object_bytes> done) const;
+    JAUSCAT_DECL void write(std::uint16_t index, std::uint8_t subindex, app::object_bytes bytes,
+                            app::operation_ptr<> done) const;
+    JAUSCAT_DECL void list_objects(ethercat::object_list_type list,
+                                   app::operation_ptr<std::vector<std::uint16_t>> done) const;
+    JAUSCAT_DECL void describe(std::uint16_t index, app::operation_ptr<object_information> done) const;
+    JAUSCAT_DECL void describe_entry(std::uint16_t index, std::uint8_t subindex,
+                                     app::operation_ptr<entry_information> done) const;
+    JAUSCAT_DECL void state(app::operation_ptr<ethercat::al_status> done) const;
+    JAUSCAT_DECL void change(ethercat::al_state goal, app::operation_ptr<> done) const;
+
+    std::shared_ptr<app::bus_state> bus_;
+    slave_choice which_;
+};
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#include <jauscat/app/impl/slave.ipp>
+#endif
