@@ -19,7 +19,7 @@
 namespace {
 
 namespace asio = boost::asio;
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 namespace ethercat = jauscat::ethercat;
 namespace jaus = jauscat::jaus;
 namespace translation = jauscat::translation;
@@ -50,7 +50,7 @@ ethercat::slave_record slave_in_pre_op() {
 // What a controller does with a datagram, up to the frame that carries the message: framing off, header checked,
 // translated, posted to the slave's mailbox. Returns the frame's size, or 0.
 template <class Table> [[gnu::noinline]] std::size_t path(in_bytes datagram, out_bytes frame_bytes) {
-    using delivery = bridge::delivery<Table>;
+    using delivery = bridging::delivery<Table>;
     static ethercat::slave_record slave = slave_in_pre_op();
     static std::uint8_t index = 0;
     const auto message = jaus::remove_framing(datagram).message;

@@ -238,8 +238,8 @@ template <class Table> class arm_application {
     static constexpr std::uint8_t component = 33;
     /// The objects of the slave's dictionary, with a subobject for each message that the arm accepts: the one of its
     /// component, and the one of all components of the node.
-    static constexpr std::array objects{jauscat::bridge::object_list<Table, component, robot_messages>::description,
-                                        jauscat::bridge::object_list<Table, 255, robot_messages>::description};
+    static constexpr std::array objects{jauscat::bridging::object_list<Table, component, robot_messages>::description,
+                                        jauscat::bridging::object_list<Table, 255, robot_messages>::description};
 
     /// `node` is the arm's JAUS node; without it, it is the station address that the master gives the slave.
     arm_application(std::uint8_t subsystem, arm& behind, std::optional<std::uint8_t> node = {})
@@ -305,10 +305,10 @@ template <class Table> class arm_application {
     }
 
   private:
-    using delivery = jauscat::bridge::delivery<Table>;
+    using delivery = jauscat::bridging::delivery<Table>;
     static constexpr std::uint16_t highest_node = 254;
 
-    jauscat::bridge::slave_identity self_;
+    jauscat::bridging::slave_identity self_;
     bool has_own_node_{};
     arm& arm_;
     std::array<std::byte, delivery::translator::max_message_size> message_{};

@@ -70,7 +70,7 @@ class gripper_slave {
     gripper::set_gripper obeyed{};
 
   private:
-    using delivery = bridge::delivery<table>;
+    using delivery = bridging::delivery<table>;
     std::array<std::byte, delivery::translator::max_message_size> message_{};
 };
 
@@ -103,11 +103,11 @@ int main() {
     std::cout << "Set Gripper\n" << text::annotate_message(*made, messages{});
 
     // Forth: an SDO download of the subobject of its rank. Back: the same message.
-    using exchange_type = bridge::packet_exchange<table>;
+    using exchange_type = bridging::packet_exchange<table>;
     exchange_type exchange{{.subsystem = 1, .station = gripper_slave::station}};
     std::array<std::byte, exchange_type::buffer_size> buffer{};
     auto step = exchange.begin(*made, buffer);
-    if (step.what != bridge::exchange_progress::request) return failed(describe(exchange.error()));
+    if (step.what != bridging::exchange_progress::request) return failed(describe(exchange.error()));
     const auto packet = std::span{buffer}.first(step.size);
     std::cout << "SDO download request\n"
               << text::annotate<hilscher::sdo_download_request>(packet)
@@ -122,7 +122,7 @@ int main() {
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation{};
     step = exchange.on_confirmation(execute(packet, confirmation, device), buffer);
     std::cout << "confirmation: " << text::explain(exchange.status()) << "\n";
-    if (step.what != bridge::exchange_progress::done) return failed("the slave did not take the message");
+    if (step.what != bridging::exchange_progress::done) return failed("the slave did not take the message");
 
     const auto& obeyed = application.obeyed;
     std::cout << "slave: finger " << int{obeyed.finger} << ", opening " << text::to_text(obeyed.opening.value_or(0))

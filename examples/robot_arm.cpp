@@ -18,7 +18,7 @@
 
 namespace {
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 namespace ethercat = jauscat::ethercat;
 
 constexpr const char* help = R"(robot_arm: an EtherCAT slave that executes JAUS messages.
@@ -77,14 +77,14 @@ template <class Table> int serve(auto& link, const std::string& where, const aut
     example::arm arm{say, [&] { show(arm_of_display->efforts()); }};
     arm_of_display = &arm;
     example::arm_application<Table> application{subsystem, arm, node_of(values)};
-    bridge::listed_objects objects{application.objects, application,
-                                   values["strict"].template as<bool>() ? bridge::size_rule::exact
-                                                                        : bridge::size_rule::up_to_largest};
+    bridging::listed_objects objects{application.objects, application,
+                                     values["strict"].template as<bool>() ? bridging::size_rule::exact
+                                                                          : bridging::size_rule::up_to_largest};
     auto description = example::arm_slave;
     description.mailbox_out_size = description.mailbox_in_size = example::mailbox_size_of(values);
     ethercat::mapped_objects mapped{description, objects};
     ethercat::standard_objects dictionary{description, mapped};
-    std::array<std::byte, jauscat::bridge::largest_subobject(example::arm_application<Table>::objects)> memory{};
+    std::array<std::byte, jauscat::bridging::largest_subobject(example::arm_application<Table>::objects)> memory{};
     ethercat::slave slave{description,
                           dictionary,
                           {.transfer_memory = memory,

@@ -8,7 +8,7 @@
 
 namespace {
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 
 constexpr const char* help = R"(robot_controller: carries JAUS messages to an EtherCAT slave and its reports back.
 
@@ -76,7 +76,7 @@ std::chrono::milliseconds limit_of(const values_map& values, std::chrono::micros
     const bool cycles = period != period.zero();
     const std::chrono::milliseconds limit =
         is_given ? std::chrono::milliseconds{values["stop-within"].as<unsigned>()}
-                 : std::max(cycles ? example::bridge::at_rest_in_cycles : example::bridge::at_rest_by_mailbox,
+                 : std::max(cycles ? example::bridging::at_rest_in_cycles : example::bridging::at_rest_by_mailbox,
                             std::chrono::duration_cast<std::chrono::milliseconds>(4 * period));
     constexpr std::chrono::milliseconds shortest{20}, longest_watchdog{6500}, longest{60'000};
     if (limit < shortest || limit > (cycles ? longest_watchdog : longest))
@@ -88,7 +88,7 @@ std::chrono::milliseconds limit_of(const values_map& values, std::chrono::micros
 
 example::front_options options_for(const place& at, const std::string& trace_name, const values_map& values) {
     const std::chrono::microseconds period{values["cycle"].as<unsigned>()};
-    auto timing = example::bridge::at_rest_within(limit_of(values, period), period);
+    auto timing = example::bridging::at_rest_within(limit_of(values, period), period);
     timing.master.frame_timeout = std::chrono::milliseconds{values["frame-timeout"].as<unsigned>()};
     timing.download.clear_subindex_0 = values["clear-subindex-0"].as<bool>();
     return {.slave = {.identity = {.subsystem = at.config.me().jausip.subsystem, .station = at.station},
@@ -98,11 +98,11 @@ example::front_options options_for(const place& at, const std::string& trace_nam
             .trace_name = trace_name};
 }
 
-std::unique_ptr<example::bridge::any_exchange> exchange_with(const bridge::slave_identity& slave,
-                                                             const values_map& values) {
-    std::unique_ptr<example::bridge::any_exchange> made;
+std::unique_ptr<example::bridging::any_exchange> exchange_with(const bridging::slave_identity& slave,
+                                                               const values_map& values) {
+    std::unique_ptr<example::bridging::any_exchange> made;
     example::with_table(values, [&]<class Table>() {
-        made = std::make_unique<example::bridge::exchange_under<Table>>(slave);
+        made = std::make_unique<example::bridging::exchange_under<Table>>(slave);
         return example::success;
     });
     return made;

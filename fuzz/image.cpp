@@ -11,7 +11,8 @@ using translation::wrench_effort_image;
 namespace {
 
 using command = translate::image_translator<translation::set_wrench_effort_table>;
-using exchange = bridge::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
+using exchange =
+    bridging::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
 
 wrench_effort_image values_of(const bytes& image) {
     wrench_effort_image values{};

@@ -12,7 +12,7 @@ namespace {
 
 template <class Table> struct checked {
     using translator = translate::translator<Table>;
-    using delivery = bridge::delivery<Table>;
+    using delivery = bridging::delivery<Table>;
     using errc = translate::errc;
 
     static void message(std::span<const std::byte> input) {
@@ -81,7 +81,7 @@ template <class Table> struct checked {
         input_reader in{input};
         const auto index = in.take<wire::u16le>();
         const auto subindex = in.take();
-        const bridge::slave_identity self{.subsystem = in.take(), .station = in.take(), .instance = in.take()};
+        const bridging::slave_identity self{.subsystem = in.take(), .station = in.take(), .instance = in.take()};
         const bytes data = copy_of(in.rest());
         bytes message(translator::max_message_size);
         const auto message_bytes = delivery::message_of({self.station, index, subindex, data}, self, message);

@@ -86,7 +86,7 @@ class jaus_socket {
 /// By the mailbox: translated to an SDO download packet, which the master executes.
 inline unsigned command_by_mailbox(row& into, unsigned count, jauscat::net::raw_link& link, ethercat::master& master,
                                    slave_end& slave) {
-    using delivery = bridge::delivery<translation::self_contained_table>;
+    using delivery = bridging::delivery<translation::self_contained_table>;
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation{};
     jaus_socket socket{[&](std::span<const std::byte> message) {
         std::array<std::byte, delivery::translator::max_packet_size> packet; // not zeroed: to_packet returns its size

@@ -14,7 +14,7 @@
 
 namespace wire_bench {
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 namespace ethercat = jauscat::ethercat;
 namespace translation = jauscat::translation;
 
@@ -22,7 +22,7 @@ inline constexpr std::uint16_t station = 2;
 inline constexpr std::uint8_t component = 33;
 
 using efforts_by_cycle =
-    bridge::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
+    bridging::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
 
 /// Takes every object that is written, and the efforts in its process data. Runs until it is destroyed.
 class slave_end {

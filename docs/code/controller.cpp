@@ -28,11 +28,11 @@ template <ethercat::link Link> class controller {
     /// Delivers a message; passes its report, if it is a query, and its acknowledgement to `answer`.
     template <class Answer> void carry(std::span<const std::byte> message, Answer answer) {
         auto step = exchange_.begin(message, buffer_);
-        while (step.what == bridge::exchange_progress::request)
+        while (step.what == bridging::exchange_progress::request)
             step = exchange_.on_confirmation(execute(std::span{buffer_}.first(step.size)), buffer_);
         if (exchange_.error() != jauscat::translate::errc::ok)
             std::cout << "refused: " << describe(exchange_.error()) << '\n'; // by the table
-        else if (step.what == bridge::exchange_progress::failed)
+        else if (step.what == bridging::exchange_progress::failed)
             std::cout << "refused: " << jauscat::text::explain(exchange_.status()) << '\n'; // by the slave
         if (step.size != 0) answer(std::span{buffer_}.first(step.size));
         if (const auto size = exchange_.acknowledgement(buffer_); size != 0) answer(std::span{buffer_}.first(size));
@@ -45,7 +45,7 @@ template <ethercat::link Link> class controller {
     }
 
     static constexpr std::uint16_t station = 2;
-    using exchange = bridge::packet_exchange<driver_table>;
+    using exchange = bridging::packet_exchange<driver_table>;
 
     Link& link_;
     ethercat::master master_{};
@@ -66,7 +66,7 @@ template <class T> std::span<const std::byte> message_of(const T& body, std::spa
 int main() {
     // The slave of write-a-slave.md.
     driver application{};
-    bridge::listed_objects objects{std::span{&driver_objects::description, 1}, application};
+    bridging::listed_objects objects{std::span{&driver_objects::description, 1}, application};
     ethercat::slave device{{.vendor = 1, .product = 33, .name = "driver"}, objects};
     ethercat::loopback_link link{std::span{&device, 1}};
 

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <array>
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 namespace ethercat = jauscat::ethercat;
 namespace jaus = jauscat::jaus;
 // [includes end]
@@ -52,11 +52,11 @@ class driver {
         return {ethercat::abort_code::none, object.data.size()};
     }
 
-    bridge::slave_identity self{.subsystem = 2, .station = 2};
+    bridging::slave_identity self{.subsystem = 2, .station = 2};
     jaus::report_wrench_effort effort{};
 
   private:
-    using delivery = bridge::delivery<driver_table>;
+    using delivery = bridging::delivery<driver_table>;
 
     /// A report is in the slave's own object: it is a message from the component to itself.
     std::size_t prepare(const jaus::header& query, const jaus::report_wrench_effort& answer) noexcept {
@@ -72,6 +72,6 @@ class driver {
 };
 
 /// The slave's objects: component 33 takes these messages.
-using driver_objects = jauscat::bridge::object_list<driver_table, 33, jaus::set_wrench_effort,
-                                                    jaus::query_wrench_effort, jaus::report_wrench_effort>;
+using driver_objects = jauscat::bridging::object_list<driver_table, 33, jaus::set_wrench_effort,
+                                                      jaus::query_wrench_effort, jaus::report_wrench_effort>;
 // [application end]

@@ -9,7 +9,7 @@
 #include <array>
 #include <iostream>
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 namespace ethercat = jauscat::ethercat;
 namespace jaus = jauscat::jaus;
 namespace net = jauscat::net;
@@ -205,10 +205,10 @@ int main() {
     // [objects_use end]
 
     // [observer]
-    const auto lost = [](const bridge::slave_front& slave, bridge::loss, const ethercat::master_error&) {
+    const auto lost = [](const bridging::slave_front& slave, bridging::loss, const ethercat::master_error&) {
         std::cout << "slave " << slave.station() << " is lost\n";
     };
-    const bridge::observer watcher{.slave_lost = lost}; // for each slave_front
+    const bridging::observer watcher{.slave_lost = lost}; // for each slave_front
     // [observer end]
     return watcher.slave_lost ? 0 : 1;
 }

@@ -32,7 +32,7 @@ using gripper_table = translation::self_contained_table_of<translation::manufact
 
 int main() {
     // [use]
-    using delivery = jauscat::bridge::delivery<gripper_table>;
+    using delivery = jauscat::bridging::delivery<gripper_table>;
     std::array<std::byte, 64> buffer{};
     const jaus::header head{.experimental = true,
                             .destination = {.instance = 1, .component = 33, .node = 2, .subsystem = 2},

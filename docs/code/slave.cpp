@@ -14,7 +14,7 @@
 int main() {
     // [slave]
     driver application{};
-    bridge::listed_objects objects{std::span{&driver_objects::description, 1}, application};
+    bridging::listed_objects objects{std::span{&driver_objects::description, 1}, application};
     const ethercat::slave_description description{.vendor = 1, .product = 33, .name = "driver"};
     ethercat::standard_objects dictionary{description, objects}; // 1000h, 1018h, ... in front of it
     ethercat::slave device{description, dictionary};

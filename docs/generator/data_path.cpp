@@ -13,16 +13,16 @@
 
 namespace {
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 namespace ethercat = jauscat::ethercat;
 namespace jaus = jauscat::jaus;
 namespace wire = jauscat::wire;
 using jauscat::reference::attribute;
 using jauscat::reference::bytes;
 using jauscat::reference::text_element;
-using delivery = bridge::delivery<jauscat::translation::seed_table>;
+using delivery = bridging::delivery<jauscat::translation::seed_table>;
 
-constexpr bridge::slave_identity arm{.subsystem = 2, .station = 2};
+constexpr bridging::slave_identity arm{.subsystem = 2, .station = 2};
 constexpr double effort = 50;
 
 // Pixels.

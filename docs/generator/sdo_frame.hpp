@@ -39,7 +39,7 @@ struct recording_link {
 };
 
 /// The first frame of an SDO download, as the master sends it.
-inline bytes frame_with(const bridge::object_access& object) {
+inline bytes frame_with(const bridging::object_access& object) {
     any_object objects;
     std::array slaves{ethercat::slave{{.vendor = 1, .product = 2}, objects}};
     ethercat::loopback_link loop{slaves};

@@ -18,7 +18,7 @@
 
 namespace {
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 namespace ethercat = jauscat::ethercat;
 namespace jaus = jauscat::jaus;
 namespace text = jauscat::text;
@@ -90,7 +90,7 @@ std::string block(const std::string& title, std::span<const std::byte> whole, co
 }
 
 template <class Table> std::string stages(const std::string& table, const bytes& message) {
-    using delivery = bridge::delivery<Table>;
+    using delivery = bridging::delivery<Table>;
     bytes packet(delivery::translator::max_packet_size);
     const auto translated = delivery::translator::to_packet(message, packet);
     if (!translated) throw std::logic_error{"the message does not translate"};

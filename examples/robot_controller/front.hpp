@@ -37,8 +37,8 @@ inline std::vector<jauscat::net::component_entry> components_in_front(const jaus
 
 /// How a front works.
 struct front_options {
-    bridge::slave_options slave{};
-    bridge::bridge_options timing{};
+    bridging::slave_options slave{};
+    bridging::bridge_options timing{};
     jauscat::net::access who{};
     std::string trace_name{}; ///< in front of the lines about SDOs on the wire
 };
@@ -48,7 +48,7 @@ class front {
     using clock = std::chrono::steady_clock;
 
     /// Opens the node's socket. `config` is seen by the system that this front is; its slave's station is the node.
-    front(const jauscat::net::jaus_config& config, any_link& link, std::unique_ptr<bridge::any_exchange> exchange,
+    front(const jauscat::net::jaus_config& config, any_link& link, std::unique_ptr<bridging::any_exchange> exchange,
           const front_options& options, const speaker& say)
         : say_{say},
           timing_{options.timing},
@@ -59,8 +59,8 @@ class front {
           node_{context_, config,
                 node_options(static_cast<std::uint8_t>(options.slave.identity.station), options.who)} {
         for (const auto& entry : components_in_front(config.me(), node_.manager().node)) {
-            if (components_.size() == bridge::component_capacity)
-                throw std::runtime_error{"more than " + std::to_string(bridge::component_capacity) +
+            if (components_.size() == bridging::component_capacity)
+                throw std::runtime_error{"more than " + std::to_string(bridging::component_capacity) +
                                          " components in front of one slave"};
             node_.add(components_.emplace_back(entry.id, slave_, component_options(entry.authority), say),
                       nothing_more_);
@@ -192,14 +192,14 @@ class front {
     }
 
     speaker say_;
-    bridge::bridge_options timing_;
+    bridging::bridge_options timing_;
     boost::asio::io_context context_{};
     traced_link<any_link> link_;
-    std::unique_ptr<bridge::any_exchange> exchange_;
+    std::unique_ptr<bridging::any_exchange> exchange_;
     narrator narrator_;
-    bridge::order_memory<> memory_{};
-    bridge::slave_front slave_;
-    bridge::ring ring_{timing_};
+    bridging::order_memory<> memory_{};
+    bridging::slave_front slave_;
+    bridging::ring ring_{timing_};
     repeated_lines log_lines_{};
     no_application nothing_more_{};
     std::deque<front_component> components_{};

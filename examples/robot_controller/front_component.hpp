@@ -36,7 +36,7 @@ class front_component {
   public:
     using bytes = std::span<const std::byte>;
 
-    front_component(const jauscat::jaus::address& self, jauscat::bridge::slave_front& front,
+    front_component(const jauscat::jaus::address& self, jauscat::bridging::slave_front& front,
                     const jauscat::jaus::component_options& options, speaker say)
         : say_{std::move(say)}, unit_{self, front, options} {}
 
@@ -70,7 +70,7 @@ class front_component {
     }
 
     speaker say_;
-    jauscat::bridge::component unit_;
+    jauscat::bridging::component unit_;
 };
 
 } // namespace example

@@ -12,7 +12,7 @@
 
 namespace example {
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 
 class narrator {
   public:
@@ -21,7 +21,7 @@ class narrator {
     narrator& operator=(const narrator&) = delete;
 
     /// Refers to this object.
-    [[nodiscard]] bridge::observer observer() {
+    [[nodiscard]] bridging::observer observer() {
         using jauscat::jaus::bound;
         return {.slave_up = bound<&narrator::slave_up>(*this),
                 .bring_up_failed = bound<&narrator::bring_up_failed>(*this),
@@ -40,7 +40,7 @@ class narrator {
                 .refused = bound<&narrator::refused>(*this)};
     }
 
-    void slave_up(const bridge::slave_front& slave, const jauscat::ethercat::slave_record& record, bool ready) {
+    void slave_up(const bridging::slave_front& slave, const jauscat::ethercat::slave_record& record, bool ready) {
         failure_.clear();
         const auto& identity = record.identity;
         if (!ready || !slave.options().cyclic)
@@ -52,14 +52,15 @@ class narrator {
         if (ready && slave.options().cyclic)
             say_(events::slave_up, station(slave) + event_members{{"state", "op"}}, name(slave) + " is in OP");
     }
-    void bring_up_failed(const bridge::slave_front& slave, const jauscat::ethercat::master_error& why) {
+    void bring_up_failed(const bridging::slave_front& slave, const jauscat::ethercat::master_error& why) {
         const auto text = explain(why);
         if (std::exchange(failure_, text) != text)
             say_.bad(events::bring_up_failed, station(slave) + reason(why),
                      name(slave) + " cannot be brought up: " + text);
     }
-    void slave_lost(const bridge::slave_front& slave, bridge::loss what, const jauscat::ethercat::master_error& why) {
-        if (!slave.up() && what == bridge::loss::no_process_data) {
+    void slave_lost(const bridging::slave_front& slave, bridging::loss what,
+                    const jauscat::ethercat::master_error& why) {
+        if (!slave.up() && what == bridging::loss::no_process_data) {
             const auto text = explain(why);
             if (std::exchange(failure_, text) != text)
                 say_.bad(events::no_process_data, station(slave) + reason(why),
@@ -69,7 +70,7 @@ class narrator {
         say_.bad(events::slave_lost, station(slave) + event_members{{"loss", loss_name(what)}} + reason(why),
                  name(slave) + ' ' + loss_text(what, slave.options().cyclic) + ": " + explain(why));
     }
-    void slave_emergency(const bridge::slave_front& slave, const jauscat::ethercat::coe_emergency& emergency) {
+    void slave_emergency(const bridging::slave_front& slave, const jauscat::ethercat::coe_emergency& emergency) {
         say_.bad(events::slave_emergency,
                  station(slave) + event_members{{"error_code", emergency.error_code},
                                                 {"error_register", emergency.error_register},
@@ -78,19 +79,19 @@ class narrator {
                      ", error register " + jauscat::text::hex_number(emergency.error_register, 2) + ", data " +
                      jauscat::text::hex(emergency.data));
     }
-    void no_keep_alive(const bridge::slave_front& slave, const bridge::refusal_reason& why) {
+    void no_keep_alive(const bridging::slave_front& slave, const bridging::refusal_reason& why) {
         say_.bad(events::no_keep_alive, station(slave) + reason(why),
                  name(slave) + " takes no Report Heartbeat Pulse (" + refusal_text(slave, why) +
                      "): it does not stop by itself if this program ends without a word");
     }
 
-    void changed_state(const bridge::component& unit, jauscat::jaus::primary_status_code from,
+    void changed_state(const bridging::component& unit, jauscat::jaus::primary_status_code from,
                        jauscat::jaus::primary_status_code to) {
         say_(events::state_changed,
              {{"address", name(unit)}, {"from", jauscat::text::to_text(from)}, {"to", jauscat::text::to_text(to)}},
              name(unit) + ": " + jauscat::text::to_text(from) + " -> " + jauscat::text::to_text(to));
     }
-    void changed_controller(const bridge::component& unit, jauscat::jaus::control_change) {
+    void changed_controller(const bridging::component& unit, jauscat::jaus::control_change) {
         const auto& now = unit.control().controller();
         if (now)
             say_(events::controller_taken,
@@ -102,7 +103,7 @@ class narrator {
         else
             say_(events::controller_gone, {{"address", name(unit)}}, name(unit) + " is controlled by no component");
     }
-    void stop_required(const bridge::component& unit, bridge::stop_order what, bridge::stop_cause why) {
+    void stop_required(const bridging::component& unit, bridging::stop_order what, bridging::stop_cause why) {
         const auto when = unit.front().up() ? ": efforts go to zero" : ": efforts go to zero when the slave is back";
         say_(events::stop_owed,
              {{"address", name(unit)},
@@ -112,7 +113,7 @@ class narrator {
               {"slave_up", unit.front().up()}},
              name(unit) + ": " + cause_text(unit, why) + when);
     }
-    void stop_refused(const bridge::component& unit, bridge::stop_order what, const bridge::refusal_reason& why,
+    void stop_refused(const bridging::component& unit, bridging::stop_order what, const bridging::refusal_reason& why,
                       unsigned attempts) {
         if (attempts != 1 && attempts != 10 && attempts % 100 != 0) return;
         say_.bad(events::stop_refused,
@@ -121,127 +122,127 @@ class narrator {
                  name(unit) + ": the slave has not confirmed " + order_text(what) + ", attempt " +
                      std::to_string(attempts) + ": " + refusal_text(unit.front(), why) + "; it is repeated");
     }
-    void settled(const bridge::component& unit) {
+    void settled(const bridging::component& unit) {
         say_(events::stop_confirmed, {{"address", name(unit)}}, name(unit) + ": the slave has confirmed");
     }
 
-    void translated(const bridge::slave_front&, std::span<const std::byte> packet) {
+    void translated(const bridging::slave_front&, std::span<const std::byte> packet) {
         say_(events::packet_translated, packet_members(packet), "translated to an SDO download packet",
              packet_text(packet));
     }
-    void asks_report(const bridge::slave_front&, std::span<const std::byte> packet) {
+    void asks_report(const bridging::slave_front&, std::span<const std::byte> packet) {
         say_(events::report_requested, upload_members(packet),
              "asks for the report by an SDO upload packet, " + upload_text(packet));
     }
-    void into_image(const bridge::slave_front&, std::uint32_t count, std::span<const std::byte> outputs) {
+    void into_image(const bridging::slave_front&, std::uint32_t count, std::span<const std::byte> outputs) {
         say_(events::image_written, {{"command", count}, {"outputs", jauscat::text::hex(outputs)}},
              "into the process image, command " + std::to_string(count) + ": " + jauscat::text::hex(outputs));
     }
-    void from_image(const bridge::slave_front&, std::span<const std::byte> inputs) {
+    void from_image(const bridging::slave_front&, std::span<const std::byte> inputs) {
         say_(events::image_read, {{"inputs", jauscat::text::hex(inputs)}},
              "answers from the process image: " + jauscat::text::hex(inputs));
     }
-    void refused(const bridge::component& unit, const jauscat::jaus::header& message,
-                 const bridge::refusal_reason& why) {
+    void refused(const bridging::component& unit, const jauscat::jaus::header& message,
+                 const bridging::refusal_reason& why) {
         say_.bad(events::not_delivered,
                  event_members{{"address", name(unit)}, {"code", message.command_code}} + station(unit.front()) +
                      reason(why),
                  "not delivered to " + name(unit) + ": " +
-                     (why.why == bridge::refusal::slave_down ? name(unit.front()) + " does not answer"
-                                                             : refusal_text(unit.front(), why)));
+                     (why.why == bridging::refusal::slave_down ? name(unit.front()) + " does not answer"
+                                                               : refusal_text(unit.front(), why)));
     }
 
   private:
-    static std::string name(const bridge::component& unit) { return jauscat::text::to_text(unit.self()); }
-    static std::string name(const bridge::slave_front& slave) { return "slave " + std::to_string(slave.station()); }
+    static std::string name(const bridging::component& unit) { return jauscat::text::to_text(unit.self()); }
+    static std::string name(const bridging::slave_front& slave) { return "slave " + std::to_string(slave.station()); }
 
     // Members of the events.
-    static event_members station(const bridge::slave_front& slave) { return {{"station", slave.station()}}; }
+    static event_members station(const bridging::slave_front& slave) { return {{"station", slave.station()}}; }
     static event_members reason(const jauscat::ethercat::master_error& why) { return {{"reason", explain(why)}}; }
     /// `status` is ulSta, `error` a number of translate::errc; 0 where they say nothing.
-    static event_members reason(const bridge::refusal_reason& why) {
+    static event_members reason(const bridging::refusal_reason& why) {
         return {{"refusal", refusal_name(why.why)},
                 {"status", why.status},
                 {"abort_code", abort_code_of(why)},
                 {"error", why.error}};
     }
     /// Some abort codes have no status of their own.
-    static std::uint32_t abort_code_of(const bridge::refusal_reason& why) {
+    static std::uint32_t abort_code_of(const bridging::refusal_reason& why) {
         const auto code = jauscat::hilscher::abort_of(why.status);
         return static_cast<std::uint32_t>(code == jauscat::ethercat::abort_code::none ? why.of_master.abort : code);
     }
-    static const char* loss_name(bridge::loss what) {
+    static const char* loss_name(bridging::loss what) {
         switch (what) {
-        case bridge::loss::no_answer: return "no_answer";
-        case bridge::loss::no_station: return "no_station";
-        case bridge::loss::left_state: return "left_state";
-        case bridge::loss::no_process_data: return "no_process_data";
+        case bridging::loss::no_answer: return "no_answer";
+        case bridging::loss::no_station: return "no_station";
+        case bridging::loss::left_state: return "left_state";
+        case bridging::loss::no_process_data: return "no_process_data";
         }
         return "unknown";
     }
-    static const char* cause_name(bridge::stop_cause why) {
+    static const char* cause_name(bridging::stop_cause why) {
         switch (why) {
-        case bridge::stop_cause::state: return "state";
-        case bridge::stop_cause::controller_lost: return "controller_lost";
-        case bridge::stop_cause::slave_absent: return "slave_absent";
-        case bridge::stop_cause::slave_returned: return "slave_returned";
-        case bridge::stop_cause::not_accepted: return "not_accepted";
-        case bridge::stop_cause::program_ends: return "program_ends";
+        case bridging::stop_cause::state: return "state";
+        case bridging::stop_cause::controller_lost: return "controller_lost";
+        case bridging::stop_cause::slave_absent: return "slave_absent";
+        case bridging::stop_cause::slave_returned: return "slave_returned";
+        case bridging::stop_cause::not_accepted: return "not_accepted";
+        case bridging::stop_cause::program_ends: return "program_ends";
         }
         return "unknown";
     }
-    static const char* order_name(bridge::stop_order what) {
+    static const char* order_name(bridging::stop_order what) {
         switch (what) {
-        case bridge::stop_order::rest: return "rest";
-        case bridge::stop_order::emergency: return "emergency";
-        case bridge::stop_order::clear_emergency: return "clear_emergency";
+        case bridging::stop_order::rest: return "rest";
+        case bridging::stop_order::emergency: return "emergency";
+        case bridging::stop_order::clear_emergency: return "clear_emergency";
         }
         return "unknown";
     }
-    static const char* refusal_name(bridge::refusal why) {
+    static const char* refusal_name(bridging::refusal why) {
         switch (why) {
-        case bridge::refusal::slave_down: return "slave_down";
-        case bridge::refusal::queue_full: return "queue_full";
-        case bridge::refusal::too_large: return "too_large";
-        case bridge::refusal::expired: return "expired";
-        case bridge::refusal::superseded: return "superseded";
-        case bridge::refusal::stopped: return "stopped";
-        case bridge::refusal::not_translated: return "not_translated";
-        case bridge::refusal::by_slave: return "by_slave";
-        case bridge::refusal::not_accepted: return "not_accepted";
-        case bridge::refusal::stale: return "stale";
+        case bridging::refusal::slave_down: return "slave_down";
+        case bridging::refusal::queue_full: return "queue_full";
+        case bridging::refusal::too_large: return "too_large";
+        case bridging::refusal::expired: return "expired";
+        case bridging::refusal::superseded: return "superseded";
+        case bridging::refusal::stopped: return "stopped";
+        case bridging::refusal::not_translated: return "not_translated";
+        case bridging::refusal::by_slave: return "by_slave";
+        case bridging::refusal::not_accepted: return "not_accepted";
+        case bridging::refusal::stale: return "stale";
         }
         return "unknown";
     }
 
-    static std::string loss_text(bridge::loss what, bool cyclic) {
+    static std::string loss_text(bridging::loss what, bool cyclic) {
         switch (what) {
-        case bridge::loss::no_answer: return "does not answer";
-        case bridge::loss::no_station: return "is no longer there under its station address";
-        case bridge::loss::left_state: return cyclic ? "is no longer in OP" : "is no longer in PRE-OP";
-        case bridge::loss::no_process_data: return "no longer takes process data";
+        case bridging::loss::no_answer: return "does not answer";
+        case bridging::loss::no_station: return "is no longer there under its station address";
+        case bridging::loss::left_state: return cyclic ? "is no longer in OP" : "is no longer in PRE-OP";
+        case bridging::loss::no_process_data: return "no longer takes process data";
         }
         return "is lost";
     }
-    static std::string cause_text(const bridge::component& unit, bridge::stop_cause why) {
+    static std::string cause_text(const bridging::component& unit, bridging::stop_cause why) {
         switch (why) {
-        case bridge::stop_cause::state: return jauscat::text::to_text(unit.state());
-        case bridge::stop_cause::controller_lost: return "its controller is lost";
-        case bridge::stop_cause::slave_absent: return "the slave is away";
-        case bridge::stop_cause::slave_returned: return "the slave is back";
-        case bridge::stop_cause::not_accepted: return "the slave has not taken a command in time";
-        case bridge::stop_cause::program_ends: return "the program ends";
+        case bridging::stop_cause::state: return jauscat::text::to_text(unit.state());
+        case bridging::stop_cause::controller_lost: return "its controller is lost";
+        case bridging::stop_cause::slave_absent: return "the slave is away";
+        case bridging::stop_cause::slave_returned: return "the slave is back";
+        case bridging::stop_cause::not_accepted: return "the slave has not taken a command in time";
+        case bridging::stop_cause::program_ends: return "the program ends";
         }
         return "stop";
     }
     // What the status does not say: some abort codes have none of their own.
-    static std::string reason_text(const bridge::refusal_reason& why) {
+    static std::string reason_text(const bridging::refusal_reason& why) {
         const bool is_said = jauscat::hilscher::abort_of(why.status) != jauscat::ethercat::abort_code::none;
         const bool is_ok = why.of_master == jauscat::ethercat::master_error{};
         return is_ok || is_said ? std::string{} : ": " + explain(why.of_master);
     }
     // The slave may take its JAUS address from its own configuration, and refuse what is sent to another.
-    static std::string place_text(const bridge::slave_front& slave, jauscat::hilscher::packet_status status) {
+    static std::string place_text(const bridging::slave_front& slave, jauscat::hilscher::packet_status status) {
         std::string text = "station address " + std::to_string(slave.station()) + " (" +
                            jauscat::text::hex_number(slave.station(), 4) + ")";
         if (status == jauscat::hilscher::packet_status::sdo_abort_parameter_incompatible)
@@ -249,28 +250,28 @@ class narrator {
                     std::to_string(slave.options().identity.subsystem) + ", see robot_arm --node";
         return text;
     }
-    static std::string order_text(bridge::stop_order what) {
+    static std::string order_text(bridging::stop_order what) {
         switch (what) {
-        case bridge::stop_order::rest: return "zero efforts";
-        case bridge::stop_order::emergency: return "the emergency";
-        case bridge::stop_order::clear_emergency: return "the end of the emergency";
+        case bridging::stop_order::rest: return "zero efforts";
+        case bridging::stop_order::emergency: return "the emergency";
+        case bridging::stop_order::clear_emergency: return "the end of the emergency";
         }
         return "a stop order";
     }
-    static std::string refusal_text(const bridge::slave_front& slave, const bridge::refusal_reason& why) {
+    static std::string refusal_text(const bridging::slave_front& slave, const bridging::refusal_reason& why) {
         switch (why.why) {
-        case bridge::refusal::slave_down: return "the slave does not answer";
-        case bridge::refusal::queue_full: return "too many messages wait for the slave";
-        case bridge::refusal::too_large: return "more bytes than an SDO carries";
-        case bridge::refusal::expired: return "it waited too long for the slave";
-        case bridge::refusal::superseded: return "a newer command of the same sender came before it was its turn";
-        case bridge::refusal::stopped: return "a stop order came before it was its turn";
-        case bridge::refusal::not_translated: return std::string{describe(why.error)};
-        case bridge::refusal::by_slave:
+        case bridging::refusal::slave_down: return "the slave does not answer";
+        case bridging::refusal::queue_full: return "too many messages wait for the slave";
+        case bridging::refusal::too_large: return "more bytes than an SDO carries";
+        case bridging::refusal::expired: return "it waited too long for the slave";
+        case bridging::refusal::superseded: return "a newer command of the same sender came before it was its turn";
+        case bridging::refusal::stopped: return "a stop order came before it was its turn";
+        case bridging::refusal::not_translated: return std::string{describe(why.error)};
+        case bridging::refusal::by_slave:
             return jauscat::text::explain(why.status) + reason_text(why) + ", asked at " +
                    place_text(slave, why.status);
-        case bridge::refusal::not_accepted: return "the slave has not taken the command out of its process data";
-        case bridge::refusal::stale: return "the slave's inputs are too old to answer from";
+        case bridging::refusal::not_accepted: return "the slave has not taken the command out of its process data";
+        case bridging::refusal::stale: return "the slave's inputs are too old to answer from";
         }
         return "refused";
     }

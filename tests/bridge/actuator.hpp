@@ -22,7 +22,7 @@
 
 namespace test {
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 namespace ethercat = jauscat::ethercat;
 namespace jaus = jauscat::jaus;
 
@@ -98,7 +98,7 @@ class actuator {
     }
 
   private:
-    using delivery = bridge::delivery<table>;
+    using delivery = bridging::delivery<table>;
     using command = jauscat::translate::image_translator<jauscat::translation::set_wrench_effort_table>;
     using report = jauscat::translate::image_translator<jauscat::translation::report_wrench_effort_table>;
 
@@ -137,7 +137,7 @@ class actuator {
             std::ranges::copy(bytes, inputs.begin());
     }
 
-    bridge::slave_identity self_;
+    bridging::slave_identity self_;
     std::vector<std::byte> report_{};
     std::array<std::byte, delivery::translator::max_message_size> message_{};
     std::uint16_t taken_{};
@@ -148,9 +148,9 @@ class actuator {
 class emulated_actuator {
   public:
     static constexpr std::array objects{
-        jauscat::bridge::object_list<actuator::table, 33, jaus::set_wrench_effort, jaus::query_wrench_effort,
-                                     jaus::report_wrench_effort, jaus::set_emergency, jaus::clear_emergency,
-                                     jaus::set_travel_speed, jaus::report_heartbeat_pulse>::description};
+        jauscat::bridging::object_list<actuator::table, 33, jaus::set_wrench_effort, jaus::query_wrench_effort,
+                                       jaus::report_wrench_effort, jaus::set_emergency, jaus::clear_emergency,
+                                       jaus::set_travel_speed, jaus::report_heartbeat_pulse>::description};
 
     emulated_actuator(std::uint8_t subsystem, std::uint16_t station) : behind{subsystem, station} {}
 
@@ -185,7 +185,7 @@ class emulated_actuator {
                                              .name = "actuator",
                                              .outputs = outputs,
                                              .inputs = inputs};
-    bridge::listed_objects list_{objects, behind, bridge::size_rule::up_to_largest};
+    bridging::listed_objects list_{objects, behind, bridging::size_rule::up_to_largest};
     ethercat::standard_objects dictionary_{description_, list_};
     std::array<std::byte, 4096> memory_{};
 

@@ -79,7 +79,7 @@ TEST_CASE("a slave that is polled every 5 ms detects missing outputs within the 
     r.run_until([&, number = r.drive(50)] { return r.is_acknowledged(number); });
     r.run_until([&, before = r.frames] { return r.frames != before; });
     r.cable_is_out = true;
-    r.run(bridge::at_rest_in_cycles - 5ms);
+    r.run(bridging::at_rest_in_cycles - 5ms);
     CHECK(r.motor().effort == 0);
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("a slave that leaves OP counts as lost within two cycles") {
     r.actuators[0].pass(*finished, r.now);
     const auto took = r.run_until([&] { return r.watcher.lost == 1; });
     CHECK(took <= 21ms);
-    CHECK(r.watcher.last_loss == bridge::loss::left_state);
+    CHECK(r.watcher.last_loss == bridging::loss::left_state);
     r.run_until([&] { return r.watcher.up == 2; });
     CHECK(r.motor().effort == 0);
 }
@@ -144,7 +144,7 @@ TEST_CASE("a slave that loses its station address counts as lost within two cycl
     r.actuators[0].pass(*finished, r.now);
     const auto took = r.run_until([&] { return r.watcher.lost == 1; });
     CHECK(took <= 21ms);
-    CHECK(r.watcher.last_loss == bridge::loss::no_station);
+    CHECK(r.watcher.last_loss == bridging::loss::no_station);
 }
 
 TEST_CASE("Standby by process data is acknowledged when the inputs confirm it") {
@@ -205,7 +205,7 @@ TEST_CASE("a slave that does not accept zeros in time counts as lost") {
     r.tell(jaus::standby{});
     const auto took = r.run_until([&] { return r.watcher.lost == 1; });
     CHECK(took <= 120ms);
-    CHECK(r.watcher.last_loss == bridge::loss::no_process_data);
+    CHECK(r.watcher.last_loss == bridging::loss::no_process_data);
 }
 
 TEST_CASE("answering a query from the inputs does not change the bytes of a running transfer") {

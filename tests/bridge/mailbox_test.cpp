@@ -33,7 +33,7 @@ TEST_CASE("the status lists stop orders that the actuator has not confirmed") {
         REQUIRE(r.received<jaus::report_component_status>().size() == 1);
         return r.received<jaus::report_component_status>().front();
     };
-    using namespace bridge::secondary_status;
+    using namespace bridging::secondary_status;
     CHECK(asks() == jaus::report_component_status{status::initialize, slave_absent | rest_unconfirmed});
     r.run_until_ready();
     CHECK(asks() == jaus::report_component_status{status::ready, 0});
@@ -137,7 +137,7 @@ TEST_CASE("of waiting commands with one sender and code only the newest is kept,
     CHECK(r.is_acknowledged(first));
     CHECK(r.is_refused(second));
     CHECK(r.is_acknowledged(third));
-    CHECK(r.watcher.refusals == std::vector{bridge::refusal::superseded});
+    CHECK(r.watcher.refusals == std::vector{bridging::refusal::superseded});
     REQUIRE(r.motor().efforts.size() >= 2);
     CHECK(r.motor().efforts.back() == Approx(30).margin(0.01));
 }
@@ -170,7 +170,7 @@ TEST_CASE("a slave reset is detected, and the emergency is sent again") {
     r.actuators[0].power_cycle();
     REQUIRE(!r.motor().emergency);
     r.run_until([&] { return r.motor().emergency; }, 1s);
-    CHECK(r.watcher.last_loss == bridge::loss::no_station);
+    CHECK(r.watcher.last_loss == bridging::loss::no_station);
     CHECK(r.unit().state() == status::emergency);
 }
 
@@ -518,7 +518,7 @@ TEST_CASE("a slave of unknown state counts as lost, also while the master waits 
     };
     const auto took = r.run_until([&] { return !r.fronts[1].up(); });
     CHECK(took <= r.options.check_interval + 10ms);
-    CHECK(r.watcher.last_loss == bridge::loss::left_state);
+    CHECK(r.watcher.last_loss == bridging::loss::left_state);
     CHECK(r.unit(1).state() == status::failure);
 }
 

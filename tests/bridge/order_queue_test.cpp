@@ -5,7 +5,7 @@
 
 using namespace std::chrono_literals;
 using support::instant;
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 namespace jaus = jauscat::jaus;
 
 namespace {
@@ -19,24 +19,24 @@ template <class T> std::vector<std::byte> body_of(const T& message) {
     body.resize(encoded->size());
     return body;
 }
-bridge::order order_of(std::uint16_t code, std::uint16_t number, const jaus::address& from = sender) {
+bridging::order order_of(std::uint16_t code, std::uint16_t number, const jaus::address& from = sender) {
     return {.header = {.command_code = code, .source = from, .sequence_number = number},
             .expires = jauscat::deadline{instant{1s}}};
 }
 constexpr auto nobody = [](const jaus::header&) { FAIL("nothing is superseded"); };
-constexpr auto any = [](const bridge::order&) { return true; };
+constexpr auto any = [](const bridging::order&) { return true; };
 
 } // namespace
 
 TEST_CASE("messages leave in order of arrival, and places are reused") {
-    bridge::order_memory<4, 64> memory;
-    bridge::order_queue queue{memory};
+    bridging::order_memory<4, 64> memory;
+    bridging::order_queue queue{memory};
     std::uint16_t in = 0, out = 0;
     const auto body = body_of(jaus::set_global_waypoint{});
     for (int round = 0; round != 10; ++round) {
         for (int i = 0; i != 3; ++i)
             CHECK(queue.push(order_of(jaus::command_code_of<jaus::set_global_waypoint>, ++in), body, nobody) ==
-                  bridge::queued::last);
+                  bridging::queued::last);
         while (const auto* const next = queue.first(any)) {
             CHECK(next->header.sequence_number == ++out);
             CHECK(std::ranges::equal(queue.body(*next), body));
@@ -47,31 +47,32 @@ TEST_CASE("messages leave in order of arrival, and places are reused") {
 }
 
 TEST_CASE("a full queue, and a body that exceeds its place, are refused") {
-    bridge::order_memory<2, 8> memory;
-    bridge::order_queue queue{memory};
+    bridging::order_memory<2, 8> memory;
+    bridging::order_queue queue{memory};
     const std::array<std::byte, 9> large{};
     const auto small = std::span<const std::byte>{large}.first(8);
-    CHECK(queue.push(order_of(2, 1), large, nobody) == bridge::queued::too_large);
-    CHECK(queue.push(order_of(2, 1), small, nobody) == bridge::queued::last);
-    CHECK(queue.push(order_of(2, 2), small, nobody) == bridge::queued::last);
-    CHECK(queue.push(order_of(2, 3), small, nobody) == bridge::queued::full);
+    CHECK(queue.push(order_of(2, 1), large, nobody) == bridging::queued::too_large);
+    CHECK(queue.push(order_of(2, 1), small, nobody) == bridging::queued::last);
+    CHECK(queue.push(order_of(2, 2), small, nobody) == bridging::queued::last);
+    CHECK(queue.push(order_of(2, 3), small, nobody) == bridging::queued::full);
 }
 
 TEST_CASE("a newer command of the same sender replaces the older one and keeps its other fields") {
-    bridge::order_memory<4, 64> memory;
-    bridge::order_queue queue{memory};
+    bridging::order_memory<4, 64> memory;
+    bridging::order_queue queue{memory};
     const auto code = jaus::command_code_of<jaus::set_wrench_effort>;
     auto other = sender;
     other.node = 7;
     CHECK(
         queue.push(order_of(code, 1),
                    body_of(jaus::set_wrench_effort{.propulsive_linear_effort_x = 10, .propulsive_linear_effort_y = 20}),
-                   nobody) == bridge::queued::last);
+                   nobody) == bridging::queued::last);
     CHECK(queue.push(order_of(code, 2, other), body_of(jaus::set_wrench_effort{.propulsive_linear_effort_x = 1}),
-                     nobody) == bridge::queued::last);
+                     nobody) == bridging::queued::last);
     std::uint16_t superseded = 0;
     CHECK(queue.push(order_of(code, 3), body_of(jaus::set_wrench_effort{.propulsive_linear_effort_x = 30}),
-                     [&](const jaus::header& older) { superseded = older.sequence_number; }) == bridge::queued::merged);
+                     [&](const jaus::header& older) { superseded = older.sequence_number; }) ==
+          bridging::queued::merged);
     CHECK(superseded == 1);
     CHECK(queue.size() == 2);
     const auto* const first = queue.first(any);
@@ -82,22 +83,22 @@ TEST_CASE("a newer command of the same sender replaces the older one and keeps i
 }
 
 TEST_CASE("waypoints are never merged") {
-    bridge::order_memory<4, 64> memory;
-    bridge::order_queue queue{memory};
+    bridging::order_memory<4, 64> memory;
+    bridging::order_queue queue{memory};
     const auto body = body_of(jaus::set_global_waypoint{});
     for (std::uint16_t i = 1; i != 4; ++i)
         CHECK(queue.push(order_of(jaus::command_code_of<jaus::set_global_waypoint>, i), body, nobody) ==
-              bridge::queued::last);
+              bridging::queued::last);
     CHECK(queue.size() == 3);
 }
 
 TEST_CASE("a command that does not decode is queued unchanged, for the slave to refuse") {
-    bridge::order_memory<4, 64> memory;
-    bridge::order_queue queue{memory};
+    bridging::order_memory<4, 64> memory;
+    bridging::order_queue queue{memory};
     const std::array<std::byte, 3> bad{std::byte{0xFF}, std::byte{0xFF}, std::byte{0xFF}};
     const auto code = jaus::command_code_of<jaus::set_wrench_effort>;
-    CHECK(queue.push(order_of(code, 1), bad, nobody) == bridge::queued::last);
+    CHECK(queue.push(order_of(code, 1), bad, nobody) == bridging::queued::last);
     CHECK(queue.push(order_of(code, 2), body_of(jaus::set_wrench_effort{.propulsive_linear_effort_x = 1}), nobody) ==
-          bridge::queued::last);
+          bridging::queued::last);
     CHECK(queue.size() == 2);
 }

@@ -4,8 +4,8 @@
 #include <jauscat/bridge/pending_stops.hpp>
 
 using namespace std::chrono_literals;
-using jauscat::bridge::pending_stops;
-using jauscat::bridge::stop_order;
+using jauscat::bridging::pending_stops;
+using jauscat::bridging::stop_order;
 using support::instant;
 
 TEST_CASE("an emergency is sent first, and its confirmation also settles the stop by zeros") {

@@ -14,33 +14,33 @@
 namespace test {
 
 using namespace std::chrono_literals;
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 using bytes = std::span<const std::byte>;
 
 /// Records the bridge's events.
 struct notes {
     unsigned up{}, lost{}, settled_debts{}, stops_refused{}, failed_bring_ups{};
-    std::optional<bridge::loss> last_loss{};
-    std::vector<bridge::refusal> refusals{};
+    std::optional<bridging::loss> last_loss{};
+    std::vector<bridging::refusal> refusals{};
     std::vector<std::uint16_t> emergencies{};
 
-    void slave_up(const bridge::slave_front&, const ethercat::slave_record&, bool ready) { up += ready; }
-    void bring_up_failed(const bridge::slave_front&, const ethercat::master_error&) { ++failed_bring_ups; }
-    void slave_lost(const bridge::slave_front&, bridge::loss what, const ethercat::master_error&) {
+    void slave_up(const bridging::slave_front&, const ethercat::slave_record&, bool ready) { up += ready; }
+    void bring_up_failed(const bridging::slave_front&, const ethercat::master_error&) { ++failed_bring_ups; }
+    void slave_lost(const bridging::slave_front&, bridging::loss what, const ethercat::master_error&) {
         ++lost;
         last_loss = what;
     }
-    void slave_emergency(const bridge::slave_front&, const ethercat::coe_emergency& what) {
+    void slave_emergency(const bridging::slave_front&, const ethercat::coe_emergency& what) {
         emergencies.push_back(what.error_code);
     }
-    void settled(const bridge::component&) { ++settled_debts; }
-    void stop_refused(const bridge::component&, bridge::stop_order, const bridge::refusal_reason&, unsigned) {
+    void settled(const bridging::component&) { ++settled_debts; }
+    void stop_refused(const bridging::component&, bridging::stop_order, const bridging::refusal_reason&, unsigned) {
         ++stops_refused;
     }
-    void refused(const bridge::component&, const jaus::header&, const bridge::refusal_reason& why) {
+    void refused(const bridging::component&, const jaus::header&, const bridging::refusal_reason& why) {
         refusals.push_back(why.why);
     }
-    bridge::observer observer() {
+    bridging::observer observer() {
         return {.slave_up = jaus::bound<&notes::slave_up>(*this),
                 .bring_up_failed = jaus::bound<&notes::bring_up_failed>(*this),
                 .slave_lost = jaus::bound<&notes::slave_lost>(*this),
@@ -58,16 +58,16 @@ class rig {
     static constexpr jaus::address stranger{.instance = 1, .component = 32, .node = 1, .subsystem = 3};
 
     explicit rig(std::size_t slaves = 1, bool cyclic = false)
-        : options{cyclic ? bridge::at_rest_within(bridge::at_rest_in_cycles, 10ms)
-                         : bridge::at_rest_within(bridge::at_rest_by_mailbox)} {
+        : options{cyclic ? bridging::at_rest_within(bridging::at_rest_in_cycles, 10ms)
+                         : bridging::at_rest_within(bridging::at_rest_by_mailbox)} {
         for (std::size_t i = 0; i != slaves; ++i) {
             const auto station = static_cast<std::uint16_t>(2 + i);
             actuators.emplace_back(std::uint8_t{2}, station);
             memories_.emplace_back();
-            exchanges.emplace_back(bridge::slave_identity{.subsystem = 2, .station = station});
-            fronts.emplace_back(bridge::slave_options{.position = static_cast<std::uint16_t>(i),
-                                                      .identity = {.subsystem = 2, .station = station},
-                                                      .cyclic = cyclic},
+            exchanges.emplace_back(bridging::slave_identity{.subsystem = 2, .station = station});
+            fronts.emplace_back(bridging::slave_options{.position = static_cast<std::uint16_t>(i),
+                                                        .identity = {.subsystem = 2, .station = station},
+                                                        .cyclic = cyclic},
                                 exchanges.back(), options, memories_.back(), watcher.observer());
             units.emplace_back(unit_address(i), fronts.back(), core_options);
             REQUIRE(bus.add(fronts.back()));
@@ -77,7 +77,7 @@ class rig {
     static jaus::address unit_address(std::size_t i) {
         return {.instance = 1, .component = 33, .node = static_cast<std::uint8_t>(2 + i), .subsystem = 2};
     }
-    bridge::component& unit(std::size_t i = 0) { return units[i]; }
+    bridging::component& unit(std::size_t i = 0) { return units[i]; }
     actuator& motor(std::size_t i = 0) { return actuators[i].behind; }
 
     /// Time passes: frames, events, messages.
@@ -166,14 +166,14 @@ class rig {
     }
     void shut_down() { bus.shut_down(now, out_); }
 
-    bridge::bridge_options options;
+    bridging::bridge_options options;
     jaus::component_options core_options{};
     notes watcher{};
     std::deque<emulated_actuator> actuators{};
-    std::deque<bridge::exchange_under<actuator::table>> exchanges{};
-    std::deque<bridge::slave_front> fronts{};
-    std::deque<bridge::component> units{};
-    bridge::ring bus{options};
+    std::deque<bridging::exchange_under<actuator::table>> exchanges{};
+    std::deque<bridging::slave_front> fronts{};
+    std::deque<bridging::component> units{};
+    bridging::ring bus{options};
     std::vector<std::vector<std::byte>> messages{};
     jaus::component_outcome last_outcome{};
     jauscat::time_point now{1s};
@@ -229,7 +229,7 @@ class rig {
     sink sink_{*this};
     jaus::message_sink out_{sink_};
     std::deque<flight> flights_{};
-    std::deque<bridge::order_memory<16, 256>> memories_{};
+    std::deque<bridging::order_memory<16, 256>> memories_{};
     std::uint16_t number_{100};
 };
 

@@ -3,5 +3,5 @@
 
 using namespace small;
 
-using wrong = jauscat::bridge::object_list<right_table, 1, command, stranger_command>;
+using wrong = jauscat::bridging::object_list<right_table, 1, command, stranger_command>;
 static_assert(wrong::entries.size() == 2);

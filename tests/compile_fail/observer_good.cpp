@@ -1,10 +1,10 @@
 // expect: no error
 #include <jauscat/bridge/observer.hpp>
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 
 struct notes {
-    void lost(const bridge::slave_front&, bridge::loss, const jauscat::ethercat::master_error&) {}
+    void lost(const bridging::slave_front&, bridging::loss, const jauscat::ethercat::master_error&) {}
 } book;
-constexpr auto settled = [](const bridge::component&) {};
-const bridge::observer watcher{.slave_lost = jauscat::jaus::bound<&notes::lost>(book), .settled = settled};
+constexpr auto settled = [](const bridging::component&) {};
+const bridging::observer watcher{.slave_lost = jauscat::jaus::bound<&notes::lost>(book), .settled = settled};

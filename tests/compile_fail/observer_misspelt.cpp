@@ -1,7 +1,7 @@
 // expect: slave_lots
 #include <jauscat/bridge/observer.hpp>
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 
-constexpr auto lost = [](const bridge::slave_front&, bridge::loss, const jauscat::ethercat::master_error&) {};
-const bridge::observer watcher{.slave_lots = lost};
+constexpr auto lost = [](const bridging::slave_front&, bridging::loss, const jauscat::ethercat::master_error&) {};
+const bridging::observer watcher{.slave_lots = lost};

@@ -1,7 +1,7 @@
 // expect: hook: the function has other parameters than the hook
 #include <jauscat/bridge/observer.hpp>
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 
-constexpr auto lost = [](const bridge::slave_front&, bridge::loss) {};
-const bridge::observer watcher{.slave_lost = lost};
+constexpr auto lost = [](const bridging::slave_front&, bridging::loss) {};
+const bridging::observer watcher{.slave_lost = lost};

@@ -1,7 +1,7 @@
 // expect: hook: the function returns another type than the hook
 #include <jauscat/bridge/observer.hpp>
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 
-constexpr auto settled = [](const bridge::component&) { return true; };
-const bridge::observer watcher{.settled = settled};
+constexpr auto settled = [](const bridging::component&) { return true; };
+const bridging::observer watcher{.settled = settled};

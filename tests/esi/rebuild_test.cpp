@@ -50,7 +50,7 @@ class store {
 /// A slave of that description and those objects, alone on a link with a master that has brought it up.
 class machine {
   public:
-    machine(const slave_description& description, std::span<const bridge::object_description> components,
+    machine(const slave_description& description, std::span<const bridging::object_description> components,
             std::size_t transfer_size)
         : memory_(transfer_size),
           listed_{components, store_},
@@ -103,7 +103,7 @@ class machine {
   private:
     bytes memory_;
     store store_{};
-    jauscat::bridge::listed_objects listed_;
+    jauscat::bridging::listed_objects listed_;
     mapped_objects mapped_;
     standard_objects objects_;
     std::array<slave, 1> slave_;
@@ -258,9 +258,9 @@ TEST_CASE("rebuilt objects have sizes, access and command codes") {
     CHECK(own.name == "component 33");
     CHECK(own.exact_size);
     REQUIRE(own.entries.size() == 3);
-    CHECK(own.entries[0] == bridge::sub_object{26, 0x0405, "set_wrench_effort", 30, false, true});
-    CHECK(own.entries[1] == bridge::sub_object{72, 0x2405, "query_wrench_effort", 12, false, true});
-    CHECK(own.entries[2] == bridge::sub_object{121, 0x4405, "report_wrench_effort", 30, true, true});
+    CHECK(own.entries[0] == bridging::sub_object{26, 0x0405, "set_wrench_effort", 30, false, true});
+    CHECK(own.entries[1] == bridging::sub_object{72, 0x2405, "query_wrench_effort", 12, false, true});
+    CHECK(own.entries[2] == bridging::sub_object{121, 0x4405, "report_wrench_effort", 30, true, true});
     CHECK(device.components()[1].index == 0x1BF3);
 }
 

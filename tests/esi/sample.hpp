@@ -16,9 +16,9 @@ namespace jauscat::test {
 /// Accepts a command, a query and a report.
 template <class Table>
 inline constexpr std::array sample_components{
-    bridge::object_list<Table, 33, jaus::query_wrench_effort, jaus::report_wrench_effort,
-                        jaus::set_wrench_effort>::description,
-    bridge::object_list<Table, 255, jaus::set_travel_speed>::description};
+    bridging::object_list<Table, 33, jaus::query_wrench_effort, jaus::report_wrench_effort,
+                          jaus::set_wrench_effort>::description,
+    bridging::object_list<Table, 255, jaus::set_travel_speed>::description};
 
 inline constexpr ethercat::slave_description sample_slave{
     .vendor = 0x6A5, .product = 0x21, .revision = 0x10002, .station_alias = 0x1234, .name = "arm <1>"};

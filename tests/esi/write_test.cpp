@@ -5,8 +5,8 @@
 using namespace jauscat;
 
 TEST_CASE("the document of a slave with one component equals the expected text") {
-    constexpr std::array components{bridge::object_list<translation::seed_table, 33, jaus::report_wrench_effort,
-                                                        jaus::set_wrench_effort>::description};
+    constexpr std::array components{bridging::object_list<translation::seed_table, 33, jaus::report_wrench_effort,
+                                                          jaus::set_wrench_effort>::description};
     const auto device = esi::make_device(test::sample_slave, test::sample_texts, components, false);
     CHECK(esi::write_esi(device) == R"(<?xml version="1.0" encoding="UTF-8"?>
 <EtherCATInfo xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xsi:noNamespaceSchemaLocation="EtherCATInfo.xsd" Version="1.6">

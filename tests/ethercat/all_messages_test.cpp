@@ -14,7 +14,7 @@
 #include <vector>
 
 using namespace jauscat;
-using bridge::exchange_progress;
+using bridging::exchange_progress;
 using test::to_hex;
 
 namespace {
@@ -26,7 +26,7 @@ using self_contained_table = translation::self_contained_table;
 /// Accepts every object of a message, and returns the object of the message `upwards`.
 template <class Table> class message_slave {
   public:
-    explicit message_slave(const bridge::slave_identity& self) : self_{self} {}
+    explicit message_slave(const bridging::slave_identity& self) : self_{self} {}
 
     ethercat::abort_code write(std::uint16_t index, std::uint8_t subindex, std::span<const std::byte> data) noexcept {
         received.resize(delivery::translator::max_message_size);
@@ -50,14 +50,14 @@ template <class Table> class message_slave {
     std::array<std::byte, Table::max_data> transfer_memory{};
 
   private:
-    using delivery = bridge::delivery<Table>;
-    bridge::slave_identity self_;
+    using delivery = bridging::delivery<Table>;
+    bridging::slave_identity self_;
 };
 
 /// Three slaves in a ring, a master, and messages that go to them.
 template <class Table> class robot {
   public:
-    using packet_exchange = bridge::packet_exchange<Table>;
+    using packet_exchange = bridging::packet_exchange<Table>;
     static constexpr std::array<std::uint16_t, 3> stations{1, 100, 254};
     static constexpr std::uint8_t subsystem = 7, instance = 9; ///< of each of them
 
@@ -158,7 +158,7 @@ TEST_CASE("under the seed table every message reaches its slave with that slave'
 TEMPLATE_TEST_CASE("parts of a large data set and broadcasts that name no slave are refused before they are sent", "",
                    seed_table, self_contained_table) {
     support::generator g{11};
-    bridge::packet_exchange<TestType> exchange{{}};
+    bridging::packet_exchange<TestType> exchange{{}};
     bytes buffer(exchange.buffer_size);
     const auto error = [&](const jaus::header& head) {
         const auto step = exchange.begin(message_of(head, {}), buffer);

@@ -41,16 +41,16 @@ struct application {
 
 template <class Table>
 constexpr std::array arm_objects{
-    bridge::object_list<Table, 33, jaus::set_wrench_effort, jaus::report_wrench_effort>::description,
-    bridge::object_list<Table, 255, jaus::set_wrench_effort>::description};
+    bridging::object_list<Table, 33, jaus::set_wrench_effort, jaus::report_wrench_effort>::description,
+    bridging::object_list<Table, 255, jaus::set_wrench_effort>::description};
 using fixed_table =
     translate::fixed_length<translation::seed_table, jaus::set_wrench_effort, jaus::report_wrench_effort>;
 
 template <class Table = translation::seed_table> struct dictionary {
     application behind{};
-    bridge::listed_objects objects;
+    bridging::listed_objects objects;
 
-    explicit dictionary(bridge::size_rule sizes = bridge::size_rule::up_to_largest)
+    explicit dictionary(bridging::size_rule sizes = bridging::size_rule::up_to_largest)
         : objects{arm_objects<Table>, behind, sizes} {}
 
     abort_code write(std::uint16_t index, std::uint8_t subindex, std::size_t size) {
@@ -88,10 +88,10 @@ TEST_CASE("command objects are write-only, report objects readable and writable"
     CHECK(d.read(6933, 121, 10) == abort_code::none);
     CHECK(d.write(6933, 121, 10) == abort_code::none);
 
-    constexpr bridge::sub_object read_only[]{{.subindex = 1, .max_size = 4, .readable = true}};
-    const bridge::object_description object{.index = 0x2000, .entries = read_only};
+    constexpr bridging::sub_object read_only[]{{.subindex = 1, .max_size = 4, .readable = true}};
+    const bridging::object_description object{.index = 0x2000, .entries = read_only};
     application behind;
-    bridge::listed_objects objects{{&object, 1}, behind};
+    bridging::listed_objects objects{{&object, 1}, behind};
     CHECK(objects.write(0x2000, 1, from_hex("00")) == abort_code::read_only);
     CHECK(behind.writes == 0);
 }
@@ -122,7 +122,7 @@ TEST_CASE("a message may be shorter, but not longer, than the largest") {
 }
 
 TEST_CASE("a strict slave reads and writes exact sizes only") {
-    dictionary<> d{bridge::size_rule::exact};
+    dictionary<> d{bridging::size_rule::exact};
     CHECK(d.write(6933, 26, 28) == abort_code::none);
     for (const std::size_t size : {0u, 10u, 27u, 29u, 30u})
         CHECK(d.write(6933, 26, size) == abort_code::length_mismatch);
@@ -132,7 +132,7 @@ TEST_CASE("a strict slave reads and writes exact sizes only") {
 }
 
 TEST_CASE("objects of a table with fixed lengths have exact sizes, whether the slave is strict or not") {
-    for (const auto rule : {bridge::size_rule::up_to_largest, bridge::size_rule::exact}) {
+    for (const auto rule : {bridging::size_rule::up_to_largest, bridging::size_rule::exact}) {
         dictionary<fixed_table> d{rule};
         CHECK(d.write(6933, 26, 30) == abort_code::none);
         CHECK(d.write(6933, 26, 28) == abort_code::length_mismatch);
@@ -146,12 +146,12 @@ namespace {
 /// A message from a master to a strict slave over the wire, under `Table`.
 template <class Table> struct strict_robot {
     application behind{};
-    bridge::listed_objects objects{arm_objects<Table>, behind, bridge::size_rule::exact};
+    bridging::listed_objects objects{arm_objects<Table>, behind, bridging::size_rule::exact};
     std::array<ethercat::slave, 1> devices{ethercat::slave{{.vendor = 1}, objects}};
     test::simulated_link link{devices};
     ethercat::master master{};
 
-    using delivery = bridge::delivery<Table>;
+    using delivery = bridging::delivery<Table>;
 
     void bring_up() { REQUIRE(link.run(master, ethercat::bring_up{0, 2})); }
     ethercat::master_result<> deliver(std::span<const std::byte> message) {

@@ -15,15 +15,15 @@ using jauscat::test::to_hex;
 
 namespace {
 
-using bridge::creation_errc;
-using bridge::object_creation;
+using bridging::creation_errc;
+using bridging::object_creation;
 
-constexpr auto& arm =
-    bridge::object_list<translation::seed_table, 33, jaus::set_wrench_effort, jaus::report_wrench_effort>::description;
+constexpr auto& arm = bridging::object_list<translation::seed_table, 33, jaus::set_wrench_effort,
+                                            jaus::report_wrench_effort>::description;
 using fixed_table =
     translate::fixed_length<translation::seed_table, jaus::set_wrench_effort, jaus::report_wrench_effort>;
 constexpr auto& strict_arm =
-    bridge::object_list<fixed_table, 33, jaus::set_wrench_effort, jaus::report_wrench_effort>::description;
+    bridging::object_list<fixed_table, 33, jaus::set_wrench_effort, jaus::report_wrench_effort>::description;
 
 std::vector<std::byte> packet_of(const object_creation& creation, std::size_t number) {
     std::vector<std::byte> out(200);

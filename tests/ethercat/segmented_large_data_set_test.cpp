@@ -46,7 +46,7 @@ packets large_data_set(const bytes& body, std::size_t share) {
 
 // What an assembly makes of packets, and what became of the last of them.
 template <class Table> struct assembled {
-    bridge::message_assembly<translate::translator<Table>::max_body> assembly{5s};
+    bridging::message_assembly<translate::translator<Table>::max_body> assembly{5s};
     packets taken{};
     jauscat::time_point now{};
 
@@ -58,7 +58,7 @@ template <class Table> struct assembled {
 };
 
 template <class Table> void delivers(std::size_t largest) {
-    using delivery = bridge::delivery<Table>;
+    using delivery = bridging::delivery<Table>;
     assembled<Table> a;
     const auto body = counting(largest);
     auto parts = large_data_set(body, 500);

@@ -222,12 +222,12 @@ TEST_CASE("complete access uses segments through a small mailbox") {
 }
 
 TEST_CASE("objects of JAUS messages are described as a record of octet strings") {
-    using jauscat::bridge::sub_object;
+    using jauscat::bridging::sub_object;
     constexpr std::array entries{sub_object{26, 0x0405, "set_wrench_effort", 28, false, true},
                                  sub_object{121, 0x4405, "report_wrench_effort", 28, true, true}};
-    const std::array list{jauscat::bridge::object_description{0x1B15, 33, "component 33", true, entries}};
+    const std::array list{jauscat::bridging::object_description{0x1B15, 33, "component 33", true, entries}};
     test::objects behind;
-    const jauscat::bridge::listed_objects objects{list, behind};
+    const jauscat::bridging::listed_objects objects{list, behind};
     CHECK(objects.next_index(0) == 0x1B15);
     CHECK(objects.next_index(0x1B15) == 0);
     const auto object = objects.describe(0x1B15);

@@ -99,11 +99,11 @@ TEST_CASE("selected objects are aborted with selected codes, in both directions"
 TEST_CASE("the rule of subindex 0 leaves read-only mapping objects as they are") {
     constexpr std::array outputs{pdo_entry{0x7000, 1, 16, 6, "x"}, pdo_entry{0x7000, 2, 16, 6, "y"}};
     const slave_description description{.outputs = outputs};
-    constexpr std::array entries{jauscat::bridge::sub_object{26, 0x0405, "set_wrench_effort", 28, false, true}};
-    const std::array list{jauscat::bridge::object_description{0x1B15, 33, "component 33", true, entries}};
+    constexpr std::array entries{jauscat::bridging::sub_object{26, 0x0405, "set_wrench_effort", 28, false, true}};
+    const std::array list{jauscat::bridging::object_description{0x1B15, 33, "component 33", true, entries}};
     test::objects behind;
     behind.add(0x1B15, 26, 28);
-    jauscat::bridge::listed_objects listed{list, behind};
+    jauscat::bridging::listed_objects listed{list, behind};
     standard_objects dictionary{description, listed};
     slave device{description, dictionary, {.subindex_0_rule = true}};
     test::slave_bench b;

@@ -95,7 +95,7 @@ const auto nothing = [](auto&&...) {};
 
 TEST_CASE("a JAUS command is in the slave's outputs one cycle after its arrival, and its report in the inputs") {
     using exchange =
-        bridge::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
+        bridging::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
     robot r;
     exchange jaus{{.subsystem = 2, .station = station}, 33};
     const auto outputs = [&] { return r.data.outputs(r.record()); };

@@ -30,7 +30,7 @@ struct robot {
     example::arm arm{[this](auto, const auto&, const std::string& line) { said.push_back(line); }, [] {}};
     std::uint16_t at; // its station address
     example::arm_application<table> application;
-    bridge::listed_objects objects{application.objects, application};
+    bridging::listed_objects objects{application.objects, application};
     ethercat::mapped_objects mapped{example::arm_slave, objects};
     ethercat::standard_objects dictionary{example::arm_slave, mapped};
     ethercat::slave slave{example::arm_slave, dictionary};
@@ -60,7 +60,7 @@ struct robot {
     template <ethercat::master_job Job> typename Job::result_type run(const Job& job) { return link.run(master, job); }
     /// Writes a message to the arm's object.
     ethercat::master_result<> send(const auto& message) {
-        using delivery = bridge::delivery<table>;
+        using delivery = bridging::delivery<table>;
         std::array<std::byte, 64> bytes{};
         std::array<std::byte, delivery::translator::max_packet_size> packet{};
         constexpr jaus::address self{1, 33, station, 2};
@@ -205,7 +205,7 @@ TEST_CASE("in an emergency the arm aborts motion commands, and executes stop ord
 
 TEST_CASE("a process-data command in an emergency is not executed, then or later") {
     using exchange =
-        bridge::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
+        bridging::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
     robot r;
     REQUIRE(r.send(emergency()));
     auto data = r.to_op();

@@ -47,7 +47,7 @@ ethercat::object_read arm_unit::read(std::uint16_t index, std::uint8_t subindex,
 
 void arm_unit::note_emergency(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept {
     std::array<std::byte, delivery::translator::max_message_size> message{};
-    const bridge::slave_identity self{.subsystem = subsystem, .station = slave_.station_address()};
+    const bridging::slave_identity self{.subsystem = subsystem, .station = slave_.station_address()};
     const auto restored = delivery::message_of({self.station, index, subindex, data}, self, message);
     if (!restored) return;
     const auto code = jaus::split(*restored).header.command_code;

@@ -16,7 +16,7 @@
 
 namespace simulation {
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 namespace ethercat = jauscat::ethercat;
 
 /// What the bridge and the arms translate by.
@@ -56,7 +56,7 @@ class arm_unit {
 
   private:
     using application = example::arm_application<bridge_table>;
-    using delivery = bridge::delivery<bridge_table>;
+    using delivery = bridging::delivery<bridge_table>;
 
     void tell_efforts();
     void note_emergency(std::uint16_t index, std::uint8_t subindex, bytes data) noexcept;
@@ -77,7 +77,7 @@ class arm_unit {
         made.mailbox_out_size = made.mailbox_in_size = 128;
         return made;
     }();
-    bridge::listed_objects objects_{application::objects, *this, bridge::size_rule::up_to_largest};
+    bridging::listed_objects objects_{application::objects, *this, bridging::size_rule::up_to_largest};
     ethercat::standard_objects dictionary_{description_, objects_};
     std::array<std::byte, 4096> memory_{};
     ethercat::slave slave_{description_, dictionary_, {.transfer_memory = memory_}};

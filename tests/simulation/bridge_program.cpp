@@ -15,7 +15,8 @@ jaus::address unit_id(const place& at) {
 
 /// One slave, its component and its node.
 struct bridge_program::unit {
-    unit(bridge_program& program, std::size_t i, const bridge::bridge_options& options, const bridge::observer& watcher)
+    unit(bridge_program& program, std::size_t i, const bridging::bridge_options& options,
+         const bridging::observer& watcher)
         : identity{.subsystem = arm_unit::subsystem, .station = program.wire_[i].station},
           front{
               {.position = static_cast<std::uint16_t>(i), .identity = identity, .cyclic = program.settings_.cyclic[i]},
@@ -34,12 +35,12 @@ struct bridge_program::unit {
         node.add(watched, nothing_more);
     }
 
-    bridge::slave_identity identity;
-    bridge::exchange_under<bridge_table> exchange{identity};
-    bridge::order_memory<16, 256> orders{};
-    bridge::slave_front front;
-    bridge::component component;
-    watched_component<bridge::component, const decltype(nothing_more)> watched;
+    bridging::slave_identity identity;
+    bridging::exchange_under<bridge_table> exchange{identity};
+    bridging::order_memory<16, 256> orders{};
+    bridging::slave_front front;
+    bridging::component component;
+    watched_component<bridging::component, const decltype(nothing_more)> watched;
     net::node_machine node;
     std::uint32_t current_message{};
     time stuck_since{};
@@ -48,27 +49,27 @@ struct bridge_program::unit {
 /// What a life of the program has.
 struct bridge_program::life_data {
     explicit life_data(bridge_program& program) : mine{program}, options{program.settings_.options()} {}
-    void changed_state(const bridge::component& who, jaus::primary_status_code from, jaus::primary_status_code to) {
+    void changed_state(const bridging::component& who, jaus::primary_status_code from, jaus::primary_status_code to) {
         mine.model_.enters(account(who), from, to);
     }
-    void changed_controller(const bridge::component& who, jaus::control_change) {
+    void changed_controller(const bridging::component& who, jaus::control_change) {
         const auto& now = who.control().controller();
         mine.model_.controlled(account(who), now ? std::optional{now->address} : std::nullopt);
     }
-    [[nodiscard]] bridge::observer observer() {
+    [[nodiscard]] bridging::observer observer() {
         return {.changed_state = jaus::bound<&life_data::changed_state>(*this),
                 .changed_controller = jaus::bound<&life_data::changed_controller>(*this)};
     }
-    [[nodiscard]] std::uint8_t account(const bridge::component& who) const {
+    [[nodiscard]] std::uint8_t account(const bridging::component& who) const {
         for (std::size_t i = 0; i != mine.accounts_.size(); ++i)
             if (unit_id(mine.places_[i]) == who.self()) return mine.accounts_[i];
         return 0;
     }
 
     bridge_program& mine;
-    bridge::bridge_options options;
+    bridging::bridge_options options;
     std::deque<unit> units{};
-    std::optional<bridge::ring> bus{};
+    std::optional<bridging::ring> bus{};
     bool ends{};
     time ends_since{};
 };
@@ -86,12 +87,12 @@ bridge_program::~bridge_program() = default;
 
 time bridge_settings::limit() const {
     const bool all_cyclic = std::ranges::all_of(cyclic, [](bool one) { return one; });
-    return all_cyclic ? bridge::at_rest_in_cycles : bridge::at_rest_by_mailbox;
+    return all_cyclic ? bridging::at_rest_in_cycles : bridging::at_rest_by_mailbox;
 }
 
-bridge::bridge_options bridge_settings::options() const {
+bridging::bridge_options bridge_settings::options() const {
     const bool any_cyclic = std::ranges::any_of(cyclic, [](bool one) { return one; });
-    return bridge::at_rest_within(limit(), any_cyclic ? period : time{});
+    return bridging::at_rest_within(limit(), any_cyclic ? period : time{});
 }
 
 void bridge_program::boot() {

@@ -11,7 +11,7 @@
 
 namespace simulation {
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 
 /// A slave's port on the network, which belongs to the bridge's process.
 class side_port final : public port_user {
@@ -32,7 +32,7 @@ struct bridge_settings {
     time period{std::chrono::milliseconds{10}};
     /// Within which an actuator is at rest after something is lost; robot_controller's defaults.
     [[nodiscard]] time limit() const;
-    [[nodiscard]] bridge::bridge_options options() const;
+    [[nodiscard]] bridging::bridge_options options() const;
 };
 
 class bridge_program final : public process, public frame_user {

@@ -156,7 +156,7 @@ TEMPLATE_TEST_CASE("every message with any header and body translates like plain
 }
 
 TEST_CASE("delivery refuses every part of a large data set, and broadcasts that name no slave") {
-    using delivery = bridge::delivery<translation::seed_table>;
+    using delivery = bridging::delivery<translation::seed_table>;
     for (const auto& type : messages::all())
         for (const auto& [flag, ul_ext] : plain::flags)
             for (const unsigned node : {0u, 1u, 254u, 255u}) {

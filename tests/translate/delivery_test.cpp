@@ -9,19 +9,20 @@ using translate::errc;
 
 namespace {
 
-using seed_delivery = bridge::delivery<translation::seed_table>;
-using self_contained_delivery = bridge::delivery<translation::self_contained_table>;
+using seed_delivery = bridging::delivery<translation::seed_table>;
+using self_contained_delivery = bridging::delivery<translation::self_contained_table>;
 
 /// Who the sample's slave is, and somebody else at the same station.
-constexpr bridge::slave_identity addressee{.subsystem = 1, .station = 2, .instance = 5};
-constexpr bridge::slave_identity stranger{.subsystem = 200, .station = 2, .instance = 100};
+constexpr bridging::slave_identity addressee{.subsystem = 1, .station = 2, .instance = 5};
+constexpr bridging::slave_identity stranger{.subsystem = 200, .station = 2, .instance = 100};
 
-template <class Delivery> outcome message_of(const bridge::object_access& object, const bridge::slave_identity& self) {
+template <class Delivery>
+outcome message_of(const bridging::object_access& object, const bridging::slave_identity& self) {
     std::vector<std::byte> out(Delivery::translator::max_message_size);
     const auto result = Delivery::message_of(object, self, out);
     return outcome_of(result, std::move(out));
 }
-template <class Delivery> outcome delivered(std::span<const std::byte> message, const bridge::slave_identity& self) {
+template <class Delivery> outcome delivered(std::span<const std::byte> message, const bridging::slave_identity& self) {
     const auto packet = to_packet<typename Delivery::translator>(message).bytes;
     return message_of<Delivery>(Delivery::object_of(packet), self);
 }
@@ -79,7 +80,7 @@ TEST_CASE("under the seed table the data flag is not sent, so a message with one
 
 TEST_CASE("under the self-contained table every slave restores every message") {
     for (const unsigned flag : {0u, 1u, 2u, 4u, 8u})
-        for (const auto& self : {addressee, stranger, bridge::slave_identity{}}) {
+        for (const auto& self : {addressee, stranger, bridging::slave_identity{}}) {
             const auto message = with_flag(flag);
             CHECK(to_hex(delivered<self_contained_delivery>(message, self).bytes) == to_hex(message));
         }

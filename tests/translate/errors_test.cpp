@@ -225,7 +225,7 @@ TEMPLATE_TEST_CASE("the caller's value for a field of the table is overwritten",
 
 TEMPLATE_TEST_CASE("a part of a large data set is not delivered to a slave", "", translation::seed_table,
                    translation::self_contained_table) {
-    using delivery = bridge::delivery<TestType>;
+    using delivery = bridging::delivery<TestType>;
     for (const auto flag : {jaus::data_flag::first, jaus::data_flag::middle, jaus::data_flag::repeated,
                             jaus::data_flag::last, static_cast<jaus::data_flag>(3)})
         CHECK(delivery::deliverable({.destination = {.node = 2}, .data_flag = flag}) == errc::fragment_to_slave);
@@ -233,7 +233,7 @@ TEMPLATE_TEST_CASE("a part of a large data set is not delivered to a slave", "",
 
 TEMPLATE_TEST_CASE("a message to every node or to none names no slave", "", translation::seed_table,
                    translation::self_contained_table) {
-    using delivery = bridge::delivery<TestType>;
+    using delivery = bridging::delivery<TestType>;
     CHECK(delivery::deliverable({.destination = {.node = 0}}) == errc::broadcast_names_no_slave);
     CHECK(delivery::deliverable({.destination = {.node = 1}}) == errc::ok);
     CHECK(delivery::deliverable({.destination = {.component = 255, .node = 254, .subsystem = 255}}) == errc::ok);

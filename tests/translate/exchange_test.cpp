@@ -9,7 +9,7 @@
 
 using namespace jauscat;
 using namespace jauscat::test;
-using bridge::exchange_progress;
+using bridging::exchange_progress;
 using hilscher::packet_status;
 using translate::errc;
 
@@ -17,7 +17,7 @@ namespace {
 
 using bytes = std::vector<std::byte>;
 
-constexpr bridge::slave_identity arm{.subsystem = 1, .station = 2, .instance = 5};
+constexpr bridging::slave_identity arm{.subsystem = 1, .station = 2, .instance = 5};
 
 /// What a step led to, and the bytes it made.
 struct step {
@@ -27,10 +27,10 @@ struct step {
 
 /// An exchange with its buffer.
 template <class Table> struct conversation {
-    bridge::packet_exchange<Table> exchange{arm};
-    bytes buffer = bytes(bridge::packet_exchange<Table>::buffer_size);
+    bridging::packet_exchange<Table> exchange{arm};
+    bytes buffer = bytes(bridging::packet_exchange<Table>::buffer_size);
 
-    step made(bridge::exchange_step s) {
+    step made(bridging::exchange_step s) {
         return {s.what, {buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(s.size)}};
     }
     step begin(std::span<const std::byte> message, const packet& given = {}) {

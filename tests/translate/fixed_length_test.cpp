@@ -231,7 +231,7 @@ TEMPLATE_TEST_CASE("every valid message fits its fixed object unless no packet c
 }
 
 TEST_CASE("a slave restores the message from a fixed object") {
-    using delivery = bridge::delivery<fixed_seed_table>;
+    using delivery = bridging::delivery<fixed_seed_table>;
     const auto object = delivery::object_of(one_effort_seed);
     CHECK(object.index == 6933);
     CHECK(object.subindex == 26);

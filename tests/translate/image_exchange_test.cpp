@@ -11,7 +11,8 @@ using support::instant;
 
 namespace {
 
-using exchange = bridge::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
+using exchange =
+    bridging::image_exchange<translation::set_wrench_effort_table, translation::report_wrench_effort_table>;
 
 struct robot {
     exchange mine{{.subsystem = 2, .station = 7}, 33, 10ms};

@@ -10,8 +10,8 @@
 
 using namespace jauscat;
 using namespace jauscat::test;
-using bridge::object_list;
-using bridge::sub_object;
+using bridging::object_list;
+using bridging::sub_object;
 
 namespace {
 
@@ -92,7 +92,7 @@ TEST_CASE("a list may be given by messages, and be empty") {
 }
 
 TEST_CASE("the type-erased description has the same content, and finds a subobject") {
-    const bridge::object_description& object = object_list<translation::seed_table, 33, wrench_efforts>::description;
+    const bridging::object_description& object = object_list<translation::seed_table, 33, wrench_efforts>::description;
     CHECK(object.index == 6933);
     CHECK(object.component == 33);
     CHECK(object.name == "component 33");

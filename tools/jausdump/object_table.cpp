@@ -8,7 +8,7 @@ namespace jausdump {
 
 namespace {
 
-namespace bridge = jauscat::bridge;
+namespace bridging = jauscat::bridging;
 namespace translate = jauscat::translate;
 namespace translation_tables = jauscat::translation;
 
@@ -24,10 +24,10 @@ std::uint8_t node_of(const slave_address& slave) {
 
 template <class Table>
 object_message translated(const object_transfer& object, std::span<const std::byte> data, const object_table& how) {
-    using delivery = bridge::delivery<Table>;
+    using delivery = bridging::delivery<Table>;
     object_message message{.bytes = std::vector<std::byte>(delivery::translator::max_message_size)};
     const auto node = node_of(object.slave);
-    const bridge::object_access access{
+    const bridging::object_access access{
         .station = node,
         .index = static_cast<std::uint16_t>(translation_tables::seed_index_base + component_of(object, how)),
         .subindex = object.subindex,

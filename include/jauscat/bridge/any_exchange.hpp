@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// See packet_exchange. A ring is compiled once for all tables.
 class any_exchange {
@@ -34,9 +34,9 @@ template <class Table> class exchange_under final : public any_exchange {
     [[nodiscard]] translate::errc error() const override { return exchange_.error(); }
 
   private:
-    using packet_exchange = bridge::packet_exchange<Table>;
+    using packet_exchange = bridging::packet_exchange<Table>;
     static_assert(packet_exchange::buffer_size <= buffer_size);
     packet_exchange exchange_;
 };
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

@@ -10,13 +10,13 @@
 #include <chrono>
 #include <cstdint>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// A slave that components stand in front of.
 struct slave_options {
-    std::uint16_t position{};  ///< in the ring, from 0
-    slave_identity identity{}; ///< subsystem, station address = JAUS node, instance
-    bool cyclic{};             ///< runs in OP: what fits its process data goes by them
+    std::uint16_t position{};            ///< in the ring, from 0
+    slave_identity identity{};           ///< subsystem, station address = JAUS node, instance
+    bool cyclic{};                       ///< runs in OP: what fits its process data goes by them
     ethercat::identity_check expected{}; ///< another slave is not brought up
 };
 
@@ -67,4 +67,4 @@ inline constexpr std::chrono::milliseconds at_rest_in_cycles{100};
             .control_timeout = limit * 7 / 10};
 }
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

@@ -15,7 +15,7 @@
 #include <span>
 #include <utility>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// Bits of the secondary status code in Report Component Status.
 namespace secondary_status {
@@ -281,4 +281,4 @@ class component {
     jaus::component<> core_;
 };
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

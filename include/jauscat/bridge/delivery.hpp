@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// JAUS identity of a slave. Fills in the header fields that a table does not carry in the data.
 struct slave_identity {
@@ -79,4 +79,4 @@ template <class Table> struct delivery {
     }
 };
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

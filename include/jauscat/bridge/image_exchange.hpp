@@ -19,7 +19,7 @@
 #include <limits>
 #include <span>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// One component of a slave with `CommandTable`, an image_table into its outputs that counts commands, and
 /// `ReportTable`, one for its inputs, whose field at `CountIn` repeats the counter; by default the same as in the
@@ -160,4 +160,4 @@ class image_exchange {
     std::size_t waiting_{};
 };
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

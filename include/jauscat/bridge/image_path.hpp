@@ -3,7 +3,7 @@
 #include <jauscat/bridge/image_exchange.hpp>
 #include <jauscat/schema/translation/wrench_effort_image.hpp>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// Messages carried by process data: `command_table` into the outputs, `report_table` from the inputs, `query` requests
 /// the report, `component` is their JAUS component ID.
@@ -14,4 +14,4 @@ struct wrench_effort_path {
     static constexpr std::uint8_t component = 33; // Primitive Driver
 };
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

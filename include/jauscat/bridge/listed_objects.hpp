@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// Which sizes an object takes and gives.
 enum class size_rule : std::uint8_t {
@@ -115,4 +115,4 @@ class listed_objects {
     size_rule sizes_;
 };
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <span>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// Puts large data sets together, `Places` at a time and each of at most `MaxBody` bytes of body: a translator's
 /// `max_body`, under the seed table 1532, or hilscher::max_sdo_data, which none exceeds. Holds its own memory, about 14
@@ -52,4 +52,4 @@ template <std::size_t MaxBody, std::size_t Places = 4> class message_assembly {
     jaus::reassembler large_;
 };
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

@@ -12,7 +12,7 @@
 #include <span>
 #include <string_view>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// Result of a creation packet, from its confirmation.
 enum class creation_errc : std::uint8_t {
@@ -143,4 +143,4 @@ class object_creation {
     hilscher::packet_header given_;
 };
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

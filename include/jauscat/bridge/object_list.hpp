@@ -12,7 +12,7 @@
 #include <span>
 #include <string_view>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// ETG data type of every subobject: OCTET_STRING.
 inline constexpr std::uint16_t octet_string_type = 0x000A;
@@ -127,4 +127,4 @@ template <class Table, std::uint8_t Component, template <class...> class List, c
 requires(!wire::message<List<Messages...>>)
 struct object_list<Table, Component, List<Messages...>> : object_list<Table, Component, Messages...> {};
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <span>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 class component;
 class slave_front;
@@ -62,8 +62,8 @@ enum class stop_cause : std::uint8_t {
 
 /// The functions that a bridge calls on events: see jaus::hook. All may be left out; none may call the bridge.
 ///
-///     const auto lost = [&](const bridge::slave_front&, bridge::loss, const ethercat::master_error&) { ... };
-///     const bridge::observer watcher{.slave_lost = lost};
+///     const auto lost = [&](const bridging::slave_front&, bridging::loss, const ethercat::master_error&) { ... };
+///     const bridging::observer watcher{.slave_lost = lost};
 struct observer {
     /// The slave answers; not `ready` while its process data are being set up.
     jaus::hook<void(const slave_front& slave, const ethercat::slave_record& record, bool ready)> slave_up{};
@@ -97,4 +97,4 @@ struct observer {
     jaus::hook<void(const component& unit, const jaus::header& message, const refusal_reason& why)> refused{};
 };
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

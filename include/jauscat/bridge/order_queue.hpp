@@ -11,7 +11,7 @@
 #include <optional>
 #include <span>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 class component;
 
@@ -136,4 +136,4 @@ class order_queue {
     std::uint64_t last_number_{};
 };
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// State of an exchange after a step.
 enum class exchange_progress : std::uint8_t {
@@ -40,7 +40,7 @@ struct exchange_step {
 /// fields; the slave prepares the report, and an SDO upload of the report's subindex returns it.
 template <class Table> class packet_exchange {
   public:
-    using delivery = bridge::delivery<Table>;
+    using delivery = bridging::delivery<Table>;
     using translator = typename delivery::translator;
     using packet = typename delivery::packet;
     /// Bytes of buffer that every step can do with: the largest packet or message.
@@ -173,4 +173,4 @@ template <class Table> class packet_exchange {
     exchange_progress end_{}; // done or failed, once it is
 };
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// Orders to an actuator.
 enum class stop_order : std::uint8_t {
@@ -101,4 +101,4 @@ class pending_stops {
     time_point next_attempt_ = time_point::min();
 };
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

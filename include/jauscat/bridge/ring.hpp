@@ -16,7 +16,7 @@
 #include <optional>
 #include <span>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// Jobs of others than a ring for its master. One that keeps a stop order waiting is cancelled: its error is then
 /// `timeout`.
@@ -50,7 +50,8 @@ template <class Image = wrench_effort_path> class basic_ring {
         return true;
     }
 
-    /// Jobs of others. Those that reset slaves of this ring (scan, bring_up, change_state) end their work as a loss does.
+    /// Jobs of others. Those that reset slaves of this ring (scan, bring_up, change_state) end their work as a loss
+    /// does.
     void share(const shared_jobs& others) noexcept { shared_ = others; }
     /// Cancels the job of others that runs, with the error `timeout`; it ends in the next turn. False: there is none.
     bool cancel_shared() noexcept {
@@ -277,7 +278,8 @@ template <class Image = wrench_effort_path> class basic_ring {
     bool begin_bring_up(place& at) {
         if (!is_cleared_) return begin_job(at, work::scan, ethercat::scan{});
         const auto& slave = at.front->options();
-        return begin_job(at, work::bring_up, ethercat::bring_up{slave.position, slave.identity.station, slave.expected});
+        return begin_job(at, work::bring_up,
+                         ethercat::bring_up{slave.position, slave.identity.station, slave.expected});
     }
     // Nothing that moves the actuator goes before a stop order that it has not confirmed.
     [[nodiscard]] static bool is_held_back(const order& each) noexcept {
@@ -777,4 +779,4 @@ template <class Image = wrench_effort_path> class basic_ring {
 /// With wrench efforts by process data.
 using ring = basic_ring<>;
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <span>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// Components that one slave can have.
 inline constexpr std::size_t component_capacity = 8;
@@ -65,4 +65,4 @@ class slave_front {
     jaus::hook<void()> wake_{};
 };
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

@@ -15,7 +15,7 @@
 #include <optional>
 #include <span>
 
-namespace jauscat::bridge {
+namespace jauscat::bridging {
 
 /// Commands that set what an actuator does from now on, so that a newer one of the same sender replaces one that has
 /// not been executed. Waypoints, path segments and motions with a number are not among them: each of those counts.
@@ -82,4 +82,4 @@ merge_fields(std::span<const std::byte> older, std::span<const std::byte> newer,
     }
 }
 
-} // namespace jauscat::bridge
+} // namespace jauscat::bridging

@@ -23,12 +23,12 @@
 namespace jauscat::esi {
 
 /// Converts an ESI description to the arguments of `ethercat::slave`, `ethercat::standard_objects`,
-/// `ethercat::mapped_objects` and `bridge::listed_objects`. Must outlive them.
+/// `ethercat::mapped_objects` and `bridging::listed_objects`. Must outlive them.
 ///
 ///     const auto described = esi::read_esi("arm.xml");
 ///     if (!described) return std::cerr << describe(described.error()) << '\n', 1;
 ///     esi::emulated_device device{*described};
-///     bridge::listed_objects listed{device.components(), application};
+///     bridging::listed_objects listed{device.components(), application};
 ///     ethercat::mapped_objects mapped{device.description(), listed};
 ///     ethercat::standard_objects objects{device.description(), mapped};
 ///     std::vector<std::byte> memory(device.transfer_size());
@@ -71,10 +71,10 @@ class emulated_device {
     /// Identity, mailbox and process data of the emulated slave.
     [[nodiscard]] const ethercat::slave_description& description() const noexcept { return description_; }
     /// The objects of JAUS components.
-    [[nodiscard]] std::span<const bridge::object_description> components() const noexcept { return components_; }
+    [[nodiscard]] std::span<const bridging::object_description> components() const noexcept { return components_; }
     /// Bytes of the largest object, for segmented transfers; 0 for a device without them.
     [[nodiscard]] std::size_t transfer_size() const noexcept {
-        return device_.coe.segmented_sdo ? bridge::largest_subobject(components_) : 0;
+        return device_.coe.segmented_sdo ? bridging::largest_subobject(components_) : 0;
     }
 
   private:
@@ -175,8 +175,8 @@ class emulated_device {
     std::vector<ethercat::pdo_entry> outputs_{}, inputs_{};
     std::string hardware_{}, software_{};
     ethercat::slave_description description_{};
-    std::deque<std::vector<bridge::sub_object>> entries_{}; // components_ refers to them
-    std::vector<bridge::object_description> components_{};
+    std::deque<std::vector<bridging::sub_object>> entries_{}; // components_ refers to them
+    std::vector<bridging::object_description> components_{};
 };
 
 } // namespace jauscat::esi

@@ -109,7 +109,7 @@ inline std::vector<pdo> describe_pdo(std::uint16_t index, const char* name, std:
     return {made};
 }
 
-inline object describe_component(const bridge::object_description& component) {
+inline object describe_component(const bridging::object_description& component) {
     object made{.index = component.index, .name = std::string{component.name}, .code = object_code::record};
     made.properties.push_back({std::string{property_names::component}, std::to_string(component.component)});
     if (component.exact_size) made.properties.push_back({std::string{property_names::exact_size}, "true"});
@@ -157,7 +157,7 @@ inline void describe_process_data(device& made, const ethercat::slave_descriptio
 /// Describes the emulated slave of that description, with standard_objects and the objects in `components`.
 /// `segmented_sdo`: it has memory for segmented transfers (`coe_options::transfer_memory`).
 inline device make_device(const ethercat::slave_description& slave, const device_texts& texts,
-                          std::span<const bridge::object_description> components, bool segmented_sdo) {
+                          std::span<const bridging::object_description> components, bool segmented_sdo) {
     // Both kinds of objects describe themselves.
     const auto image = ethercat::make_sii_image(slave, {.sdo_information = true, .complete_access = true});
     device made{.vendor_id = slave.vendor,

@@ -93,7 +93,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
         return {.clear_subindex_0 = options_.clear_subindex_0};
     }
     [[nodiscard]] std::span<std::byte> memory() noexcept { return memory_; }
-    [[nodiscard]] bridge::ring& ring() noexcept { return *ring_; }
+    [[nodiscard]] bridging::ring& ring() noexcept { return *ring_; }
     [[nodiscard]] std::vector<bus_slave>& slaves() noexcept { return slaves_; }
     void note_lost(bus_slave& slave, error_code why);
     void note_found(bus_slave& slave);
@@ -123,14 +123,14 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     void look_at_link();
     void abort_all(error_code why);
     /// Calls a function of the application from the io_context, unless the bus has ended by then.
-    template <class F, class... Arguments> void call_later(F bus_state::*function, Arguments... arguments);
+    template <class F, class... Arguments> void call_later(F bus_state::* function, Arguments... arguments);
 
     boost::asio::io_context& context_;
     std::string where_;
     bus_options options_;
     std::unique_ptr<net::any_link> link_;
-    bridge::bridge_options timing_{};
-    std::unique_ptr<bridge::ring> ring_{};
+    bridging::bridge_options timing_{};
+    std::unique_ptr<bridging::ring> ring_{};
     ring_output output_{};
     std::optional<net::detail::wake_timer> timer_{};
     std::optional<net::ring_runner<net::any_link>> runner_{};

@@ -94,8 +94,7 @@ class slave_identification {
                                                    ethercat::esc_registers::station_alias.address, alias_})
                 .has_value();
         case step::name:
-            return master
-                .start(ethercat::upload{station, ethercat::standard_indices::device_name, 0, bus.memory()})
+            return master.start(ethercat::upload{station, ethercat::standard_indices::device_name, 0, bus.memory()})
                 .has_value();
         case step::done: break;
         }
@@ -375,8 +374,8 @@ class change_job final : public bus_job {
     std::uint16_t position_{};
 };
 
-inline bridge::bridge_options timing_of(const bus_options& options) {
-    bridge::bridge_options timing{};
+inline bridging::bridge_options timing_of(const bus_options& options) {
+    bridging::bridge_options timing{};
     timing.master = {.frame_timeout = options.frame_timeout,
                      .frames_may_be_copied = options.frames_may_be_copied,
                      .retries = options.frame_retries};
@@ -404,8 +403,7 @@ JAUSCAT_DECL void bus_state::log(std::string_view line) const {
     }
 }
 
-template <class F, class... Arguments>
-void bus_state::call_later(F bus_state::*function, Arguments... arguments) {
+template <class F, class... Arguments> void bus_state::call_later(F bus_state::* function, Arguments... arguments) {
     if (!(this->*function)) return;
     boost::asio::post(context_, [weak = weak_from_this(), function, arguments...] {
         const auto self = weak.lock();
@@ -418,7 +416,7 @@ void bus_state::call_later(F bus_state::*function, Arguments... arguments) {
 
 JAUSCAT_DECL void bus_state::open() {
     if (runner_) return;
-    ring_ = std::make_unique<bridge::ring>(timing_);
+    ring_ = std::make_unique<bridging::ring>(timing_);
     ring_->share({.begin = jaus::bound<&bus_state::begin_job>(*this), .done = jaus::bound<&bus_state::end_job>(*this)});
     runner_.emplace(context_, *link_, *ring_, output_);
     runner_->after_turn = [this] {
@@ -493,7 +491,8 @@ JAUSCAT_DECL void bus_state::look_at_time() {
     }
     if (options_.check_interval > duration{} && is_started_ && !current_)
         for (const auto& each : slaves_)
-            if (!each.info.is_served) next = std::min(next, std::max(each.next_look, now + std::chrono::milliseconds{1}));
+            if (!each.info.is_served)
+                next = std::min(next, std::max(each.next_look, now + std::chrono::milliseconds{1}));
     if (next != time_point::max()) timer_->arm(next);
 }
 

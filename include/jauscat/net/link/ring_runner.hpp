@@ -37,7 +37,7 @@ concept descriptor_link = ethercat::link<L> && requires(L& medium) {
 template <class Link> class ring_runner {
   public:
     /// `out`: sink for the JAUS messages of the ring.
-    ring_runner(boost::asio::io_context& context, Link& link, bridge::ring& ring, jaus::message_sink out)
+    ring_runner(boost::asio::io_context& context, Link& link, bridging::ring& ring, jaus::message_sink out)
         : link_{link}, ring_{ring}, out_{out}, frames_{context, handle_of(link)}, timer_{context, [this] {
                                                                                              on_time();
                                                                                          }} {}
@@ -112,7 +112,7 @@ template <class Link> class ring_runner {
     static constexpr duration silence = std::chrono::milliseconds{50};
 
     Link& link_;
-    bridge::ring& ring_;
+    bridging::ring& ring_;
     jaus::message_sink out_;
     boost::asio::posix::stream_descriptor frames_;
     detail::wake_timer timer_;

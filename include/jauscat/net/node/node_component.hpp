@@ -30,7 +30,7 @@ concept takes_component_message = requires(C& component, const jaus::header& hea
 
 } // namespace detail
 
-/// A component for a node: a jaus::component, a bridge::component, or an object in front of one. Needed:
+/// A component for a node: a jaus::component, a bridging::component, or an object in front of one. Needed:
 /// - `self() const` returns its jaus::address.
 /// - `on_message(head, body, now, out, application)` returns a jaus::component_outcome; see jaus::component. What the
 ///   component leaves goes to `application`, a jaus::component_application of any type.
