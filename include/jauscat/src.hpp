@@ -4,6 +4,8 @@
 #ifndef JAUSCAT_SEPARATE_COMPILATION
 #    error "define JAUSCAT_SEPARATE_COMPILATION for all sources of the program, or do not include <jauscat/src.hpp>"
 #endif
+#include <jauscat/app/impl/bridge.ipp>
+#include <jauscat/app/impl/bridge_state.ipp>
 #include <jauscat/app/impl/bus.ipp>
 #include <jauscat/app/impl/bus_error.ipp>
 #include <jauscat/app/impl/bus_state.ipp>

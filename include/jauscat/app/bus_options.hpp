@@ -15,7 +15,7 @@ inline namespace JAUSCAT_WAY {
 
 /// All options have defaults.
 struct bus_options {
-    duration timeout{std::chrono::seconds{5}};        ///< of an operation, with the time that it waits for others
+    duration timeout{std::chrono::seconds{5}};        ///< of an operation, once it has begun
     duration start_timeout{std::chrono::seconds{30}}; ///< of async_start
     /// Each slave's state is read so often, and its emergencies are collected. 0: never. Slaves of a bridge are watched
     /// as its options say.
@@ -38,6 +38,8 @@ struct required_identity {
     std::optional<std::uint32_t> product{};
     std::optional<std::uint32_t> revision{};
     std::optional<std::uint32_t> serial{};
+
+    friend bool operator==(const required_identity&, const required_identity&) = default;
 };
 
 /// A slave by its position, alias, name or identity: it is as all that is given requires.
@@ -46,6 +48,8 @@ struct slave_choice {
     std::optional<std::uint16_t> alias{};    ///< configured station alias, 1 to 65535
     std::string name{};                      ///< device name, object 1008h
     required_identity identity{};
+
+    friend bool operator==(const slave_choice&, const slave_choice&) = default;
 };
 
 /// What a bus knows of a slave.

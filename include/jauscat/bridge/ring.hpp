@@ -43,11 +43,36 @@ template <class Image = wrench_effort_path> class basic_ring {
     basic_ring(const basic_ring&) = delete;
     basic_ring& operator=(const basic_ring&) = delete;
 
-    /// Adds a slave of this link, before the first frame. It must outlive the ring. False if the ring is full.
+    /// Adds a slave of this link, not from within a turn. It must outlive the ring, or be removed. False if the ring is
+    /// full.
     [[nodiscard]] bool add(slave_front& front) noexcept {
         if (place_count_ == places_.size()) return false;
+        places_[place_count_] = {};
         places_[place_count_++].front = &front;
         return true;
+    }
+    /// Removes a slave, not from within a turn: it is left as it is. Bring it to rest before, see `shut_down`.
+    void remove(const slave_front& front, time_point now) {
+        const auto found = std::ranges::find(places(), &front, &place::front);
+        if (found == places().end()) return;
+        place* const gone = &*found;
+        if (work_ != work::none && work_ != work::shared && served_ == gone) {
+            master_.cancel(ethercat::master_errc::timeout);
+            work_ = work::none;
+            job_.reset();
+        } else if (served_ > gone) {
+            --served_;
+        }
+        std::move(found + 1, places().end(), found);
+        --place_count_;
+        last_served_ = 0;
+        rebuild_process_data(now);
+    }
+    /// The options have changed.
+    void apply_options() {
+        auto config = options_.master;
+        config.logical_base = logical_base_;
+        master_.set_config(config);
     }
 
     /// Jobs of others. Those that reset slaves of this ring (scan, bring_up, change_state) end their work as a loss

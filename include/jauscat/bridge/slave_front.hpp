@@ -34,6 +34,12 @@ class slave_front {
     [[nodiscard]] bool up() const noexcept { return up_; }
     void set_up(bool up) noexcept { up_ = up; }
 
+    /// Where the slave was found, before the ring has the front.
+    void place_at(std::uint16_t position, const ethercat::identity_check& expected) noexcept {
+        options_.position = position;
+        options_.expected = expected;
+    }
+
     [[nodiscard]] any_exchange& exchange() const noexcept { return exchange_; }
     [[nodiscard]] const observer& watcher() const noexcept { return watcher_; }
     [[nodiscard]] order_queue& orders() noexcept { return orders_; }

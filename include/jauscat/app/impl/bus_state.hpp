@@ -38,7 +38,23 @@ class bus_job {
     [[nodiscard]] virtual bool is_over() const = 0;
     virtual void fail(error_code why) = 0;
 
-    time_point due{time_point::max()}; ///< it may take so long
+    duration limit{};                  ///< it may take so long
+    time_point due{time_point::max()}; ///< since it has begun
+};
+
+/// A bridge: it serves a slave of the bus.
+class bus_user {
+  public:
+    bus_user() = default;
+    virtual ~bus_user() = default;
+    bus_user(const bus_user&) = delete;
+    bus_user& operator=(const bus_user&) = delete;
+
+    [[nodiscard]] virtual bridging::slave_front& front() noexcept = 0;
+    /// A message of one of its components.
+    virtual void send(std::span<const std::byte> message) = 0;
+    /// The bus does not serve the slave any more.
+    virtual void bus_ends() noexcept = 0;
 };
 
 /// A slave that was found.
@@ -76,6 +92,23 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     /// The handle has gone: nothing is started any more.
     void close() noexcept;
 
+    // For bridges.
+
+    /// False if another bridge has set other times. They are kept until all have released them.
+    [[nodiscard]] bool set_timing(bridging::bridge_options timing);
+    void release_timing() noexcept { --timed_; }
+    [[nodiscard]] const bridging::bridge_options& timing() const noexcept { return timing_; }
+    /// Serves the slave of the user's front from now on; empty, or why not.
+    [[nodiscard]] std::string join(bus_user& user);
+    void leave(const bus_user& user) noexcept;
+    /// Shuts the components down. Waits for at most 0.7 s until the slave has confirmed that it is at rest; false if it
+    /// has not.
+    bool bring_to_rest(bus_user& user);
+    void note_served(bus_user& user, const ethercat::slave_record& record);
+    void note_served_lost(bus_user& user, error_code why);
+    [[nodiscard]] bool is_serving() const noexcept { return !users_.empty(); }
+    [[nodiscard]] bus_user* user_at(std::uint16_t position) noexcept;
+
     [[nodiscard]] boost::asio::io_context& context() noexcept { return context_; }
     [[nodiscard]] std::vector<slave_info> infos() const;
     /// Nullptr and the error where none, or several, are as required.
@@ -109,13 +142,15 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
   private:
     /// Messages of the ring, to the node of their source.
     struct ring_output {
-        void operator()(std::span<const std::byte>) const {}
+        bus_state& of;
+        void operator()(std::span<const std::byte> message) const { of.send(message); }
     };
 
     template <class... Results, class Make, class Take>
     void ask(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take);
     void add(std::unique_ptr<bus_job> job, duration limit);
     void open();
+    void send(std::span<const std::byte> message);
     bool begin_job(ethercat::master& master);
     void end_job(ethercat::master& master);
     std::unique_ptr<bus_job> next_job(time_point now);
@@ -131,7 +166,9 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     std::unique_ptr<net::any_link> link_;
     bridging::bridge_options timing_{};
     std::unique_ptr<bridging::ring> ring_{};
-    ring_output output_{};
+    ring_output output_{*this};
+    std::vector<bus_user*> users_{};
+    unsigned timed_{}; ///< bridges
     std::optional<net::detail::wake_timer> timer_{};
     std::optional<net::ring_runner<net::any_link>> runner_{};
     std::vector<std::byte> memory_;

@@ -1,5 +1,6 @@
 // The functions of bus_state, and its jobs.
 #pragma once
+#include <jauscat/app/impl/bus_error.ipp>
 #include <jauscat/app/impl/bus_state.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
@@ -71,6 +72,17 @@ inline std::string name_of(const slave_info& slave) {
     return name;
 }
 
+inline void identify(bus_slave& slave, const ethercat::slave_record& record) noexcept {
+    auto& info = slave.info;
+    info.station = record.station;
+    info.vendor = record.identity.vendor;
+    info.product = record.identity.product;
+    info.revision = record.identity.revision;
+    info.serial = record.identity.serial;
+    info.has_objects = record.mailbox.coe && record.mailbox.receive_size != 0;
+    slave.is_identified = true;
+}
+
 /// Brings a slave up and reads its alias and its name.
 class slave_identification {
   public:
@@ -82,6 +94,9 @@ class slave_identification {
         found.info.position = position;
         found.info.station = static_cast<std::uint16_t>(first_station + position);
     }
+
+    /// Of one that is in PRE-OP or higher already.
+    explicit slave_identification(const bus_slave& known) : found{known}, step_{step::alias} {}
 
     bool begin(bus_state& bus, ethercat::master& master) {
         const auto station = found.info.station;
@@ -125,25 +140,20 @@ class slave_identification {
         }
     }
 
+    enum class step : std::uint8_t { bring_up, alias, name, done };
+
     bus_slave found{};
     error_code error{};
 
   private:
-    enum class step : std::uint8_t { bring_up, alias, name, done };
-
     void take(const ethercat::slave_record& record) {
-        auto& info = found.info;
-        info.vendor = record.identity.vendor;
-        info.product = record.identity.product;
-        info.revision = record.identity.revision;
-        info.serial = record.identity.serial;
-        info.has_objects = record.mailbox.coe && record.mailbox.receive_size != 0;
+        identify(found, record);
         found.al.state = ethercat::al_state::pre_op;
-        found.is_identified = true;
     }
 
-    ethercat::identity_check required_{};
     step step_{};
+
+    ethercat::identity_check required_{};
     std::array<std::byte, 2> alias_{};
 };
 
@@ -153,12 +163,27 @@ class start_job final : public bus_job {
     explicit start_job(operation_ptr<> done) : done_{std::move(done)} {}
 
     bool begin(bus_state& bus, ethercat::master& master) override {
+        is_serving_ = bus.is_serving() && bus.ring().is_cleared(); // a scan would reset its slaves
+        if (!is_counted_ && is_serving_)
+            return master
+                .start(ethercat::exchange_datagram{ethercat::command::brd, 0, ethercat::esc_registers::type.address,
+                                                   type_})
+                .has_value();
         if (!is_counted_) return master.start(ethercat::scan{}).has_value();
         for (;;) {
             if (is_identifying_ && one_.begin(bus, master)) return true;
             if (std::exchange(is_identifying_, false)) keep(bus);
             if (found_.size() == count_) break;
-            one_ = {static_cast<std::uint16_t>(found_.size()), {}};
+            const auto position = static_cast<std::uint16_t>(found_.size());
+            const auto* const known = bus.at(position);
+            if (bus.user_at(position) == nullptr)
+                one_ = {position, {}};
+            else if (known != nullptr && known->is_identified && !known->info.is_lost)
+                one_ = slave_identification{*known};
+            else { // it is brought up by its bridge
+                found_.push_back(known != nullptr ? *known : bus_slave{});
+                continue;
+            }
             is_identifying_ = true;
         }
         bus.slaves() = std::move(found_);
@@ -169,14 +194,12 @@ class start_job final : public bus_job {
     void end(bus_state& bus, ethercat::master& master) override {
         if (is_counted_) return one_.end(bus, master);
         is_counted_ = true;
-        if (const auto counted = master.result<ethercat::scan>(); !counted)
-            fail(error_of(counted.error()));
-        else if (*counted == 0)
-            fail(bus_errc::no_slaves);
-        else if (*counted > ethercat::slave_capacity)
-            fail(bus_errc::too_many_slaves);
-        else
-            count_ = *counted;
+        if (const auto error = error_of(master.error())) return fail(error);
+        const std::size_t counted = is_serving_ ? master.result<ethercat::exchange_datagram>().value_or(0)
+                                                : master.result<ethercat::scan>().value_or(0);
+        if (counted == 0) return fail(bus_errc::no_slaves);
+        if (counted > ethercat::slave_capacity) return fail(bus_errc::too_many_slaves);
+        count_ = counted;
     }
     [[nodiscard]] bool is_over() const override { return done_->is_done(); }
     void fail(error_code why) override { done_->complete(why); }
@@ -194,7 +217,8 @@ class start_job final : public bus_job {
     }
 
     operation_ptr<> done_;
-    bool is_counted_{};
+    bool is_serving_{}, is_counted_{};
+    std::array<std::byte, 1> type_{};
     std::size_t count_{};
     bool is_identifying_{};
     slave_identification one_{};
@@ -433,9 +457,8 @@ JAUSCAT_DECL void bus_state::open() {
 JAUSCAT_DECL void bus_state::add(std::unique_ptr<bus_job> job, duration limit) {
     if (is_closed_) return job->fail(boost::asio::error::operation_aborted);
     open();
-    job->due = deadline{net::now(), limit}.at();
+    job->limit = limit;
     queue_.push_back(std::move(job));
-    timer_->arm(queue_.back()->due);
     runner_->wake()();
 }
 
@@ -469,6 +492,7 @@ JAUSCAT_DECL std::unique_ptr<bus_job> bus_state::next_job(time_point now) {
     if (queue_.empty()) return nullptr;
     auto next = std::move(queue_.front());
     queue_.pop_front();
+    next->due = deadline{now, next->limit}.at();
     return next;
 }
 
@@ -476,19 +500,13 @@ JAUSCAT_DECL void bus_state::look_at_time() {
     if (!runner_) return;
     const auto now = net::now();
     auto next = time_point::max();
-    const auto refuse_late = [&](bus_job& job) {
-        if (job.due <= now) job.fail(bus_errc::timed_out);
-        if (!job.is_over()) next = std::min(next, job.due);
-    };
-    for (const auto& each : queue_) refuse_late(*each);
     std::erase_if(queue_, [](const auto& each) { return each->is_over(); });
-    if (current_) refuse_late(*current_);
+    if (current_ && current_->due <= now) current_->fail(bus_errc::timed_out);
     if (current_ && current_->is_over()) {
-        if (ring_->cancel_shared())
-            runner_->wake()();
-        else
-            current_.reset();
+        if (!ring_->cancel_shared()) current_.reset();
+        runner_->wake()(); // it ends, or the next one begins
     }
+    if (current_) next = current_->due;
     if (options_.check_interval > duration{} && is_started_ && !current_)
         for (const auto& each : slaves_)
             if (!each.info.is_served)
@@ -519,6 +537,13 @@ JAUSCAT_DECL void bus_state::cancel() {
 }
 JAUSCAT_DECL void bus_state::stop() noexcept {
     abort_all(boost::asio::error::operation_aborted);
+    for (auto* const user : users_) {
+        try {
+            if (!bring_to_rest(*user)) log("a slave has not confirmed that it is at rest");
+        } catch (...) { // of the application's log
+        }
+    }
+    for (auto* const user : std::exchange(users_, {})) user->bus_ends();
     current_.reset();
     if (runner_) runner_->stop();
     runner_.reset();
@@ -545,7 +570,9 @@ JAUSCAT_DECL std::vector<slave_info> bus_state::infos() const {
     return all;
 }
 JAUSCAT_DECL bus_slave* bus_state::at(std::uint16_t position) {
-    return position < slaves_.size() ? &slaves_[position] : nullptr;
+    const auto found =
+        std::ranges::find_if(slaves_, [=](const bus_slave& each) { return each.info.position == position; });
+    return found == slaves_.end() ? nullptr : &*found;
 }
 JAUSCAT_DECL bus_slave* bus_state::find(const slave_choice& which, error_code& error) {
     const auto is_same = [](const auto& required, auto value) { return !required || *required == value; };
@@ -617,6 +644,104 @@ JAUSCAT_DECL void bus_state::note_emergencies(bus_slave& slave, ethercat::master
     }
     if (record->emergencies.overflow()) log(name_of(slave.info) + " has reported more emergencies than are kept");
     master.clear_emergencies(slave.info.station);
+}
+
+// ---- Bridges.
+
+JAUSCAT_DECL bool bus_state::set_timing(bridging::bridge_options timing) {
+    const auto common = timing_of(options_);
+    timing.master.frame_timeout = common.master.frame_timeout;
+    timing.master.frames_may_be_copied = common.master.frames_may_be_copied;
+    timing.master.retries = common.master.retries;
+    timing.download = common.download;
+    if (timed_ != 0 && (timing.period != timing_.period || timing.watchdog != timing_.watchdog)) return false;
+    ++timed_;
+    timing_ = timing;
+    if (ring_) ring_->apply_options();
+    return true;
+}
+
+JAUSCAT_DECL std::string bus_state::join(bus_user& user) {
+    if (is_closed_) return "the bus has ended";
+    auto& front = user.front();
+    const auto position = front.options().position;
+    if (user_at(position) != nullptr) return "another bridge serves it";
+    for (auto* const other : users_)
+        if (other->front().station() == front.station()) return "a node can serve one slave of a bus";
+    open();
+    if (!ring_->add(front)) return "the bus has 16 slaves already";
+    users_.push_back(&user);
+    auto* slave = at(position);
+    if (slave == nullptr) {
+        slave = &slaves_.emplace_back();
+        slave->info.position = position;
+        std::ranges::sort(slaves_, {}, [](const bus_slave& each) { return each.info.position; });
+        slave = at(position);
+    }
+    slave->info.station = front.station();
+    slave->info.is_served = slave->info.is_lost = true;
+    front.on_work(runner_->wake());
+    runner_->wake()();
+    return {};
+}
+JAUSCAT_DECL void bus_state::leave(const bus_user& user) noexcept {
+    const auto found = std::ranges::find(users_, &user);
+    if (found == users_.end()) return;
+    auto& front = (*found)->front();
+    users_.erase(found);
+    front.on_work({});
+    ring_->remove(front, net::now());
+    if (auto* const slave = at(front.options().position)) slave->info.is_served = false; // it is watched from now on
+}
+JAUSCAT_DECL bus_user* bus_state::user_at(std::uint16_t position) noexcept {
+    const auto found =
+        std::ranges::find_if(users_, [=](bus_user* each) { return each->front().options().position == position; });
+    return found == users_.end() ? nullptr : *found;
+}
+JAUSCAT_DECL void bus_state::send(std::span<const std::byte> message) {
+    const auto node = jaus::split(message).header.source.node;
+    for (auto* const user : users_)
+        if (user->front().station() == node) return user->send(message);
+}
+
+JAUSCAT_DECL bool bus_state::bring_to_rest(bus_user& user) {
+    constexpr duration longest = std::chrono::milliseconds{700}; // Ctrl-C ends a program within a second
+    auto& front = user.front();
+    const bool was_up = front.up();
+    const auto is_at_rest = [&] {
+        return std::ranges::none_of(front.components(),
+                                    [](const auto* unit) { return unit->stops().stop_is_pending(); });
+    };
+    for (auto* const unit : front.components()) unit->shut_down(net::now(), output_);
+    if (!was_up) return true; // there is nothing to wait for
+    std::array<std::byte, ethercat::max_frame_size> frame{};
+    for (const deadline end{net::now(), longest}; !end.is_reached(net::now());) {
+        ring_->on_time(net::now(), output_);
+        while (const auto size = ring_->next_frame(frame, net::now())) {
+            if (link_->send(std::span{frame}.first(size))) continue;
+            ring_->not_sent();
+            ring_->on_time(net::now(), output_);
+        }
+        if (is_at_rest()) return front.up();
+        const auto wake = std::min(ring_->next_event().value_or(end.at()), end.at());
+        const auto size = link_->receive(frame, std::max(wake - net::now(), duration{}));
+        if (size != 0) ring_->on_frame(std::span{frame}.first(size), net::now(), output_);
+    }
+    return false;
+}
+
+JAUSCAT_DECL void bus_state::note_served(bus_user& user, const ethercat::slave_record& record) {
+    auto* const slave = at(user.front().options().position);
+    if (slave == nullptr) return;
+    identify(*slave, record);
+    slave->info.is_lost = false;
+    slave->why = {};
+}
+JAUSCAT_DECL void bus_state::note_served_lost(bus_user& user, error_code why) {
+    auto* const slave = at(user.front().options().position);
+    if (slave == nullptr) return;
+    slave->info.is_lost = true;
+    slave->why = why;
 }
 
 // ---- The operations.

@@ -1,6 +1,7 @@
 // A node behind its handle.
 #pragma once
 #include <jauscat/app/impl/component_state.hpp>
+#include <jauscat/app/impl/node_part.hpp>
 #include <jauscat/app/node_options.hpp>
 #include <jauscat/net/node/jaus_node.hpp>
 
@@ -24,6 +25,9 @@ class node_state {
     void start();
     void stop();
     void add(const std::shared_ptr<component_state>& component);
+    void add(const std::shared_ptr<node_part>& part) { parts_.push_back(part); }
+    /// A component has this ID.
+    [[nodiscard]] bool has(const jaus::address& self) const;
     void log(std::string_view line) const;
     /// Of the component's state machines: its next event may be earlier.
     void wake() { net_.wake(); }
@@ -44,6 +48,7 @@ class node_state {
     std::unique_ptr<boost::asio::io_context> own_context_{};
     boost::asio::io_context* context_;
     std::vector<std::shared_ptr<component_state>> components_{};
+    std::vector<std::shared_ptr<node_part>> parts_{};
     std::size_t added_{}; ///< components that net_ has
     net::jaus_node net_;
     std::optional<boost::asio::signal_set> signals_{};

@@ -68,10 +68,14 @@ JAUSCAT_DECL void node_state::add(const std::shared_ptr<component_state>& compon
         throw std::logic_error{"the component " + net::to_jausip(self) + " is made after the start of its node"};
     if (!jaus::names_one_component(self))
         throw std::invalid_argument{"component ID and instance are 1 to 254, not " + net::to_jausip(self)};
-    const auto is_same = [&](const auto& one) { return one->self() == self && !one->is_closed(); };
-    if (self == net_.manager() || std::ranges::any_of(components_, is_same))
-        throw std::invalid_argument{"the node has a component " + net::to_jausip(self) + " already"};
+    if (has(self)) throw std::invalid_argument{"the node has a component " + net::to_jausip(self) + " already"};
     components_.push_back(component);
+}
+JAUSCAT_DECL bool node_state::has(const jaus::address& self) const {
+    return self == net_.manager() ||
+           std::ranges::any_of(components_,
+                               [&](const auto& one) { return one->self() == self && !one->is_closed(); }) ||
+           std::ranges::any_of(parts_, [&](const auto& one) { return one->has(self); });
 }
 
 JAUSCAT_DECL void node_state::start() {
@@ -91,10 +95,12 @@ JAUSCAT_DECL void node_state::start() {
         for (const auto& one : components_) one->stop();
         throw;
     }
+    for (const auto& one : parts_) one->start();
 }
 
 JAUSCAT_DECL void node_state::stop() {
     for (const auto& one : components_) one->stop();
+    for (const auto& one : parts_) one->stop();
     net_.stop();
     if (own_context_) own_context_->stop();
 }

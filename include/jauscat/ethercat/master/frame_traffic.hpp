@@ -28,6 +28,7 @@ class frame_traffic {
     explicit frame_traffic(const master_config& config) noexcept : config_{config} {}
 
     [[nodiscard]] const master_config& config() const noexcept { return config_; }
+    void set_config(const master_config& config) noexcept { config_ = config; }
     [[nodiscard]] const master_statistics& statistics() const noexcept { return statistics_; }
 
     /// Another job begins: nothing was lost in it yet.

@@ -31,6 +31,9 @@ class master {
     /// Idle, and without slaves.
     explicit master(const master_config& config = {}) noexcept : frames_{config} {}
 
+    /// Other times and retries. The logical base stays the same while slaves have process data.
+    void set_config(const master_config& config) noexcept { frames_.set_config(config); }
+
     /// Starts a job. Error: busy, while another one runs, which is not affected.
     template <master_job Job> master_result<> start(const Job& job) noexcept {
         if (!idle()) return master_error{.code = master_errc::busy};

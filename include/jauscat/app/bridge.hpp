@@ -1,0 +1,89 @@
+// JAUS components whose actuators are slaves of an EtherCAT bus.
+#pragma once
+#include <jauscat/app/bridge_options.hpp>
+#include <jauscat/app/bus.hpp>
+#include <jauscat/app/node.hpp>
+#include <jauscat/schema/jaus/core.hpp>
+
+#include <functional>
+#include <memory>
+
+namespace jauscat {
+namespace bridging {
+class any_exchange;
+struct slave_identity;
+} // namespace bridging
+
+inline namespace JAUSCAT_WAY {
+namespace app {
+
+class bridge_state;
+/// Makes the exchange of packets under a translation table. Compiled once for the library's tables; for another one
+/// include <jauscat/app/own_table.hpp>.
+template <class Table> std::unique_ptr<bridging::any_exchange> make_exchange(const bridging::slave_identity& slave);
+using exchange_maker = std::unique_ptr<bridging::any_exchange> (*)(const bridging::slave_identity& slave);
+
+} // namespace app
+
+/// Carries the messages of components to slaves by a translation table, and their reports back.
+///
+///     jauscat::bridge bridge{node, bus, translation::seed_table{}};
+///     bridge.serve({.component = 33}, bus.slave({.position = 0}));
+///     return node.run();
+///
+/// A component serves the core messages (state, control, emergencies, acknowledgement) by itself; the slave has all
+/// others as objects. Its actuator is brought to rest, by a Set Wrench Effort of zeros, when the component leaves Ready,
+/// when its controller is lost, when the slave was away, and when node, bridge or bus end; in an emergency the slave
+/// gets Set Emergency. A stop order overtakes all else and is repeated until the slave confirms it. While the slave
+/// does not answer, the component is in Failure; docs/safety.md has the contract. Losses, refused stop orders and
+/// emergencies are logged by the node and called back.
+///
+/// The bridge works while its node runs. The slave has the number of the node as its station address; so a node can
+/// have one slave on a bus, with up to 8 components. For more slaves on a bus give each a node and a bridge of its own;
+/// all bridges of a bus share its master, and have the same options.
+class bridge {
+  public:
+    /// Node and bus have the same io_context. Throws `std::invalid_argument` for another one, for options out of range,
+    /// and for options that differ from those of another bridge of the bus.
+    template <class Table>
+    bridge(node& of, bus& on, const Table&, const bridge_options& options = {})
+        : bridge{of, on, &app::make_exchange<Table>, options} {}
+    /// Brings its actuators to rest, for at most 0.7 s.
+    JAUSCAT_DECL ~bridge();
+    bridge(const bridge&) = delete;
+    bridge& operator=(const bridge&) = delete;
+
+    /// Adds a component in front of a slave, before the node is started. A slave that is chosen by alias, name or
+    /// identity is looked for on the whole bus, until it is found. Throws `std::invalid_argument` for an ID that is no
+    /// component's or that the node has already, for a slave of another bus, and for a second slave;
+    /// `std::logic_error` if the node runs.
+    JAUSCAT_DECL void serve(const served_component& component, const slave& by);
+
+    /// Called when a slave answers and takes messages.
+    JAUSCAT_DECL void when_up(std::function<void(const slave_choice& slave)> f);
+    /// Called when a slave is lost: its components are in Failure.
+    JAUSCAT_DECL void when_lost(std::function<void(const slave_choice& slave, boost::system::error_code why)> f);
+    /// Called when a component has changed its state.
+    JAUSCAT_DECL void when_changed(std::function<void(const jaus::address& component, jaus::primary_status_code now)> f);
+    /// Called when the slave has confirmed all stop orders of a component.
+    JAUSCAT_DECL void when_at_rest(std::function<void(const jaus::address& component)> f);
+    /// Called for each emergency that a slave has sent.
+    JAUSCAT_DECL void
+    when_emergency(std::function<void(const slave_choice& slave, const ethercat::coe_emergency& emergency)> f);
+    /// All slaves have confirmed all stop orders, also lost ones.
+    [[nodiscard]] JAUSCAT_DECL bool at_rest() const;
+    /// Its slave answers and takes messages.
+    [[nodiscard]] JAUSCAT_DECL bool is_up() const;
+
+  private:
+    JAUSCAT_DECL bridge(node& of, bus& on, app::exchange_maker make, const bridge_options& options);
+
+    std::shared_ptr<app::bridge_state> state_;
+};
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat
+
+#ifndef JAUSCAT_SEPARATE_COMPILATION
+#include <jauscat/app/impl/bridge.ipp>
+#endif

@@ -1,0 +1,62 @@
+// The functions of bridge, and the exchanges under the library's tables.
+#pragma once
+#include <jauscat/app/bridge.hpp>
+#include <jauscat/app/impl/bridge_state.ipp>
+#include <jauscat/app/own_table.hpp>
+#include <jauscat/schema/translation/seed_table.hpp>
+#include <jauscat/schema/translation/self_contained_table.hpp>
+
+#include <stdexcept>
+#include <utility>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+
+JAUSCAT_DECL bridge::bridge(node& of, bus& on, app::exchange_maker make, const bridge_options& options) {
+    const auto& self = of.manager();
+    state_ = std::make_shared<app::bridge_state>(
+        of.state(), on.state(), make({.subsystem = self.subsystem, .station = self.node}), options);
+    of.state().add(state_);
+}
+JAUSCAT_DECL bridge::~bridge() { state_->close(); }
+
+JAUSCAT_DECL void bridge::serve(const served_component& component, const slave& by) {
+    if (by.bus() != state_->bus()) throw std::invalid_argument{"bridge: a slave of another bus"};
+    state_->serve(component, by.choice());
+}
+JAUSCAT_DECL void bridge::when_up(std::function<void(const slave_choice&)> f) { state_->on_up = std::move(f); }
+JAUSCAT_DECL void bridge::when_lost(std::function<void(const slave_choice&, boost::system::error_code)> f) {
+    state_->on_lost = std::move(f);
+}
+JAUSCAT_DECL void bridge::when_changed(std::function<void(const jaus::address&, jaus::primary_status_code)> f) {
+    state_->on_changed = std::move(f);
+}
+JAUSCAT_DECL void bridge::when_at_rest(std::function<void(const jaus::address&)> f) {
+    state_->on_at_rest = std::move(f);
+}
+JAUSCAT_DECL void bridge::when_emergency(std::function<void(const slave_choice&, const ethercat::coe_emergency&)> f) {
+    state_->on_emergency = std::move(f);
+}
+JAUSCAT_DECL bool bridge::at_rest() const { return state_->at_rest(); }
+JAUSCAT_DECL bool bridge::is_up() const { return state_->is_up(); }
+
+namespace app {
+
+#ifdef JAUSCAT_SEPARATE_COMPILATION
+template std::unique_ptr<bridging::any_exchange>
+make_exchange<translation::seed_table>(const bridging::slave_identity&);
+template std::unique_ptr<bridging::any_exchange>
+make_exchange<translation::seed_table_at_2000h>(const bridging::slave_identity&);
+template std::unique_ptr<bridging::any_exchange>
+make_exchange<translation::seed_table_at_6900h>(const bridging::slave_identity&);
+template std::unique_ptr<bridging::any_exchange>
+make_exchange<translation::self_contained_table>(const bridging::slave_identity&);
+template std::unique_ptr<bridging::any_exchange>
+make_exchange<translation::self_contained_table_at_2000h>(const bridging::slave_identity&);
+template std::unique_ptr<bridging::any_exchange>
+make_exchange<translation::self_contained_table_at_6900h>(const bridging::slave_identity&);
+#endif
+
+} // namespace app
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

@@ -1,0 +1,334 @@
+// The functions of bridge_state.
+#pragma once
+#include <jauscat/app/impl/bridge_state.hpp>
+#include <jauscat/app/impl/bus_state.ipp>
+#include <jauscat/app/impl/node_state.ipp>
+#include <jauscat/text/jaus.hpp>
+
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace jauscat {
+inline namespace JAUSCAT_WAY {
+namespace app {
+
+inline void bridge_state::nothing_more::list_messages(auto&& takes, auto&& sends) {
+    takes(jaus::supported_message{jaus::command_code_of<jaus::set_wrench_effort>,
+                                  jaus::presence_bits_of<jaus::set_wrench_effort>});
+    takes(jaus::supported_message{jaus::command_code_of<jaus::query_wrench_effort>,
+                                  jaus::presence_bits_of<jaus::query_wrench_effort>});
+    sends(jaus::supported_message{jaus::command_code_of<jaus::report_wrench_effort>,
+                                  jaus::presence_bits_of<jaus::report_wrench_effort>});
+}
+
+/// The times of the ring.
+inline bridging::bridge_options timing_of(const bridge_options& options) {
+    using std::chrono::milliseconds;
+    const auto period = options.period;
+    const bool cycles = period > duration{};
+    if (period < duration{}) throw std::invalid_argument{"bridge: the period is negative"};
+    const duration usual = std::max<duration>(cycles ? bridging::at_rest_in_cycles : bridging::at_rest_by_mailbox,
+                                              4 * period);
+    const duration limit = options.at_rest_within == duration{} ? usual : options.at_rest_within;
+    const duration longest = cycles ? milliseconds{6500} : milliseconds{60'000};
+    if (limit < milliseconds{20} || limit > longest)
+        throw std::invalid_argument{"bridge: at_rest_within is 20 ms to 60 s, with process data to 6.5 s"};
+    if (limit < 4 * period) throw std::invalid_argument{"bridge: at_rest_within is at least 4 periods"};
+    return bridging::at_rest_within(limit, period);
+}
+
+JAUSCAT_DECL bridge_state::bridge_state(node_state& of, std::shared_ptr<bus_state> on,
+                                        std::unique_ptr<bridging::any_exchange> exchange, const bridge_options& options)
+    : node_{of}, bus_{std::move(on)}, exchange_{std::move(exchange)}, options_{options} {
+    if (&node_.context() != &bus_->context())
+        throw std::invalid_argument{"bridge: node and bus have different io_contexts"};
+    if (!bus_->set_timing(timing_of(options_)))
+        throw std::invalid_argument{"bridge: another bridge of this bus has other options"};
+}
+
+JAUSCAT_DECL void bridge_state::serve(const served_component& component, const slave_choice& by) {
+    auto self = node_.net().manager();
+    self.component = component.component;
+    self.instance = component.instance;
+    if (node_.net().running())
+        throw std::logic_error{"the component " + net::to_jausip(self) + " is served after the start of its node"};
+    if (!jaus::names_one_component(self))
+        throw std::invalid_argument{"component ID and instance are 1 to 254, not " + net::to_jausip(self)};
+    if (node_.has(self))
+        throw std::invalid_argument{"the node has a component " + net::to_jausip(self) + " already"};
+    if (which_ && !(*which_ == by))
+        throw std::invalid_argument{"bridge: a second slave; it needs a node of its own, because the number of the node"
+                                    " is the slave's station address"};
+    if (components_.size() == bridging::component_capacity)
+        throw std::invalid_argument{"bridge: more than " + std::to_string(bridging::component_capacity) +
+                                    " components in front of one slave"};
+    auto& added = components_.emplace_back(self, component.authority);
+    node_.net().add(added, application_);
+    which_ = by;
+}
+
+JAUSCAT_DECL bool bridge_state::has(const jaus::address& component) const {
+    return std::ranges::any_of(components_, [&](const auto& each) { return each.self() == component; });
+}
+JAUSCAT_DECL bool bridge_state::at_rest() const noexcept {
+    return std::ranges::none_of(
+        components_, [](const auto& each) { return each.unit && each.unit->stops().stop_is_pending(); });
+}
+
+JAUSCAT_DECL void bridge_state::log(std::string_view line) { node_.log(line); }
+JAUSCAT_DECL std::string bridge_state::name() const {
+    return "slave " + (which_->position ? std::to_string(*which_->position)
+                       : which_->alias  ? "with the alias " + std::to_string(*which_->alias)
+                       : which_->name.empty() ? "with the required identity"
+                                              : which_->name);
+}
+
+template <class F, class... Arguments>
+void bridge_state::call_later(F bridge_state::*function, Arguments... arguments) {
+    if (!(this->*function)) return;
+    boost::asio::post(node_.context(), [weak = weak_from_this(), function, arguments...] {
+        const auto self = weak.lock();
+        if (!self || self->is_closed_) return;
+        if (const auto call = (*self).*function) call(arguments...); // it may end the bridge
+    });
+}
+
+// ---- Start and end.
+
+JAUSCAT_DECL void bridge_state::start() {
+    if (works_ || is_closed_ || !which_) return;
+    const auto& manager = node_.net().manager();
+    const auto& timing = bus_->timing();
+    front_.emplace(bridging::slave_options{.position = which_->position.value_or(0),
+                                         .identity = {.subsystem = manager.subsystem, .station = manager.node},
+                                         .cyclic = options_.period > duration{}},
+                   *exchange_, timing, memory_, observer());
+    for (auto& each : components_) {
+        const auto identity = net::detail::identity_of(node_.net().config(), each.self(),
+                                                       {.authority_code = each.authority()});
+        each.unit.emplace(each.self(), *front_,
+                          jaus::component_options{.control = {.authority_code = identity.authority_code,
+                                                              .timeout = timing.control_timeout}});
+    }
+    works_ = true;
+    last_problem_.clear();
+    find_slave();
+}
+
+JAUSCAT_DECL void bridge_state::stop() noexcept {
+    if (!std::exchange(works_, false)) return;
+    timer_.reset();
+    try {
+        if (is_served_ && !bus_->bring_to_rest(*this))
+            log(name() + " has not confirmed that it is at rest: it stops by its own watchdog or not at all");
+        flush();
+    } catch (...) { // of the log
+    }
+    if (std::exchange(is_served_, false)) bus_->leave(*this);
+    for (auto& each : components_) each.unit.reset();
+    front_.reset();
+}
+JAUSCAT_DECL void bridge_state::close() noexcept {
+    if (is_closed_) return;
+    stop();
+    is_closed_ = true;
+    bus_->release_timing();
+    on_up = nullptr;
+    on_lost = nullptr;
+    on_changed = nullptr;
+    on_at_rest = nullptr;
+    on_emergency = nullptr;
+}
+
+JAUSCAT_DECL void bridge_state::send(bytes message) {
+    outbox_.emplace_back(message.begin(), message.end());
+    if (outbox_.size() == 1)
+        boost::asio::post(node_.context(), [weak = weak_from_this()] {
+            if (const auto self = weak.lock()) self->flush();
+        });
+}
+JAUSCAT_DECL void bridge_state::flush() {
+    for (const auto& message : std::exchange(outbox_, {}))
+        if (node_.net().running()) node_.net().out()(message);
+}
+JAUSCAT_DECL void bridge_state::bus_ends() noexcept {
+    is_served_ = false;
+    if (!front_) return;
+    front_->on_work({});
+    const bool was_up = front_->up();
+    front_->set_up(false);
+    if (!was_up) return;
+    const auto out = [this](bytes message) { send(message); };
+    for (auto& each : components_)
+        if (each.unit) each.unit->on_slave_lost(net::now(), out);
+    call_later(&bridge_state::on_lost, *which_, error_code{bus_errc::not_started});
+}
+
+// ---- The slave.
+
+/// Ends a start of the bus for a bridge.
+struct bridge_state::search final : operation<> {
+    explicit search(const std::shared_ptr<bridge_state>& of) : bridge{of} {}
+    void deliver(error_code) override {
+        const auto self = bridge.lock();
+        if (!self) return;
+        boost::asio::post(self->node_.context(), [weak = bridge] {
+            if (const auto still = weak.lock(); still && still->works_ && !still->is_served_) still->retry();
+        });
+    }
+    std::weak_ptr<bridge_state> bridge;
+};
+
+JAUSCAT_DECL void bridge_state::find_slave() {
+    const auto& id = which_->identity;
+    ethercat::identity_check expected{id.vendor, id.product, id.revision, id.serial};
+    const bool is_by_position = which_->position && !which_->alias && which_->name.empty();
+    if (is_by_position) return found(*which_->position, expected);
+    error_code error;
+    if (bus_->find(*which_, error) != nullptr) return retry();
+    bus_->start(std::make_shared<search>(shared_from_this()));
+}
+/// The slaves of the bus are known, or not.
+JAUSCAT_DECL void bridge_state::retry() {
+    error_code error;
+    if (const auto* const slave = bus_->find(*which_, error)) {
+        const auto& info = slave->info;
+        return found(info.position, {info.vendor, info.product, info.revision, info.serial});
+    }
+    if (const auto problem = error.message(); problem != last_problem_) {
+        last_problem_ = problem;
+        log(name() + " is not found: " + problem);
+    }
+    timer_.emplace(node_.context(), std::chrono::seconds{1});
+    timer_->async_wait([weak = weak_from_this()](error_code cancelled) {
+        if (cancelled) return;
+        if (const auto self = weak.lock(); self && self->works_ && !self->is_served_) self->find_slave();
+    });
+}
+JAUSCAT_DECL void bridge_state::found(std::uint16_t position, const ethercat::identity_check& expected) {
+    front_->place_at(position, expected);
+    if (const auto problem = bus_->join(*this); !problem.empty())
+        return log(name() + " is not served: " + problem);
+    is_served_ = true;
+}
+
+// ---- What happens.
+
+JAUSCAT_DECL bridging::observer bridge_state::observer() noexcept {
+    return {.slave_up = jaus::bound<&bridge_state::slave_up>(*this),
+            .bring_up_failed = jaus::bound<&bridge_state::bring_up_failed>(*this),
+            .slave_lost = jaus::bound<&bridge_state::slave_lost>(*this),
+            .slave_emergency = jaus::bound<&bridge_state::slave_emergency>(*this),
+            .no_keep_alive = jaus::bound<&bridge_state::no_keep_alive>(*this),
+            .changed_state = jaus::bound<&bridge_state::changed_state>(*this),
+            .stop_refused = jaus::bound<&bridge_state::stop_refused>(*this),
+            .settled = jaus::bound<&bridge_state::settled>(*this),
+            .refused = jaus::bound<&bridge_state::refused>(*this)};
+}
+
+inline std::string_view text_of(bridging::loss what) noexcept {
+    switch (what) {
+    case bridging::loss::no_answer: return "it does not answer";
+    case bridging::loss::no_station: return "it does not answer to its station address: it was reset";
+    case bridging::loss::left_state: return "it has left its state";
+    case bridging::loss::no_process_data: return "it does not take part in the process data";
+    }
+    return "it is lost";
+}
+inline std::string_view text_of(bridging::refusal why) noexcept {
+    switch (why) {
+    case bridging::refusal::slave_down: return "the slave does not answer";
+    case bridging::refusal::queue_full: return "too many messages wait for the slave";
+    case bridging::refusal::too_large: return "it has more bytes than an object";
+    case bridging::refusal::expired: return "it has waited too long";
+    case bridging::refusal::superseded: return "a newer command has replaced it";
+    case bridging::refusal::stopped: return "the actuator was stopped";
+    case bridging::refusal::not_translated: return "it is not translated";
+    case bridging::refusal::by_slave: return "the slave has refused it";
+    case bridging::refusal::not_accepted: return "the slave has not executed it in time";
+    case bridging::refusal::stale: return "the slave's inputs are too old";
+    }
+    return "refused";
+}
+inline std::string text_of(const bridging::refusal_reason& why) {
+    std::string text{text_of(why.why)};
+    if (why.why == bridging::refusal::not_translated && why.error != translate::errc::ok)
+        text += ": " + std::string{describe(why.error)};
+    if (why.why == bridging::refusal::by_slave && why.of_master.code != ethercat::master_errc::ok)
+        text += ": " + error_of(why.of_master).message();
+    return text;
+}
+inline std::string_view text_of(bridging::stop_order what) noexcept {
+    switch (what) {
+    case bridging::stop_order::rest: return "to rest";
+    case bridging::stop_order::emergency: return "emergency";
+    case bridging::stop_order::clear_emergency: return "end of the emergency";
+    }
+    return "stop";
+}
+
+JAUSCAT_DECL void bridge_state::slave_up(const bridging::slave_front&, const ethercat::slave_record& record,
+                                         bool ready) {
+    bus_->note_served(*this, record);
+    if (!ready) return;
+    last_problem_.clear();
+    log(name() + " answers" + (options_.period > duration{} ? ", in OP" : ", in PRE-OP"));
+    call_later(&bridge_state::on_up, *which_);
+}
+JAUSCAT_DECL void bridge_state::bring_up_failed(const bridging::slave_front&, const ethercat::master_error& why) {
+    const auto error = error_of(why);
+    bus_->note_served_lost(*this, error);
+    if (const auto problem = error.message(); problem != last_problem_) {
+        last_problem_ = problem;
+        log(name() + " is not brought up: " + problem);
+    }
+}
+JAUSCAT_DECL void bridge_state::slave_lost(const bridging::slave_front&, bridging::loss what,
+                                           const ethercat::master_error& why) {
+    auto error = error_of(why);
+    if (!error || error == bus_errc::stopped) error = bus_errc::slave_lost;
+    bus_->note_served_lost(*this, error);
+    last_problem_ = error.message();
+    log(name() + " is lost: " + std::string{text_of(what)} + " (" + last_problem_ + ")");
+    call_later(&bridge_state::on_lost, *which_, error);
+}
+JAUSCAT_DECL void bridge_state::slave_emergency(const bridging::slave_front&, const ethercat::coe_emergency& emergency) {
+    limited_(net::now(), [&] {
+        return name() + " reports an emergency: " + numbered("%04Xh", emergency.error_code) +
+               numbered(", error register %02Xh", emergency.error_register);
+    });
+    call_later(&bridge_state::on_emergency, *which_, emergency);
+}
+JAUSCAT_DECL void bridge_state::no_keep_alive(const bridging::slave_front&, const bridging::refusal_reason& why) {
+    log(name() + " does not take Report Heartbeat Pulse (" + text_of(why) +
+        "): nothing stops it when this program ends without a word");
+}
+JAUSCAT_DECL void bridge_state::changed_state(const bridging::component& unit, jaus::primary_status_code,
+                                              jaus::primary_status_code to) {
+    call_later(&bridge_state::on_changed, unit.self(), to);
+}
+JAUSCAT_DECL void bridge_state::stop_refused(const bridging::component& unit, bridging::stop_order what,
+                                             const bridging::refusal_reason& why, unsigned attempts) {
+    limited_(net::now(), [&] {
+        return name() + " has refused the stop order of " + net::to_jausip(unit.self()) + " (" +
+               std::string{text_of(what)} + ", attempt " + std::to_string(attempts) + "): " + text_of(why);
+    });
+}
+JAUSCAT_DECL void bridge_state::settled(const bridging::component& unit) {
+    call_later(&bridge_state::on_at_rest, unit.self());
+}
+JAUSCAT_DECL void bridge_state::refused(const bridging::component& unit, const jaus::header& message,
+                                        const bridging::refusal_reason& why) {
+    limited_(net::now(), [&] {
+        return net::to_jausip(unit.self()) + " refuses " + text::message_name(message.command_code) + " of " +
+               net::to_jausip(message.source) + ": " + text_of(why);
+    });
+}
+
+} // namespace app
+} // namespace JAUSCAT_WAY
+} // namespace jauscat

@@ -1,0 +1,437 @@
+// A bridge between an operator's node and actuators behind EtherCAT in UDP, all in this program.
+#include "bridge/actuator.hpp"
+#include "support/catch.hpp"
+#include "support/free_ports.hpp"
+#include "support/until.hpp"
+#include <jauscat/app/bridge.hpp>
+#include <jauscat/app/component.hpp>
+#include <jauscat/app/own_table.hpp>
+#include <jauscat/net/link/udp_link.hpp>
+#include <jauscat/net/now.hpp>
+#include <jauscat/schema/jaus/platform.hpp>
+#include <jauscat/schema/translation/seed_table.hpp>
+#include <jauscat/schema/translation/self_contained_table.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <deque>
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+using namespace std::chrono_literals;
+using boost::system::error_code;
+namespace asio = boost::asio;
+namespace jaus = jauscat::jaus;
+namespace ethercat = jauscat::ethercat;
+namespace translation = jauscat::translation;
+using jauscat::bus_errc;
+using status = jaus::primary_status_code;
+
+namespace {
+
+/// Actuators of the nodes 2.2, 2.3, ... in one ring, in a thread.
+class actuator_ring {
+  public:
+    explicit actuator_ring(std::size_t count) {
+        for (std::size_t i = 0; i != count; ++i)
+            all_.emplace_back(std::uint8_t{2}, static_cast<std::uint16_t>(2 + i));
+        thread_ = std::thread{[this] { serve(); }};
+    }
+    ~actuator_ring() {
+        stop_ = true;
+        thread_.join();
+    }
+    actuator_ring(const actuator_ring&) = delete;
+    actuator_ring& operator=(const actuator_ring&) = delete;
+
+    [[nodiscard]] std::string where() const { return "udp:127.0.0.1:" + std::to_string(port_); }
+    std::atomic<bool> is_silent{}, is_garbage{};
+    auto with(std::size_t i, auto f) {
+        const std::lock_guard lock{mutex_};
+        return f(all_.at(i));
+    }
+    [[nodiscard]] double effort(std::size_t i = 0) {
+        return with(i, [](auto& each) { return each.behind.effort; });
+    }
+
+  private:
+    void serve() {
+        std::array<std::byte, ethercat::max_frame_size> buffer{};
+        while (!stop_) {
+            const auto size = link_.receive(buffer, 2ms);
+            const std::lock_guard lock{mutex_};
+            const auto frame = std::span{buffer}.first(size);
+            for (auto& each : all_)
+                if (size != 0)
+                    each.pass(frame, jauscat::net::now());
+                else
+                    each.work(jauscat::net::now());
+            if (is_garbage)
+                for (auto& byte : frame.subspan(std::min<std::size_t>(size, 16))) byte ^= std::byte{0x5A};
+            if (size != 0 && !is_silent) static_cast<void>(link_.send(frame));
+        }
+    }
+
+    jauscat::net::udp_link link_{jauscat::net::udp_link::serve(0, "127.0.0.1")};
+    std::uint16_t port_{link_.port()};
+    std::mutex mutex_{};
+    std::deque<test::emulated_actuator> all_{};
+    std::atomic<bool> stop_{};
+    std::thread thread_{};
+};
+
+/// A file with an operator (1.1) and two controllers (2.2, 2.3).
+class configuration {
+  public:
+    configuration() {
+        const auto ports = support::free_ports<3>();
+        const auto system = [&](const char* name, const char* id, std::size_t i) {
+            return "<system><name>" + std::string{name} + "</name><jausip>" + id + "</jausip><ip>127.0.0.1</ip><port>" +
+                   std::to_string(ports[i]) + "</port></system>\n";
+        };
+        path_ = std::tmpnam(nullptr);
+        std::ofstream{path_} << "<jausconfig>\n<thissystem>ocu</thissystem>\n" << system("ocu", "1.1.0.0", 0)
+                             << system("arm", "2.2.0.0", 1) << system("leg", "2.3.0.0", 2) << "</jausconfig>\n";
+    }
+    ~configuration() { std::remove(path_.c_str()); }
+    configuration(const configuration&) = delete;
+    configuration& operator=(const configuration&) = delete;
+
+    [[nodiscard]] jauscat::node_options of(const char* name, std::vector<std::string>& lines) const {
+        return {.config = path_,
+                .this_system = name,
+                .name = name,
+                .log = [&lines](std::string_view line) { lines.emplace_back(line); }};
+    }
+
+  private:
+    std::string path_;
+};
+
+constexpr jaus::address arm{.instance = 1, .component = 33, .node = 2, .subsystem = 2};
+constexpr jaus::address leg{.instance = 1, .component = 33, .node = 3, .subsystem = 2};
+
+/// A ring, a bus, the nodes of operator and arm in one io_context.
+struct bench {
+    explicit bench(std::size_t slaves = 1, const jauscat::bus_options& bus_options = {.frame_timeout = 5ms})
+        : ring{slaves} {
+        auto options = bus_options;
+        options.log = [this](std::string_view line) { lines.emplace_back(line); };
+        bus.emplace(context, ring.where(), options);
+        unit.on(
+            [this](const jaus::report_wrench_effort& report) { reported = report.propulsive_linear_effort_x; },
+            [this](const jaus::report_component_status& report) { told_state = report.primary_status_code; });
+        unit.ready();
+    }
+    template <class Table = translation::seed_table> void serve(const jauscat::slave_choice& which = {.position = 0},
+                                                                const jauscat::bridge_options& options = {}) {
+        bridge.emplace(*robot, *bus, Table{}, options);
+        bridge->serve({.component = 33}, bus->slave(which));
+        bridge->when_up([this](const auto&) { ++up; });
+        bridge->when_lost([this](const auto&, error_code why) { lost.push_back(why); });
+        bridge->when_changed([this](const auto&, status now) { state = now; });
+        bridge->when_at_rest([this](const auto&) { ++at_rest; });
+    }
+    void start() {
+        robot->start();
+        operator_node.start();
+    }
+    [[nodiscard]] bool until(auto done) { return support::until(context, done); }
+    void run(std::chrono::milliseconds time) {
+        context.restart();
+        context.run_for(time);
+    }
+    /// The operator takes control, and commands an effort until it is in force.
+    bool drive(double percent, std::size_t i = 0, const jaus::address& to = arm) {
+        jaus::request_component_control request{.authority_code = 100};
+        int turns = 0;
+        return until([&] {
+            if (turns++ % 20 == 0) {
+                static_cast<void>(unit.send(to, request));
+                static_cast<void>(unit.send(to, jaus::set_wrench_effort{.propulsive_linear_effort_x = percent}));
+            }
+            return std::abs(ring.effort(i) - percent) < 0.1;
+        });
+    }
+    bool has_line(std::string_view part) const {
+        return std::ranges::any_of(lines, [&](const auto& line) { return line.find(part) != line.npos; });
+    }
+
+    std::vector<std::string> lines{};
+    configuration config{};
+    actuator_ring ring;
+    asio::io_context context{1};
+    jauscat::node operator_node{context, config.of("ocu", lines)};
+    jauscat::component unit{operator_node, {.id = 32, .name = "operator"}};
+    std::optional<jauscat::node> robot{std::in_place, context, config.of("arm", lines)};
+    std::optional<jauscat::bus> bus{};
+    std::optional<jauscat::bridge> bridge{};
+    unsigned up{}, at_rest{};
+    std::vector<error_code> lost{};
+    status state{};
+    std::optional<double> reported{};
+    std::optional<status> told_state{};
+};
+
+const auto no_log = [](std::string_view) {};
+
+} // namespace
+
+TEST_CASE("a bridge carries commands to its slave, and reports back") {
+    bench b;
+    b.serve();
+    CHECK_FALSE(b.bridge->is_up());
+    b.start();
+    REQUIRE(b.until([&] { return b.state == status::ready; }));
+    CHECK(b.up == 1);
+    CHECK(b.bridge->is_up());
+    CHECK(b.bridge->at_rest());
+    CHECK(b.has_line("slave 0 answers, in PRE-OP"));
+    REQUIRE(b.drive(40));
+    int turns = 0;
+    REQUIRE(b.until([&] {
+        if (turns++ % 20 == 0)
+            static_cast<void>(b.unit.send(
+                arm, jaus::query_wrench_effort{.presence_vector = jaus::presence_bits_of<jaus::report_wrench_effort>}));
+        return b.reported.has_value();
+    }));
+    CHECK(std::abs(*b.reported - 40) < 0.1);
+    CHECK(b.lost.empty());
+}
+
+TEST_CASE("a bridge keeps its slave while its operator is silent, and brings it to rest") {
+    bench b;
+    b.serve();
+    b.start();
+    REQUIRE(b.drive(40));
+    REQUIRE(b.until([&] { return b.ring.effort() == 0; })); // the operator says nothing more
+    CHECK(b.state == status::ready);
+    CHECK(b.lost.empty());
+}
+
+TEST_CASE("a silent slave and garbage bring the actuator to rest, and the component to Failure") {
+    const bool is_garbage = GENERATE(false, true);
+    bench b;
+    b.serve();
+    b.start();
+    REQUIRE(b.drive(40));
+    auto& fault = is_garbage ? b.ring.is_garbage : b.ring.is_silent;
+    const auto begun = jauscat::net::now();
+    fault = true;
+    REQUIRE(b.until([&] { return b.state == status::failure; }));
+    CHECK(jauscat::net::now() - begun < 2s);
+    CHECK(b.lost.size() == 1);
+    CHECK(b.has_line("slave 0 is lost"));
+    CHECK_FALSE(b.bridge->is_up());
+    CHECK_FALSE(b.bridge->at_rest());
+    fault = false;
+    REQUIRE(b.until([&] { return b.state == status::ready; }));
+    CHECK(b.ring.effort() == 0);
+    CHECK(b.bridge->at_rest());
+    REQUIRE(b.drive(30));
+}
+
+TEST_CASE("a slave that was reset is brought up and to rest again") {
+    bench b;
+    b.serve();
+    b.start();
+    REQUIRE(b.drive(40));
+    b.ring.with(0, [](auto& each) { each.power_cycle(); });
+    REQUIRE(b.until([&] { return !b.lost.empty(); }));
+    REQUIRE(b.until([&] { return b.state == status::ready; }));
+    REQUIRE(b.drive(20));
+}
+
+TEST_CASE("an actuator is at rest after the end of node, bridge and bus") {
+    bench b;
+    b.serve();
+    b.start();
+    REQUIRE(b.drive(40));
+    SECTION("the node stops") { b.robot->stop(); }
+    SECTION("the node ends") { b.robot.reset(); }
+    SECTION("the bridge ends") { b.bridge.reset(); }
+    SECTION("the bus ends") {
+        b.bus.reset();
+        REQUIRE(b.until([&] { return b.state == status::failure; }));
+    }
+    SECTION("the bus stops") { b.bus->stop(); }
+    CHECK(b.ring.effort() == 0);
+    b.run(20ms);
+}
+
+TEST_CASE("a node starts again with its bridge") {
+    bench b;
+    b.serve();
+    b.start();
+    REQUIRE(b.drive(40));
+    b.robot->stop();
+    CHECK(b.ring.effort() == 0);
+    b.run(20ms);
+    b.robot->start();
+    REQUIRE(b.drive(50));
+}
+
+TEST_CASE("an end in a callback of the bridge") {
+    bench b;
+    b.serve();
+    b.bridge->when_up([&](const auto&) { b.bridge.reset(); });
+    b.start();
+    REQUIRE(b.until([&] { return !b.bridge; }));
+    b.run(20ms);
+}
+
+TEST_CASE("an operator's emergency reaches the slave") {
+    bench b;
+    b.serve();
+    b.start();
+    REQUIRE(b.drive(40));
+    jaus::set_emergency stop{};
+    stop.emergency_code.set(jaus::set_emergency_code::transition_to_emergency);
+    CHECK(b.unit.send(arm, stop));
+    REQUIRE(b.until([&] { return b.ring.with(0, [](auto& each) { return each.behind.emergency; }); }));
+    CHECK(b.ring.effort() == 0);
+    REQUIRE(b.until([&] { return b.state == status::emergency; }));
+}
+
+TEST_CASE("a slave is served by its name, its identity, and after a start of the bus") {
+    bench b;
+    SECTION("by name") { b.serve({.name = "JausCat slave"}); }
+    SECTION("by position and identity") { b.serve({.position = 0, .identity = {.revision = 1}}); }
+    SECTION("after a start") {
+        std::optional<error_code> started;
+        b.bus->async_start([&](error_code error) { started = error; });
+        REQUIRE(b.until([&] { return started.has_value(); }));
+        CHECK_FALSE(*started);
+        b.serve({.identity = {.revision = 1}});
+    }
+    b.start();
+    REQUIRE(b.drive(40));
+}
+
+TEST_CASE("a slave that is not there, or another one, is not served") {
+    bench b;
+    SECTION("name") {
+        b.serve({.name = "gripper"});
+        b.start();
+        REQUIRE(b.until([&] { return b.has_line("slave gripper is not found"); }));
+    }
+    SECTION("identity") {
+        b.serve({.position = 0, .identity = {.vendor = 99}});
+        b.start();
+        REQUIRE(b.until([&] { return b.has_line("slave 0 is not brought up: another slave"); }));
+    }
+    SECTION("position") {
+        b.serve({.position = 3});
+        b.start();
+        REQUIRE(b.until([&] { return b.has_line("slave 3 is not brought up"); }));
+    }
+    CHECK(b.up == 0);
+    CHECK_FALSE(b.bridge->is_up());
+}
+
+TEST_CASE("in cycles an effort goes by process data") {
+    bench b;
+    b.serve({.position = 0}, {.period = 10ms});
+    b.start();
+    REQUIRE(b.until([&] { return b.state == status::ready; }));
+    CHECK(b.has_line("slave 0 answers, in OP"));
+    b.ring.with(0, [](auto& each) { CHECK(each.slave.state() == ethercat::al_state::op); });
+    REQUIRE(b.drive(40));
+    b.robot->stop();
+    CHECK(b.ring.effort() == 0);
+}
+
+TEST_CASE("operations of a bus go on beside its bridge") {
+    bench b{2};
+    b.serve();
+    b.start();
+    REQUIRE(b.until([&] { return b.state == status::ready; }));
+    std::optional<error_code> error;
+    const auto wait = [&] {
+        REQUIRE(b.until([&] { return error.has_value(); }));
+        return *std::exchange(error, {});
+    };
+    b.bus->async_start([&](error_code why) { error = why; });
+    CHECK_FALSE(wait());
+    const auto all = b.bus->slaves();
+    REQUIRE(all.size() == 2);
+    CHECK(all[0].is_served);
+    CHECK(all[0].station == 2);
+    CHECK(all[0].name == "JausCat slave");
+    CHECK_FALSE(all[1].is_served);
+    for (std::uint16_t i = 0; i != 2; ++i) {
+        std::uint32_t revision{};
+        b.bus->slave({.position = i}).async_read<std::uint32_t>(0x1018, 3, [&](error_code why, std::uint32_t value) {
+            error = why;
+            revision = value;
+        });
+        CHECK_FALSE(wait());
+        CHECK(revision == 1);
+    }
+    b.bus->slave({.position = 0}).async_change(ethercat::al_state::init, [&](error_code why) { error = why; });
+    CHECK(wait() == bus_errc::served);
+    b.bus->slave({.position = 1}).async_change(ethercat::al_state::init, [&](error_code why) { error = why; });
+    CHECK_FALSE(wait());
+    REQUIRE(b.drive(40));
+    CHECK(b.lost.empty());
+    // A transfer that hangs does not keep the actuator from its stop order.
+    b.ring.with(1, [](auto& each) { each.hangs = true; });
+    b.bus->slave({.position = 1}).async_read<std::uint32_t>(0x1018, 3, [&](error_code why, std::uint32_t) {
+        error = why;
+    });
+    REQUIRE(b.until([&] { return b.ring.effort() == 0; }));
+    CHECK(b.lost.empty());
+}
+
+TEST_CASE("bridges of two nodes share a bus") {
+    bench b{2};
+    b.serve({.position = 0});
+    jauscat::node second{b.context, b.config.of("leg", b.lines)};
+    jauscat::bridge other{second, *b.bus, translation::seed_table{}};
+    other.serve({.component = 33}, b.bus->slave({.position = 1}));
+    second.start();
+    b.start();
+    REQUIRE(b.drive(40));
+    REQUIRE(b.drive(60, 1, leg));
+    second.stop();
+    CHECK(b.ring.effort(1) == 0);
+    REQUIRE(b.drive(41));
+    CHECK(b.lost.empty());
+}
+
+TEST_CASE("a bridge has a table of the application's") {
+    using own = translation::seed_table_of<translation::seed_index_base,
+                                           translation::ra_command_codes_and<0xD101>>::type;
+    bench b;
+    b.serve<own>();
+    b.start();
+    REQUIRE(b.drive(40));
+}
+
+TEST_CASE("what cannot be served is refused at once") {
+    bench b;
+    b.serve();
+    auto& bridge = *b.bridge;
+    const auto first = b.bus->slave({.position = 0});
+    CHECK_THROWS_AS(bridge.serve({.component = 33}, first), std::invalid_argument);
+    CHECK_THROWS_AS(bridge.serve({.component = 0}, first), std::invalid_argument);
+    CHECK_THROWS_AS(bridge.serve({.component = 34}, b.bus->slave({.position = 1})), std::invalid_argument);
+    CHECK_NOTHROW(bridge.serve({.component = 34}, first));
+    CHECK_THROWS_AS((jauscat::component{*b.robot, {.id = 34}}), std::invalid_argument);
+    const jauscat::bridge_options other{.at_rest_within = 1s};
+    CHECK_THROWS_AS((jauscat::bridge{*b.robot, *b.bus, translation::seed_table{}, other}), std::invalid_argument);
+    const jauscat::bridge_options too_quick{.at_rest_within = 1ms};
+    CHECK_THROWS_AS((jauscat::bridge{*b.robot, *b.bus, translation::seed_table{}, too_quick}), std::invalid_argument);
+    asio::io_context elsewhere;
+    jauscat::bus far{elsewhere, b.ring.where(), {.log = no_log}};
+    CHECK_THROWS_AS((jauscat::bridge{*b.robot, far, translation::seed_table{}}), std::invalid_argument);
+    jauscat::bus near{b.context, b.ring.where(), {.log = no_log}};
+    CHECK_THROWS_AS(bridge.serve({.component = 35}, near.slave({.position = 0})), std::invalid_argument);
+    b.start();
+    CHECK_THROWS_AS(bridge.serve({.component = 36}, first), std::logic_error);
+}

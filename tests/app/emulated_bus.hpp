@@ -1,0 +1,142 @@
+// Emulated slaves behind EtherCAT in UDP, in a thread of their own: for tests of programs with a bus. They can be made to
+// fail.
+#pragma once
+
+#include "ethercat/described_objects.hpp"
+#include "ethercat/objects.hpp"
+#include <jauscat/ethercat/frame_view.hpp>
+#include <jauscat/ethercat/link.hpp>
+#include <jauscat/ethercat/slave/slave.hpp>
+#include <jauscat/ethercat/slave/standard_objects.hpp>
+#include <jauscat/net/link/udp_link.hpp>
+#include <jauscat/net/now.hpp>
+#include <jauscat/schema/ethercat/esc_registers.hpp>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace jauscat::test {
+
+/// A slave with objects of its own.
+struct emulated_slave {
+    emulated_slave(const ethercat::slave_description& d, bool is_described)
+        : description{d},
+          device{description, is_described ? ethercat::object_dictionary{described} : ethercat::object_dictionary{all},
+                 {.transfer_memory = segments}} {}
+    emulated_slave(const emulated_slave&) = delete;
+    emulated_slave& operator=(const emulated_slave&) = delete;
+
+    ethercat::slave_description description;
+    objects own{};
+    described_objects other{};
+    ethercat::standard_objects all{description, own};
+    ethercat::standard_objects described{description, other};
+    std::array<std::byte, 2048> segments{};
+    ethercat::slave device;
+    bool works{true};                   ///< else its application hangs: the controller alone works
+    std::optional<std::uint8_t> mail{}; ///< an emergency of this error register waits
+};
+
+/// Runs until it is destroyed. Change slaves by `with` alone.
+class emulated_bus {
+  public:
+    using bytes = std::vector<std::byte>;
+
+    explicit emulated_bus(const std::vector<ethercat::slave_description>& slaves, bool are_described = false) {
+        for (const auto& each : slaves) slaves_.emplace_back(each, are_described);
+        reach_ = slaves_.size();
+        thread_ = std::thread{[this] { serve(); }};
+    }
+    ~emulated_bus() {
+        stop_ = true;
+        thread_.join();
+    }
+    emulated_bus(const emulated_bus&) = delete;
+    emulated_bus& operator=(const emulated_bus&) = delete;
+
+    /// For a bus.
+    [[nodiscard]] std::string where() const { return "udp:127.0.0.1:" + std::to_string(port_); }
+
+    /// No frame returns.
+    std::atomic<bool> is_silent{};
+    /// What returns is no answer.
+    std::atomic<bool> is_garbage{};
+    /// Frames pass only so many slaves: the cable behind them is out.
+    void cut_behind(std::size_t slaves) { reach_ = slaves; }
+    [[nodiscard]] unsigned frames() const noexcept { return frames_; }
+
+    void with(std::size_t slave, const std::function<void(emulated_slave&)>& f) {
+        const std::lock_guard lock{mutex_};
+        f(slaves_.at(slave));
+    }
+
+  private:
+    void serve() {
+        std::array<std::byte, ethercat::max_frame_size> buffer{};
+        while (!stop_) {
+            const auto size = link_.receive(buffer, std::chrono::milliseconds{5});
+            const std::lock_guard lock{mutex_};
+            if (size != 0) {
+                ++frames_;
+                pass(std::span{buffer}.first(size));
+            }
+            for (auto& each : slaves_) each.device.on_time(net::now());
+        }
+    }
+    void pass(std::span<std::byte> frame) {
+        for (std::size_t i = 0; i != std::min<std::size_t>(reach_, slaves_.size()); ++i) {
+            auto& each = slaves_[i];
+            each.device.pass(frame);
+            if (each.works) each.device.work();
+            if (each.mail) put_mail(each, frame);
+        }
+        if (is_garbage)
+            for (auto& each : frame.subspan(16)) each ^= std::byte{0x5A};
+        if (!is_silent) static_cast<void>(link_.send(frame));
+    }
+    // The emulated slave sends no emergencies by itself.
+    static void put_mail(emulated_slave& of, std::span<std::byte> frame) {
+        ethercat::mutable_frame_view view;
+        if (!view.parse(frame)) return;
+        const auto status = ethercat::sync_manager_handshake_of(1);
+        for (const auto datagram : view) {
+            if (datagram.header.cmd != ethercat::command::fprd ||
+                datagram.header.adp != of.device.station_address())
+                continue;
+            if (datagram.header.ado == status.address && datagram.working_counter == 1) {
+                auto mailbox = datagram.value(status);
+                mailbox.full = true;
+                static_cast<void>(wire::encode(mailbox, datagram.data));
+            }
+            if (datagram.header.ado != of.description.mailbox_in_offset || datagram.working_counter != 0) continue;
+            static constexpr std::array<unsigned char, 16> emergency{0x0A, 0, 0,    0,    0,    0x33, 0, 0x10,
+                                                                     0x30, 0x42, 0, 1, 2, 3, 4, 5};
+            std::ranges::transform(emergency, datagram.data.begin(), [](auto b) { return std::byte{b}; });
+            datagram.data[10] = std::byte{*of.mail};
+            static_cast<void>(wire::encode(ethercat::datagram_trailer{1}, datagram.bytes.last(2)));
+            of.mail.reset();
+            return;
+        }
+    }
+
+    net::udp_link link_{net::udp_link::serve(0, "127.0.0.1")};
+    std::uint16_t port_{link_.port()};
+    std::mutex mutex_{};
+    std::deque<emulated_slave> slaves_{};
+    std::atomic<std::size_t> reach_{};
+    std::atomic<unsigned> frames_{};
+    std::atomic<bool> stop_{};
+    std::thread thread_{};
+};
+
+} // namespace jauscat::test
