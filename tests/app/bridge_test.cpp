@@ -38,8 +38,7 @@ namespace {
 class actuator_ring {
   public:
     explicit actuator_ring(std::size_t count) {
-        for (std::size_t i = 0; i != count; ++i)
-            all_.emplace_back(std::uint8_t{2}, static_cast<std::uint16_t>(2 + i));
+        for (std::size_t i = 0; i != count; ++i) all_.emplace_back(std::uint8_t{2}, static_cast<std::uint16_t>(2 + i));
         thread_ = std::thread{[this] { serve(); }};
     }
     ~actuator_ring() {
@@ -95,18 +94,18 @@ class configuration {
                    std::to_string(ports[i]) + "</port></system>\n";
         };
         path_ = std::tmpnam(nullptr);
-        std::ofstream{path_} << "<jausconfig>\n<thissystem>ocu</thissystem>\n" << system("ocu", "1.1.0.0", 0)
-                             << system("arm", "2.2.0.0", 1) << system("leg", "2.3.0.0", 2) << "</jausconfig>\n";
+        std::ofstream{path_} << "<jausconfig>\n<thissystem>ocu</thissystem>\n"
+                             << system("ocu", "1.1.0.0", 0) << system("arm", "2.2.0.0", 1)
+                             << system("leg", "2.3.0.0", 2) << "</jausconfig>\n";
     }
     ~configuration() { std::remove(path_.c_str()); }
     configuration(const configuration&) = delete;
     configuration& operator=(const configuration&) = delete;
 
     [[nodiscard]] jauscat::node_options of(const char* name, std::vector<std::string>& lines) const {
-        return {.config = path_,
-                .this_system = name,
-                .name = name,
-                .log = [&lines](std::string_view line) { lines.emplace_back(line); }};
+        return {.config = path_, .this_system = name, .name = name, .log = [&lines](std::string_view line) {
+                    lines.emplace_back(line);
+                }};
     }
 
   private:
@@ -123,13 +122,12 @@ struct bench {
         auto options = bus_options;
         options.log = [this](std::string_view line) { lines.emplace_back(line); };
         bus.emplace(context, ring.where(), options);
-        unit.on(
-            [this](const jaus::report_wrench_effort& report) { reported = report.propulsive_linear_effort_x; },
-            [this](const jaus::report_component_status& report) { told_state = report.primary_status_code; });
+        unit.on([this](const jaus::report_wrench_effort& report) { reported = report.propulsive_linear_effort_x; },
+                [this](const jaus::report_component_status& report) { told_state = report.primary_status_code; });
         unit.ready();
     }
-    template <class Table = translation::seed_table> void serve(const jauscat::slave_choice& which = {.position = 0},
-                                                                const jauscat::bridge_options& options = {}) {
+    template <class Table = translation::seed_table>
+    void serve(const jauscat::slave_choice& which = {.position = 0}, const jauscat::bridge_options& options = {}) {
         bridge.emplace(*robot, *bus, Table{}, options);
         bridge->serve({.component = 33}, bus->slave(which));
         bridge->when_up([this](const auto&) { ++up; });
@@ -204,12 +202,15 @@ TEST_CASE("a bridge carries commands to its slave, and reports back") {
     CHECK(b.lost.empty());
 }
 
-TEST_CASE("a bridge keeps its slave while its operator is silent, and brings it to rest") {
+TEST_CASE("an actuator comes to rest when its controller is lost") {
     bench b;
     b.serve();
     b.start();
     REQUIRE(b.drive(40));
-    REQUIRE(b.until([&] { return b.ring.effort() == 0; })); // the operator says nothing more
+    b.run(700ms);
+    CHECK(b.ring.effort() > 39); // the controller lives
+    b.operator_node.stop();
+    REQUIRE(b.until([&] { return b.ring.effort() == 0; }));
     CHECK(b.state == status::ready);
     CHECK(b.lost.empty());
 }
@@ -257,7 +258,7 @@ TEST_CASE("an actuator is at rest after the end of node, bridge and bus") {
     SECTION("the bridge ends") { b.bridge.reset(); }
     SECTION("the bus ends") {
         b.bus.reset();
-        REQUIRE(b.until([&] { return b.state == status::failure; }));
+        REQUIRE(b.until([&] { return b.state == status::shutdown; }));
     }
     SECTION("the bus stops") { b.bus->stop(); }
     CHECK(b.ring.effort() == 0);
@@ -300,7 +301,7 @@ TEST_CASE("an operator's emergency reaches the slave") {
 
 TEST_CASE("a slave is served by its name, its identity, and after a start of the bus") {
     bench b;
-    SECTION("by name") { b.serve({.name = "JausCat slave"}); }
+    SECTION("by name") { b.serve({.name = "actuator"}); }
     SECTION("by position and identity") { b.serve({.position = 0, .identity = {.revision = 1}}); }
     SECTION("after a start") {
         std::optional<error_code> started;
@@ -362,7 +363,7 @@ TEST_CASE("operations of a bus go on beside its bridge") {
     REQUIRE(all.size() == 2);
     CHECK(all[0].is_served);
     CHECK(all[0].station == 2);
-    CHECK(all[0].name == "JausCat slave");
+    CHECK(all[0].name == "actuator");
     CHECK_FALSE(all[1].is_served);
     for (std::uint16_t i = 0; i != 2; ++i) {
         std::uint32_t revision{};
@@ -384,8 +385,10 @@ TEST_CASE("operations of a bus go on beside its bridge") {
     b.bus->slave({.position = 1}).async_read<std::uint32_t>(0x1018, 3, [&](error_code why, std::uint32_t) {
         error = why;
     });
+    b.operator_node.stop();
     REQUIRE(b.until([&] { return b.ring.effort() == 0; }));
     CHECK(b.lost.empty());
+    CHECK(wait() == bus_errc::no_answer);
 }
 
 TEST_CASE("bridges of two nodes share a bus") {
@@ -405,8 +408,8 @@ TEST_CASE("bridges of two nodes share a bus") {
 }
 
 TEST_CASE("a bridge has a table of the application's") {
-    using own = translation::seed_table_of<translation::seed_index_base,
-                                           translation::ra_command_codes_and<0xD101>>::type;
+    using own =
+        translation::seed_table_of<translation::seed_index_base, translation::ra_command_codes_and<0xD101>>::type;
     bench b;
     b.serve<own>();
     b.start();

@@ -40,9 +40,8 @@ struct bench {
         bus.emplace(context, ring.where(), options);
         bus->when_lost([this](const slave_info& who, error_code why) { lost.emplace_back(who.position, why); });
         bus->when_found([this](const slave_info& who) { found.push_back(who.position); });
-        bus->when_changed([this](const slave_info& who, const ethercat::al_status& al) {
-            changed.emplace_back(who.position, al);
-        });
+        bus->when_changed(
+            [this](const slave_info& who, const ethercat::al_status& al) { changed.emplace_back(who.position, al); });
         bus->when_emergency([this](const slave_info& who, const ethercat::coe_emergency& what) {
             emergencies.emplace_back(who.position, what);
         });
@@ -109,8 +108,7 @@ TEST_CASE("a bus finds its slaves and identifies them") {
     CHECK(all[1].has_objects);
     CHECK_FALSE(all[1].is_lost);
     CHECK(all[0].alias == 0);
-    const auto [error, al] =
-        b.outcome<ethercat::al_status>([&](auto done) { b.bus->slave(first).async_state(done); });
+    const auto [error, al] = b.outcome<ethercat::al_status>([&](auto done) { b.bus->slave(first).async_state(done); });
     CHECK_FALSE(error);
     CHECK(al.state == ethercat::al_state::pre_op);
     CHECK_FALSE(b.start()); // again
@@ -160,7 +158,8 @@ TEST_CASE("values of every type are written and read") {
     keeps(0x3007, mode::torque);
     keeps(0x3008, std::string{"a text"});
     keeps(0x3009, jauscat::test::counting(1000)); // in segments
-    b.ring.with(1, [](auto& each) { CHECK(each.own.entries.at({0x3002, 0}).value == jauscat::test::counting(2, 0xFE)); });
+    b.ring.with(1,
+                [](auto& each) { CHECK(each.own.entries.at({0x3002, 0}).value == jauscat::test::counting(2, 0xFE)); });
     b.ring.with(1, [](auto& each) { each.own.add(0x300A, 0, 8); });
     CHECK_FALSE(b.write(drive, 0x300A, 0, "12345678"));
     b.ring.with(1, [](auto& each) { each.own.entries.at({0x300A, 0}).value[7] = {}; });
@@ -185,7 +184,8 @@ TEST_CASE("an abort code of the slave reaches the caller") {
     CHECK(error == ethercat::abort_code::no_object);
     CHECK(error.value() == 0x06020000);
     CHECK(error.category() == abort_category());
-    CHECK(error.message() == "abort code 06020000h: " + std::string{ethercat::describe(ethercat::abort_code::no_object)});
+    CHECK(error.message() ==
+          "abort code 06020000h: " + std::string{ethercat::describe(ethercat::abort_code::no_object)});
     CHECK(value == 0);
     CHECK(b.write(drive, 0x1018, 1, std::uint32_t{1}) == ethercat::abort_code::read_only);
 }
@@ -229,6 +229,7 @@ TEST_CASE("a slave that describes no objects refuses") {
 TEST_CASE("operations are coroutines, futures and callbacks, and are executed in order") {
     bench b;
     std::vector<int> order;
+#ifdef BOOST_ASIO_HAS_CO_AWAIT
     bool is_done = false;
     asio::co_spawn(
         b.context,
@@ -247,6 +248,9 @@ TEST_CASE("operations are coroutines, futures and callbacks, and are executed in
         },
         asio::detached);
     REQUIRE(support::until(b.context, [&] { return is_done; }));
+#else
+    REQUIRE_FALSE(b.start());
+#endif
     const auto drive = b.bus->slave(first);
     auto future = drive.async_read<std::uint16_t>(0x2001, 1, asio::use_future);
     for (int i = 0; i != 5; ++i)
@@ -500,8 +504,7 @@ TEST_CASE("a link that cannot be opened says why") {
 }
 
 TEST_CASE("the errors of a bus have texts") {
-    for (int i = 0; i <= static_cast<int>(bus_errc::stopped); ++i)
-        CHECK(bus_category().message(i) != "unknown error");
+    for (int i = 0; i <= static_cast<int>(bus_errc::stopped); ++i) CHECK(bus_category().message(i) != "unknown error");
     CHECK(bus_category().message(99) == "unknown error");
     CHECK(make_error_code(ethercat::al_status_code::no_outputs).message().starts_with("AL status code 0019h: "));
 }

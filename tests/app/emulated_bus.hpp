@@ -1,5 +1,5 @@
-// Emulated slaves behind EtherCAT in UDP, in a thread of their own: for tests of programs with a bus. They can be made to
-// fail.
+// Emulated slaves behind EtherCAT in UDP, in a thread of their own: for tests of programs with a bus. They can be made
+// to fail.
 #pragma once
 
 #include "ethercat/described_objects.hpp"
@@ -31,7 +31,8 @@ namespace jauscat::test {
 struct emulated_slave {
     emulated_slave(const ethercat::slave_description& d, bool is_described)
         : description{d},
-          device{description, is_described ? ethercat::object_dictionary{described} : ethercat::object_dictionary{all},
+          device{description,
+                 is_described ? ethercat::object_dictionary{described} : ethercat::object_dictionary{all},
                  {.transfer_memory = segments}} {}
     emulated_slave(const emulated_slave&) = delete;
     emulated_slave& operator=(const emulated_slave&) = delete;
@@ -110,8 +111,7 @@ class emulated_bus {
         if (!view.parse(frame)) return;
         const auto status = ethercat::sync_manager_handshake_of(1);
         for (const auto datagram : view) {
-            if (datagram.header.cmd != ethercat::command::fprd ||
-                datagram.header.adp != of.device.station_address())
+            if (datagram.header.cmd != ethercat::command::fprd || datagram.header.adp != of.device.station_address())
                 continue;
             if (datagram.header.ado == status.address && datagram.working_counter == 1) {
                 auto mailbox = datagram.value(status);
@@ -119,8 +119,8 @@ class emulated_bus {
                 static_cast<void>(wire::encode(mailbox, datagram.data));
             }
             if (datagram.header.ado != of.description.mailbox_in_offset || datagram.working_counter != 0) continue;
-            static constexpr std::array<unsigned char, 16> emergency{0x0A, 0, 0,    0,    0,    0x33, 0, 0x10,
-                                                                     0x30, 0x42, 0, 1, 2, 3, 4, 5};
+            static constexpr std::array<unsigned char, 16> emergency{0x0A, 0,    0, 0, 0, 0x33, 0, 0x10,
+                                                                     0x30, 0x42, 0, 1, 2, 3,    4, 5};
             std::ranges::transform(emergency, datagram.data.begin(), [](auto b) { return std::byte{b}; });
             datagram.data[10] = std::byte{*of.mail};
             static_cast<void>(wire::encode(ethercat::datagram_trailer{1}, datagram.bytes.last(2)));

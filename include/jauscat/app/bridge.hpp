@@ -32,10 +32,10 @@ using exchange_maker = std::unique_ptr<bridging::any_exchange> (*)(const bridgin
 ///     return node.run();
 ///
 /// A component serves the core messages (state, control, emergencies, acknowledgement) by itself; the slave has all
-/// others as objects. Its actuator is brought to rest, by a Set Wrench Effort of zeros, when the component leaves Ready,
-/// when its controller is lost, when the slave was away, and when node, bridge or bus end; in an emergency the slave
-/// gets Set Emergency. A stop order overtakes all else and is repeated until the slave confirms it. While the slave
-/// does not answer, the component is in Failure; docs/safety.md has the contract. Losses, refused stop orders and
+/// others as objects. Its actuator is brought to rest, by a Set Wrench Effort of zeros, when the component leaves
+/// Ready, when its controller is lost, when the slave was away, and when node, bridge or bus end; in an emergency the
+/// slave gets Set Emergency. A stop order overtakes all else and is repeated until the slave confirms it. While the
+/// slave does not answer, the component is in Failure; docs/safety.md has the contract. Losses, refused stop orders and
 /// emergencies are logged by the node and called back.
 ///
 /// The bridge works while its node runs. The slave has the number of the node as its station address; so a node can
@@ -64,7 +64,8 @@ class bridge {
     /// Called when a slave is lost: its components are in Failure.
     JAUSCAT_DECL void when_lost(std::function<void(const slave_choice& slave, boost::system::error_code why)> f);
     /// Called when a component has changed its state.
-    JAUSCAT_DECL void when_changed(std::function<void(const jaus::address& component, jaus::primary_status_code now)> f);
+    JAUSCAT_DECL void
+    when_changed(std::function<void(const jaus::address& component, jaus::primary_status_code now)> f);
     /// Called when the slave has confirmed all stop orders of a component.
     JAUSCAT_DECL void when_at_rest(std::function<void(const jaus::address& component)> f);
     /// Called for each emergency that a slave has sent.
@@ -85,5 +86,5 @@ class bridge {
 } // namespace jauscat
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
-#include <jauscat/app/impl/bridge.ipp>
+#    include <jauscat/app/impl/bridge.ipp>
 #endif

@@ -94,5 +94,5 @@ class bus {
 } // namespace jauscat
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
-#include <jauscat/app/impl/bus.ipp>
+#    include <jauscat/app/impl/bus.ipp>
 #endif

@@ -18,28 +18,28 @@ inline namespace JAUSCAT_WAY {
 /// - boost::asio::error::operation_aborted: it was cancelled, or the bus has ended.
 enum class bus_errc : std::uint8_t {
     ok,
-    not_started,      ///< the slaves are not known: async_start has not succeeded
-    no_reply,         ///< no frame returns: cable, interface, power
-    not_sent,         ///< the interface takes no frames
-    no_slaves,        ///< frames return, but no slave has taken part
-    no_such_slave,    ///< no slave is as required
-    ambiguous,        ///< several slaves are as required
-    too_many_slaves,  ///< the bus has more than 16
-    wrong_slave,      ///< another slave than before, or than required, is at the position
-    slave_lost,       ///< the slave does not answer to its address: it was reset, or a cable behind another slave is out
-    no_objects,       ///< the slave has no CoE mailbox
-    not_taken,        ///< the slave does not read its mailbox
-    no_answer,        ///< the slave has taken the request and does not answer: it may have executed it
-    refused,          ///< the slave refused the mailbox message, the transfer or the state, without a known reason
-    malformed_answer, ///< the slave does not follow the protocol
-    wrong_size,       ///< the object is not as large as the type that was to be read
-    too_large,        ///< the object is larger than 65,536 bytes
-    state_not_reached,///< the slave has not reached the state in time
-    not_configurable, ///< the slave's process data or its SII cannot be used
-    needs_cycles,     ///< OP needs the cyclic exchange, which a bridge has
-    served,           ///< a bridge serves the slave: its states are the bridge's
-    timed_out,        ///< not done within the time that it may take
-    stopped,          ///< it has kept a slave from stopping, and was cancelled: repeat it
+    not_started,     ///< the slaves are not known: async_start has not succeeded
+    no_reply,        ///< no frame returns: cable, interface, power
+    not_sent,        ///< the interface takes no frames
+    no_slaves,       ///< frames return, but no slave has taken part
+    no_such_slave,   ///< no slave is as required
+    ambiguous,       ///< several slaves are as required
+    too_many_slaves, ///< the bus has more than 16
+    wrong_slave,     ///< another slave than before, or than required, is at the position
+    slave_lost,      ///< the slave does not answer to its address: it was reset, or a cable behind another slave is out
+    no_objects,      ///< the slave has no CoE mailbox
+    not_taken,       ///< the slave does not read its mailbox
+    no_answer,       ///< the slave has taken the request and does not answer: it may have executed it
+    refused,         ///< the slave refused the mailbox message, the transfer or the state, without a known reason
+    malformed_answer,  ///< the slave does not follow the protocol
+    wrong_size,        ///< the object is not as large as the type that was to be read
+    too_large,         ///< the object is larger than 65,536 bytes
+    state_not_reached, ///< the slave has not reached the state in time
+    not_configurable,  ///< the slave's process data or its SII cannot be used
+    needs_cycles,      ///< OP needs the cyclic exchange, which a bridge has
+    served,            ///< a bridge serves the slave: its states are the bridge's
+    timed_out,         ///< not done within the time that it may take
+    stopped,           ///< it has kept a slave from stopping, and was cancelled: repeat it
 };
 
 /// The error in one line.
@@ -100,5 +100,5 @@ template <> struct boost::system::is_error_code_enum<jauscat::ethercat::abort_co
 template <> struct boost::system::is_error_code_enum<jauscat::ethercat::al_status_code> : std::true_type {};
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
-#include <jauscat/app/impl/bus_error.ipp>
+#    include <jauscat/app/impl/bus_error.ipp>
 #endif

@@ -33,8 +33,8 @@ struct entry_information {
 };
 
 /// A handle of a slave, copied like a pointer. It may be used before the slave is found and after it was lost: each
-/// operation looks the slave up. See bus for what holds for all operations; those of objects have the errors slave_lost,
-/// no_objects, not_taken, no_answer, refused, malformed_answer, and abort codes.
+/// operation looks the slave up. See bus for what holds for all operations; those of objects have the errors
+/// slave_lost, no_objects, not_taken, no_answer, refused, malformed_answer, and abort codes.
 ///
 ///     auto drive = bus.slave({.position = 2});
 ///     co_await drive.async_write(0x6060, 0, std::int8_t{9});
@@ -83,8 +83,7 @@ class slave {
             token, *this, list);
     }
     /// `void(error_code, object_information)`.
-    template <class Token = default_token>
-    auto async_describe(std::uint16_t index, Token&& token = Token{}) const {
+    template <class Token = default_token> auto async_describe(std::uint16_t index, Token&& token = Token{}) const {
         return boost::asio::async_initiate<Token, void(app::error_code, object_information)>(
             [](auto handler, const slave& self, std::uint16_t i) {
                 self.describe(i, app::make_operation<object_information>(std::move(handler), app::no_conversion{},
@@ -97,8 +96,9 @@ class slave {
     auto async_describe_entry(std::uint16_t index, std::uint8_t subindex, Token&& token = Token{}) const {
         return boost::asio::async_initiate<Token, void(app::error_code, entry_information)>(
             [](auto handler, const slave& self, std::uint16_t i, std::uint8_t s) {
-                self.describe_entry(i, s, app::make_operation<entry_information>(std::move(handler),
-                                                                                 app::no_conversion{}, self.context()));
+                self.describe_entry(
+                    i, s,
+                    app::make_operation<entry_information>(std::move(handler), app::no_conversion{}, self.context()));
             },
             token, *this, index, subindex);
     }
@@ -107,8 +107,8 @@ class slave {
     template <class Token = default_token> auto async_state(Token&& token = Token{}) const {
         return boost::asio::async_initiate<Token, void(app::error_code, ethercat::al_status)>(
             [](auto handler, const slave& self) {
-                self.state(app::make_operation<ethercat::al_status>(std::move(handler), app::no_conversion{},
-                                                                    self.context()));
+                self.state(
+                    app::make_operation<ethercat::al_status>(std::move(handler), app::no_conversion{}, self.context()));
             },
             token, *this);
     }
@@ -154,5 +154,5 @@ class slave {
 } // namespace jauscat
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
-#include <jauscat/app/impl/slave.ipp>
+#    include <jauscat/app/impl/slave.ipp>
 #endif

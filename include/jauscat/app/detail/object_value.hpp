@@ -23,8 +23,8 @@ namespace app {
 using object_bytes = std::vector<std::byte>;
 
 template <class T>
-concept object_scalar = (std::integral<T> || std::is_enum_v<T> || std::same_as<T, float> || std::same_as<T, double>) &&
-                        sizeof(T) <= 8;
+concept object_scalar =
+    (std::integral<T> || std::is_enum_v<T> || std::same_as<T, float> || std::same_as<T, double>) && sizeof(T) <= 8;
 template <class T>
 concept object_value = object_scalar<T> || std::same_as<T, std::string> || std::same_as<T, object_bytes>;
 

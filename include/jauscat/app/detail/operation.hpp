@@ -3,8 +3,9 @@
 #pragma once
 #include <jauscat/base/compilation.hpp>
 
-#include <utility> // asio/awaitable.hpp of Boost 1.74 uses it without its header
-
+// clang-format off
+#include <utility> // first: asio/awaitable.hpp of Boost 1.74 uses it
+// clang-format on
 #include <boost/asio/associated_executor.hpp>
 #include <boost/asio/async_result.hpp>
 #include <boost/asio/error.hpp>

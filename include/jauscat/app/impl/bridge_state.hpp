@@ -106,7 +106,7 @@ class bridge_state final : public node_part, public bus_user, public std::enable
     void flush();
     void log(std::string_view line);
     [[nodiscard]] std::string name() const;
-    template <class F, class... Arguments> void call_later(F bridge_state::*function, Arguments... arguments);
+    template <class F, class... Arguments> void call_later(F bridge_state::* function, Arguments... arguments);
 
     node_state& node_;
     std::shared_ptr<bus_state> bus_;

@@ -31,8 +31,8 @@ inline bridging::bridge_options timing_of(const bridge_options& options) {
     const auto period = options.period;
     const bool cycles = period > duration{};
     if (period < duration{}) throw std::invalid_argument{"bridge: the period is negative"};
-    const duration usual = std::max<duration>(cycles ? bridging::at_rest_in_cycles : bridging::at_rest_by_mailbox,
-                                              4 * period);
+    const duration usual =
+        std::max<duration>(cycles ? bridging::at_rest_in_cycles : bridging::at_rest_by_mailbox, 4 * period);
     const duration limit = options.at_rest_within == duration{} ? usual : options.at_rest_within;
     const duration longest = cycles ? milliseconds{6500} : milliseconds{60'000};
     if (limit < milliseconds{20} || limit > longest)
@@ -58,8 +58,7 @@ JAUSCAT_DECL void bridge_state::serve(const served_component& component, const s
         throw std::logic_error{"the component " + net::to_jausip(self) + " is served after the start of its node"};
     if (!jaus::names_one_component(self))
         throw std::invalid_argument{"component ID and instance are 1 to 254, not " + net::to_jausip(self)};
-    if (node_.has(self))
-        throw std::invalid_argument{"the node has a component " + net::to_jausip(self) + " already"};
+    if (node_.has(self)) throw std::invalid_argument{"the node has a component " + net::to_jausip(self) + " already"};
     if (which_ && !(*which_ == by))
         throw std::invalid_argument{"bridge: a second slave; it needs a node of its own, because the number of the node"
                                     " is the slave's station address"};
@@ -75,20 +74,20 @@ JAUSCAT_DECL bool bridge_state::has(const jaus::address& component) const {
     return std::ranges::any_of(components_, [&](const auto& each) { return each.self() == component; });
 }
 JAUSCAT_DECL bool bridge_state::at_rest() const noexcept {
-    return std::ranges::none_of(
-        components_, [](const auto& each) { return each.unit && each.unit->stops().stop_is_pending(); });
+    return std::ranges::none_of(components_,
+                                [](const auto& each) { return each.unit && each.unit->stops().stop_is_pending(); });
 }
 
 JAUSCAT_DECL void bridge_state::log(std::string_view line) { node_.log(line); }
 JAUSCAT_DECL std::string bridge_state::name() const {
-    return "slave " + (which_->position ? std::to_string(*which_->position)
-                       : which_->alias  ? "with the alias " + std::to_string(*which_->alias)
+    return "slave " + (which_->position       ? std::to_string(*which_->position)
+                       : which_->alias        ? "with the alias " + std::to_string(*which_->alias)
                        : which_->name.empty() ? "with the required identity"
                                               : which_->name);
 }
 
 template <class F, class... Arguments>
-void bridge_state::call_later(F bridge_state::*function, Arguments... arguments) {
+void bridge_state::call_later(F bridge_state::* function, Arguments... arguments) {
     if (!(this->*function)) return;
     boost::asio::post(node_.context(), [weak = weak_from_this(), function, arguments...] {
         const auto self = weak.lock();
@@ -104,12 +103,12 @@ JAUSCAT_DECL void bridge_state::start() {
     const auto& manager = node_.net().manager();
     const auto& timing = bus_->timing();
     front_.emplace(bridging::slave_options{.position = which_->position.value_or(0),
-                                         .identity = {.subsystem = manager.subsystem, .station = manager.node},
-                                         .cyclic = options_.period > duration{}},
+                                           .identity = {.subsystem = manager.subsystem, .station = manager.node},
+                                           .cyclic = options_.period > duration{}},
                    *exchange_, timing, memory_, observer());
     for (auto& each : components_) {
-        const auto identity = net::detail::identity_of(node_.net().config(), each.self(),
-                                                       {.authority_code = each.authority()});
+        const auto identity =
+            net::detail::identity_of(node_.net().config(), each.self(), {.authority_code = each.authority()});
         each.unit.emplace(each.self(), *front_,
                           jaus::component_options{.control = {.authority_code = identity.authority_code,
                                                               .timeout = timing.control_timeout}});
@@ -211,8 +210,7 @@ JAUSCAT_DECL void bridge_state::retry() {
 }
 JAUSCAT_DECL void bridge_state::found(std::uint16_t position, const ethercat::identity_check& expected) {
     front_->place_at(position, expected);
-    if (const auto problem = bus_->join(*this); !problem.empty())
-        return log(name() + " is not served: " + problem);
+    if (const auto problem = bus_->join(*this); !problem.empty()) return log(name() + " is not served: " + problem);
     is_served_ = true;
 }
 
@@ -296,7 +294,8 @@ JAUSCAT_DECL void bridge_state::slave_lost(const bridging::slave_front&, bridgin
     log(name() + " is lost: " + std::string{text_of(what)} + " (" + last_problem_ + ")");
     call_later(&bridge_state::on_lost, *which_, error);
 }
-JAUSCAT_DECL void bridge_state::slave_emergency(const bridging::slave_front&, const ethercat::coe_emergency& emergency) {
+JAUSCAT_DECL void bridge_state::slave_emergency(const bridging::slave_front&,
+                                                const ethercat::coe_emergency& emergency) {
     limited_(net::now(), [&] {
         return name() + " reports an emergency: " + numbered("%04Xh", emergency.error_code) +
                numbered(", error register %02Xh", emergency.error_register);
