@@ -1,7 +1,7 @@
 // Options of a bridge.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
-#include <jauscat/compilation.hpp>
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 // Errors of the operations of a bus, as error codes.
 #pragma once
-#include <jauscat/compilation.hpp>
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/schema/ethercat/al_state.hpp>
 #include <jauscat/schema/ethercat/coe.hpp>
 

@@ -1,7 +1,7 @@
 // Options of a bus, and the choice of a slave.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
-#include <jauscat/compilation.hpp>
 
 #include <chrono>
 #include <cstdint>

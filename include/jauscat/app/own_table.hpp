@@ -1,7 +1,7 @@
 // For a bridge with a translation table of the application's.
 #pragma once
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/bridge/any_exchange.hpp>
-#include <jauscat/compilation.hpp>
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 // What works while a node runs, besides its components.
 #pragma once
-#include <jauscat/compilation.hpp>
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/schema/jaus/header.hpp>
 
 namespace jauscat {

@@ -43,10 +43,12 @@ template <class Link> class held_link final : public any_link {
 /// "udp:HOST" or "udp:HOST:PORT" (default port 34980; an IPv6 address is in brackets). Throws `open_error`.
 inline std::unique_ptr<any_link> open_link(std::string_view where) {
     constexpr std::string_view udp = "udp:";
-    if (where.substr(0, udp.size()) != udp)
-        return std::make_unique<held_link<raw_link>>(raw_link{std::string{where}});
+    if (where.substr(0, udp.size()) != udp) return std::make_unique<held_link<raw_link>>(raw_link{std::string{where}});
     const auto refuse = [&](const char* what) -> open_error {
-        return open_error{'"' + std::string{where} + "\": " + what + "; an example is udp:127.0.0.1:34980"};
+        return open_error{
+            error{.code = errc::invalid_address,
+                  .reason = {},
+                  .message = '"' + std::string{where} + "\": " + what + "; an example is udp:127.0.0.1:34980"}};
     };
     auto host = where.substr(udp.size());
     std::string_view port;
