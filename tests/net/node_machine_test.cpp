@@ -117,7 +117,7 @@ TEST_CASE("a component lists each message that its dispatcher handles or its par
     jaus::dispatcher application{jaus::on<jaus::set_wrench_effort>([](const jaus::header&, const auto&) {}),
                                  jaus::on<jaus::query_wrench_effort>([](const jaus::header&, const auto&) {}),
                                  jaus::on<jaus::standby>([](const jaus::header&, const auto&) {})};
-    const net::offered_messages offered{p.robot.core, application};
+    const net::detail::offered_messages offered{p.robot.core, application};
     using list = std::vector<jaus::supported_message>;
     REQUIRE(offered.input == list{{0x0008}, {0x000A}, {0x000B}, {0x000C}, {0x0405, 0xFFF}, {0x2405}}); // not Standby
     REQUIRE(offered.output == list{{0x0009}, {0x4405, 0xFFFFFFFF}});

@@ -1,7 +1,7 @@
 // A slave of a bus: its objects, its states.
 #pragma once
 #include <jauscat/app/bus_options.hpp>
-#include <jauscat/app/detail/object_value.hpp>
+#include <jauscat/app/object_value.hpp>
 #include <jauscat/schema/ethercat/sdo_information.hpp>
 
 #include <boost/asio/io_context.hpp>

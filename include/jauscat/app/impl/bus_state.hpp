@@ -2,7 +2,7 @@
 #pragma once
 #include <jauscat/app/bus_error.hpp>
 #include <jauscat/app/bus_options.hpp>
-#include <jauscat/app/detail/object_value.hpp>
+#include <jauscat/app/object_value.hpp>
 #include <jauscat/app/slave.hpp>
 #include <jauscat/bridge/ring.hpp>
 #include <jauscat/net/link/any_link.hpp>
