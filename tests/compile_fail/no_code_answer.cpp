@@ -8,5 +8,5 @@ template <> struct jauscat::wire::schema<small_message> {
         layout<field<&T::number, u16le>, field<&T::level, scaled<u8, percent>>, presence<u8, field<&T::extra, u8>>>;
 };
 
-const bool sent = jauscat::jaus::answer(jauscat::jaus::header{}, jauscat::jaus::address{}, small_message{},
+const auto sent = jauscat::jaus::answer(jauscat::jaus::header{}, jauscat::jaus::address{}, small_message{},
                                         [](std::span<const std::byte>) {});

@@ -8,4 +8,4 @@ template <> struct jauscat::wire::schema<small_message> {
         layout<field<&T::number, u16le>, field<&T::level, scaled<u8, percent>>, presence<u8, field<&T::extra, u8>>>;
 };
 
-const bool sent = jauscat::jaus::put(jauscat::jaus::header{}, small_message{}, [](std::span<const std::byte>) {});
+const auto sent = jauscat::jaus::put(jauscat::jaus::header{}, small_message{}, [](std::span<const std::byte>) {});

@@ -2,5 +2,5 @@
 #include "small_message.hpp"
 #include <jauscat/jaus/component/answer.hpp>
 
-const bool sent = jauscat::jaus::answer(jauscat::jaus::header{}, jauscat::jaus::address{}, small_message{},
+const auto sent = jauscat::jaus::answer(jauscat::jaus::header{}, jauscat::jaus::address{}, small_message{},
                                         [](std::span<const std::byte>) {});

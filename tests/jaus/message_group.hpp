@@ -65,7 +65,7 @@ template <wire::message T> encoded random(support::generator& g, const support::
     const auto out = [&](std::span<const std::byte> packet) {
         sent.insert(sent.end(), packet.begin() + jaus::header_size, packet.end());
     };
-    made.is_put = jaus::put({.source = {1, 1, 1, 1}}, value, room, out) && sent == made.bytes;
+    made.is_put = jaus::put({.source = {1, 1, 1, 1}}, value, room, out).has_value() && sent == made.bytes;
     return made;
 }
 

@@ -38,7 +38,7 @@ TEST_CASE("without memory a body of 4080 bytes is sent and a larger one is not")
     REQUIRE(jaus::put(query, image, out));
     REQUIRE(sent[0].size() == 4096);
     image.image_data = data;
-    REQUIRE_FALSE(jaus::put(query, image, out));
+    REQUIRE(jaus::put(query, image, out).error() == jaus::errc::body_too_large);
     REQUIRE(sent.size() == 1);
 }
 
@@ -63,6 +63,6 @@ TEST_CASE("with memory a larger body is sent as a large data set") {
 
     sent.clear();
     memory.pop_back();
-    REQUIRE_FALSE(jaus::answer(query, camera, image, memory, out));
+    REQUIRE(jaus::answer(query, camera, image, memory, out).error() == jaus::errc::no_space);
     REQUIRE(sent.empty());
 }

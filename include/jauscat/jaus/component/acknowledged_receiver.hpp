@@ -116,7 +116,7 @@ class acknowledged_receiver {
     [[nodiscard]] constexpr bool finish(const header& head, bool executed, time_point now, message_sink out) noexcept {
         if (!is_acknowledged(head)) return false;
         const ack_nak answer = executed ? ack_nak::ack : ack_nak::nak;
-        if (may_be_repeated(head.command_code)) return acknowledge(head, self_, answer, out);
+        if (may_be_repeated(head.command_code)) return acknowledge(head, self_, answer, out).has_value();
         acknowledged_message* const place = first_pending(head);
         if (place == nullptr) return false;
         place->until = saturating_add(now, memory_);

@@ -59,16 +59,17 @@ class described_component {
         const auto done = [](bool sent) { return sent ? message_outcome::handled : message_outcome::refused; };
         switch (head.command_code) {
         case command_code_of<query_heartbeat_pulse>:
-            return decode_for<query_heartbeat_pulse>(
-                body, [&](const auto&) { return done(answer(head, self_, report_heartbeat_pulse{}, out)); });
+            return decode_for<query_heartbeat_pulse>(body, [&](const auto&) {
+                return done(answer(head, self_, report_heartbeat_pulse{}, out).has_value());
+            });
         case command_code_of<query_identification>:
             return decode_for<query_identification>(body, [&](const query_identification& query) {
                 return done(query.query_type == query_type::component_identification &&
-                            answer(head, self_, identification(query.query_type, description_.name), out));
+                            answer(head, self_, identification(query.query_type, description_.name), out).has_value());
             });
         case command_code_of<query_services>:
             return decode_for<query_services>(body, [&](const auto&) {
-                return done(answer(head, self_, report_services{description_.services}, memory_, out));
+                return done(answer(head, self_, report_services{description_.services}, memory_, out).has_value());
             });
         default: return message_outcome::unhandled;
         }

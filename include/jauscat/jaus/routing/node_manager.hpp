@@ -42,7 +42,7 @@ class node_manager {
         case command_code_of<query_configuration>:
             return decode_for<query_configuration>(body, [&](const query_configuration& query) {
                 return done(with_components(query.query_field, [&](const report_configuration& report) {
-                    return answer(head, self_, report, memory_.report, out);
+                    return answer(head, self_, report, memory_.report, out).has_value();
                 }));
             });
         case command_code_of<query_subsystem_list>:
@@ -148,7 +148,7 @@ class node_manager {
     message_outcome identify(query_type whose, const header& head, std::span<const std::byte> body,
                              message_sink out) noexcept {
         const auto with = [&](const identity& name) {
-            return done(answer(head, self_, described_component::identification(whose, name), out));
+            return done(answer(head, self_, described_component::identification(whose, name), out).has_value());
         };
         switch (whose) {
         case query_type::system_identification: return with(description_.system);
@@ -226,7 +226,7 @@ class node_manager {
             if (count == 0 || subsystems[count - 1].subsystem_id != who.subsystem)
                 subsystems[count++] = {who.subsystem, who.node, who.component, who.instance};
         const report_subsystem_list report{std::span<const listed_subsystem>{subsystems, count}};
-        return done(answer(head, self_, report, memory_.report, out));
+        return done(answer(head, self_, report, memory_.report, out).has_value());
     }
 
     address self_;
