@@ -38,9 +38,10 @@ using exchange_maker = std::unique_ptr<bridging::any_exchange> (*)(const bridgin
 /// slave does not answer, the component is in Failure; docs/safety.md has the contract. Losses, refused stop orders and
 /// emergencies are logged by the node and called back.
 ///
-/// The bridge works while its node runs. The slave has the number of the node as its station address; so a node can
-/// have one slave on a bus, with up to 8 components. For more slaves on a bus give each a node and a bridge of its own;
-/// all bridges of a bus share its master, and have the same options.
+/// The bridge works while its node runs. The first slave gets the number of the node as its station address, each
+/// further one a free address from 254 down; a slave that takes its JAUS ID from its station address then has that
+/// number for its node, and the bridge changes it in all messages. A slave has up to 8 components. All bridges of a bus
+/// share its master, and have the same options.
 class bridge {
   public:
     /// Node and bus have the same io_context. Throws `std::invalid_argument` for another one, for options out of range,
@@ -55,8 +56,7 @@ class bridge {
 
     /// Adds a component in front of a slave, before the node is started. A slave that is chosen by alias, name or
     /// identity is looked for on the whole bus, until it is found. Throws `std::invalid_argument` for an ID that is no
-    /// component's or that the node has already, for a slave of another bus, and for a second slave;
-    /// `std::logic_error` if the node runs.
+    /// component's or that the node has already, and for a slave of another bus; `std::logic_error` if the node runs.
     JAUSCAT_DECL void serve(const served_component& component, const slave& by);
 
     /// Called when a slave answers and takes messages.
@@ -73,7 +73,7 @@ class bridge {
     when_emergency(std::function<void(const slave_choice& slave, const ethercat::coe_emergency& emergency)> f);
     /// All slaves have confirmed all stop orders, also lost ones.
     [[nodiscard]] JAUSCAT_DECL bool at_rest() const;
-    /// Its slave answers and takes messages.
+    /// All slaves answer and take messages.
     [[nodiscard]] JAUSCAT_DECL bool is_up() const;
 
   private:

@@ -18,6 +18,7 @@ struct slave_options {
     slave_identity identity{};           ///< subsystem, station address = JAUS node, instance
     bool cyclic{};                       ///< runs in OP: what fits its process data goes by them
     ethercat::identity_check expected{}; ///< another slave is not brought up
+    std::uint8_t node{};                 ///< JAUS node of its components; 0: the station address
 };
 
 /// The times of a bridge. `at_rest_within` derives them from the one that counts.

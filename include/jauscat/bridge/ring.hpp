@@ -639,7 +639,9 @@ template <class Image = wrench_effort_path> class basic_ring {
         return works_in(at, seen.al.state) ? seen.last_frame : std::nullopt;
     }
     void start_image(place& at, time_point now, jaus::message_sink out) {
-        at.image.emplace(at.front->options().identity, Image::component);
+        auto jaus_identity = at.front->options().identity;
+        if (const auto node = at.front->options().node; node != 0) jaus_identity.station = node;
+        at.image.emplace(jaus_identity, Image::component);
         if (!at.image->start(outputs(at), inputs(at)))
             return lose(at, loss::no_process_data, {.code = ethercat::master_errc::size_mismatch}, now, out);
         at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), true);

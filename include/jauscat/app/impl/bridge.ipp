@@ -13,9 +13,7 @@ namespace jauscat {
 inline namespace JAUSCAT_WAY {
 
 JAUSCAT_DECL bridge::bridge(node& of, bus& on, app::exchange_maker make, const bridge_options& options) {
-    const auto& self = of.manager();
-    state_ = std::make_shared<app::bridge_state>(of.state(), on.state(),
-                                                 make({.subsystem = self.subsystem, .station = self.node}), options);
+    state_ = std::make_shared<app::bridge_state>(of.state(), on.state(), make, options);
     of.state().add(state_);
 }
 JAUSCAT_DECL bridge::~bridge() { state_->close(); }

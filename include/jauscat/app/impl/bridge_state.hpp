@@ -4,6 +4,7 @@
 #include <jauscat/app/bus_options.hpp>
 #include <jauscat/app/impl/bus_state.hpp>
 #include <jauscat/app/impl/node_part.hpp>
+#include <jauscat/bridge/any_exchange.hpp>
 #include <jauscat/bridge/component.hpp>
 #include <jauscat/net/limited_log.hpp>
 
@@ -21,6 +22,7 @@ inline namespace JAUSCAT_WAY {
 namespace app {
 
 class node_state;
+using exchange_maker = std::unique_ptr<bridging::any_exchange> (*)(const bridging::slave_identity& slave);
 
 /// A component for the node, which refers to it as long as it lives; the unit exists while the bridge works.
 class bridged_component {
@@ -50,32 +52,45 @@ class bridged_component {
     std::uint8_t authority_;
 };
 
-/// Refers to the bus, which it keeps in memory, and to the node, which keeps it.
-class bridge_state final : public node_part, public bus_user, public std::enable_shared_from_this<bridge_state> {
+/// Exchanges packets with a slave whose station address is not the number of the node of its components.
+class renumbered_exchange final : public bridging::any_exchange {
   public:
-    bridge_state(node_state& of, std::shared_ptr<bus_state> on, std::unique_ptr<bridging::any_exchange> exchange,
-                 const bridge_options& options);
+    renumbered_exchange(std::unique_ptr<bridging::any_exchange> under, std::uint8_t node, std::uint8_t station)
+        : under_{std::move(under)}, node_{node}, station_{station} {}
 
-    void serve(const served_component& component, const slave_choice& by);
-    [[nodiscard]] const std::shared_ptr<bus_state>& bus() const noexcept { return bus_; }
+    bridging::exchange_step begin(bytes message, std::span<std::byte> buffer) override;
+    bridging::exchange_step on_confirmation(bytes confirmation, std::span<std::byte> buffer) override;
+    [[nodiscard]] hilscher::packet_status status() const override { return under_->status(); }
+    [[nodiscard]] translate::errc error() const override { return under_->error(); }
+
+  private:
+    std::unique_ptr<bridging::any_exchange> under_;
+    std::uint8_t node_, station_;
+    std::vector<std::byte> message_{};
+};
+
+class bridge_state;
+
+/// A slave of a bridge, with the components in front of it.
+class served_slave final : public bus_user {
+  public:
+    served_slave(bridge_state& of, slave_choice which, std::unique_ptr<bridging::any_exchange> exchange,
+                 std::uint16_t station)
+        : bridge_{of}, which_{std::move(which)}, station_{station}, exchange_{std::move(exchange)} {}
+
+    void add(const jaus::address& self, std::uint8_t authority);
+    void start();
+    void stop() noexcept;
+    [[nodiscard]] const slave_choice& choice() const noexcept { return which_; }
+    [[nodiscard]] std::uint16_t station() const noexcept { return station_; }
+    [[nodiscard]] bool has(const jaus::address& component) const;
     [[nodiscard]] bool at_rest() const noexcept;
     [[nodiscard]] bool is_up() const noexcept { return front_ && front_->up(); }
-    /// The handle has gone.
-    void close() noexcept;
-
-    void start() override;
-    void stop() noexcept override;
-    [[nodiscard]] bool has(const jaus::address& component) const override;
 
     void send(bytes message) override;
     void bus_ends() noexcept override;
     [[nodiscard]] bridging::slave_front& front() noexcept override { return *front_; }
-
-    std::function<void(const slave_choice&)> on_up{};
-    std::function<void(const slave_choice&, error_code)> on_lost{};
-    std::function<void(const jaus::address&, jaus::primary_status_code)> on_changed{};
-    std::function<void(const jaus::address&)> on_at_rest{};
-    std::function<void(const slave_choice&, const ethercat::coe_emergency&)> on_emergency{};
+    [[nodiscard]] std::uint8_t node() const noexcept override;
 
   private:
     struct nothing_more {
@@ -99,30 +114,67 @@ class bridge_state final : public node_part, public bus_user, public std::enable
     [[nodiscard]] bridging::observer observer() noexcept;
 
     /// Has the ring serve the slave once its position is known; until then it is looked for.
-    void find_slave();
+    void find();
     void found(std::uint16_t position, const ethercat::identity_check& expected);
     void retry();
-    /// Sends what the ring has for others: not within its turn, because a receiver in this program may end the bridge.
-    void flush();
     void log(std::string_view line);
     [[nodiscard]] std::string name() const;
-    template <class F, class... Arguments> void call_later(F bridge_state::* function, Arguments... arguments);
 
-    node_state& node_;
-    std::shared_ptr<bus_state> bus_;
+    bridge_state& bridge_;
+    slave_choice which_;
+    std::uint16_t station_;
     std::unique_ptr<bridging::any_exchange> exchange_;
-    bridge_options options_;
-    std::optional<slave_choice> which_{};
     std::deque<bridged_component> components_{};
     nothing_more application_{};
     bridging::order_memory<> memory_{};
     std::optional<bridging::slave_front> front_{};
     std::optional<boost::asio::steady_timer> timer_{};
     net::limited_log limited_{[this](std::string_view line) { log(line); }};
-    std::vector<std::vector<std::byte>> outbox_{};
     std::string last_problem_{};
     bool works_{};     ///< between start and stop
     bool is_served_{}; ///< the ring has the front
+};
+
+/// Keeps the bus in memory; the node keeps it.
+class bridge_state final : public node_part, public std::enable_shared_from_this<bridge_state> {
+  public:
+    bridge_state(node_state& of, std::shared_ptr<bus_state> on, exchange_maker make, const bridge_options& options);
+
+    void serve(const served_component& component, const slave_choice& by);
+    [[nodiscard]] bool at_rest() const noexcept;
+    /// All slaves are.
+    [[nodiscard]] bool is_up() const noexcept;
+    /// The handle has gone.
+    void close() noexcept;
+
+    void start() override;
+    void stop() noexcept override;
+    [[nodiscard]] bool has(const jaus::address& component) const override;
+
+    // For its slaves.
+    [[nodiscard]] const std::shared_ptr<bus_state>& bus() const noexcept { return bus_; }
+    [[nodiscard]] node_state& node() noexcept { return node_; }
+    [[nodiscard]] const bridge_options& options() const noexcept { return options_; }
+    /// Sends the message later: not within the ring's turn, because a receiver in this program may end the bridge.
+    void send(bytes message);
+    /// Calls a function of the application from the io_context, unless the bridge has ended by then.
+    template <class F, class... Arguments> void call_later(F bridge_state::* function, Arguments... arguments);
+
+    std::function<void(const slave_choice&)> on_up{};
+    std::function<void(const slave_choice&, error_code)> on_lost{};
+    std::function<void(const jaus::address&, jaus::primary_status_code)> on_changed{};
+    std::function<void(const jaus::address&)> on_at_rest{};
+    std::function<void(const slave_choice&, const ethercat::coe_emergency&)> on_emergency{};
+
+  private:
+    void flush();
+
+    node_state& node_;
+    std::shared_ptr<bus_state> bus_;
+    exchange_maker make_;
+    bridge_options options_;
+    std::deque<served_slave> slaves_{};
+    std::vector<std::vector<std::byte>> outbox_{};
     bool is_closed_{};
 };
 

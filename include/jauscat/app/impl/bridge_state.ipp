@@ -16,7 +16,7 @@ namespace jauscat {
 inline namespace JAUSCAT_WAY {
 namespace app {
 
-inline void bridge_state::nothing_more::list_messages(auto&& takes, auto&& sends) {
+inline void served_slave::nothing_more::list_messages(auto&& takes, auto&& sends) {
     takes(jaus::supported_message{jaus::command_code_of<jaus::set_wrench_effort>,
                                   jaus::presence_bits_of<jaus::set_wrench_effort>});
     takes(jaus::supported_message{jaus::command_code_of<jaus::query_wrench_effort>,
@@ -41,9 +41,9 @@ inline bridging::bridge_options timing_of(const bridge_options& options) {
     return bridging::at_rest_within(limit, period);
 }
 
-JAUSCAT_DECL bridge_state::bridge_state(node_state& of, std::shared_ptr<bus_state> on,
-                                        std::unique_ptr<bridging::any_exchange> exchange, const bridge_options& options)
-    : node_{of}, bus_{std::move(on)}, exchange_{std::move(exchange)}, options_{options} {
+JAUSCAT_DECL bridge_state::bridge_state(node_state& of, std::shared_ptr<bus_state> on, exchange_maker make,
+                                        const bridge_options& options)
+    : node_{of}, bus_{std::move(on)}, make_{make}, options_{options} {
     if (&node_.context() != &bus_->context())
         throw std::invalid_argument{"bridge: node and bus have different io_contexts"};
     if (!bus_->set_timing(timing_of(options_)))
@@ -59,88 +59,50 @@ JAUSCAT_DECL void bridge_state::serve(const served_component& component, const s
     if (!jaus::names_one_component(self))
         throw std::invalid_argument{"component ID and instance are 1 to 254, not " + net::to_jausip(self)};
     if (node_.has(self)) throw std::invalid_argument{"the node has a component " + net::to_jausip(self) + " already"};
-    if (which_ && !(*which_ == by))
-        throw std::invalid_argument{"bridge: a second slave; it needs a node of its own, because the number of the node"
-                                    " is the slave's station address"};
-    if (components_.size() == bridging::component_capacity)
-        throw std::invalid_argument{"bridge: more than " + std::to_string(bridging::component_capacity) +
-                                    " components in front of one slave"};
-    auto& added = components_.emplace_back(self, component.authority);
-    node_.net().add(added, application_);
-    which_ = by;
+    auto slave = std::ranges::find(slaves_, by, &served_slave::choice);
+    if (slave == slaves_.end()) {
+        const auto station = bus_->reserve_station(self.node);
+        auto exchange = make_({.subsystem = self.subsystem, .station = station});
+        if (station != self.node)
+            exchange = std::make_unique<renumbered_exchange>(std::move(exchange), self.node,
+                                                             static_cast<std::uint8_t>(station));
+        slaves_.emplace_back(*this, by, std::move(exchange), station);
+        slave = slaves_.end() - 1;
+    }
+    slave->add(self, component.authority);
 }
-
-JAUSCAT_DECL bool bridge_state::has(const jaus::address& component) const {
-    return std::ranges::any_of(components_, [&](const auto& each) { return each.self() == component; });
-}
-JAUSCAT_DECL bool bridge_state::at_rest() const noexcept {
-    return std::ranges::none_of(components_,
-                                [](const auto& each) { return each.unit && each.unit->stops().stop_is_pending(); });
-}
-
-JAUSCAT_DECL void bridge_state::log(std::string_view line) { node_.log(line); }
-JAUSCAT_DECL std::string bridge_state::name() const {
-    return "slave " + (which_->position       ? std::to_string(*which_->position)
-                       : which_->alias        ? "with the alias " + std::to_string(*which_->alias)
-                       : which_->name.empty() ? "with the required identity"
-                                              : which_->name);
-}
-
-template <class F, class... Arguments>
-void bridge_state::call_later(F bridge_state::* function, Arguments... arguments) {
-    if (!(this->*function)) return;
-    boost::asio::post(node_.context(), [weak = weak_from_this(), function, arguments...] {
-        const auto self = weak.lock();
-        if (!self || self->is_closed_) return;
-        if (const auto call = (*self).*function) call(arguments...); // it may end the bridge
-    });
-}
-
-// ---- Start and end.
 
 JAUSCAT_DECL void bridge_state::start() {
-    if (works_ || is_closed_ || !which_) return;
-    const auto& manager = node_.net().manager();
-    const auto& timing = bus_->timing();
-    front_.emplace(bridging::slave_options{.position = which_->position.value_or(0),
-                                           .identity = {.subsystem = manager.subsystem, .station = manager.node},
-                                           .cyclic = options_.period > duration{}},
-                   *exchange_, timing, memory_, observer());
-    for (auto& each : components_) {
-        const auto identity =
-            net::detail::identity_of(node_.net().config(), each.self(), {.authority_code = each.authority()});
-        each.unit.emplace(each.self(), *front_,
-                          jaus::component_options{.control = {.authority_code = identity.authority_code,
-                                                              .timeout = timing.control_timeout}});
-    }
-    works_ = true;
-    last_problem_.clear();
-    find_slave();
+    if (is_closed_) return;
+    for (auto& each : slaves_) each.start();
 }
-
 JAUSCAT_DECL void bridge_state::stop() noexcept {
-    if (!std::exchange(works_, false)) return;
-    timer_.reset();
+    for (auto& each : slaves_) each.stop();
     try {
-        if (is_served_ && !bus_->bring_to_rest(*this))
-            log(name() + " has not confirmed that it is at rest: it stops by its own watchdog or not at all");
         flush();
     } catch (...) { // of the log
     }
-    if (std::exchange(is_served_, false)) bus_->leave(*this);
-    for (auto& each : components_) each.unit.reset();
-    front_.reset();
 }
 JAUSCAT_DECL void bridge_state::close() noexcept {
     if (is_closed_) return;
     stop();
     is_closed_ = true;
+    for (const auto& each : slaves_) bus_->release_station(each.station());
     bus_->release_timing();
     on_up = nullptr;
     on_lost = nullptr;
     on_changed = nullptr;
     on_at_rest = nullptr;
     on_emergency = nullptr;
+}
+JAUSCAT_DECL bool bridge_state::has(const jaus::address& component) const {
+    return std::ranges::any_of(slaves_, [&](const auto& each) { return each.has(component); });
+}
+JAUSCAT_DECL bool bridge_state::at_rest() const noexcept {
+    return std::ranges::all_of(slaves_, [](const auto& each) { return each.at_rest(); });
+}
+JAUSCAT_DECL bool bridge_state::is_up() const noexcept {
+    return std::ranges::all_of(slaves_, [](const auto& each) { return each.is_up(); });
 }
 
 JAUSCAT_DECL void bridge_state::send(bytes message) {
@@ -154,7 +116,97 @@ JAUSCAT_DECL void bridge_state::flush() {
     for (const auto& message : std::exchange(outbox_, {}))
         if (node_.net().running()) node_.net().out()(message);
 }
-JAUSCAT_DECL void bridge_state::bus_ends() noexcept {
+template <class F, class... Arguments>
+void bridge_state::call_later(F bridge_state::* function, Arguments... arguments) {
+    if (!(this->*function)) return;
+    boost::asio::post(node_.context(), [weak = weak_from_this(), function, arguments...] {
+        const auto self = weak.lock();
+        if (!self || self->is_closed_) return;
+        if (const auto call = (*self).*function) call(arguments...); // it may end the bridge
+    });
+}
+
+// ---- A slave whose station address is not the number of the node.
+
+JAUSCAT_DECL bridging::exchange_step renumbered_exchange::begin(bytes message, std::span<std::byte> buffer) {
+    message_.assign(message.begin(), message.end());
+    jaus::header head{};
+    if (wire::decode_prefix(head, message)) {
+        if (head.destination.node == node_) head.destination.node = station_;
+        static_cast<void>(wire::encode(head, message_));
+    }
+    return under_->begin(message_, buffer);
+}
+JAUSCAT_DECL bridging::exchange_step renumbered_exchange::on_confirmation(bytes confirmation,
+                                                                          std::span<std::byte> buffer) {
+    const auto step = under_->on_confirmation(confirmation, buffer);
+    jaus::header head{};
+    if (step.what == bridging::exchange_progress::done && step.size != 0 && wire::decode_prefix(head, buffer)) {
+        head.source.node = node_; // of a report
+        static_cast<void>(wire::encode(head, buffer));
+    }
+    return step;
+}
+
+// ---- Start and end of a slave.
+
+JAUSCAT_DECL void served_slave::add(const jaus::address& self, std::uint8_t authority) {
+    if (components_.size() == bridging::component_capacity)
+        throw std::invalid_argument{"bridge: more than " + std::to_string(bridging::component_capacity) +
+                                    " components in front of one slave"};
+    bridge_.node().net().add(components_.emplace_back(self, authority), application_);
+}
+JAUSCAT_DECL bool served_slave::has(const jaus::address& component) const {
+    return std::ranges::any_of(components_, [&](const auto& each) { return each.self() == component; });
+}
+JAUSCAT_DECL bool served_slave::at_rest() const noexcept {
+    return std::ranges::none_of(components_,
+                                [](const auto& each) { return each.unit && each.unit->stops().stop_is_pending(); });
+}
+JAUSCAT_DECL std::uint8_t served_slave::node() const noexcept { return bridge_.node().net().manager().node; }
+JAUSCAT_DECL void served_slave::log(std::string_view line) { bridge_.node().log(line); }
+JAUSCAT_DECL std::string served_slave::name() const {
+    return "slave " + (which_.position       ? std::to_string(*which_.position)
+                       : which_.alias        ? "with the alias " + std::to_string(*which_.alias)
+                       : which_.name.empty() ? "with the required identity"
+                                             : which_.name);
+}
+
+JAUSCAT_DECL void served_slave::start() {
+    if (works_) return;
+    auto& node = bridge_.node().net();
+    const auto& timing = bridge_.bus()->timing();
+    front_.emplace(bridging::slave_options{.position = which_.position.value_or(0),
+                                           .identity = {.subsystem = node.manager().subsystem, .station = station_},
+                                           .cyclic = bridge_.options().period > duration{},
+                                           .node = node.manager().node},
+                   *exchange_, timing, memory_, observer());
+    for (auto& each : components_) {
+        const auto identity =
+            net::detail::identity_of(node.config(), each.self(), {.authority_code = each.authority()});
+        each.unit.emplace(each.self(), *front_,
+                          jaus::component_options{.control = {.authority_code = identity.authority_code,
+                                                              .timeout = timing.control_timeout}});
+    }
+    works_ = true;
+    last_problem_.clear();
+    find();
+}
+JAUSCAT_DECL void served_slave::stop() noexcept {
+    if (!std::exchange(works_, false)) return;
+    timer_.reset();
+    try {
+        if (is_served_ && !bridge_.bus()->bring_to_rest(*this))
+            log(name() + " has not confirmed that it is at rest: it stops by its own watchdog or not at all");
+    } catch (...) { // of the log
+    }
+    if (std::exchange(is_served_, false)) bridge_.bus()->leave(*this);
+    for (auto& each : components_) each.unit.reset();
+    front_.reset();
+}
+
+JAUSCAT_DECL void served_slave::send(bytes message) { bridge_.send(message); }
+JAUSCAT_DECL void served_slave::bus_ends() noexcept {
     is_served_ = false;
     if (!front_) return;
     front_->on_work({});
@@ -164,37 +216,38 @@ JAUSCAT_DECL void bridge_state::bus_ends() noexcept {
     const auto out = [this](bytes message) { send(message); };
     for (auto& each : components_)
         if (each.unit) each.unit->on_slave_lost(net::now(), out);
-    call_later(&bridge_state::on_lost, *which_, error_code{bus_errc::not_started});
+    bridge_.call_later(&bridge_state::on_lost, which_, error_code{bus_errc::not_started});
 }
 
 // ---- The slave.
 
 /// Ends a start of the bus for a bridge.
-struct bridge_state::search final : operation<> {
-    explicit search(const std::shared_ptr<bridge_state>& of) : bridge{of} {}
+struct served_slave::search final : operation<> {
+    explicit search(served_slave& of) : slave{of}, bridge{of.bridge_.weak_from_this()} {}
     void deliver(error_code) override {
-        const auto self = bridge.lock();
-        if (!self) return;
-        boost::asio::post(self->node_.context(), [weak = bridge] {
-            if (const auto still = weak.lock(); still && still->works_ && !still->is_served_) still->retry();
+        const auto still = bridge.lock();
+        if (!still) return;
+        boost::asio::post(still->node().context(), [&of = slave, weak = bridge] {
+            if (const auto alive = weak.lock(); alive && of.works_ && !of.is_served_) of.retry();
         });
     }
+    served_slave& slave; ///< lives as long as its bridge
     std::weak_ptr<bridge_state> bridge;
 };
 
-JAUSCAT_DECL void bridge_state::find_slave() {
-    const auto& id = which_->identity;
+JAUSCAT_DECL void served_slave::find() {
+    const auto& id = which_.identity;
     ethercat::identity_check expected{id.vendor, id.product, id.revision, id.serial};
-    const bool is_by_position = which_->position && !which_->alias && which_->name.empty();
-    if (is_by_position) return found(*which_->position, expected);
+    const bool is_by_position = which_.position && !which_.alias && which_.name.empty();
+    if (is_by_position) return found(*which_.position, expected);
     error_code error;
-    if (bus_->find(*which_, error) != nullptr) return retry();
-    bus_->start(std::make_shared<search>(shared_from_this()));
+    if (bridge_.bus()->find(which_, error) != nullptr) return retry();
+    bridge_.bus()->start(std::make_shared<search>(*this));
 }
 /// The slaves of the bus are known, or not.
-JAUSCAT_DECL void bridge_state::retry() {
+JAUSCAT_DECL void served_slave::retry() {
     error_code error;
-    if (const auto* const slave = bus_->find(*which_, error)) {
+    if (const auto* const slave = bridge_.bus()->find(which_, error)) {
         const auto& info = slave->info;
         return found(info.position, {info.vendor, info.product, info.revision, info.serial});
     }
@@ -202,30 +255,31 @@ JAUSCAT_DECL void bridge_state::retry() {
         last_problem_ = problem;
         log(name() + " is not found: " + problem);
     }
-    timer_.emplace(node_.context(), std::chrono::seconds{1});
-    timer_->async_wait([weak = weak_from_this()](error_code cancelled) {
+    timer_.emplace(bridge_.node().context(), std::chrono::seconds{1});
+    timer_->async_wait([this, weak = bridge_.weak_from_this()](error_code cancelled) {
         if (cancelled) return;
-        if (const auto self = weak.lock(); self && self->works_ && !self->is_served_) self->find_slave();
+        if (const auto alive = weak.lock(); alive && works_ && !is_served_) find();
     });
 }
-JAUSCAT_DECL void bridge_state::found(std::uint16_t position, const ethercat::identity_check& expected) {
+JAUSCAT_DECL void served_slave::found(std::uint16_t position, const ethercat::identity_check& expected) {
     front_->place_at(position, expected);
-    if (const auto problem = bus_->join(*this); !problem.empty()) return log(name() + " is not served: " + problem);
+    if (const auto problem = bridge_.bus()->join(*this); !problem.empty())
+        return log(name() + " is not served: " + problem);
     is_served_ = true;
 }
 
 // ---- What happens.
 
-JAUSCAT_DECL bridging::observer bridge_state::observer() noexcept {
-    return {.slave_up = jaus::bound<&bridge_state::slave_up>(*this),
-            .bring_up_failed = jaus::bound<&bridge_state::bring_up_failed>(*this),
-            .slave_lost = jaus::bound<&bridge_state::slave_lost>(*this),
-            .slave_emergency = jaus::bound<&bridge_state::slave_emergency>(*this),
-            .no_keep_alive = jaus::bound<&bridge_state::no_keep_alive>(*this),
-            .changed_state = jaus::bound<&bridge_state::changed_state>(*this),
-            .stop_refused = jaus::bound<&bridge_state::stop_refused>(*this),
-            .settled = jaus::bound<&bridge_state::settled>(*this),
-            .refused = jaus::bound<&bridge_state::refused>(*this)};
+JAUSCAT_DECL bridging::observer served_slave::observer() noexcept {
+    return {.slave_up = jaus::bound<&served_slave::slave_up>(*this),
+            .bring_up_failed = jaus::bound<&served_slave::bring_up_failed>(*this),
+            .slave_lost = jaus::bound<&served_slave::slave_lost>(*this),
+            .slave_emergency = jaus::bound<&served_slave::slave_emergency>(*this),
+            .no_keep_alive = jaus::bound<&served_slave::no_keep_alive>(*this),
+            .changed_state = jaus::bound<&served_slave::changed_state>(*this),
+            .stop_refused = jaus::bound<&served_slave::stop_refused>(*this),
+            .settled = jaus::bound<&served_slave::settled>(*this),
+            .refused = jaus::bound<&served_slave::refused>(*this)};
 }
 
 inline std::string_view text_of(bridging::loss what) noexcept {
@@ -269,58 +323,58 @@ inline std::string_view text_of(bridging::stop_order what) noexcept {
     return "stop";
 }
 
-JAUSCAT_DECL void bridge_state::slave_up(const bridging::slave_front&, const ethercat::slave_record& record,
+JAUSCAT_DECL void served_slave::slave_up(const bridging::slave_front&, const ethercat::slave_record& record,
                                          bool ready) {
-    bus_->note_served(*this, record);
+    bridge_.bus()->note_served(*this, record);
     if (!ready) return;
     last_problem_.clear();
-    log(name() + " answers" + (options_.period > duration{} ? ", in OP" : ", in PRE-OP"));
-    call_later(&bridge_state::on_up, *which_);
+    log(name() + " answers" + (bridge_.options().period > duration{} ? ", in OP" : ", in PRE-OP"));
+    bridge_.call_later(&bridge_state::on_up, which_);
 }
-JAUSCAT_DECL void bridge_state::bring_up_failed(const bridging::slave_front&, const ethercat::master_error& why) {
+JAUSCAT_DECL void served_slave::bring_up_failed(const bridging::slave_front&, const ethercat::master_error& why) {
     const auto error = error_of(why);
-    bus_->note_served_lost(*this, error);
+    bridge_.bus()->note_served_lost(*this, error);
     if (const auto problem = error.message(); problem != last_problem_) {
         last_problem_ = problem;
         log(name() + " is not brought up: " + problem);
     }
 }
-JAUSCAT_DECL void bridge_state::slave_lost(const bridging::slave_front&, bridging::loss what,
+JAUSCAT_DECL void served_slave::slave_lost(const bridging::slave_front&, bridging::loss what,
                                            const ethercat::master_error& why) {
     auto error = error_of(why);
     if (!error || error == bus_errc::stopped) error = bus_errc::slave_lost;
-    bus_->note_served_lost(*this, error);
+    bridge_.bus()->note_served_lost(*this, error);
     last_problem_ = error.message();
     log(name() + " is lost: " + std::string{text_of(what)} + " (" + last_problem_ + ")");
-    call_later(&bridge_state::on_lost, *which_, error);
+    bridge_.call_later(&bridge_state::on_lost, which_, error);
 }
-JAUSCAT_DECL void bridge_state::slave_emergency(const bridging::slave_front&,
+JAUSCAT_DECL void served_slave::slave_emergency(const bridging::slave_front&,
                                                 const ethercat::coe_emergency& emergency) {
     limited_(net::now(), [&] {
         return name() + " reports an emergency: " + numbered("%04Xh", emergency.error_code) +
                numbered(", error register %02Xh", emergency.error_register);
     });
-    call_later(&bridge_state::on_emergency, *which_, emergency);
+    bridge_.call_later(&bridge_state::on_emergency, which_, emergency);
 }
-JAUSCAT_DECL void bridge_state::no_keep_alive(const bridging::slave_front&, const bridging::refusal_reason& why) {
+JAUSCAT_DECL void served_slave::no_keep_alive(const bridging::slave_front&, const bridging::refusal_reason& why) {
     log(name() + " does not take Report Heartbeat Pulse (" + text_of(why) +
         "): nothing stops it when this program ends without a word");
 }
-JAUSCAT_DECL void bridge_state::changed_state(const bridging::component& unit, jaus::primary_status_code,
+JAUSCAT_DECL void served_slave::changed_state(const bridging::component& unit, jaus::primary_status_code,
                                               jaus::primary_status_code to) {
-    call_later(&bridge_state::on_changed, unit.self(), to);
+    bridge_.call_later(&bridge_state::on_changed, unit.self(), to);
 }
-JAUSCAT_DECL void bridge_state::stop_refused(const bridging::component& unit, bridging::stop_order what,
+JAUSCAT_DECL void served_slave::stop_refused(const bridging::component& unit, bridging::stop_order what,
                                              const bridging::refusal_reason& why, unsigned attempts) {
     limited_(net::now(), [&] {
         return name() + " has refused the stop order of " + net::to_jausip(unit.self()) + " (" +
                std::string{text_of(what)} + ", attempt " + std::to_string(attempts) + "): " + text_of(why);
     });
 }
-JAUSCAT_DECL void bridge_state::settled(const bridging::component& unit) {
-    call_later(&bridge_state::on_at_rest, unit.self());
+JAUSCAT_DECL void served_slave::settled(const bridging::component& unit) {
+    bridge_.call_later(&bridge_state::on_at_rest, unit.self());
 }
-JAUSCAT_DECL void bridge_state::refused(const bridging::component& unit, const jaus::header& message,
+JAUSCAT_DECL void served_slave::refused(const bridging::component& unit, const jaus::header& message,
                                         const bridging::refusal_reason& why) {
     limited_(net::now(), [&] {
         return net::to_jausip(unit.self()) + " refuses " + text::message_name(message.command_code) + " of " +

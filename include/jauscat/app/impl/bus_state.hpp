@@ -55,6 +55,8 @@ class bus_user {
     virtual void send(std::span<const std::byte> message) = 0;
     /// The bus does not serve the slave any more.
     virtual void bus_ends() noexcept = 0;
+    /// Of its components.
+    [[nodiscard]] virtual std::uint8_t node() const noexcept = 0;
 };
 
 /// A slave that was found.
@@ -98,6 +100,9 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     [[nodiscard]] bool set_timing(bridging::bridge_options timing);
     void release_timing() noexcept { --timed_; }
     [[nodiscard]] const bridging::bridge_options& timing() const noexcept { return timing_; }
+    /// A station address that no other slave of a bridge has: that of the node, or else one from 254 down.
+    [[nodiscard]] std::uint16_t reserve_station(std::uint16_t node);
+    void release_station(std::uint16_t station) noexcept { std::erase(stations_, station); }
     /// Serves the slave of the user's front from now on; empty, or why not.
     [[nodiscard]] std::string join(bus_user& user);
     void leave(const bus_user& user) noexcept;
@@ -168,7 +173,8 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     std::unique_ptr<bridging::ring> ring_{};
     ring_output output_{*this};
     std::vector<bus_user*> users_{};
-    unsigned timed_{}; ///< bridges
+    std::vector<std::uint16_t> stations_{}; ///< of slaves of bridges
+    unsigned timed_{};                      ///< bridges
     std::optional<net::detail::wake_timer> timer_{};
     std::optional<net::ring_runner<net::any_link>> runner_{};
     std::vector<std::byte> memory_;

@@ -661,13 +661,19 @@ JAUSCAT_DECL bool bus_state::set_timing(bridging::bridge_options timing) {
     return true;
 }
 
+JAUSCAT_DECL std::uint16_t bus_state::reserve_station(std::uint16_t node) {
+    const auto is_free = [&](std::uint16_t station) { return std::ranges::count(stations_, station) == 0; };
+    auto station = node;
+    if (!is_free(station)) station = 254;
+    while (!is_free(station)) --station; // a bus has 16 slaves
+    stations_.push_back(station);
+    return station;
+}
 JAUSCAT_DECL std::string bus_state::join(bus_user& user) {
     if (is_closed_) return "the bus has ended";
     auto& front = user.front();
     const auto position = front.options().position;
     if (user_at(position) != nullptr) return "another bridge serves it";
-    for (auto* const other : users_)
-        if (other->front().station() == front.station()) return "a node can serve one slave of a bus";
     open();
     if (!ring_->add(front)) return "the bus has 16 slaves already";
     users_.push_back(&user);
@@ -701,7 +707,7 @@ JAUSCAT_DECL bus_user* bus_state::user_at(std::uint16_t position) noexcept {
 JAUSCAT_DECL void bus_state::send(std::span<const std::byte> message) {
     const auto node = jaus::split(message).header.source.node;
     for (auto* const user : users_)
-        if (user->front().station() == node) return user->send(message);
+        if (user->node() == node) return user->send(message);
 }
 
 JAUSCAT_DECL bool bus_state::bring_to_rest(bus_user& user) {
