@@ -81,8 +81,11 @@ class served_slave final : public bus_user {
     void add(const jaus::address& self, std::uint8_t authority);
     void start();
     void stop() noexcept;
+    /// It was up and should have been brought to rest: logs it if it was not.
+    void check_rest();
     [[nodiscard]] const slave_choice& choice() const noexcept { return which_; }
     [[nodiscard]] std::uint16_t station() const noexcept { return station_; }
+    [[nodiscard]] bool is_served() const noexcept { return is_served_; }
     [[nodiscard]] bool has(const jaus::address& component) const;
     [[nodiscard]] bool at_rest() const noexcept;
     [[nodiscard]] bool is_up() const noexcept { return front_ && front_->up(); }

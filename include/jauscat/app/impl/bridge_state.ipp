@@ -77,11 +77,19 @@ JAUSCAT_DECL void bridge_state::start() {
     for (auto& each : slaves_) each.start();
 }
 JAUSCAT_DECL void bridge_state::stop() noexcept {
-    for (auto& each : slaves_) each.stop();
     try {
+        std::vector<bus_user*> served;
+        std::vector<served_slave*> moving;
+        for (auto& each : slaves_)
+            if (each.is_served()) served.push_back(&each);
+        for (auto& each : slaves_)
+            if (each.is_up()) moving.push_back(&each);
+        bus_->bring_to_rest(served);
+        for (auto* const each : moving) each->check_rest();
         flush();
     } catch (...) { // of the log
     }
+    for (auto& each : slaves_) each.stop();
 }
 JAUSCAT_DECL void bridge_state::close() noexcept {
     if (is_closed_) return;
@@ -195,14 +203,14 @@ JAUSCAT_DECL void served_slave::start() {
 JAUSCAT_DECL void served_slave::stop() noexcept {
     if (!std::exchange(works_, false)) return;
     timer_.reset();
-    try {
-        if (is_served_ && !bridge_.bus()->bring_to_rest(*this))
-            log(name() + " has not confirmed that it is at rest: it stops by its own watchdog or not at all");
-    } catch (...) { // of the log
-    }
     if (std::exchange(is_served_, false)) bridge_.bus()->leave(*this);
     for (auto& each : components_) each.unit.reset();
     front_.reset();
+}
+
+JAUSCAT_DECL void served_slave::check_rest() {
+    if (!is_up() || !at_rest())
+        log(name() + " has not confirmed that it is at rest: it stops by its own watchdog or not at all");
 }
 
 JAUSCAT_DECL void served_slave::send(bytes message) { bridge_.send(message); }

@@ -106,9 +106,8 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     /// Serves the slave of the user's front from now on; empty, or why not.
     [[nodiscard]] std::string join(bus_user& user);
     void leave(const bus_user& user) noexcept;
-    /// Shuts the components down. Waits for at most 0.7 s until the slave has confirmed that it is at rest; false if it
-    /// has not.
-    bool bring_to_rest(bus_user& user);
+    /// Shuts the components down. Waits for at most 0.7 s until their slaves have confirmed that they are at rest.
+    void bring_to_rest(std::span<bus_user* const> users);
     void note_served(bus_user& user, const ethercat::slave_record& record);
     void note_served_lost(bus_user& user, error_code why);
     [[nodiscard]] bool is_serving() const noexcept { return !users_.empty(); }

@@ -537,12 +537,7 @@ JAUSCAT_DECL void bus_state::cancel() {
 }
 JAUSCAT_DECL void bus_state::stop() noexcept {
     abort_all(boost::asio::error::operation_aborted);
-    for (auto* const user : users_) {
-        try {
-            if (!bring_to_rest(*user)) log("a slave has not confirmed that it is at rest");
-        } catch (...) { // of the application's log
-        }
-    }
+    if (ring_) bring_to_rest(users_);
     for (auto* const user : std::exchange(users_, {})) user->bus_ends();
     current_.reset();
     if (runner_) runner_->stop();
@@ -710,30 +705,29 @@ JAUSCAT_DECL void bus_state::send(std::span<const std::byte> message) {
         if (user->node() == node) return user->send(message);
 }
 
-JAUSCAT_DECL bool bus_state::bring_to_rest(bus_user& user) {
+JAUSCAT_DECL void bus_state::bring_to_rest(std::span<bus_user* const> users) {
     constexpr duration longest = std::chrono::milliseconds{700}; // Ctrl-C ends a program within a second
-    auto& front = user.front();
-    const bool was_up = front.up();
-    const auto is_at_rest = [&] {
-        return std::ranges::none_of(front.components(),
-                                    [](const auto* unit) { return unit->stops().stop_is_pending(); });
+    for (auto* const user : users)
+        for (auto* const unit : user->front().components()) unit->shut_down(net::now(), output_);
+    // A slave that does not answer is not waited for.
+    const auto is_waited_for = [](bus_user* user) {
+        return user->front().up() && std::ranges::any_of(user->front().components(), [](const auto* unit) {
+                   return unit->stops().stop_is_pending();
+               });
     };
-    for (auto* const unit : front.components()) unit->shut_down(net::now(), output_);
-    if (!was_up) return true; // there is nothing to wait for
     std::array<std::byte, ethercat::max_frame_size> frame{};
-    for (const deadline end{net::now(), longest}; !end.is_reached(net::now());) {
+    const deadline end{net::now(), longest};
+    while (std::ranges::any_of(users, is_waited_for) && !end.is_reached(net::now())) {
         ring_->on_time(net::now(), output_);
         while (const auto size = ring_->next_frame(frame, net::now())) {
             if (link_->send(std::span{frame}.first(size))) continue;
             ring_->not_sent();
             ring_->on_time(net::now(), output_);
         }
-        if (is_at_rest()) return front.up();
         const auto wake = std::min(ring_->next_event().value_or(end.at()), end.at());
         const auto size = link_->receive(frame, std::max(wake - net::now(), duration{}));
         if (size != 0) ring_->on_frame(std::span{frame}.first(size), net::now(), output_);
     }
-    return false;
 }
 
 JAUSCAT_DECL void bus_state::note_served(bus_user& user, const ethercat::slave_record& record) {
