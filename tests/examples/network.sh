@@ -4,6 +4,7 @@ set -uo pipefail
 bin=$1
 work=$(mktemp -d)
 cleanup() {
+    [ -z "${arm:-}" ] || { kill "$arm" && wait "$arm"; } 2>/dev/null
     [ -z "${server:-}" ] || { kill "$server" && wait "$server"; } 2>/dev/null
     rm -rf "$work"
 }
@@ -90,6 +91,21 @@ a_coroutine_drives() { # drive
     [ "$(grep -c "reported: 50.0015 %" "$work/out.log")" -eq 3 ] || fail "not three reports"
     kill "$server" && wait "$server"
     expect 1 "no answer in time" "$bin/drive" "${config[@]}" --this a
+}
+a_bridge_carries() { # bridge
+    local config=(--config "$bin/JausConfig.xml") ocu=("$bin/ocu" --config "$bin/JausConfig.xml" --this a --to 2.1.33.1)
+    "$bin/robot_arm" "${config[@]}" --this b >"$work/arm.log" 2>&1 &
+    arm=$!
+    start "Ctrl-C ends" "$bin/bridge" "${config[@]}" --this b
+    expect 0 "OK: the report equals the command" "${ocu[@]}" --wait 30 propulsive_linear_effort_x=50
+    expect 0 "Report Wrench Effort" "${ocu[@]}" --query
+    kill "$server" && wait "$server"
+    expect 0 "vendor" "$bin/objects" udp:127.0.0.1
+    grep -q "1b15h" "$work/out.log" || fail "the object of the Primitive Driver is not listed"
+    kill "$arm" && wait "$arm"
+    expect 1 "no frame returns" "$bin/objects" udp:127.0.0.1
+    expect 2 "objects INTERFACE" "$bin/objects"
+    expect 1 "nix0" "$bin/objects" nix0
 }
 a_component_of_parts_answers() { # jaus_node
     is_a_component "" "$bin/jaus_node" "$bin/JausConfig.xml" b

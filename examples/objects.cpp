@@ -1,0 +1,35 @@
+// An EtherCAT bus: lists the objects of its first slave.
+//     objects udp:127.0.0.1
+#include <jauscat/app.hpp>
+
+#include <boost/asio/co_spawn.hpp>
+
+#include <exception>
+#include <iostream>
+
+namespace asio = boost::asio;
+
+asio::awaitable<void> list_objects(jauscat::bus& bus) {
+    co_await bus.async_start(); // finds the slaves and brings them to PRE-OP
+    const auto slave = bus.slave({.position = 0});
+    std::cout << slave.info().name << '\n';
+    for (const auto index : co_await slave.async_list_objects()) {
+        const auto object = co_await slave.async_describe(index);
+        std::cout << "  " << std::hex << index << "h " << object.name << '\n';
+    }
+    const auto vendor = co_await slave.async_read<std::uint32_t>(0x1018, 1);
+    std::cout << "vendor " << std::hex << vendor << "h\n";
+}
+
+int main(int argc, char** argv) try {
+    if (argc != 2) return std::cerr << "objects INTERFACE, such as eth0 or udp:127.0.0.1\n", 2;
+    asio::io_context context;
+    jauscat::bus bus{context, argv[1]};
+    asio::co_spawn(context, list_objects(bus), [&](const std::exception_ptr& problem) {
+        bus.stop();
+        if (problem) std::rethrow_exception(problem);
+    });
+    context.run();
+} catch (const std::exception& e) {
+    return std::cerr << "objects: " << e.what() << '\n', 1;
+}
