@@ -1,0 +1,7 @@
+// expect: the value of an object is an integer, a bool, an enumeration, a float, a double,
+#define JAUSCAT_SEPARATE_COMPILATION
+#include <jauscat/app/slave.hpp>
+
+void read(const jauscat::slave& drive) {
+    drive.async_read<long double>(0x6041, 0, [](boost::system::error_code, long double) {});
+}
