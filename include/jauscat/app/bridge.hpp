@@ -87,4 +87,5 @@ class bridge {
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
 #    include <jauscat/app/impl/bridge.ipp>
+#    include <jauscat/app/impl/bridge_state.ipp>
 #endif

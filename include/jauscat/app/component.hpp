@@ -314,5 +314,8 @@ auto component::async_ask(const jaus::address& of, const Query& query, const ask
 } // namespace jauscat
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
+#    include <jauscat/app/impl/clients.ipp>
 #    include <jauscat/app/impl/component.ipp>
+#    include <jauscat/app/impl/component_state.ipp>
+#    include <jauscat/app/impl/search.ipp>
 #endif

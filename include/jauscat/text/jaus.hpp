@@ -1,19 +1,11 @@
 // JAUS names and whole messages as text.
 #pragma once
 #include <jauscat/jaus/message/message.hpp>
-#include <jauscat/schema/jaus/catalog.hpp>
 #include <jauscat/schema/jaus/messages.hpp>
 #include <jauscat/text/annotate.hpp>
-
-#include <algorithm>
+#include <jauscat/text/message_name.hpp>
 
 namespace jauscat::text {
-
-/// The standard's name of a command code, or `command code 0x9999`.
-[[nodiscard]] inline std::string message_name(std::uint16_t command_code) {
-    const auto found = std::ranges::find(jaus::catalog, command_code, &jaus::catalog_entry::command_code);
-    return found != jaus::catalog.end() ? std::string{found->name} : "command code " + hex_number(command_code, 4);
-}
 
 /// `2.1.33.1`: subsystem, node, component, instance.
 [[nodiscard]] inline std::string to_text(const jaus::address& id) {

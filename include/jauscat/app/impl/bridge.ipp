@@ -1,7 +1,7 @@
 // The functions of bridge, and the exchanges under the library's tables.
 #pragma once
 #include <jauscat/app/bridge.hpp>
-#include <jauscat/app/impl/bridge_state.ipp>
+#include <jauscat/app/impl/bridge_state.hpp>
 #include <jauscat/app/own_table.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>

@@ -1,8 +1,8 @@
 // The functions of bridge_state.
 #pragma once
 #include <jauscat/app/impl/bridge_state.hpp>
-#include <jauscat/app/impl/bus_state.ipp>
-#include <jauscat/app/impl/node_state.ipp>
+#include <jauscat/app/impl/bus_state.hpp>
+#include <jauscat/app/impl/node_state.hpp>
 #include <jauscat/text/jaus.hpp>
 
 #include <boost/asio/post.hpp>

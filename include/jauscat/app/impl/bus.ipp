@@ -1,7 +1,7 @@
 // The functions of bus.
 #pragma once
 #include <jauscat/app/bus.hpp>
-#include <jauscat/app/impl/bus_state.ipp>
+#include <jauscat/app/impl/bus_state.hpp>
 
 #include <stdexcept>
 #include <utility>

@@ -1,6 +1,5 @@
 // The functions of bus_state, and its jobs.
 #pragma once
-#include <jauscat/app/impl/bus_error.ipp>
 #include <jauscat/app/impl/bus_state.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 
 namespace jauscat {
@@ -332,7 +333,7 @@ JAUSCAT_DECL void clients::control(const control_options& options, std::shared_p
                (one.state->state == jaus::control_state::held || one.state->state == jaus::control_state::asking);
     };
     if (std::ranges::any_of(held_, is_wanted)) return fail(node_errc::already_asked);
-    auto& one = held_.emplace_back(std::move(made));
+    auto& one = held_.emplace_back(held{.state = std::move(made)});
     one.machine.emplace(self_, one.state->of,
                         jaus::held_control_options{.retry = options.retry, .renewal = options.renewal},
                         jaus::bound<&held::changed>(one));
@@ -348,10 +349,15 @@ JAUSCAT_DECL void clients::release(control_state& released) {
 
 // What the typed functions call, from any thread: the rest happens on the thread of the io_context.
 
+/// The one type of function that is posted: each takes the compiler 50 ms.
+inline void post(boost::asio::io_context& context, std::function<void()> work) {
+    boost::asio::post(context, std::move(work));
+}
 /// `begin(clients&)` starts the operation `done` at a running component.
 template <class... Results>
-void enqueue(const std::shared_ptr<component_state>& component, const operation_ptr<Results...>& done, auto begin) {
-    boost::asio::post(context_of(*component), [component, done, begin = std::move(begin)]() mutable {
+void enqueue(const std::shared_ptr<component_state>& component, const operation_ptr<Results...>& done,
+             std::function<void(clients&)> begin) {
+    post(context_of(*component), [component, done, begin = std::move(begin)] {
         if (component->is_closed()) return done->complete(boost::asio::error::operation_aborted, Results{}...);
         if (!component->is_running()) return done->complete(node_errc::not_running, Results{}...);
         if (!done->is_done()) begin(component->others());
@@ -359,9 +365,10 @@ void enqueue(const std::shared_ptr<component_state>& component, const operation_
     });
 }
 /// The same for what has no operation, and nothing to do at a component that does not run.
-void enqueue_end(const std::weak_ptr<component_state>& component, boost::asio::io_context& context, auto end) noexcept {
+inline void enqueue_end(const std::weak_ptr<component_state>& component, boost::asio::io_context& context,
+                        std::function<void(clients&)> end) noexcept {
     try {
-        boost::asio::post(context, [component, end = std::move(end)] {
+        post(context, [component, end = std::move(end)] {
             const auto still = component.lock();
             if (still == nullptr || !still->is_running()) return;
             end(still->others());
@@ -416,7 +423,7 @@ JAUSCAT_DECL void begin_event(const std::shared_ptr<component_state>& from, cons
 }
 JAUSCAT_DECL void begin_next(const std::shared_ptr<subscription_state>& of, operation_ptr<bytes> done) {
     if (of == nullptr) return done->complete(boost::asio::error::operation_aborted, {});
-    boost::asio::post(of->context, [of, done] {
+    post(of->context, [of, done] {
         if (!of->reports.empty()) {
             const auto body = std::move(of->reports.front());
             of->reports.pop_front();
@@ -456,7 +463,7 @@ JAUSCAT_DECL void begin_send(const std::shared_ptr<control_state>& by, std::uint
     });
 }
 JAUSCAT_DECL void begin_lost(const std::shared_ptr<control_state>& of, operation_ptr<> done) {
-    boost::asio::post(of->context, [of, done] {
+    post(of->context, [of, done] {
         if (of->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
         of->when_lost.push_back(done);
     });

@@ -1,9 +1,8 @@
 // The functions of component.
 #pragma once
 #include <jauscat/app/component.hpp>
-#include <jauscat/app/impl/component_state.ipp>
-#include <jauscat/app/impl/node_state.ipp>
-#include <jauscat/app/impl/search.ipp>
+#include <jauscat/app/impl/component_state.hpp>
+#include <jauscat/app/impl/node_state.hpp>
 
 #include <stdexcept>
 #include <utility>

@@ -2,10 +2,11 @@
 #pragma once
 #include <jauscat/app/component_options.hpp>
 #include <jauscat/app/detail/unit.hpp>
-#include <jauscat/jaus/component/component.hpp>
+#include <jauscat/jaus/component/acknowledged_sender.hpp>
+#include <jauscat/jaus/component/component_control.hpp>
+#include <jauscat/jaus/component/component_outcome.hpp>
 #include <jauscat/jaus/component/described_component.hpp>
-#include <jauscat/jaus/events/events.hpp>
-#include <jauscat/jaus/events/service_connections.hpp>
+#include <jauscat/jaus/message/hook.hpp>
 
 #include <boost/asio/io_context.hpp>
 
@@ -62,6 +63,8 @@ class component_state {
     /// While it runs.
     [[nodiscard]] node_state& node() noexcept { return node_; }
     [[nodiscard]] clients& others() noexcept;
+    /// A message of this component was acknowledged, or not; also a large data set.
+    void on_delivered(const jaus::header& head, jaus::delivered what);
     [[nodiscard]] boost::asio::io_context& context() noexcept { return context_; }
     /// Sends a whole message of this component until it is acknowledged.
     result<std::uint16_t, jaus::send_error> send_acknowledged(bytes message);
@@ -71,11 +74,12 @@ class component_state {
     // As a component of net/.
     [[nodiscard]] const jaus::address& self() const noexcept { return self_; }
     jaus::component_outcome on_message(const jaus::header& head, bytes body, time_point now, jaus::message_sink out,
-                                       auto&& unhandled);
+                                       jaus::hook<jaus::message_outcome(const jaus::header&, bytes)> unhandled);
     void on_time(time_point now, jaus::message_sink out);
     [[nodiscard]] std::optional<time_point> next_event() const;
     void on_lost(const jaus::address& who);
-    void list_messages(auto&& takes, auto&& sends) const;
+    using listing = jaus::hook<void(const jaus::supported_message&)>;
+    void list_messages(listing takes, listing sends) const;
 
     std::function<void()> on_stopped{}, on_ready{};
     std::function<void(bool begins)> on_emergency{};
@@ -97,7 +101,9 @@ class component_state {
     /// Does what a function of the application has asked for while the state machines were at work.
     void settle();
     /// Calls a function of the application. An exception is logged, and the component fails.
-    template <class F> bool guard(std::string_view what, F call) noexcept;
+    /// `command_code`: of the message that follows `what` in the log; 0: none.
+    bool guard(std::string_view what, std::uint16_t command_code, jaus::hook<void()> call) noexcept;
+    bool guard(std::string_view what, const std::function<void()>& call) noexcept;
     auto in_turn(auto&& work);
     [[nodiscard]] const given_report* report_of(std::uint16_t command_code) const;
 

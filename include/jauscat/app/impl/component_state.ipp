@@ -1,10 +1,13 @@
 // The functions of component_state.
 #pragma once
-#include <jauscat/app/impl/clients.ipp>
+#include <jauscat/app/impl/clients.hpp>
 #include <jauscat/app/impl/component_state.hpp>
 #include <jauscat/app/impl/node_state.hpp>
+#include <jauscat/jaus/component/component.hpp>
+#include <jauscat/jaus/events/events.hpp>
+#include <jauscat/jaus/events/service_connections.hpp>
 #include <jauscat/net/node/detail/offered_messages.hpp>
-#include <jauscat/text/jaus.hpp>
+#include <jauscat/text/message_name.hpp>
 
 #include <algorithm>
 #include <array>
@@ -132,6 +135,9 @@ JAUSCAT_DECL component_state::component_state(node_state& node, const jaus::addr
 JAUSCAT_DECL component_state::~component_state() = default;
 
 JAUSCAT_DECL clients& component_state::others() noexcept { return core_->others; }
+JAUSCAT_DECL void component_state::on_delivered(const jaus::header& head, jaus::delivered what) {
+    core_->others.on_delivered(head, what);
+}
 JAUSCAT_DECL result<std::uint16_t, jaus::send_error> component_state::send_acknowledged(bytes message) {
     return core_->machine.send(message, net::now(), node_.net().out());
 }
@@ -157,24 +163,29 @@ JAUSCAT_DECL void component_state::give(given_report report) {
     gives_.push_back(std::move(report));
 }
 
-template <class F> bool component_state::guard(std::string_view what, F call) noexcept {
-    const auto complain = [&](std::string_view why) {
-        has_failed_ = true;
-        try {
-            node_.log(net::to_jausip(self_) + ": exception of " + std::string{what} + ": " + std::string{why} +
-                      "; the component is stopped");
-        } catch (...) { // of the application's log
-        }
-    };
+JAUSCAT_DECL bool component_state::guard(std::string_view what, std::uint16_t command_code,
+                                         jaus::hook<void()> call) noexcept {
+    std::string why;
     try {
-        call();
-        return true;
-    } catch (const std::exception& e) {
-        complain(e.what());
-    } catch (...) {
-        complain("of an unknown type");
+        try {
+            call();
+            return true;
+        } catch (const std::exception& e) {
+            why = e.what();
+        } catch (...) {
+            why = "of an unknown type";
+        }
+        has_failed_ = true;
+        node_.log(net::to_jausip(self_) + ": exception of " + std::string{what} +
+                  (command_code != 0 ? text::message_name(command_code) : "") + ": " + why +
+                  "; the component is stopped");
+    } catch (...) { // of the application's log, and for want of memory
+        has_failed_ = true;
     }
     return false;
+}
+JAUSCAT_DECL bool component_state::guard(std::string_view what, const std::function<void()>& call) noexcept {
+    return guard(what, 0, call);
 }
 
 /// `work()` may call functions of the application: what those ask for waits until it has returned.
@@ -195,8 +206,9 @@ JAUSCAT_DECL void component_state::note_state(jaus::primary_status_code from, ja
     using enum jaus::primary_status_code;
     if (to != jaus::primary_status_code::ready) tell_stopped();
     if (to == jaus::primary_status_code::ready && on_ready) guard("when_ready", on_ready);
-    if (on_emergency && (from == emergency || to == emergency))
-        guard("when_emergency", [&] { on_emergency(to == emergency); });
+    if (!on_emergency || (from != emergency && to != emergency)) return;
+    const auto call = [&] { on_emergency(to == emergency); };
+    guard("when_emergency", 0, call);
 }
 
 JAUSCAT_DECL void component_state::note_controller(const std::optional<jaus::controller>& by) {
@@ -204,7 +216,9 @@ JAUSCAT_DECL void component_state::note_controller(const std::optional<jaus::con
     const auto before = std::exchange(controller_, now_it_is);
     if (before == now_it_is) return;
     if (before) tell_stopped();
-    if (on_controlled) guard("when_controlled", [&] { on_controlled(now_it_is); });
+    if (!on_controlled) return;
+    const auto call = [&] { on_controlled(now_it_is); };
+    guard("when_controlled", 0, call);
 }
 
 JAUSCAT_DECL void component_state::settle() {
@@ -282,8 +296,8 @@ JAUSCAT_DECL const given_report* component_state::report_of(std::uint16_t comman
 
 JAUSCAT_DECL jaus::message_outcome component_state::write(const given_report& report, const report_request& request) {
     auto outcome = jaus::message_outcome::refused;
-    guard("the function of " + text::message_name(report.command_code),
-          [&] { outcome = report.write(request, body_, *this); });
+    const auto call = [&] { outcome = report.write(request, body_, *this); };
+    guard("the function of ", report.command_code, call);
     return outcome;
 }
 
@@ -291,8 +305,8 @@ JAUSCAT_DECL jaus::message_outcome component_state::handle(const jaus::header& h
     const auto handler = std::ranges::find(takes_, head.command_code, &taken_message::command_code);
     if (handler != takes_.end()) {
         auto outcome = jaus::message_outcome::refused;
-        guard("the handler of " + text::message_name(head.command_code),
-              [&] { outcome = handler->handle({head, body, *this}); });
+        const auto call = [&] { outcome = handler->handle({head, body, *this}); };
+        guard("the handler of ", head.command_code, call);
         return outcome;
     }
     const auto report = std::ranges::find(gives_, head.command_code, &given_report::query_code);
@@ -326,13 +340,14 @@ JAUSCAT_DECL void component_state::changed() {
     node_.wake();
 }
 
-jaus::component_outcome component_state::on_message(const jaus::header& head, bytes body, time_point now,
-                                                    jaus::message_sink out, auto&& unhandled) {
+JAUSCAT_DECL jaus::component_outcome
+component_state::on_message(const jaus::header& head, bytes body, time_point now, jaus::message_sink out,
+                            jaus::hook<jaus::message_outcome(const jaus::header&, bytes)> unhandled) {
     if (!is_running_) return jaus::component_outcome::unknown;
     const auto outcome = in_turn([&] {
         return core_->machine.on_message(head, body, now, out, [&](const jaus::header& h, bytes b) {
             const auto what = handle(h, b);
-            return what == jaus::message_outcome::unhandled ? jaus::outcome_of(unhandled(h, b)) : what;
+            return what == jaus::message_outcome::unhandled ? unhandled(h, b) : what;
         });
     });
     if (!is_running_) return outcome; // stopped by a handler
@@ -372,7 +387,7 @@ JAUSCAT_DECL void component_state::on_lost(const jaus::address& who) {
     settle();
 }
 
-void component_state::list_messages(auto&& takes, auto&& sends) const {
+JAUSCAT_DECL void component_state::list_messages(listing takes, listing sends) const {
     for (const auto& one : takes_) {
         takes(jaus::supported_message{one.command_code, one.presence_bits});
         if (const auto report = jaus::report_code_of(one.command_code); report != 0)

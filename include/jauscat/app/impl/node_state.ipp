@@ -1,12 +1,11 @@
 // The functions of node_state and node.
 #pragma once
-#include <jauscat/app/impl/component_state.ipp>
+#include <jauscat/app/impl/component_state.hpp>
 #include <jauscat/app/impl/node_state.hpp>
 #include <jauscat/app/node.hpp>
 #include <jauscat/net/config/read_jaus_config.hpp>
+#include <jauscat/net/detail/endpoint_text.hpp>
 #include <jauscat/net/node/detail/configured_identity.hpp>
-
-#include <boost/asio/post.hpp>
 
 #include <algorithm>
 #include <csignal>
@@ -45,7 +44,7 @@ JAUSCAT_DECL net::jaus_node_options node_state::net_options() {
     };
     net.large_data_done = [this](const jaus::header& head, jaus::delivered what) {
         for (const auto& one : components_)
-            if (one->is_running() && one->self() == head.source) one->others().on_delivered(head, what);
+            if (one->is_running() && one->self() == head.source) one->on_delivered(head, what);
     };
     net.appeared = [this](const jaus::address& who) {
         if (on_appeared) on_appeared(who);

@@ -1,6 +1,6 @@
 // The functions of slave.
 #pragma once
-#include <jauscat/app/impl/bus_state.ipp>
+#include <jauscat/app/impl/bus_state.hpp>
 #include <jauscat/app/slave.hpp>
 
 #include <boost/system/system_error.hpp>

@@ -2,42 +2,59 @@
 #pragma once
 
 #include <jauscat/base/time.hpp>
+#include <jauscat/jaus/component/component_application.hpp>
 #include <jauscat/jaus/component/component_outcome.hpp>
-#include <jauscat/jaus/component/dispatcher.hpp>
+#include <jauscat/jaus/message/hook.hpp>
 #include <jauscat/jaus/message/message_sink.hpp>
-#include <jauscat/net/node/detail/default_answers.hpp>
 
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 
 namespace jauscat::net::detail {
 
+/// Refers to a component and its application.
 struct attached_component {
     using bytes = std::span<const std::byte>;
+    /// Gets the messages that component and application do not handle.
+    using unhandled = jaus::hook<jaus::message_outcome(const jaus::header&, bytes)>;
 
-    /// Refers to both. `answers` gets the messages that they do not handle.
     template <class Component, class Application>
-    attached_component(Component& component, Application& application,
-                       const std::shared_ptr<default_answers>& answers = {})
+    attached_component(Component& component, Application& application)
         : self{component.self()},
-          on_message{[&, answers](const jaus::header& head, bytes body, time_point now, jaus::message_sink out) {
-              return component.on_message(head, body, now, out, [&](const jaus::header& h, bytes b) {
-                  const auto what = jaus::outcome_of(application(h, b));
-                  const bool is_left = what == jaus::message_outcome::unhandled && answers != nullptr;
-                  return is_left ? answers->on_message(h, b, now, out) : what;
-              });
+          component_{&component},
+          application_{const_cast<void*>(static_cast<const void*>(&application))},
+          on_message_{[](void* to, void* own, const jaus::header& head, bytes body, time_point now,
+                         jaus::message_sink out, unhandled rest) {
+              auto& mine = *static_cast<Application*>(own);
+              const auto use = [&](const jaus::header& h, bytes b) {
+                  const auto what = jaus::outcome_of(mine(h, b));
+                  return what == jaus::message_outcome::unhandled && rest ? rest(h, b) : what;
+              };
+              return static_cast<Component*>(to)->on_message(head, body, now, out, unhandled{use});
           }},
-          on_time{[&](time_point now, jaus::message_sink out) { component.on_time(now, out); }},
-          next_event{[&] { return component.next_event(); }},
-          on_lost{[&](const jaus::address& who) { component.on_lost(who); }} {}
+          on_time_{
+              [](void* to, time_point now, jaus::message_sink out) { static_cast<Component*>(to)->on_time(now, out); }},
+          next_event_{[](void* of) { return static_cast<Component*>(of)->next_event(); }},
+          on_lost_{[](void* to, const jaus::address& who) { static_cast<Component*>(to)->on_lost(who); }} {}
+
+    jaus::component_outcome on_message(const jaus::header& head, bytes body, time_point now, jaus::message_sink out,
+                                       unhandled rest) {
+        return on_message_(component_, application_, head, body, now, out, rest);
+    }
+    void on_time(time_point now, jaus::message_sink out) { on_time_(component_, now, out); }
+    [[nodiscard]] std::optional<time_point> next_event() { return next_event_(component_); }
+    void on_lost(const jaus::address& who) { on_lost_(component_, who); }
 
     jaus::address self;
-    std::function<jaus::component_outcome(const jaus::header&, bytes, time_point, jaus::message_sink)> on_message;
-    std::function<void(time_point, jaus::message_sink)> on_time;
-    std::function<std::optional<time_point>()> next_event;
-    std::function<void(const jaus::address&)> on_lost;
+
+  private:
+    void* component_;
+    void* application_;
+    jaus::component_outcome (*on_message_)(void*, void*, const jaus::header&, bytes, time_point, jaus::message_sink,
+                                           unhandled);
+    void (*on_time_)(void*, time_point, jaus::message_sink);
+    std::optional<time_point> (*next_event_)(void*);
+    void (*on_lost_)(void*, const jaus::address&);
 };
 
 } // namespace jauscat::net::detail

@@ -8,6 +8,7 @@
 #include <jauscat/net/config/jausip.hpp>
 #include <jauscat/net/limited_log.hpp>
 #include <jauscat/net/node/detail/attached_component.hpp>
+#include <jauscat/net/node/detail/default_answers.hpp>
 #include <jauscat/net/node/detail/large_data_memory.hpp>
 #include <jauscat/net/node/detail/large_data_queue.hpp>
 #include <jauscat/net/node/detail/peer_watch.hpp>
@@ -44,7 +45,10 @@ class node_components {
     node_components(const jaus_node_options& options, limited_log& log)
         : options_{options}, log_{log}, peers_{options.timeout} {}
 
-    void add(attached_component component) { all_.push_back({.it = std::move(component)}); }
+    /// `answers` gets what component and application do not handle.
+    void add(attached_component component, std::unique_ptr<default_answers> answers = {}) {
+        all_.push_back({.it = std::move(component), .answers = std::move(answers)});
+    }
     void replace(std::size_t place, attached_component component) { all_[place] = {.it = std::move(component)}; }
     [[nodiscard]] std::vector<jaus::address> addresses() const {
         std::vector<jaus::address> list;
@@ -150,6 +154,7 @@ class node_components {
     };
     struct entry {
         attached_component it;
+        std::unique_ptr<default_answers> answers{};
         std::unique_ptr<large_data_memory> large{};
         std::vector<whole_set> whole{}; ///< the last one of each source and code, for some time
         bool changed{true};             ///< since the last query of `next`
@@ -248,7 +253,10 @@ class node_components {
         using enum jaus::component_outcome;
         auto& to = receiver.it;
         receiver.changed = true;
-        const auto what = to.on_message(head, body, now, out);
+        const auto rest = [&](const jaus::header& h, bytes b) { return receiver.answers->on_message(h, b, now, out); };
+        const auto what =
+            to.on_message(head, body, now, out,
+                          receiver.answers ? attached_component::unhandled{rest} : attached_component::unhandled{});
         if ((what == handled || what == deferred) && peer_watch::binds(head.command_code) && !is_here(head.source))
             peers_.bind(head.source, to.self, now);
         constexpr std::array unremarkable{handled, deferred, acknowledgement, repeated, pending};

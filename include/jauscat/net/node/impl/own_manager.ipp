@@ -1,0 +1,100 @@
+// The functions of detail::own_manager.
+#pragma once
+#include <jauscat/jaus/component/component.hpp>
+#include <jauscat/jaus/routing/node_manager.hpp>
+#include <jauscat/net/node/detail/configuration_events.hpp>
+#include <jauscat/net/node/detail/configured_identity.hpp>
+#include <jauscat/net/node/detail/own_manager.hpp>
+
+#include <vector>
+
+namespace jauscat::net::detail {
+inline namespace JAUSCAT_WAY {
+
+struct own_manager::parts {
+    /// Places for detected components; three quarters of them can be used.
+    static constexpr std::size_t places = 4096;
+
+    parts(const jaus_config& config, const jaus::address& self, std::span<const jaus::address> components,
+          const jaus_node_options& options, presence_changes& changes)
+        : listed_components{listed(config, self, components)},
+          description{described(config, self, listed_components)},
+          presences(places),
+          lists(8 * (places + listed_components.size() + 1) + 32 * 256), // see node_manager_memory
+          report(3 * 4096 + 4 * (places + listed_components.size())), // packet, answer and 4 bytes for each listed one
+          manager{self,
+                  description,
+                  {presences, lists, report},
+                  {.beat = options.beat,
+                   .timeout = options.timeout,
+                   .appeared = changes.appeared,
+                   .disappeared = changes.disappeared}},
+          events{self, manager},
+          core{self, memory, {}, {}, manager, events.part} {
+        core.change(jaus::state_event::initialized);
+    }
+    parts(const parts&) = delete;
+    parts& operator=(const parts&) = delete;
+
+    jaus::message_outcome operator()(const jaus::header&, std::span<const std::byte>) const noexcept {
+        return jaus::message_outcome::unhandled;
+    }
+    static std::vector<jaus::configured_component> listed(const jaus_config& config, const jaus::address& self,
+                                                          std::span<const jaus::address> components) {
+        std::vector<jaus::configured_component> all;
+        const auto add = [&](const jaus::address& id) {
+            if (id.subsystem == self.subsystem && id.node == self.node && id != self)
+                all.push_back({id.component, id.instance});
+        };
+        for (const auto& id : components) add(id);
+        for (const auto& system : config.systems)
+            for (const auto& entry : system.components) add(entry.id);
+        return all;
+    }
+    static jaus::node_description described(const jaus_config& config, const jaus::address& self,
+                                            std::span<const jaus::configured_component> components) {
+        jaus::node_description made{.components = components};
+        const auto& me = config.me();
+        made.system.identification = made.subsystem.identification = made.node.identification = in_report(me.name);
+        made.manager.identification = "node manager";
+        for (const auto& node : me.nodes)
+            if (node.id == self.node && !node.name.empty()) made.node.identification = in_report(node.name);
+        made.manager = identity_of(config, self, made.manager);
+        return made;
+    }
+
+    std::vector<jaus::configured_component> listed_components;
+    jaus::node_description description;
+    std::vector<jaus::liveness_table::place> presences;
+    std::vector<std::byte> lists, report;
+    jaus::node_manager manager;
+    configuration_events events;
+    jaus::component_memory<> memory{};
+
+    jaus::component<jaus::node_manager, jaus::events<configuration_events::most>> core;
+};
+
+JAUSCAT_DECL own_manager::own_manager(const jaus_config& config, const jaus::address& self,
+                                      std::span<const jaus::address> components, const jaus_node_options& options,
+                                      presence_changes& changes)
+    : parts_{std::make_unique<parts>(config, self, components, options, changes)} {}
+JAUSCAT_DECL own_manager::~own_manager() = default;
+
+JAUSCAT_DECL attached_component own_manager::component() noexcept { return {parts_->core, *parts_}; }
+JAUSCAT_DECL const jaus::liveness_table& own_manager::present() const noexcept { return parts_->manager.present(); }
+JAUSCAT_DECL void own_manager::tell_change(const jaus::address& who, time_point now, jaus::message_sink out) {
+    if (who.subsystem == parts_->core.self().subsystem) parts_->events.changed(now, out);
+}
+JAUSCAT_DECL jaus::address own_manager::gone_with(const jaus::address& who) const noexcept {
+    const bool is_own = who.subsystem == parts_->core.self().subsystem;
+    bool of_subsystem = is_own, of_node = is_own;
+    present().for_each([&](const jaus::address& other) {
+        of_subsystem = of_subsystem || other.subsystem == who.subsystem;
+        of_node = of_node || (other.subsystem == who.subsystem && other.node == who.node);
+    });
+    if (!of_subsystem) return {255, 255, 255, who.subsystem};
+    return jaus::is_node_manager(who) || !of_node ? jaus::address{255, 255, who.node, who.subsystem} : who;
+}
+
+} // namespace JAUSCAT_WAY
+} // namespace jauscat::net::detail

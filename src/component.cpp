@@ -1,0 +1,3 @@
+// The state machines of a component of the application.
+#include <jauscat/app/impl/component.ipp>
+#include <jauscat/app/impl/component_state.ipp>

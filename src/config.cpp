@@ -1,0 +1,2 @@
+// The reader of JausConfig.xml.
+#include <jauscat/net/config/impl/read_jaus_config.ipp>

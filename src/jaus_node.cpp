@@ -1,0 +1,2 @@
+// The sockets of a JAUS node.
+#include <jauscat/net/node/impl/jaus_node.ipp>

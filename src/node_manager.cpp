@@ -1,0 +1,2 @@
+// The node manager of a JAUS node.
+#include <jauscat/net/node/impl/own_manager.ipp>
