@@ -27,18 +27,21 @@ class limited_log {
 
     /// `text()` makes the line; it is not called for a suppressed line.
     template <class Text> void operator()(time_point now, Text&& text) {
-        if (!write_) return;
-        auto& of_cause = causes_[std::type_index{typeid(Text)}];
-        if (!of_cause.bucket.take(limit_, now)) {
-            ++of_cause.left_out;
-            return;
-        }
-        if (const auto count = std::exchange(of_cause.left_out, 0); count != 0)
-            write_(std::to_string(count) + " lines such as the next were left out");
-        write_(std::string{text()});
+        if (write_ && admits(typeid(Text), now)) write_(text());
     }
 
   private:
+    bool admits(std::type_index place, time_point now) {
+        auto& of_cause = causes_[place];
+        if (!of_cause.bucket.take(limit_, now)) {
+            ++of_cause.left_out;
+            return false;
+        }
+        if (const auto count = std::exchange(of_cause.left_out, 0); count != 0)
+            write_(std::to_string(count) + " lines such as the next were left out");
+        return true;
+    }
+
     struct cause {
         token_bucket bucket{};
         std::uint64_t left_out{}; ///< lines since the last one that was written

@@ -5,6 +5,7 @@
 
 #include <compare>
 #include <limits>
+#include <optional>
 
 namespace jauscat::jaus {
 
@@ -41,6 +42,17 @@ template <class A, class B> constexpr std::partial_ordering compare_numbers(A a,
                : std::cmp_equal(a, b) ? std::partial_ordering::equivalent
                                       : std::partial_ordering::greater;
 }
+// The number of a limit; none for a colour.
+constexpr std::optional<wire_number> number_in(const typed_value& limit) noexcept {
+    return std::visit(
+        [](const auto& value) -> std::optional<wire_number> {
+            if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>)
+                return number_of(value);
+            else
+                return std::nullopt;
+        },
+        limit.value);
+}
 } // namespace detail
 
 /// Whether a limit is a number: colours have no order.
@@ -49,44 +61,25 @@ template <class A, class B> constexpr std::partial_ordering compare_numbers(A a,
 }
 /// Whether it is the floating-point value "not a number", which no value is above, below or equal to.
 [[nodiscard]] constexpr bool is_nan(const typed_value& limit) noexcept {
-    return std::visit(
-        [](const auto& value) {
-            if constexpr (std::is_floating_point_v<std::remove_cvref_t<decltype(value)>>)
-                return detail::is_nan(value);
-            else
-                return false;
-        },
-        limit.value);
+    const auto number = detail::number_in(limit);
+    const auto* const real = number ? std::get_if<double>(&*number) : nullptr;
+    return real != nullptr && detail::is_nan(*real);
 }
 
 /// Compares a field with a limit of any type by value, not by bits. A scaled field is compared with an integer as it is
 /// on the wire, and with a Float or Long Float as its real value: the limit is first rounded to the steps of the field,
 /// so that `equal` can be met. Unordered if the limit is NaN.
 [[nodiscard]] constexpr std::partial_ordering compare(const field_value& field, const typed_value& limit) noexcept {
-    const auto with = [&](auto value) -> std::partial_ordering {
-        wire_number number{};
-        if constexpr (std::floating_point<decltype(value)>) {
-            if (field.scale != nullptr) {
-                if (detail::is_nan(value)) return std::partial_ordering::unordered;
-                if (value < field.scale->lowest) return std::partial_ordering::greater;
-                if (value > field.scale->highest) return std::partial_ordering::less;
-                number = field.scale->to_raw(value);
-            } else {
-                number = double{value};
-            }
-        } else {
-            number = detail::number_of(value);
-        }
-        return std::visit([](auto a, auto b) { return detail::compare_numbers(a, b); }, field.number, number);
-    };
-    return std::visit(
-        [&](const auto& value) {
-            if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>)
-                return with(value);
-            else
-                return std::partial_ordering::unordered;
-        },
-        limit.value);
+    auto number = detail::number_in(limit);
+    if (!number) return std::partial_ordering::unordered;
+    const auto* const real = std::get_if<double>(&*number);
+    if (real != nullptr && field.scale != nullptr) {
+        if (detail::is_nan(*real)) return std::partial_ordering::unordered;
+        if (*real < field.scale->lowest) return std::partial_ordering::greater;
+        if (*real > field.scale->highest) return std::partial_ordering::less;
+        number = field.scale->to_raw(*real);
+    }
+    return std::visit([](auto a, auto b) { return detail::compare_numbers(a, b); }, field.number, *number);
 }
 
 /// The condition of an event's setup.

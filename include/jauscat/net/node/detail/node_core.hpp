@@ -2,6 +2,7 @@
 #pragma once
 
 #include <jauscat/base/time.hpp>
+#include <jauscat/jaus/message/hook.hpp>
 #include <jauscat/net/node/detail/large_data_queue.hpp>
 #include <jauscat/net/node/detail/local_queue.hpp>
 #include <jauscat/net/node/detail/node_components.hpp>
@@ -53,23 +54,26 @@ class node_core {
     }
     jaus::routing send(bytes message, const jaus::header& head, time_point now) {
         components.sends(head.source);
-        return route(message, head, jaus::here, now, [&](std::uint16_t component) {
+        const auto queue = [&](std::uint16_t component) {
             if (!local_.push(component, message))
                 log_(now, [&] { return in_text(head) + ": lost: too many messages wait between components"; });
-        });
+        };
+        return route(message, head, jaus::here, now, queue);
     }
     /// A message from the network.
     jaus::routing received(bytes message, const jaus::split_message& m, jaus::hop from, const arrival& at,
                            jaus::message_sink out) {
         to_here_.clear();
-        const auto what = route(message, m.header, from, at.now, [&](std::uint16_t to) { to_here_.push_back(to); });
-        turn(at.now, out, [&] {
+        const auto collect = [&](std::uint16_t to) { to_here_.push_back(to); };
+        const auto what = route(message, m.header, from, at.now, collect);
+        const auto deliver = [&] {
             for (const auto to : to_here_) hand_on(to, m.header, m.body, at, out);
-        });
+        };
+        turn(at.now, out, deliver);
         return what;
     }
     /// Calls `work()` in a turn of its own, and then delivers the messages between components.
-    void turn(time_point now, jaus::message_sink out, auto&& work) {
+    void turn(time_point now, jaus::message_sink out, jaus::hook<void()> work) {
         struct guard {
             bool& flag;
             explicit guard(bool& f) : flag{f} { flag = true; }
@@ -95,7 +99,8 @@ class node_core {
         if (jaus::is_acknowledgement(head) && large.on_acknowledgement(head, at.now)) return;
         components.hand_on(to, head, body, at, out);
     }
-    jaus::routing route(bytes message, const jaus::header& head, jaus::hop from, time_point now, auto&& to_component) {
+    jaus::routing route(bytes message, const jaus::header& head, jaus::hop from, time_point now,
+                        jaus::hook<void(std::uint16_t)> to_component) {
         return router_->route(
             head, from, [&](std::uint16_t component, const jaus::address&) { to_component(component); },
             [&](jaus::hop by) {
