@@ -4,6 +4,7 @@ function(jauscat_add_compiled sources net)
     file(GLOB files CONFIGURE_DEPENDS ${sources}/*.cpp)
     add_library(jauscat_compiled STATIC EXCLUDE_FROM_ALL ${files})
     add_library(jauscat::compiled ALIAS jauscat_compiled)
+    set_target_properties(jauscat_compiled PROPERTIES UNITY_BUILD OFF) # each source takes half a gigabyte
     target_compile_definitions(jauscat_compiled PUBLIC JAUSCAT_SEPARATE_COMPILATION)
     target_link_libraries(jauscat_compiled PUBLIC ${net})
 endfunction()

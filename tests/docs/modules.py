@@ -24,7 +24,7 @@ for header, other in generate.all_includes(root):
     module, other_module = (re.sub("/(detail|impl)$", "", name) for name in (folder, to))
     if not folder:
         continue # jauscat.hpp, net.hpp
-    if other == "jauscat/compilation.hpp":
+    if other == "jauscat/base/compilation.hpp":
         continue # macros alone
     if module not in allowed:
         problems.append(f"{header}: docs/architecture.md has no module {folder}/")

@@ -67,33 +67,33 @@ template <object_scalar T> [[nodiscard]] T from_bits(std::uint64_t bits) noexcep
 }
 
 template <class T> [[nodiscard]] object_bytes to_object(const T& value) {
-    object_bytes bytes;
+    object_bytes octets;
     if constexpr (std::convertible_to<const T&, std::string_view>) {
-        for (const char c : std::string_view{value}) bytes.push_back(static_cast<std::byte>(c));
+        for (const char c : std::string_view{value}) octets.push_back(static_cast<std::byte>(c));
     } else if constexpr (std::convertible_to<const T&, std::span<const std::byte>>) {
         const std::span<const std::byte> all{value};
-        bytes.assign(all.begin(), all.end());
+        octets.assign(all.begin(), all.end());
     } else if constexpr (require_object_value<T>()) {
         for (std::size_t i = 0; i != sizeof(T); ++i)
-            bytes.push_back(static_cast<std::byte>(to_bits(value) >> 8 * i & 0xFF));
+            octets.push_back(static_cast<std::byte>(to_bits(value) >> 8 * i & 0xFF));
     }
-    return bytes;
+    return octets;
 }
 
-/// What a handler gets of the bytes that were read: their number is right.
+/// What a handler gets of the octets that were read: their number is right.
 template <object_value T> struct object_conversion {
-    std::tuple<error_code, T> operator()(error_code error, object_bytes bytes) const {
+    std::tuple<error_code, T> operator()(error_code error, object_bytes octets) const {
         if constexpr (std::same_as<T, object_bytes>) {
-            return {error, std::move(bytes)};
+            return {error, std::move(octets)};
         } else if constexpr (std::same_as<T, std::string>) {
             std::string text;
-            for (const auto each : bytes) text.push_back(static_cast<char>(each));
+            for (const auto each : octets) text.push_back(static_cast<char>(each));
             text.erase(text.find_last_not_of('\0') + 1);
             return {error, std::move(text)};
         } else {
             std::uint64_t bits{};
-            for (std::size_t i = 0; i != bytes.size() && i != sizeof(T); ++i)
-                bits |= std::to_integer<std::uint64_t>(bytes[i]) << 8 * i;
+            for (std::size_t i = 0; i != octets.size() && i != sizeof(T); ++i)
+                bits |= std::to_integer<std::uint64_t>(octets[i]) << 8 * i;
             return {error, from_bits<T>(bits)};
         }
     }

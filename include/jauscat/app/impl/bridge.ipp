@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/app/bridge.hpp>
 #include <jauscat/app/impl/bridge_state.hpp>
+#include <jauscat/app/impl/node_state.hpp>
 #include <jauscat/app/own_table.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>

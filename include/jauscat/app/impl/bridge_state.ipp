@@ -3,6 +3,7 @@
 #include <jauscat/app/impl/bridge_state.hpp>
 #include <jauscat/app/impl/bus_state.hpp>
 #include <jauscat/app/impl/node_state.hpp>
+#include <jauscat/net/node/detail/configured_identity.hpp>
 #include <jauscat/text/jaus.hpp>
 
 #include <boost/asio/post.hpp>

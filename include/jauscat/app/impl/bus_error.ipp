@@ -1,9 +1,9 @@
 // The categories of the errors of a bus.
 #pragma once
 #include <jauscat/app/bus_error.hpp>
+#include <jauscat/app/impl/numbered.hpp>
 #include <jauscat/ethercat/code_texts.hpp>
 
-#include <cstdio>
 #include <string>
 
 namespace jauscat {
@@ -19,17 +19,6 @@ JAUSCAT_DECL const boost::system::error_category& bus_category() noexcept {
     } category;
     return category;
 }
-
-namespace app {
-
-/// A number with its text around it.
-template <class Code> std::string numbered(const char* format, Code code) {
-    char text[48]{};
-    std::snprintf(text, sizeof text, format, static_cast<unsigned>(code));
-    return text;
-}
-
-} // namespace app
 
 JAUSCAT_DECL const boost::system::error_category& abort_category() noexcept {
     static const class : public boost::system::error_category {

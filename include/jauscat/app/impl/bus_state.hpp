@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/app/bus_error.hpp>
 #include <jauscat/app/bus_options.hpp>
+#include <jauscat/app/impl/numbered.hpp>
 #include <jauscat/app/object_value.hpp>
 #include <jauscat/app/slave.hpp>
 #include <jauscat/bridge/ring.hpp>
@@ -21,6 +22,9 @@ inline namespace JAUSCAT_WAY {
 namespace app {
 
 class bus_state;
+
+/// The master's error, as an operation has it.
+[[nodiscard]] JAUSCAT_DECL error_code error_of(const ethercat::master_error& error) noexcept;
 
 /// Something for the master to do in one job or more. It is told when it has come to an end.
 class bus_job {

@@ -18,8 +18,7 @@ namespace jauscat {
 inline namespace JAUSCAT_WAY {
 namespace app {
 
-/// The master's error, as an operation has it.
-inline error_code error_of(const ethercat::master_error& error) noexcept {
+JAUSCAT_DECL error_code error_of(const ethercat::master_error& error) noexcept {
     using enum ethercat::master_errc;
     switch (error.code) {
     case ok: return {};
@@ -764,10 +763,10 @@ JAUSCAT_DECL void bus_state::read(const slave_choice& which, std::uint16_t index
         [](auto value, auto& to) { to.complete({}, {value.begin(), value.end()}); });
 }
 JAUSCAT_DECL void bus_state::write(const slave_choice& which, std::uint16_t index, std::uint8_t subindex,
-                                   object_bytes bytes, operation_ptr<> done) {
+                                   object_bytes octets, operation_ptr<> done) {
     ask(
         which, std::move(done),
-        [=, this, data = std::move(bytes)](const bus_slave& slave) {
+        [=, this, data = std::move(octets)](const bus_slave& slave) {
             return ethercat::download{slave.info.station, index, subindex, data, download_options()};
         },
         [](auto& to) { to.complete({}); });
@@ -799,7 +798,7 @@ JAUSCAT_DECL void bus_state::describe_entry(const slave_choice& which, std::uint
             return ethercat::describe_entry{slave.info.station, index, subindex, all_values, memory_};
         },
         [](const auto& found, auto& to) {
-            const auto copy = [](auto bytes) { return object_bytes(bytes.begin(), bytes.end()); };
+            const auto copy = [](auto read) { return object_bytes(read.begin(), read.end()); };
             to.complete({}, {found.entry, std::string{found.name}, found.unit, copy(found.default_value),
                              copy(found.minimum), copy(found.maximum)});
         });

@@ -10,7 +10,7 @@
 // docs/configuration.md describes the other elements of a <system>.
 #pragma once
 
-#include <jauscat/compilation.hpp>
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/net/config/jaus_config.hpp>
 
 #include <filesystem>

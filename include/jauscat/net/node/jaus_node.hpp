@@ -1,7 +1,7 @@
 // A JAUS node on a UDP socket: node_machine with sockets, a timer and the steady clock.
 #pragma once
 
-#include <jauscat/compilation.hpp>
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/net/config/udp_options.hpp>
 #include <jauscat/net/link/udp_counters.hpp>
 #include <jauscat/net/node/node_machine.hpp>

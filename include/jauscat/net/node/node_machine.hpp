@@ -2,8 +2,8 @@
 // sockets.
 #pragma once
 
+#include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
-#include <jauscat/compilation.hpp>
 #include <jauscat/jaus/routing/liveness_table.hpp>
 #include <jauscat/net/config/jaus_config.hpp>
 #include <jauscat/net/config/jaus_node_options.hpp>
