@@ -17,7 +17,7 @@ namespace jauscat {
 inline namespace JAUSCAT_WAY {
 namespace app {
 
-inline clients::clients(component_state& component, const jaus::address& self, const retry_policy& retry)
+JAUSCAT_DECL clients::clients(component_state& component, const jaus::address& self, const retry_policy& retry)
     : component_{component},
       self_{self},
       retry_{retry},
