@@ -450,7 +450,13 @@ TEST_CASE("operations end with the bus, by cancel and by stop") {
     b.bus->cancel();
     REQUIRE(support::until(b.context, [&] { return errors.size() == 5; }));
     CHECK(errors.back() == asio::error::operation_aborted);
-    CHECK_FALSE(std::get<0>(b.read<std::uint32_t>(drive, 0x2000, 0)));
+    // A start that was cancelled may have cleared the slave's address: then the bus brings it up again.
+    auto why = std::get<0>(b.read<std::uint32_t>(drive, 0x2000, 0));
+    for (int tries = 0; why == bus_errc::slave_lost && tries != 100; ++tries) {
+        b.context.run_for(20ms);
+        why = std::get<0>(b.read<std::uint32_t>(drive, 0x2000, 0));
+    }
+    CHECK(why == error_code{});
 
     begin();
     b.bus->stop();

@@ -3,10 +3,13 @@
 #include <jauscat/base/compilation.hpp>
 #include <jauscat/base/time.hpp>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -42,11 +45,33 @@ struct required_identity {
     friend bool operator==(const required_identity&, const required_identity&) = default;
 };
 
+/// A device name of up to 127 characters. It is no std::string, because g++ 12 destroys a temporary twice that holds
+/// one in a co_await expression: `co_await bus.slave({.name = "drive"}).async_state()`.
+class device_name {
+  public:
+    constexpr device_name() noexcept = default;
+    /// Throws `std::length_error` for a longer name.
+    constexpr device_name(std::string_view text) : size_{text.size()} {
+        if (text.size() > text_.size()) throw std::length_error{"a device name has up to 127 characters"};
+        std::ranges::copy(text, text_.begin());
+    }
+    constexpr device_name(const char* text) : device_name{std::string_view{text}} {}
+    device_name(const std::string& text) : device_name{std::string_view{text}} {}
+
+    [[nodiscard]] constexpr std::string_view view() const noexcept { return {text_.data(), size_}; }
+    [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
+    friend constexpr bool operator==(const device_name&, const device_name&) = default;
+
+  private:
+    std::array<char, 127> text_{};
+    std::size_t size_{};
+};
+
 /// A slave by its position, alias, name or identity: it is as all that is given requires.
 struct slave_choice {
     std::optional<std::uint16_t> position{}; ///< in the ring, from 0
     std::optional<std::uint16_t> alias{};    ///< configured station alias, 1 to 65535
-    std::string name{};                      ///< device name, object 1008h
+    device_name name{};                      ///< device name, object 1008h
     required_identity identity{};
 
     friend bool operator==(const slave_choice&, const slave_choice&) = default;

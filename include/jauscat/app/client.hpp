@@ -117,7 +117,7 @@ struct connect_options {
 /// What a component must be or have to be found.
 struct find_options {
     std::uint8_t component{};                  ///< component ID; 0: any
-    std::string name{};                        ///< a part of its identification
+    std::string_view name{};                   ///< a part of its identification
     std::uint16_t command_code{};              ///< of a message that it takes or sends; 0: any
     duration timeout{std::chrono::seconds{1}}; ///< then the search ends with those that have answered
 };

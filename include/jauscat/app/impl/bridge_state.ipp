@@ -178,7 +178,7 @@ JAUSCAT_DECL std::string served_slave::name() const {
     return "slave " + (which_.position       ? std::to_string(*which_.position)
                        : which_.alias        ? "with the alias " + std::to_string(*which_.alias)
                        : which_.name.empty() ? "with the required identity"
-                                             : which_.name);
+                                             : std::string{which_.name.view()});
 }
 
 JAUSCAT_DECL void served_slave::start() {

@@ -576,7 +576,7 @@ JAUSCAT_DECL bus_slave* bus_state::find(const slave_choice& which, error_code& e
         const auto& info = each.info;
         if (!is_same(which.position, info.position)) continue;
         const bool is_as_required = is_same(which.alias, info.alias) &&
-                                    (which.name.empty() || which.name == info.name) &&
+                                    (which.name.empty() || which.name.view() == info.name) &&
                                     is_same(id.vendor, info.vendor) && is_same(id.product, info.product) &&
                                     is_same(id.revision, info.revision) && is_same(id.serial, info.serial);
         if (!is_as_required) {

@@ -28,9 +28,15 @@ class function_operation final : public operation<bytes> {
 /// Ends when each question is answered or its timeout is over.
 class search : public std::enable_shared_from_this<search> {
   public:
-    search(clients& by, const jaus::address& self, const find_options& options,
+    /// `name` is that of the options, which may refer to it no longer.
+    search(clients& by, const jaus::address& self, const find_options& options, std::string name,
            operation_ptr<std::vector<found_component>> done)
-        : by_{by}, self_{self}, options_{options}, until_{net::now(), options.timeout}, done_{std::move(done)} {}
+        : by_{by},
+          self_{self},
+          options_{options},
+          name_{std::move(name)},
+          until_{net::now(), options.timeout},
+          done_{std::move(done)} {}
 
     void start(const std::vector<jaus::address>& managers) {
         ++open_; // until all have been asked
@@ -86,7 +92,7 @@ class search : public std::enable_shared_from_this<search> {
                 return std::ranges::find(codes, options_.command_code) != codes.end();
             };
             if (one.takes.empty()) return true; // it has not answered
-            if (one.identification.find(options_.name) == std::string::npos) return true;
+            if (one.identification.find(name_) == std::string::npos) return true;
             return options_.command_code != 0 && !has(one.takes) && !has(one.sends);
         });
         done_->complete({}, std::move(all_));
@@ -95,6 +101,7 @@ class search : public std::enable_shared_from_this<search> {
     clients& by_;
     jaus::address self_;
     find_options options_;
+    std::string name_;
     deadline until_;
     operation_ptr<std::vector<found_component>> done_;
     std::vector<found_component> all_{};
@@ -103,13 +110,13 @@ class search : public std::enable_shared_from_this<search> {
 
 JAUSCAT_DECL void begin_find(const std::shared_ptr<component_state>& by, const find_options& options,
                              operation_ptr<std::vector<found_component>> done) {
-    enqueue(by, done, [by, options, done](clients& all) {
+    enqueue(by, done, [by, options, name = std::string{options.name}, done](clients& all) {
         std::vector<jaus::address> managers{by->node().net().manager()};
         if (const auto* const present = by->node().net().present(); present != nullptr)
             present->for_each([&](const jaus::address& who) {
                 if (jaus::is_node_manager(who) && who != managers.front()) managers.push_back(who);
             });
-        std::make_shared<search>(all, by->self(), options, done)->start(managers);
+        std::make_shared<search>(all, by->self(), options, name, done)->start(managers);
     });
 }
 
