@@ -61,7 +61,7 @@ class bus {
     }
 
     /// A handle of the slave that is as `which` requires. Throws `std::invalid_argument` if that requires nothing.
-    [[nodiscard]] JAUSCAT_DECL jauscat::slave slave(slave_choice which) const;
+    [[nodiscard]] JAUSCAT_DECL jauscat::slave slave(const slave_choice& which) const;
     /// The slaves, in the order of their positions; empty until `async_start`.
     [[nodiscard]] JAUSCAT_DECL std::vector<slave_info> slaves() const;
 

@@ -150,6 +150,7 @@ class component {
         const auto why = app::encode_into(body, trigger);
         return boost::asio::async_initiate<Token, void(app::error_code, subscription<Report>)>(
             [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
+               // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
                std::vector<std::byte> request, bool is_good) {
                 auto done = app::make_operation<std::shared_ptr<app::subscription_state>>(
                     std::move(handler), app::handled_as<subscription<Report>>{}, app::context_of(*state));
@@ -286,6 +287,7 @@ auto component::async_send(const jaus::address& to, const T& message, Token&& to
     const auto why = app::encode_into(body, message);
     return boost::asio::async_initiate<Token, void(app::error_code)>(
         [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
+           // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
            std::vector<std::byte> encoded, bool is_good) {
             auto done = app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state));
             if (!is_good) return done->complete(node_errc::not_encodable);
@@ -301,6 +303,7 @@ auto component::async_ask(const jaus::address& of, const Query& query, const ask
     const auto why = app::encode_into(body, query);
     return boost::asio::async_initiate<Token, void(app::error_code, received<Report>)>(
         [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
+           // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
            std::vector<std::byte> encoded, const ask_options& how, bool is_good) {
             auto done =
                 app::make_operation<app::bytes>(std::move(handler), app::decoded_as<Report>{}, app::context_of(*state));

@@ -41,7 +41,7 @@ struct entry_information {
 ///     auto word = co_await drive.async_read<std::uint16_t>(0x6041, 0);
 class slave {
   public:
-    slave(std::shared_ptr<app::bus_state> bus, slave_choice which) : bus_{std::move(bus)}, which_{std::move(which)} {}
+    slave(std::shared_ptr<app::bus_state> bus, const slave_choice& which) : bus_{std::move(bus)}, which_{which} {}
 
     /// Reads an object: an integer, a bool (1 byte), an enumeration, a float or a double of exactly its size
     /// (wrong_size), a std::string (VISIBLE_STRING; zeros at its end are not part of it) or a std::vector<std::byte>
@@ -64,6 +64,7 @@ class slave {
     template <class T, class Token = default_token>
     auto async_write(std::uint16_t index, std::uint8_t subindex, const T& value, Token&& token = Token{}) const {
         return boost::asio::async_initiate<Token, void(app::error_code)>(
+            // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
             [](auto handler, const slave& self, std::uint16_t i, std::uint8_t s, app::object_bytes bytes) {
                 self.write(i, s, std::move(bytes),
                            app::make_operation<>(std::move(handler), app::no_conversion{}, self.context()));

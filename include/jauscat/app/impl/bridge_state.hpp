@@ -74,9 +74,9 @@ class bridge_state;
 /// A slave of a bridge, with the components in front of it.
 class served_slave final : public bus_user {
   public:
-    served_slave(bridge_state& of, slave_choice which, std::unique_ptr<bridging::any_exchange> exchange,
+    served_slave(bridge_state& of, const slave_choice& which, std::unique_ptr<bridging::any_exchange> exchange,
                  std::uint16_t station)
-        : bridge_{of}, which_{std::move(which)}, station_{station}, exchange_{std::move(exchange)} {}
+        : bridge_{of}, which_{which}, station_{station}, exchange_{std::move(exchange)} {}
 
     void add(const jaus::address& self, std::uint8_t authority);
     void start();

@@ -13,12 +13,12 @@ JAUSCAT_DECL bus::bus(boost::asio::io_context& context, std::string_view where, 
     : state_{std::make_shared<app::bus_state>(context, where, options)} {}
 JAUSCAT_DECL bus::~bus() { state_->close(); }
 
-JAUSCAT_DECL slave bus::slave(slave_choice which) const {
+JAUSCAT_DECL slave bus::slave(const slave_choice& which) const {
     const auto& id = which.identity;
     if (!which.position && !which.alias && which.name.empty() && !id.vendor && !id.product && !id.revision &&
         !id.serial)
         throw std::invalid_argument{"a slave is chosen by its position, alias, name or identity"};
-    return {state_, std::move(which)};
+    return {state_, which};
 }
 JAUSCAT_DECL std::vector<slave_info> bus::slaves() const { return state_->infos(); }
 JAUSCAT_DECL void bus::cancel() { state_->cancel(); }

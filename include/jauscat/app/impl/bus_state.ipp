@@ -303,8 +303,8 @@ template <class Make, class Take, class... Results> class slave_job final : publ
     using job_type = std::invoke_result_t<Make&, bus_slave&>;
 
   public:
-    slave_job(slave_choice which, operation_ptr<Results...> done, Make make, Take take)
-        : which_{std::move(which)}, done_{std::move(done)}, make_{std::move(make)}, take_{std::move(take)} {}
+    slave_job(const slave_choice& which, operation_ptr<Results...> done, Make make, Take take)
+        : which_{which}, done_{std::move(done)}, make_{std::move(make)}, take_{std::move(take)} {}
 
     bool begin(bus_state& bus, ethercat::master& master) override {
         error_code error;
@@ -343,8 +343,8 @@ template <class Make, class Take, class... Results> class slave_job final : publ
 /// Takes a slave to a state, and configures its process data before SAFE-OP.
 class change_job final : public bus_job {
   public:
-    change_job(slave_choice which, ethercat::al_state goal, operation_ptr<> done)
-        : which_{std::move(which)}, goal_{goal}, done_{std::move(done)} {}
+    change_job(const slave_choice& which, ethercat::al_state goal, operation_ptr<> done)
+        : which_{which}, goal_{goal}, done_{std::move(done)} {}
 
     bool begin(bus_state& bus, ethercat::master& master) override {
         error_code error;

@@ -46,10 +46,10 @@ class node_components {
         : options_{options}, log_{log}, peers_{options.timeout} {}
 
     /// `answers` gets what component and application do not handle.
-    void add(attached_component component, std::unique_ptr<default_answers> answers = {}) {
-        all_.push_back({.it = std::move(component), .answers = std::move(answers)});
+    void add(const attached_component& component, std::unique_ptr<default_answers> answers = {}) {
+        all_.push_back({.it = component, .answers = std::move(answers)});
     }
-    void replace(std::size_t place, attached_component component) { all_[place] = {.it = std::move(component)}; }
+    void replace(std::size_t place, const attached_component& component) { all_[place] = {.it = component}; }
     [[nodiscard]] std::vector<jaus::address> addresses() const {
         std::vector<jaus::address> list;
         for (const auto& one : all_) list.push_back(one.it.self);

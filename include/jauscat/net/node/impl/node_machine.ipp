@@ -57,7 +57,7 @@ JAUSCAT_DECL void node_machine::add(detail::attached_component component, detail
     if (has_manager() && id == self_)
         throw std::invalid_argument{"the node has its node manager, " + to_jausip(id) + ", already"};
     auto answers = std::make_unique<detail::default_answers>(config_, id, std::move(messages));
-    parts_->core.components.add(std::move(component), std::move(answers));
+    parts_->core.components.add(component, std::move(answers));
 }
 
 JAUSCAT_DECL void node_machine::start(time_point now) {
