@@ -79,14 +79,14 @@ void print_quantiles(std::ostream& out, const measurement& measured) {
 /// Takes no more frames after Ctrl-C, so that a job of the master's ends.
 class stoppable_link {
   public:
-    explicit stoppable_link(example::any_link& link) : link_{link} {}
+    explicit stoppable_link(jauscat::net::any_link& link) : link_{link} {}
     bool send(std::span<const std::byte> frame) { return !example::stop_requested && link_.send(frame); }
     std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
         return link_.receive(buffer, timeout);
     }
 
   private:
-    example::any_link& link_;
+    jauscat::net::any_link& link_;
 };
 
 template <class T> void require(const ethercat::master_result<T>& result, const std::string& what) {
@@ -95,7 +95,7 @@ template <class T> void require(const ethercat::master_result<T>& result, const 
 }
 
 /// Every slave to SAFE-OP under the stations `first` and up.
-std::vector<std::uint16_t> set_up(example::any_link& medium, ethercat::master& master, std::uint16_t first,
+std::vector<std::uint16_t> set_up(jauscat::net::any_link& medium, ethercat::master& master, std::uint16_t first,
                                   milliseconds watchdog) {
     stoppable_link link{medium};
     const auto run = [&](const auto& job, const std::string& what) {
@@ -216,7 +216,7 @@ class slave_watch {
 };
 
 /// Every slave to PRE-OP, without waiting for those that do not answer: their watchdog takes them out of OP.
-void leave_op(example::any_link& link, ethercat::master& master, const std::vector<std::uint16_t>& stations) {
+void leave_op(jauscat::net::any_link& link, ethercat::master& master, const std::vector<std::uint16_t>& stations) {
     master.cancel(ethercat::master_errc::timeout); // an upload that still runs
     const auto deadline = std::chrono::steady_clock::now() + milliseconds{500};
     for (const auto station : stations) {
@@ -227,7 +227,7 @@ void leave_op(example::any_link& link, ethercat::master& master, const std::vect
     }
 }
 
-int measure(example::any_link& link, const auto& values) {
+int measure(jauscat::net::any_link& link, const auto& values) {
     ethercat::master master{{.frame_timeout = milliseconds{values["frame-timeout"].template as<unsigned>()}}};
     const auto stations = set_up(link, master, values["station"].template as<std::uint16_t>(),
                                  milliseconds{values["watchdog"].template as<unsigned>()});

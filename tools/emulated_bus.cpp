@@ -166,7 +166,7 @@ class node {
     ethercat::al_status status_{.state = ethercat::al_state::init};
 };
 
-int serve(example::any_link& link, const std::string& where, std::deque<node>& nodes) {
+int serve(jauscat::net::any_link& link, const std::string& where, std::deque<node>& nodes) {
     for (auto& each : nodes) each.slave().set_downstream(&each != &nodes.back());
     example::write_event(example::events::ready, {{"slaves", nodes.size()}, {"link", where}},
                          std::to_string(nodes.size()) + (nodes.size() == 1 ? " slave, " : " slaves, ") + where +

@@ -3,10 +3,10 @@
 #include "message_kinds/message_kinds.hpp"
 #include "robot_controller/front_component.hpp"
 #include "robot_controller/narrator.hpp"
-#include "support/any_link.hpp"
 #include "support/component_of.hpp"
 #include "support/program.hpp"
 #include "support/repeated_lines.hpp"
+#include <jauscat/net/link/any_link.hpp>
 #include <jauscat/net/link/ring_runner.hpp>
 
 #include <algorithm>
@@ -48,8 +48,8 @@ class front {
     using clock = std::chrono::steady_clock;
 
     /// Opens the node's socket. `config` is seen by the system that this front is; its slave's station is the node.
-    front(const jauscat::net::jaus_config& config, any_link& link, std::unique_ptr<bridging::any_exchange> exchange,
-          const front_options& options, const speaker& say)
+    front(const jauscat::net::jaus_config& config, jauscat::net::any_link& link,
+          std::unique_ptr<bridging::any_exchange> exchange, const front_options& options, const speaker& say)
         : say_{say},
           timing_{options.timing},
           link_{link, options.trace_name, say.about()},
@@ -194,7 +194,7 @@ class front {
     speaker say_;
     bridging::bridge_options timing_;
     boost::asio::io_context context_{};
-    traced_link<any_link> link_;
+    traced_link<jauscat::net::any_link> link_;
     std::unique_ptr<bridging::any_exchange> exchange_;
     narrator narrator_;
     bridging::order_memory<> memory_{};
@@ -205,7 +205,7 @@ class front {
     std::deque<front_component> components_{};
     jauscat::net::jaus_node node_;
     said_messages said_{say_, node_.out()};
-    jauscat::net::ring_runner<traced_link<any_link>> runner_{context_, link_, ring_, said_};
+    jauscat::net::ring_runner<traced_link<jauscat::net::any_link>> runner_{context_, link_, ring_, said_};
     std::string problem_{}; ///< of the link: logged once, and again after the slave was up
     bool second_master_{}, broken_ring_{};
 };

@@ -1,8 +1,8 @@
 // Which EtherCAT medium a node uses, and which translation table.
 #pragma once
-#include "support/any_link.hpp"
 #include "support/program.hpp"
 #include "support/robot_messages.hpp"
+#include <jauscat/net/link/any_link.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
 #include <jauscat/translate/fixed_length.hpp>
 
@@ -47,21 +47,21 @@ enum class privileges { dropped, kept };
 
 /// A link, and what to say of it.
 struct opened_link {
-    std::unique_ptr<any_link> link{};
+    std::unique_ptr<jauscat::net::any_link> link{};
     std::string where{};
     bool is_raw{}; ///< it took privileges to open it
 };
 
 /// Raw Ethernet on a network interface.
 inline opened_link open_raw_link(const std::string& interface_name) {
-    return {std::make_unique<held_link<jauscat::net::raw_link>>(jauscat::net::raw_link{interface_name}),
+    return {std::make_unique<jauscat::net::held_link<jauscat::net::raw_link>>(jauscat::net::raw_link{interface_name}),
             "raw Ethernet on " + interface_name, true};
 }
 /// EtherCAT in UDP, to a slave or as one.
 inline opened_link open_udp_link(link_end end, const std::string& host, std::uint16_t port) {
     using jauscat::net::udp_link;
-    return {std::make_unique<held_link<udp_link>>(end == link_end::slave ? udp_link::serve(port, host)
-                                                                         : udp_link::connect(host, port)),
+    return {std::make_unique<jauscat::net::held_link<udp_link>>(end == link_end::slave ? udp_link::serve(port, host)
+                                                                                       : udp_link::connect(host, port)),
             "EtherCAT in UDP, " + host + ":" + std::to_string(port), false};
 }
 /// The link that the options choose.
