@@ -95,9 +95,11 @@ namespace ethercat {
 } // namespace ethercat
 } // namespace jauscat
 
-template <> struct boost::system::is_error_code_enum<jauscat::bus_errc> : std::true_type {};
-template <> struct boost::system::is_error_code_enum<jauscat::ethercat::abort_code> : std::true_type {};
-template <> struct boost::system::is_error_code_enum<jauscat::ethercat::al_status_code> : std::true_type {};
+namespace boost::system {
+template <> struct is_error_code_enum<jauscat::bus_errc> : std::true_type {};
+template <> struct is_error_code_enum<jauscat::ethercat::abort_code> : std::true_type {};
+template <> struct is_error_code_enum<jauscat::ethercat::al_status_code> : std::true_type {};
+} // namespace boost::system
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
 #    include <jauscat/app/impl/bus_error.ipp>

@@ -59,7 +59,9 @@ enum class node_errc : std::uint8_t {
 } // namespace JAUSCAT_WAY
 } // namespace jauscat
 
-template <> struct boost::system::is_error_code_enum<jauscat::node_errc> : std::true_type {};
+namespace boost::system {
+template <> struct is_error_code_enum<jauscat::node_errc> : std::true_type {};
+} // namespace boost::system
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
 #    include <jauscat/app/impl/error.ipp>
