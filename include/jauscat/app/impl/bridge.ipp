@@ -15,7 +15,9 @@ inline namespace JAUSCAT_WAY {
 
 JAUSCAT_DECL bridge::bridge(node& of, bus& on, app::exchange_maker make, const bridge_options& options) {
     state_ = std::make_shared<app::bridge_state>(of.state(), on.state(), make, options);
-    of.state().add(state_);
+    of.state().add({.start = [state = state_] { state->start(); },
+                    .stop = [state = state_] { state->stop(); },
+                    .has = [state = state_](const jaus::address& component) { return state->has(component); }});
 }
 JAUSCAT_DECL bridge::~bridge() { state_->close(); }
 

@@ -3,7 +3,6 @@
 #include <jauscat/app/bridge_options.hpp>
 #include <jauscat/app/bus_options.hpp>
 #include <jauscat/app/impl/bus_state.hpp>
-#include <jauscat/app/impl/node_part.hpp>
 #include <jauscat/bridge/any_exchange.hpp>
 #include <jauscat/bridge/component.hpp>
 #include <jauscat/net/limited_log.hpp>
@@ -58,8 +57,8 @@ class renumbered_exchange final : public bridging::any_exchange {
     renumbered_exchange(std::unique_ptr<bridging::any_exchange> under, std::uint8_t node, std::uint8_t station)
         : under_{std::move(under)}, node_{node}, station_{station} {}
 
-    bridging::exchange_step begin(bytes message, std::span<std::byte> buffer) override;
-    bridging::exchange_step on_confirmation(bytes confirmation, std::span<std::byte> buffer) override;
+    JAUSCAT_DECL bridging::exchange_step begin(bytes message, std::span<std::byte> buffer) override;
+    JAUSCAT_DECL bridging::exchange_step on_confirmation(bytes confirmation, std::span<std::byte> buffer) override;
     [[nodiscard]] hilscher::packet_status status() const override { return under_->status(); }
     [[nodiscard]] translate::errc error() const override { return under_->error(); }
 
@@ -90,10 +89,10 @@ class served_slave final : public bus_user {
     [[nodiscard]] bool at_rest() const noexcept;
     [[nodiscard]] bool is_up() const noexcept { return front_ && front_->up(); }
 
-    void send(bytes message) override;
-    void bus_ends() noexcept override;
+    JAUSCAT_DECL void send(bytes message) override;
+    JAUSCAT_DECL void bus_ends() noexcept override;
     [[nodiscard]] bridging::slave_front& front() noexcept override { return *front_; }
-    [[nodiscard]] std::uint8_t node() const noexcept override;
+    [[nodiscard]] JAUSCAT_DECL std::uint8_t node() const noexcept override;
 
   private:
     struct nothing_more {
@@ -139,7 +138,7 @@ class served_slave final : public bus_user {
 };
 
 /// Keeps the bus in memory; the node keeps it.
-class bridge_state final : public node_part, public std::enable_shared_from_this<bridge_state> {
+class bridge_state final : public std::enable_shared_from_this<bridge_state> {
   public:
     bridge_state(node_state& of, std::shared_ptr<bus_state> on, exchange_maker make, const bridge_options& options);
 
@@ -150,9 +149,10 @@ class bridge_state final : public node_part, public std::enable_shared_from_this
     /// The handle has gone.
     void close() noexcept;
 
-    void start() override;
-    void stop() noexcept override;
-    [[nodiscard]] bool has(const jaus::address& component) const override;
+    // A part of the node.
+    void start();
+    void stop() noexcept;
+    [[nodiscard]] bool has(const jaus::address& component) const;
 
     // For its slaves.
     [[nodiscard]] const std::shared_ptr<bus_state>& bus() const noexcept { return bus_; }

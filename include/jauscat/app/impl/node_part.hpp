@@ -1,27 +1,17 @@
 // What works while a node runs, besides its components.
 #pragma once
-#include <jauscat/base/compilation.hpp>
 #include <jauscat/schema/jaus/header.hpp>
 
-namespace jauscat {
-inline namespace JAUSCAT_WAY {
-namespace app {
+#include <functional>
 
-class node_part {
-  public:
-    node_part() = default;
-    virtual ~node_part() = default;
-    node_part(const node_part&) = delete;
-    node_part& operator=(const node_part&) = delete;
+namespace jauscat::app {
 
-    /// The node has started.
-    virtual void start() = 0;
-    /// The node will stop: its messages still go out.
-    virtual void stop() noexcept = 0;
-    /// One of its components has this ID.
-    [[nodiscard]] virtual bool has(const jaus::address& component) const = 0;
+/// No virtual functions: g++ takes the only class that has them for the one that is called, so that each program with a
+/// node would hold the code of bridge and bus (300 KB).
+struct node_part {
+    std::function<void()> start;                   ///< the node has started
+    std::function<void()> stop;                    ///< the node will stop: its messages still go out; throws nothing
+    std::function<bool(const jaus::address&)> has; ///< one of its components has this ID
 };
 
-} // namespace app
-} // namespace JAUSCAT_WAY
-} // namespace jauscat
+} // namespace jauscat::app

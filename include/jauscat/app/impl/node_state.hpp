@@ -25,7 +25,7 @@ class node_state {
     void start();
     void stop();
     void add(const std::shared_ptr<component_state>& component);
-    void add(const std::shared_ptr<node_part>& part) { parts_.push_back(part); }
+    void add(node_part part) { parts_.push_back(std::move(part)); }
     /// A component has this ID.
     [[nodiscard]] bool has(const jaus::address& self) const;
     void log(std::string_view line) const;
@@ -48,7 +48,7 @@ class node_state {
     std::unique_ptr<boost::asio::io_context> own_context_{};
     boost::asio::io_context* context_;
     std::vector<std::shared_ptr<component_state>> components_{};
-    std::vector<std::shared_ptr<node_part>> parts_{};
+    std::vector<node_part> parts_{};
     std::size_t added_{}; ///< components that net_ has
     net::jaus_node net_;
     std::optional<boost::asio::signal_set> signals_{};

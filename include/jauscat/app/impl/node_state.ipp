@@ -74,7 +74,7 @@ JAUSCAT_DECL bool node_state::has(const jaus::address& self) const {
     return self == net_.manager() ||
            std::ranges::any_of(components_,
                                [&](const auto& one) { return one->self() == self && !one->is_closed(); }) ||
-           std::ranges::any_of(parts_, [&](const auto& one) { return one->has(self); });
+           std::ranges::any_of(parts_, [&](const auto& one) { return one.has(self); });
 }
 
 JAUSCAT_DECL void node_state::start() {
@@ -94,12 +94,12 @@ JAUSCAT_DECL void node_state::start() {
         for (const auto& one : components_) one->stop();
         throw;
     }
-    for (const auto& one : parts_) one->start();
+    for (const auto& one : parts_) one.start();
 }
 
 JAUSCAT_DECL void node_state::stop() {
     for (const auto& one : components_) one->stop();
-    for (const auto& one : parts_) one->stop();
+    for (const auto& one : parts_) one.stop();
     net_.stop();
     if (own_context_) own_context_->stop();
 }
