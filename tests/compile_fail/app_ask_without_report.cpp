@@ -1,5 +1,4 @@
 // expect: async_ask: no report answers this message; the schema of a query names its report
-#define JAUSCAT_SEPARATE_COMPILATION
 #include <jauscat/app.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

@@ -1,5 +1,4 @@
 // expect: on: a handler names its message: [](const jaus::set_wrench_effort& effort) { ... }
-#define JAUSCAT_SEPARATE_COMPILATION
 #include <jauscat/app.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

@@ -1,5 +1,4 @@
 // expect: on: the parameter of a handler is no message with a command code; is the header of its schema included?
-#define JAUSCAT_SEPARATE_COMPILATION
 #include <jauscat/app.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

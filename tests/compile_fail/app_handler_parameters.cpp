@@ -1,5 +1,4 @@
 // expect: on: a handler takes (const T&) or (const T&, const jaus::header&)
-#define JAUSCAT_SEPARATE_COMPILATION
 #include <jauscat/app.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

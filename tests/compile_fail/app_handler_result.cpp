@@ -1,5 +1,4 @@
 // expect: on: a handler returns nothing, a message as the answer, or a message_outcome
-#define JAUSCAT_SEPARATE_COMPILATION
 #include <jauscat/app.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

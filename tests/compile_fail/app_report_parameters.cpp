@@ -1,5 +1,4 @@
 // expect: reports: the function takes nothing, or the query of its report
-#define JAUSCAT_SEPARATE_COMPILATION
 #include <jauscat/app.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

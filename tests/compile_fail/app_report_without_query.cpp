@@ -1,5 +1,4 @@
 // expect: reports: the function returns no report that a query asks for; the schema of a report names its query
-#define JAUSCAT_SEPARATE_COMPILATION
 #include <jauscat/app.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

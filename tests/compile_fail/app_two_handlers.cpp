@@ -1,5 +1,4 @@
 // expect: on: two handlers of one message
-#define JAUSCAT_SEPARATE_COMPILATION
 #include <jauscat/app.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

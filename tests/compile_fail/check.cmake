@@ -1,5 +1,6 @@
-# Compiles SOURCE with COMPILER and INCLUDES, warnings as errors, and checks that the outcome is EXPECT, by default what its
-# first line says. A second line "// and: text" says what else the compiler must say.
+# Compiles SOURCE with COMPILER and the options in the file OPTIONS, and checks that the outcome is EXPECT, by default what
+# its first line says. A second line "// and: text" says what else the compiler must say. PRECOMPILED is the header that
+# SOURCE includes first; its precompiled form is beside it.
 if(NOT DEFINED EXPECT)
     file(STRINGS ${SOURCE} first_line LIMIT_COUNT 1)
     if(NOT first_line MATCHES "^// expect: (.+)$")
@@ -10,10 +11,10 @@ if(NOT DEFINED EXPECT)
     string(REPLACE "// and: " "" ALSO "${ALSO}")
 endif()
 
-list(REMOVE_DUPLICATES INCLUDES)
-list(REMOVE_ITEM INCLUDES "" "/usr/include")
-list(TRANSFORM INCLUDES PREPEND "-I")
-execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -Werror ${INCLUDES} ${SOURCE}
+if(DEFINED PRECOMPILED)
+    set(first -include ${PRECOMPILED})
+endif()
+execute_process(COMMAND ${COMPILER} -fsyntax-only @${OPTIONS} ${first} ${SOURCE}
                 RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
 
 string(FIND "${output}" "${EXPECT}" at)

@@ -1,5 +1,4 @@
 // expect: no error
-#define JAUSCAT_SEPARATE_COMPILATION
 #include <jauscat/app/slave.hpp>
 
 void read(const jauscat::slave& drive) {

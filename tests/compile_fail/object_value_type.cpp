@@ -1,5 +1,4 @@
 // expect: the value of an object is an integer, a bool, an enumeration, a float, a double,
-#define JAUSCAT_SEPARATE_COMPILATION
 #include <jauscat/app/slave.hpp>
 
 void read(const jauscat::slave& drive) {
