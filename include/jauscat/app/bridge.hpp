@@ -11,6 +11,7 @@
 namespace jauscat {
 namespace bridging {
 class any_exchange;
+struct observer;
 struct slave_identity;
 } // namespace bridging
 
@@ -71,10 +72,16 @@ class bridge {
     /// Called for each emergency that a slave has sent.
     JAUSCAT_DECL void
     when_emergency(std::function<void(const slave_choice& slave, const ethercat::coe_emergency& emergency)> f);
-    /// All slaves have confirmed all stop orders, also lost ones.
+    /// All slaves have confirmed all stop orders, also lost ones. After the end of the node: those that answered then
+    /// have confirmed that they are at rest.
     [[nodiscard]] JAUSCAT_DECL bool at_rest() const;
     /// All slaves answer and take messages.
     [[nodiscard]] JAUSCAT_DECL bool is_up() const;
+
+    /// For a log of each step, before the node is started: the functions of `by` (<jauscat/bridge/observer.hpp>) take
+    /// the place of the lines about slaves and components in the node's log. They are called while the bridge works and
+    /// must not use it; they must outlive it.
+    JAUSCAT_DECL void observe(const bridging::observer& by);
 
   private:
     JAUSCAT_DECL bridge(node& of, bus& on, app::exchange_maker make, const bridge_options& options);

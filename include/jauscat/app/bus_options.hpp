@@ -6,15 +6,30 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace jauscat {
 inline namespace JAUSCAT_WAY {
+
+/// A problem of a link.
+enum class link_fault : std::uint8_t {
+    no_frames,     ///< frames do not pass
+    second_master, ///< frames of another master are on the link
+    broken_ring,   ///< frames return marked as circulating: a cable between two slaves is out
+};
+/// A frame of a link, for a trace.
+struct passing_frame {
+    std::span<const std::byte> bytes{};
+    bool is_sent{};       ///< not received
+    bool is_keep_alive{}; ///< a bridge's Report Heartbeat Pulse to a slave, or its reply
+};
 
 /// All options have defaults.
 struct bus_options {
@@ -33,6 +48,10 @@ struct bus_options {
     /// Gets a line when a slave is lost, returns or reports an emergency, and for each problem of the link. By default
     /// they are written to standard error.
     std::function<void(std::string_view line)> log{};
+    /// Gets the problems of the link besides the log.
+    std::function<void(link_fault what, std::string_view line)> on_fault{};
+    /// Gets all frames, for a trace. Must not use the bus.
+    std::function<void(const passing_frame& frame)> on_frame{};
 };
 
 /// Identity of a slave, object 1018h; what is not given is not compared.

@@ -50,6 +50,9 @@ class node {
     /// Called for each component whose heartbeats begin, and for each one that is lost.
     JAUSCAT_DECL void when_appeared(std::function<void(const jaus::address& who)> f);
     JAUSCAT_DECL void when_disappeared(std::function<void(const jaus::address& who)> f);
+    /// A component has disappeared from another node's node manager. For a node that has none of its own; others ignore
+    /// it.
+    JAUSCAT_DECL void lose(const jaus::address& who);
 
     /// For the classes of this folder.
     [[nodiscard]] app::node_state& state() noexcept { return *state_; }

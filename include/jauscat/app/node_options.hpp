@@ -1,9 +1,13 @@
 // Options of a node.
 #pragma once
 #include <jauscat/base/compilation.hpp>
+#include <jauscat/jaus/component/component_outcome.hpp>
+#include <jauscat/schema/jaus/header.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,6 +25,13 @@ struct node_options {
     /// Gets a line for each message that was refused, unroutable or lost, and for each exception of a handler. By
     /// default they are written to standard error.
     std::function<void(std::string_view line)> log{};
+    /// For traces. Called for each message before a component of this node gets it, with its outcome after that, and
+    /// for each message that a component sends. The node manager is a component, too.
+    std::function<void(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body)>
+        on_received{};
+    std::function<void(const jaus::address& component, const jaus::header& head, jaus::component_outcome what)>
+        on_handled{};
+    std::function<void(std::span<const std::byte> message)> on_sent{};
 };
 
 } // namespace JAUSCAT_WAY

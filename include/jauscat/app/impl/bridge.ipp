@@ -15,9 +15,7 @@ inline namespace JAUSCAT_WAY {
 
 JAUSCAT_DECL bridge::bridge(node& of, bus& on, app::exchange_maker make, const bridge_options& options) {
     state_ = std::make_shared<app::bridge_state>(of.state(), on.state(), make, options);
-    of.state().add({.start = [state = state_] { state->start(); },
-                    .stop = [state = state_] { state->stop(); },
-                    .has = [state = state_](const jaus::address& component) { return state->has(component); }});
+    of.state().add(state_->as_part());
 }
 JAUSCAT_DECL bridge::~bridge() { state_->close(); }
 
@@ -27,7 +25,7 @@ JAUSCAT_DECL void bridge::serve(const served_component& component, const slave& 
 }
 JAUSCAT_DECL void bridge::when_up(std::function<void(const slave_choice&)> f) { state_->on_up = std::move(f); }
 JAUSCAT_DECL void bridge::when_lost(std::function<void(const slave_choice&, boost::system::error_code)> f) {
-    state_->on_lost = std::move(f);
+    state_->on_slave_lost = std::move(f);
 }
 JAUSCAT_DECL void bridge::when_changed(std::function<void(const jaus::address&, jaus::primary_status_code)> f) {
     state_->on_changed = std::move(f);
@@ -38,6 +36,7 @@ JAUSCAT_DECL void bridge::when_at_rest(std::function<void(const jaus::address&)>
 JAUSCAT_DECL void bridge::when_emergency(std::function<void(const slave_choice&, const ethercat::coe_emergency&)> f) {
     state_->on_emergency = std::move(f);
 }
+JAUSCAT_DECL void bridge::observe(const bridging::observer& by) { state_->watcher = by; }
 JAUSCAT_DECL bool bridge::at_rest() const { return state_->at_rest(); }
 JAUSCAT_DECL bool bridge::is_up() const { return state_->is_up(); }
 

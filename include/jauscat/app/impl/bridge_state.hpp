@@ -3,6 +3,7 @@
 #include <jauscat/app/bridge_options.hpp>
 #include <jauscat/app/bus_options.hpp>
 #include <jauscat/app/impl/bus_state.hpp>
+#include <jauscat/app/impl/node_part.hpp>
 #include <jauscat/bridge/any_exchange.hpp>
 #include <jauscat/bridge/component.hpp>
 #include <jauscat/net/limited_log.hpp>
@@ -80,8 +81,9 @@ class served_slave final : public bus_user {
     void add(const jaus::address& self, std::uint8_t authority);
     void start();
     void stop() noexcept;
-    /// It was up and should have been brought to rest: logs it if it was not.
-    void check_rest();
+    /// It was up and should have been brought to rest: if it was not, that is logged.
+    [[nodiscard]] bool check_rest();
+    void on_lost(const jaus::address& who);
     [[nodiscard]] const slave_choice& choice() const noexcept { return which_; }
     [[nodiscard]] std::uint16_t station() const noexcept { return station_; }
     [[nodiscard]] bool is_served() const noexcept { return is_served_; }
@@ -120,6 +122,9 @@ class served_slave final : public bus_user {
     void found(std::uint16_t position, const ethercat::identity_check& expected);
     void retry();
     void log(std::string_view line);
+    /// Logs what an observer of the application is told otherwise.
+    void log_event(std::string_view line);
+    [[nodiscard]] const bridging::observer& watcher() const noexcept;
     [[nodiscard]] std::string name() const;
 
     bridge_state& bridge_;
@@ -131,7 +136,7 @@ class served_slave final : public bus_user {
     bridging::order_memory<> memory_{};
     std::optional<bridging::slave_front> front_{};
     std::optional<boost::asio::steady_timer> timer_{};
-    net::limited_log limited_{[this](std::string_view line) { log(line); }};
+    net::limited_log limited_{[this](std::string_view line) { log_event(line); }};
     std::string last_problem_{};
     bool works_{};     ///< between start and stop
     bool is_served_{}; ///< the ring has the front
@@ -149,27 +154,31 @@ class bridge_state final : public std::enable_shared_from_this<bridge_state> {
     /// The handle has gone.
     void close() noexcept;
 
-    // A part of the node.
-    void start();
-    void stop() noexcept;
-    [[nodiscard]] bool has(const jaus::address& component) const;
+    [[nodiscard]] node_part as_part();
 
     // For its slaves.
     [[nodiscard]] const std::shared_ptr<bus_state>& bus() const noexcept { return bus_; }
     [[nodiscard]] node_state& node() noexcept { return node_; }
     [[nodiscard]] const bridge_options& options() const noexcept { return options_; }
+    /// Whether a slave has confirmed at the end.
+    void note_rest(bool is_confirmed) noexcept { ended_at_rest_ = ended_at_rest_.value_or(true) && is_confirmed; }
     /// Sends the message later: not within the ring's turn, because a receiver in this program may end the bridge.
     void send(bytes message);
     /// Calls a function of the application from the io_context, unless the bridge has ended by then.
     template <class F, class... Arguments> void call_later(F bridge_state::* function, Arguments... arguments);
 
     std::function<void(const slave_choice&)> on_up{};
-    std::function<void(const slave_choice&, error_code)> on_lost{};
+    std::function<void(const slave_choice&, error_code)> on_slave_lost{};
     std::function<void(const jaus::address&, jaus::primary_status_code)> on_changed{};
     std::function<void(const jaus::address&)> on_at_rest{};
     std::function<void(const slave_choice&, const ethercat::coe_emergency&)> on_emergency{};
+    std::optional<bridging::observer> watcher{}; ///< of the application
 
   private:
+    void start();
+    void stop() noexcept;
+    void on_lost(const jaus::address& who);
+    [[nodiscard]] bool has(const jaus::address& component) const;
     void flush();
 
     node_state& node_;
@@ -178,6 +187,7 @@ class bridge_state final : public std::enable_shared_from_this<bridge_state> {
     bridge_options options_;
     std::deque<served_slave> slaves_{};
     std::vector<std::vector<std::byte>> outbox_{};
+    std::optional<bool> ended_at_rest_{};
     bool is_closed_{};
 };
 

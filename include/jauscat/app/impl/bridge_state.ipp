@@ -73,8 +73,17 @@ JAUSCAT_DECL void bridge_state::serve(const served_component& component, const s
     slave->add(self, component.authority);
 }
 
+JAUSCAT_DECL node_part bridge_state::as_part() {
+    using jaus::bound;
+    return {.owner = shared_from_this(),
+            .start = bound<&bridge_state::start>(*this),
+            .stop = bound<&bridge_state::stop>(*this),
+            .on_lost = bound<&bridge_state::on_lost>(*this),
+            .has = bound<&bridge_state::has>(*this)};
+}
 JAUSCAT_DECL void bridge_state::start() {
     if (is_closed_) return;
+    ended_at_rest_.reset();
     for (auto& each : slaves_) each.start();
 }
 JAUSCAT_DECL void bridge_state::stop() noexcept {
@@ -86,7 +95,8 @@ JAUSCAT_DECL void bridge_state::stop() noexcept {
         for (auto& each : slaves_)
             if (each.is_up()) moving.push_back(&each);
         bus_->bring_to_rest(served);
-        for (auto* const each : moving) each->check_rest();
+        note_rest(true);
+        for (auto* const each : moving) note_rest(each->check_rest());
         flush();
     } catch (...) { // of the log
     }
@@ -99,7 +109,7 @@ JAUSCAT_DECL void bridge_state::close() noexcept {
     for (const auto& each : slaves_) bus_->release_station(each.station());
     bus_->release_timing();
     on_up = nullptr;
-    on_lost = nullptr;
+    on_slave_lost = nullptr;
     on_changed = nullptr;
     on_at_rest = nullptr;
     on_emergency = nullptr;
@@ -107,7 +117,11 @@ JAUSCAT_DECL void bridge_state::close() noexcept {
 JAUSCAT_DECL bool bridge_state::has(const jaus::address& component) const {
     return std::ranges::any_of(slaves_, [&](const auto& each) { return each.has(component); });
 }
+JAUSCAT_DECL void bridge_state::on_lost(const jaus::address& who) {
+    for (auto& each : slaves_) each.on_lost(who);
+}
 JAUSCAT_DECL bool bridge_state::at_rest() const noexcept {
+    if (ended_at_rest_) return *ended_at_rest_;
     return std::ranges::all_of(slaves_, [](const auto& each) { return each.at_rest(); });
 }
 JAUSCAT_DECL bool bridge_state::is_up() const noexcept {
@@ -174,6 +188,13 @@ JAUSCAT_DECL bool served_slave::at_rest() const noexcept {
 }
 JAUSCAT_DECL std::uint8_t served_slave::node() const noexcept { return bridge_.node().net().manager().node; }
 JAUSCAT_DECL void served_slave::log(std::string_view line) { bridge_.node().log(line); }
+JAUSCAT_DECL void served_slave::log_event(std::string_view line) {
+    if (!bridge_.watcher) log(line);
+}
+JAUSCAT_DECL const bridging::observer& served_slave::watcher() const noexcept {
+    static constexpr bridging::observer nothing{};
+    return bridge_.watcher ? *bridge_.watcher : nothing;
+}
 JAUSCAT_DECL std::string served_slave::name() const {
     return "slave " + (which_.position       ? std::to_string(*which_.position)
                        : which_.alias        ? "with the alias " + std::to_string(*which_.alias)
@@ -209,9 +230,13 @@ JAUSCAT_DECL void served_slave::stop() noexcept {
     front_.reset();
 }
 
-JAUSCAT_DECL void served_slave::check_rest() {
-    if (!is_up() || !at_rest())
-        log(name() + " has not confirmed that it is at rest: it stops by its own watchdog or not at all");
+JAUSCAT_DECL bool served_slave::check_rest() {
+    if (is_up() && at_rest()) return true;
+    log(name() + " has not confirmed that it is at rest: it stops by its own watchdog or not at all");
+    return false;
+}
+JAUSCAT_DECL void served_slave::on_lost(const jaus::address& who) {
+    for (auto& each : components_) each.on_lost(who);
 }
 
 JAUSCAT_DECL void served_slave::send(bytes message) { bridge_.send(message); }
@@ -220,12 +245,16 @@ JAUSCAT_DECL void served_slave::bus_ends() noexcept {
     if (!front_) return;
     front_->on_work({});
     const bool was_up = front_->up();
+    try {
+        if (was_up) bridge_.note_rest(check_rest());
+    } catch (...) { // of the log
+    }
     front_->set_up(false);
     if (!was_up) return;
     const auto out = [this](bytes message) { send(message); };
     for (auto& each : components_)
         if (each.unit) each.unit->on_slave_lost(net::now(), out);
-    bridge_.call_later(&bridge_state::on_lost, which_, error_code{bus_errc::not_started});
+    bridge_.call_later(&bridge_state::on_slave_lost, which_, error_code{bus_errc::not_started});
 }
 
 // ---- The slave.
@@ -286,8 +315,14 @@ JAUSCAT_DECL bridging::observer served_slave::observer() noexcept {
             .slave_emergency = jaus::bound<&served_slave::slave_emergency>(*this),
             .no_keep_alive = jaus::bound<&served_slave::no_keep_alive>(*this),
             .changed_state = jaus::bound<&served_slave::changed_state>(*this),
+            .changed_controller = watcher().changed_controller,
+            .stop_required = watcher().stop_required,
             .stop_refused = jaus::bound<&served_slave::stop_refused>(*this),
             .settled = jaus::bound<&served_slave::settled>(*this),
+            .translated = watcher().translated,
+            .asks_report = watcher().asks_report,
+            .into_image = watcher().into_image,
+            .from_image = watcher().from_image,
             .refused = jaus::bound<&served_slave::refused>(*this)};
 }
 
@@ -332,59 +367,68 @@ inline std::string_view text_of(bridging::stop_order what) noexcept {
     return "stop";
 }
 
-JAUSCAT_DECL void served_slave::slave_up(const bridging::slave_front&, const ethercat::slave_record& record,
+JAUSCAT_DECL void served_slave::slave_up(const bridging::slave_front& slave, const ethercat::slave_record& record,
                                          bool ready) {
+    watcher().slave_up(slave, record, ready);
     bridge_.bus()->note_served(*this, record);
     if (!ready) return;
     last_problem_.clear();
-    log(name() + " answers" + (bridge_.options().period > duration{} ? ", in OP" : ", in PRE-OP"));
+    log_event(name() + " answers" + (bridge_.options().period > duration{} ? ", in OP" : ", in PRE-OP"));
     bridge_.call_later(&bridge_state::on_up, which_);
 }
-JAUSCAT_DECL void served_slave::bring_up_failed(const bridging::slave_front&, const ethercat::master_error& why) {
+JAUSCAT_DECL void served_slave::bring_up_failed(const bridging::slave_front& slave, const ethercat::master_error& why) {
+    watcher().bring_up_failed(slave, why);
     const auto error = error_of(why);
     bridge_.bus()->note_served_lost(*this, error);
     if (const auto problem = error.message(); problem != last_problem_) {
         last_problem_ = problem;
-        log(name() + " is not brought up: " + problem);
+        log_event(name() + " is not brought up: " + problem);
     }
 }
-JAUSCAT_DECL void served_slave::slave_lost(const bridging::slave_front&, bridging::loss what,
+JAUSCAT_DECL void served_slave::slave_lost(const bridging::slave_front& slave, bridging::loss what,
                                            const ethercat::master_error& why) {
+    watcher().slave_lost(slave, what, why);
     auto error = error_of(why);
     if (!error || error == bus_errc::stopped) error = bus_errc::slave_lost;
     bridge_.bus()->note_served_lost(*this, error);
     last_problem_ = error.message();
-    log(name() + " is lost: " + std::string{text_of(what)} + " (" + last_problem_ + ")");
-    bridge_.call_later(&bridge_state::on_lost, which_, error);
+    log_event(name() + " is lost: " + std::string{text_of(what)} + " (" + last_problem_ + ")");
+    bridge_.call_later(&bridge_state::on_slave_lost, which_, error);
 }
-JAUSCAT_DECL void served_slave::slave_emergency(const bridging::slave_front&,
+JAUSCAT_DECL void served_slave::slave_emergency(const bridging::slave_front& slave,
                                                 const ethercat::coe_emergency& emergency) {
+    watcher().slave_emergency(slave, emergency);
     limited_(net::now(), [&] {
         return name() + " reports an emergency: " + numbered("%04Xh", emergency.error_code) +
                numbered(", error register %02Xh", emergency.error_register);
     });
     bridge_.call_later(&bridge_state::on_emergency, which_, emergency);
 }
-JAUSCAT_DECL void served_slave::no_keep_alive(const bridging::slave_front&, const bridging::refusal_reason& why) {
-    log(name() + " does not take Report Heartbeat Pulse (" + text_of(why) +
-        "): nothing stops it when this program ends without a word");
+JAUSCAT_DECL void served_slave::no_keep_alive(const bridging::slave_front& slave, const bridging::refusal_reason& why) {
+    watcher().no_keep_alive(slave, why);
+    log_event(name() + " does not take Report Heartbeat Pulse (" + text_of(why) +
+              "): nothing stops it when this program ends without a word");
 }
-JAUSCAT_DECL void served_slave::changed_state(const bridging::component& unit, jaus::primary_status_code,
+JAUSCAT_DECL void served_slave::changed_state(const bridging::component& unit, jaus::primary_status_code from,
                                               jaus::primary_status_code to) {
+    watcher().changed_state(unit, from, to);
     bridge_.call_later(&bridge_state::on_changed, unit.self(), to);
 }
 JAUSCAT_DECL void served_slave::stop_refused(const bridging::component& unit, bridging::stop_order what,
                                              const bridging::refusal_reason& why, unsigned attempts) {
+    watcher().stop_refused(unit, what, why, attempts);
     limited_(net::now(), [&] {
         return name() + " has refused the stop order of " + net::to_jausip(unit.self()) + " (" +
                std::string{text_of(what)} + ", attempt " + std::to_string(attempts) + "): " + text_of(why);
     });
 }
 JAUSCAT_DECL void served_slave::settled(const bridging::component& unit) {
+    watcher().settled(unit);
     bridge_.call_later(&bridge_state::on_at_rest, unit.self());
 }
 JAUSCAT_DECL void served_slave::refused(const bridging::component& unit, const jaus::header& message,
                                         const bridging::refusal_reason& why) {
+    watcher().refused(unit, message, why);
     limited_(net::now(), [&] {
         return net::to_jausip(unit.self()) + " refuses " + text::message_name(message.command_code) + " of " +
                net::to_jausip(message.source) + ": " + text_of(why);

@@ -122,6 +122,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     /// Nullptr and the error where none, or several, are as required.
     [[nodiscard]] bus_slave* find(const slave_choice& which, error_code& error);
     void log(std::string_view line) const;
+    void show_frame(std::span<const std::byte> frame, bool is_sent) const;
 
     std::function<void(const slave_info&, error_code)> on_lost{};
     std::function<void(const slave_info&)> on_found{};
@@ -164,6 +165,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     std::unique_ptr<bus_job> next_job(time_point now);
     void look_at_time();
     void look_at_link();
+    void tell_fault(link_fault what, std::string_view line) const;
     void abort_all(error_code why);
     /// Calls a function of the application from the io_context, unless the bus has ended by then.
     template <class F, class... Arguments> void call_later(F bus_state::* function, Arguments... arguments);

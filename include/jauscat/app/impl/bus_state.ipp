@@ -396,6 +396,28 @@ class change_job final : public bus_job {
     std::uint16_t position_{};
 };
 
+/// Shows the frames that it passes on.
+class shown_link final : public net::any_link {
+  public:
+    shown_link(std::unique_ptr<net::any_link> link, const bus_state& to) : link_{std::move(link)}, to_{to} {}
+
+    bool send(std::span<const std::byte> frame) override {
+        to_.show_frame(frame, true);
+        return link_->send(frame);
+    }
+    std::size_t receive(std::span<std::byte> buffer, duration timeout) override {
+        const auto size = link_->receive(buffer, timeout);
+        if (size != 0) to_.show_frame(buffer.first(size), false);
+        return size;
+    }
+    int native_handle() override { return link_->native_handle(); }
+    [[nodiscard]] const std::string& problem() const override { return link_->problem(); }
+
+  private:
+    std::unique_ptr<net::any_link> link_;
+    const bus_state& to_;
+};
+
 inline bridging::bridge_options timing_of(const bus_options& options) {
     bridging::bridge_options timing{};
     timing.master = {.frame_timeout = options.frame_timeout,
@@ -411,7 +433,9 @@ JAUSCAT_DECL bus_state::bus_state(boost::asio::io_context& context, std::string_
       options_{std::move(options)},
       link_{net::open_link(where)},
       timing_{timing_of(options_)},
-      memory_(max_object_size) {}
+      memory_(max_object_size) {
+    if (options_.on_frame) link_ = std::make_unique<shown_link>(std::move(link_), *this);
+}
 JAUSCAT_DECL bus_state::~bus_state() { close(); }
 
 JAUSCAT_DECL void bus_state::log(std::string_view line) const {
@@ -515,13 +539,20 @@ JAUSCAT_DECL void bus_state::look_at_time() {
 JAUSCAT_DECL void bus_state::look_at_link() {
     if (const auto& now = link_->problem(); !now.empty() && now != problem_) {
         problem_ = now;
-        log(problem_);
+        tell_fault(link_fault::no_frames, problem_);
     }
     const auto& seen = ring_->master().statistics();
     if (seen.foreign != 0 && !std::exchange(has_seen_master_, true))
-        log("frames of another master are on this link; only one may use it");
+        tell_fault(link_fault::second_master, "frames of another master are on this link; only one may use it");
     if (seen.circulated != 0 && !std::exchange(has_seen_gap_, true))
-        log("frames return marked as circulating: a cable between two slaves is out");
+        tell_fault(link_fault::broken_ring, "frames return marked as circulating: a cable between two slaves is out");
+}
+JAUSCAT_DECL void bus_state::tell_fault(link_fault what, std::string_view line) const {
+    log(line);
+    if (options_.on_fault) options_.on_fault(what, line);
+}
+JAUSCAT_DECL void bus_state::show_frame(std::span<const std::byte> frame, bool is_sent) const {
+    options_.on_frame({.bytes = frame, .is_sent = is_sent, .is_keep_alive = ring_ && ring_->keeps_alive()});
 }
 
 JAUSCAT_DECL void bus_state::abort_all(error_code why) {
@@ -734,6 +765,7 @@ JAUSCAT_DECL void bus_state::note_served(bus_user& user, const ethercat::slave_r
     identify(*slave, record);
     slave->info.is_lost = false;
     slave->why = {};
+    problem_.clear();
 }
 JAUSCAT_DECL void bus_state::note_served_lost(bus_user& user, error_code why) {
     auto* const slave = at(user.front().options().position);

@@ -1,17 +1,20 @@
 // What works while a node runs, besides its components.
 #pragma once
+#include <jauscat/jaus/message/hook.hpp>
 #include <jauscat/schema/jaus/header.hpp>
 
-#include <functional>
+#include <memory>
 
 namespace jauscat::app {
 
-/// No virtual functions: g++ takes the only class that has them for the one that is called, so that each program with a
-/// node would hold the code of bridge and bus (300 KB).
+/// Functions and no virtual ones: g++ takes the only class that has them for the one that is called, so that each
+/// program with a node would hold the code of bridge and bus (300 KB).
 struct node_part {
-    std::function<void()> start;                   ///< the node has started
-    std::function<void()> stop;                    ///< the node will stop: its messages still go out; throws nothing
-    std::function<bool(const jaus::address&)> has; ///< one of its components has this ID
+    std::shared_ptr<void> owner{};                          ///< which the node keeps
+    jaus::hook<void()> start{};                             ///< the node has started
+    jaus::hook<void()> stop{};                              ///< the node will stop: its messages still go out
+    jaus::hook<void(const jaus::address& who)> on_lost{};   ///< it has disappeared; an octet of 255 stands for all
+    jaus::hook<bool(const jaus::address& component)> has{}; ///< one of its components has this ID
 };
 
 } // namespace jauscat::app

@@ -46,6 +46,11 @@ JAUSCAT_DECL net::jaus_node_options node_state::net_options() {
         for (const auto& one : components_)
             if (one->is_running() && one->self() == head.source) one->on_delivered(head, what);
     };
+    net.on_received = options_.on_received;
+    net.on_sent = options_.on_sent;
+    if (options_.on_handled)
+        net.on_message = [this](const jaus::address& component, const jaus::header& head, bytes,
+                                jaus::component_outcome what) { options_.on_handled(component, head, what); };
     net.appeared = [this](const jaus::address& who) {
         if (on_appeared) on_appeared(who);
     };
@@ -59,6 +64,14 @@ JAUSCAT_DECL void node_state::log(std::string_view line) const {
     if (options_.log) return options_.log(line);
     std::string whole = options_.name.empty() ? std::string{} : options_.name + ": ";
     std::cerr << whole.append(line).append("\n");
+}
+
+JAUSCAT_DECL void node_state::lose(const jaus::address& who) {
+    if (!net_.running() || net_.present() != nullptr) return;
+    const auto gone = jaus::is_node_manager(who) ? jaus::address{255, 255, who.node, who.subsystem} : who;
+    for (const auto& one : components_) one->on_lost(gone);
+    for (const auto& one : parts_) one.on_lost(gone);
+    wake();
 }
 
 JAUSCAT_DECL void node_state::add(const std::shared_ptr<component_state>& component) {
@@ -193,6 +206,7 @@ JAUSCAT_DECL void node::when_appeared(std::function<void(const jaus::address& wh
 JAUSCAT_DECL void node::when_disappeared(std::function<void(const jaus::address& who)> f) {
     state_->on_disappeared = std::move(f);
 }
+JAUSCAT_DECL void node::lose(const jaus::address& who) { state_->lose(who); }
 
 } // namespace JAUSCAT_WAY
 } // namespace jauscat

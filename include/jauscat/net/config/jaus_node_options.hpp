@@ -58,6 +58,11 @@ struct jaus_node_options {
     /// Describes the field and byte at which decoding failed, for the log. text::why_malformed does, for the messages
     /// of a list.
     std::function<std::string(std::uint16_t command_code, std::span<const std::byte> body)> explain_malformed{};
+    /// Called for each message before a local component gets it, the node manager included.
+    std::function<void(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body)>
+        on_received{};
+    /// Called for each message of a local component, the node manager included, before it is sent.
+    std::function<void(std::span<const std::byte> message)> on_sent{};
     /// Called for each message delivered to a local component, the node manager included, with its outcome.
     std::function<void(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
                        jaus::component_outcome what)>

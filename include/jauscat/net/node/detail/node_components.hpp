@@ -254,6 +254,7 @@ class node_components {
         auto& to = receiver.it;
         receiver.changed = true;
         const auto rest = [&](const jaus::header& h, bytes b) { return receiver.answers->on_message(h, b, now, out); };
+        if (going_ && options_.on_received) options_.on_received(to.self, head, body);
         const auto what =
             to.on_message(head, body, now, out,
                           receiver.answers ? attached_component::unhandled{rest} : attached_component::unhandled{});

@@ -23,6 +23,7 @@ class node_core {
     node_core(const jaus_node_options& options, limited_log& log, send_handler send)
         : large{options.max_waiting, {options.large_data_pace, options.large_data_pause, options.large_data_retry}},
           components{options, log},
+          options_{options},
           log_{log},
           send_{std::move(send)},
           local_{options.max_waiting} {}
@@ -54,6 +55,7 @@ class node_core {
     }
     jaus::routing send(bytes message, const jaus::header& head, time_point now) {
         components.sends(head.source);
+        if (options_.on_sent) options_.on_sent(message);
         const auto queue = [&](std::uint16_t component) {
             if (!local_.push(component, message))
                 log_(now, [&] { return in_text(head) + ": lost: too many messages wait between components"; });
@@ -117,6 +119,7 @@ class node_core {
 
     static constexpr int max_rounds = 16; ///< of components that answer each other, so that the network is served
 
+    const jaus_node_options& options_;
     limited_log& log_;
     send_handler send_;
     local_queue local_;
