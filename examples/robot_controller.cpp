@@ -1,172 +1,119 @@
 // The robot controller: receives JAUS messages over UDP, sends SDO downloads over EtherCAT, and returns reports.
-#include "robot_controller/front.hpp"
-#include "support/link_options.hpp"
+#include "robot_controller/command_line.hpp"
+#include "robot_controller/narrator.hpp"
+#include <jauscat/app.hpp>
+#include <jauscat/app/own_table.hpp>
 
-#include <atomic>
-#include <exception>
+#include <boost/asio/post.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include <deque>
+#include <optional>
 #include <thread>
 
-namespace {
+namespace example {
 
-namespace bridging = jauscat::bridging;
+/// A JAUS node, the bus of its slave, and the bridge between them. Several work on threads of their own.
+class front {
+  public:
+    front(const place& at, const std::string& name, const values_map& values, std::deque<front>& all)
+        : config_{at.config},
+          say_{name.empty() ? "controller" : "controller " + name, {{"system", config_.this_system}}},
+          log_{say_, name},
+          options_{bridge_options_of(values)},
+          node_{log_.of_node(node_options_of(at, values))},
+          bus_{node_.context(), at.link, log_.of_bus(bus_options_of(values))} {
+        say_(events::link_opened, {{"link", describe_link(at.link)}}, describe_link(at.link));
+        const auto connect = [&]<class Table>() { return bridge_.emplace(node_, bus_, Table{}, options_), success; };
+        with_table(values, connect);
+        bridge_->observe(log_.observer());
+        bridge_->when_up([this](const auto&) { tell_ready(); });
+        for (const auto& component : components_of(config_.me(), node_.manager().node))
+            bridge_->serve(component, bus_.slave({.position = 0}));
+        node_.when_appeared([this](const auto& who) { log_.peer(who, true); });
+        node_.when_disappeared([this, &all](const auto& who) {
+            log_.peer(who, false);
+            for (auto& each : all) each.lose(who);
+        });
+        stop_.async_wait([this](auto error, int) {
+            if (!error) node_.stop();
+        });
+        node_.start();
+    }
 
-constexpr const char* help = R"(robot_controller: carries JAUS messages to an EtherCAT slave and its reports back.
+    /// A front's node manager has lost a component. From any thread.
+    void lose(const jauscat::jaus::address& who) {
+        boost::asio::post(node_.context(), [this, who] { node_.lose(who); });
+    }
 
-It brings the slave to PRE-OP with the station address --station, and runs a JAUS node of that number for it. The node
-has a node manager (heartbeats) and the components that the configuration lists, or else component 33, a Primitive
-Driver. The program handles state, control and acknowledgement of a component itself. It translates all other messages
-of the component to SDO downloads. After a query it uploads the report and sends it to the source of the query.
+    /// Works until Ctrl-C, then brings the slave to rest; false if that was not confirmed. Throws if the slave is not
+    /// there after `wait`, unless it may come later.
+    bool run(std::chrono::milliseconds wait, bool may_come_later) {
+        if (stop_requested) return true; // by a signal before this took them
+        wait_.expires_after(wait);
+        wait_.async_wait([this, may_come_later](auto error) {
+            if (error || bridge_->is_up()) return;
+            if (!may_come_later) throw std::runtime_error{"no slave to work with: " + log_.failure()};
+            tell_ready();
+        });
+        node_.context().run();
+        log_.stopped(node_.manager().node, bridge_->at_rest());
+        return bridge_->at_rest();
+    }
+    /// Brings the slave to rest after an error of `run`.
+    void fail(const std::string& problem) {
+        say_.bad(events::failed, {}, problem);
+        node_.stop();
+    }
 
-A component executes commands when it is ready. In every other state, when its controller is lost, and when this
-program ends, the slave is brought to rest: within --stop-within milliseconds after a loss (docs/safety.md).
+  private:
+    void tell_ready() {
+        if (std::exchange(is_ready_, true)) return;
+        log_.ready(config_.me(), node_.manager().node, options_.period > jauscat::duration{}, bridge_->is_up());
+    }
 
-With a configuration, this program can run several masters: those of all systems whose <ethercat> entry names it as
-their controller, each with its own interface, slave and JAUS node (docs/configuration.md). The file then has the
-interfaces and stations.
-
-With --cycle the slave runs in OP, and wrench efforts bypass the mailbox: a Set Wrench Effort is in the slave's outputs
-in the next cycle, and Query Wrench Effort is answered from its inputs. All other messages use the mailbox, between
-cycles.
-
-Examples:
-  robot_controller --this b                   EtherCAT in UDP to 127.0.0.1, port 34980
-  robot_controller --this b --table self-contained
-  robot_controller --this b --link raw --interface eth0
-  robot_controller --this b --link raw --interface eth0 --cycle 1000
-  robot_controller --config robot.xml --this arm      the masters of arm in robot.xml
-)";
-
-using values_map = boost::program_options::variables_map;
-
-/// A system in front of a slave, and the link to it.
-struct place {
-    jauscat::net::jaus_config config{}; ///< seen by the system
-    std::uint16_t station{};
-    example::opened_link link{};
+    jauscat::net::jaus_config config_;
+    speaker say_;
+    narrator log_;
+    jauscat::bridge_options options_;
+    jauscat::node node_;
+    jauscat::bus bus_;
+    std::optional<jauscat::bridge> bridge_{};
+    boost::asio::signal_set stop_{node_.context(), SIGINT, SIGTERM};
+    boost::asio::steady_timer wait_{node_.context()};
+    bool is_ready_{};
 };
 
-/// The masters of the configuration, or else the one of the command line.
-std::vector<place> open_places(const values_map& values) {
-    const auto config = example::load_config(values);
-    const auto masters = config.masters_of(config.this_system);
-    std::vector<place> places;
-    if (masters.empty()) {
-        const auto station = values["station"].as<std::uint16_t>();
-        if (station < 1 || station > 254) throw example::usage_error{"--station must be 1 to 254"};
-        places.push_back({config, station, example::open_link(values, example::link_end::master)});
-        return places;
-    }
-    for (const auto* option : {"station", "link", "interface", "ethercat-host", "ethercat-port"})
-        if (values.count(option) != 0 && !values[option].defaulted())
-            throw example::usage_error{std::string{"--"} + option + " is not for " + config.this_system +
-                                       ", whose masters are in " + config.source};
-    for (const auto* system : masters) {
-        const auto& wire = *system->ethercat;
-        places.push_back({config.with_this(system->name), system->jausip.node,
-                          wire.interface_name.empty()
-                              ? example::open_udp_link(example::link_end::master, wire.udp_host, wire.udp_port)
-                              : example::open_raw_link(wire.interface_name)});
-    }
-    return places;
-}
-
-/// Milliseconds within which the slave is at rest after something is lost.
-std::chrono::milliseconds limit_of(const values_map& values, std::chrono::microseconds period) {
-    const bool is_given = !values["stop-within"].empty();
-    const bool cycles = period != period.zero();
-    const std::chrono::milliseconds limit =
-        is_given ? std::chrono::milliseconds{values["stop-within"].as<unsigned>()}
-                 : std::max(cycles ? example::bridging::at_rest_in_cycles : example::bridging::at_rest_by_mailbox,
-                            std::chrono::duration_cast<std::chrono::milliseconds>(4 * period));
-    constexpr std::chrono::milliseconds shortest{20}, longest_watchdog{6500}, longest{60'000};
-    if (limit < shortest || limit > (cycles ? longest_watchdog : longest))
-        throw example::usage_error{std::string{"--stop-within must be 20 to "} +
-                                   (cycles ? "6500 with --cycle" : "60000")};
-    if (limit < 4 * period) throw example::usage_error{"--stop-within must be at least 4 cycles"};
-    return limit;
-}
-
-example::front_options options_for(const place& at, const std::string& trace_name, const values_map& values) {
-    const std::chrono::microseconds period{values["cycle"].as<unsigned>()};
-    auto timing = example::bridging::at_rest_within(limit_of(values, period), period);
-    timing.master.frame_timeout = std::chrono::milliseconds{values["frame-timeout"].as<unsigned>()};
-    timing.download.clear_subindex_0 = values["clear-subindex-0"].as<bool>();
-    return {.slave = {.identity = {.subsystem = at.config.me().jausip.subsystem, .station = at.station},
-                      .cyclic = period != period.zero()},
-            .timing = timing,
-            .who = values.count("open") != 0 ? jauscat::net::access::open : jauscat::net::access::closed,
-            .trace_name = trace_name};
-}
-
-std::unique_ptr<example::bridging::any_exchange> exchange_with(const bridging::slave_identity& slave,
-                                                               const values_map& values) {
-    std::unique_ptr<example::bridging::any_exchange> made;
-    example::with_table(values, [&]<class Table>() {
-        made = std::make_unique<example::bridging::exchange_under<Table>>(slave);
-        return example::success;
-    });
-    return made;
-}
-
 /// Each front on a thread of its own, until Ctrl-C. The error of a single one is thrown.
-int run_all(std::deque<example::front>& fronts, std::chrono::milliseconds patience) {
-    std::vector<std::exception_ptr> errors(fronts.size());
-    std::atomic<bool> all_at_rest{true};
-    const bool alone = fronts.size() == 1;
-    {
-        std::vector<std::jthread> threads;
-        for (std::size_t i = 0; i != fronts.size(); ++i)
-            threads.emplace_back([&front = fronts[i], &error = errors[i], &all_at_rest, patience, alone] {
-                try {
-                    if (!front.run(patience, !alone)) all_at_rest = false;
-                } catch (const std::exception& problem) {
-                    if (!alone) front.say_failed(problem.what());
-                    error = std::current_exception();
-                }
-            });
-    }
-    if (alone && errors.front()) std::rethrow_exception(errors.front());
-    const bool well = std::ranges::all_of(errors, [](const auto& error) { return error == nullptr; });
-    return well && all_at_rest ? example::success : example::failure;
+int run_all(std::deque<front>& fronts, std::chrono::milliseconds wait) {
+    if (fronts.size() == 1) return fronts.front().run(wait, false) ? success : failure;
+    std::atomic<bool> is_well{true};
+    std::vector<std::jthread> threads;
+    for (auto& front : fronts)
+        threads.emplace_back([&] {
+            try {
+                if (!front.run(wait, true)) is_well = false;
+            } catch (const std::exception& problem) {
+                front.fail(problem.what());
+                is_well = false;
+            }
+        });
+    threads.clear(); // waits for them
+    return is_well ? success : failure;
 }
 
-} // namespace
+} // namespace example
 
 int main(int argc, char** argv) {
-    return example::run("robot_controller", [&] {
-        namespace po = boost::program_options;
-        po::options_description described;
-        // clang-format off
-        described.add_options()
-            ("config", po::value<std::string>()->default_value("JausConfig.xml"), "configuration file")
-            ("this", po::value<std::string>(), "the system this controller is, instead of the file's <thissystem>")
-            ("station", po::value<std::uint16_t>()->default_value(2), "station address and JAUS node of the slave, 1 to 254")
-            ("clear-subindex-0", po::bool_switch(), "write 0 to subindex 0 of an object before each message, for slaves that otherwise abort with 06010003h")
-            ("cycle", po::value<unsigned>()->default_value(0), "period of the process data in microseconds; wrench efforts then bypass the mailbox; 0: no process data")
-            ("stop-within", po::value<unsigned>(), "milliseconds within which the slave is at rest after its controller, the link, its state or this program is lost; default: 500, with --cycle 100")
-            ("wait", po::value<unsigned>()->default_value(5000), "milliseconds to wait for the slave at the start")
-            ("open", "accept messages from all senders, for tests")
-            ("frame-timeout", po::value<unsigned>()->default_value(20), "milliseconds after which a frame is lost");
-        // clang-format on
-        example::add_log_option(described);
-        example::add_link_options(described);
-        const auto values = example::parse(argc, argv, described, help);
-        static_cast<void>(limit_of(values, std::chrono::microseconds{values["cycle"].as<unsigned>()}));
-        const auto places = open_places(values);
-        if (std::ranges::any_of(places, [](const place& at) { return at.link.is_raw; })) example::give_up_privileges();
-        std::deque<example::front> fronts;
-        for (const auto& at : places) {
-            const auto name = places.size() == 1 ? std::string{} : at.config.this_system;
-            const example::speaker say{name.empty() ? "controller" : "controller " + name,
-                                       {{"system", at.config.this_system}}};
-            const auto options = options_for(at, name, values);
-            say(example::events::link_opened, {{"link", at.link.where}}, at.link.where);
-            fronts.emplace_back(at.config, *at.link.link, exchange_with(options.slave.identity, values), options, say);
-        }
-        for (auto& front : fronts)
-            front.disappeared = [&](const auto& gone) {
-                for (auto& other : fronts) other.lose(gone);
-            };
+    using namespace example;
+    return run("robot_controller", [&] {
+        const auto values = parse(argc, argv, controller_options(), controller_help);
+        const auto places = places_of(values);
+        std::deque<front> fronts;
+        for (const auto& at : places)
+            fronts.emplace_back(at, places.size() == 1 ? std::string{} : at.config.this_system, values, fronts);
+        if (std::ranges::any_of(places, [](const auto& at) { return is_raw_link(at.link); })) give_up_privileges();
         return run_all(fronts, std::chrono::milliseconds{values["wait"].as<unsigned>()});
     });
 }

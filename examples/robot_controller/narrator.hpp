@@ -1,12 +1,19 @@
-// Logs the events of the robot controller's bridge.
+// The log of the robot controller: what its node, its bus and its bridge report.
 #pragma once
+#include "robot_controller/sdo_text.hpp"
 #include "support/explain.hpp"
+#include "support/message_event.hpp"
+#include "support/repeated_lines.hpp"
+#include "support/robot_messages.hpp"
 #include "support/say.hpp"
-#include "support/trace.hpp"
+#include <jauscat/app/bus_options.hpp>
+#include <jauscat/app/node_options.hpp>
 #include <jauscat/bridge/component.hpp>
 #include <jauscat/text/jaus.hpp>
 #include <jauscat/text/packet_status_text.hpp>
+#include <jauscat/text/value.hpp>
 
+#include <array>
 #include <string>
 #include <utility>
 
@@ -16,9 +23,75 @@ namespace bridging = jauscat::bridging;
 
 class narrator {
   public:
-    explicit narrator(speaker say) : say_{std::move(say)} {}
+    /// `trace_name` stands in front of the lines about SDOs.
+    explicit narrator(speaker say, std::string trace_name) : say_{std::move(say)}, trace_name_{std::move(trace_name)} {}
     narrator(const narrator&) = delete;
     narrator& operator=(const narrator&) = delete;
+
+    /// Has the node log here.
+    [[nodiscard]] jauscat::node_options of_node(jauscat::node_options options) {
+        options.log = [this](std::string_view line) {
+            if (const auto times = log_lines_.shown(line))
+                say_(events::node_log, {{"line", line}, {"times", *times}}, log_lines_.text(line, *times));
+        };
+        options.on_received = [this](const auto& component, const auto& head, auto body) {
+            if (is_shown(component, head)) received(head, body);
+        };
+        options.on_handled = [this](const auto& component, const auto& head, jauscat::jaus::component_outcome what) {
+            if (what == jauscat::jaus::component_outcome::repeated && is_shown(component, head))
+                say_(events::message_repeated, message_members(head), std::string{describe(what)});
+        };
+        options.on_sent = [this](std::span<const std::byte> message) {
+            const auto head = jauscat::jaus::split(message).header;
+            if (is_shown(head.source, head))
+                say_(events::message_sent, message_members(head), "sent " + jauscat::text::summary(head));
+        };
+        return options;
+    }
+    /// Has the bus log here.
+    [[nodiscard]] jauscat::bus_options of_bus(jauscat::bus_options options) {
+        options.log = [](std::string_view) {}; // the faults, which come here, and slaves without a bridge
+        options.on_fault = [this](jauscat::link_fault what, std::string_view line) {
+            switch (what) {
+            case jauscat::link_fault::no_frames:
+                return say_.bad(events::link_problem, {{"problem", line}}, std::string{line});
+            case jauscat::link_fault::second_master: return say_.bad(events::second_master, {}, std::string{line});
+            case jauscat::link_fault::broken_ring: return say_.bad(events::broken_ring, {}, std::string{line});
+            }
+        };
+        options.on_frame = [this](const jauscat::passing_frame& frame) {
+            if (frame.is_keep_alive) return;
+            const auto* const arrow = frame.is_sent ? "  -> " : "  <- ";
+            for_each_sdo(frame.bytes, frame.is_sent, [&](unsigned station, const auto& text, const auto& members) {
+                write_limited(trace_name_ + arrow, frame.is_sent ? events::sdo_sent : events::sdo_received,
+                              say_.about() + members,
+                              trace_name_ + arrow + "station " + std::to_string(station) + ": " + text + "\n");
+            });
+        };
+        return options;
+    }
+    void ready(const jauscat::net::system_entry& me, unsigned station, bool cyclic, bool is_up) const {
+        const auto endpoint = jauscat::net::detail::text(me.endpoint());
+        const auto slave = "slave " + std::to_string(station) + (cyclic ? " in OP" : " in PRE-OP");
+        say_.good(events::ready,
+                  {{"endpoint", endpoint}, {"station", station}, {"cyclic", cyclic}, {"slave_up", is_up}},
+                  "ready: JAUS on " + endpoint + ", " + (is_up ? slave : "waiting for its slave: " + failure_) +
+                      " (Ctrl-C ends)");
+    }
+    void peer(const jauscat::jaus::address& who, bool is_there) const {
+        const auto name = jauscat::text::to_text(who);
+        say_(is_there ? events::peer_heard : events::peer_lost, {{"address", name}},
+             name + (is_there ? " is heard" : " is no longer heard"));
+    }
+    void stopped(unsigned station, bool is_at_rest) const {
+        if (!is_at_rest)
+            say_.bad(events::not_at_rest, {{"station", station}},
+                     "slave " + std::to_string(station) +
+                         " has not confirmed that it is at rest: it stops by its own watchdog or not at all");
+        say_(events::stopped, {}, "stopped");
+    }
+    /// Why the slave was not brought up last; empty if it was.
+    [[nodiscard]] const std::string& failure() const noexcept { return failure_; }
 
     /// Refers to this object.
     [[nodiscard]] bridging::observer observer() {
@@ -153,6 +226,25 @@ class narrator {
     }
 
   private:
+    /// Not those of the node manager, and no pulses, which come and go several times a second.
+    static bool is_shown(const jauscat::jaus::address& component, const jauscat::jaus::header& head) {
+        return !is_node_manager(component) &&
+               head.command_code != jauscat::jaus::command_code_of<jauscat::jaus::query_heartbeat_pulse> &&
+               head.command_code != jauscat::jaus::command_code_of<jauscat::jaus::report_heartbeat_pulse>;
+    }
+    void received(const jauscat::jaus::header& head, std::span<const std::byte> body) const {
+        std::array<std::byte, jauscat::jaus::header_size + jauscat::jaus::max_body_size> message{};
+        const auto made = jauscat::jaus::join(head, body, message);
+        if (made)
+            say_(events::message_received, message_members(head, body),
+                 "received " + jauscat::text::summary(jauscat::jaus::split(*made).header),
+                 jauscat::text::annotate_message(*made, robot_messages{}));
+        else
+            say_(events::message_received, message_members(head) + event_members{{"large_body", body.size()}},
+                 "received " + jauscat::text::message_name(head.command_code) + ", a large data set of " +
+                     std::to_string(body.size()) + " bytes, from " + jauscat::text::to_text(head.source));
+    }
+
     static std::string name(const bridging::component& unit) { return jauscat::text::to_text(unit.self()); }
     static std::string name(const bridging::slave_front& slave) { return "slave " + std::to_string(slave.station()); }
 
@@ -277,6 +369,8 @@ class narrator {
     }
 
     speaker say_;
+    std::string trace_name_;
+    repeated_lines log_lines_{};
     std::string failure_{}; ///< of the last attempt to bring a slave up: logged once
 };
 

@@ -1,6 +1,6 @@
-// Shows what passes: SDO packets in decimal, and SDOs on the EtherCAT wire.
+// SDO packets, and SDOs on the EtherCAT wire, as text and as members of events.
 #pragma once
-#include "support/say.hpp"
+#include "support/event.hpp"
 #include <jauscat/ethercat/code_texts.hpp>
 #include <jauscat/ethercat/frame_view.hpp>
 #include <jauscat/schema/ethercat/coe.hpp>
@@ -9,11 +9,9 @@
 #include <jauscat/text/hex.hpp>
 #include <jauscat/wire/view.hpp>
 
-#include <chrono>
-#include <functional>
+#include <cstdint>
 #include <span>
 #include <string>
-#include <utility>
 
 namespace example {
 
@@ -105,50 +103,19 @@ inline std::string sdo_text(std::span<const std::byte> mailbox, event_members& m
            (has_data ? ", " + std::to_string(sdo.size) + " bytes" : "") + "\n    " + jauscat::text::hex(body);
 }
 
-/// A link that logs each SDO. Models the link concept over any other link.
-template <class Link> class traced_link {
-  public:
-    /// `who` stands in front of each line; `about` are members of each event.
-    explicit traced_link(Link& link, std::string who = {}, event_members about = {})
-        : link_{link}, who_{std::move(who)}, about_{std::move(about)} {}
-
-    /// While this returns true, nothing is shown.
-    std::function<bool()> is_quiet{};
-
-    bool send(std::span<const std::byte> frame) {
-        show(events::sdo_sent, "  -> ", frame, jauscat::ethercat::command::fpwr);
-        return link_.send(frame);
+/// Calls `show(station, text, members)` for each SDO in a frame from the master, or in one that has returned to it.
+inline void for_each_sdo(std::span<const std::byte> frame, bool is_sent, auto&& show) {
+    constexpr std::uint16_t first_ram_address = 0x1000; // registers lie below
+    const auto mailbox_command = is_sent ? jauscat::ethercat::command::fpwr : jauscat::ethercat::command::fprd;
+    jauscat::ethercat::frame_view datagrams;
+    if (!datagrams.parse(frame)) return;
+    for (const auto& datagram : datagrams) {
+        if (datagram.header.cmd != mailbox_command || datagram.header.ado < first_ram_address) continue;
+        if (!is_sent && datagram.working_counter == 0) continue; // a poll
+        event_members members{{"station", datagram.header.adp}};
+        const auto text = sdo_text(datagram.data, members);
+        if (!text.empty()) show(datagram.header.adp, text, members);
     }
-    std::size_t receive(std::span<std::byte> buffer, std::chrono::nanoseconds timeout) {
-        const std::size_t size = link_.receive(buffer, timeout);
-        if (size != 0) show(events::sdo_received, "  <- ", buffer.first(size), jauscat::ethercat::command::fprd);
-        return size;
-    }
-
-    [[nodiscard]] int native_handle() { return link_.native_handle(); }
-    [[nodiscard]] const std::string& problem() const { return link_.problem(); }
-
-  private:
-    void show(event_kind kind, const char* arrow, std::span<const std::byte> frame,
-              jauscat::ethercat::command mailbox_command) const {
-        jauscat::ethercat::frame_view datagrams;
-        if ((is_quiet && is_quiet()) || !datagrams.parse(frame)) return;
-        for (const auto& datagram : datagrams) {
-            if (datagram.header.cmd != mailbox_command || datagram.header.ado < first_ram_address) continue;
-            if (mailbox_command == jauscat::ethercat::command::fprd && datagram.working_counter == 0)
-                continue; // a poll
-            event_members members = about_ + event_members{{"station", datagram.header.adp}};
-            const auto text = sdo_text(datagram.data, members);
-            if (!text.empty())
-                write_limited(who_ + arrow, kind, members,
-                              who_ + arrow + "station " + std::to_string(datagram.header.adp) + ": " + text + "\n");
-        }
-    }
-    static constexpr std::uint16_t first_ram_address = 0x1000; // registers lie below
-
-    Link& link_;
-    std::string who_;
-    event_members about_;
-};
+}
 
 } // namespace example

@@ -52,27 +52,35 @@ struct opened_link {
     bool is_raw{}; ///< it took privileges to open it
 };
 
-/// Raw Ethernet on a network interface.
-inline opened_link open_raw_link(const std::string& interface_name) {
-    return {std::make_unique<jauscat::net::held_link<jauscat::net::raw_link>>(jauscat::net::raw_link{interface_name}),
-            "raw Ethernet on " + interface_name, true};
+/// A link as jauscat::bus has it: "udp:HOST:PORT", or the name of a network interface.
+inline std::string udp_link_name(const std::string& host, std::uint16_t port) {
+    return "udp:" + (host.find(':') == host.npos ? host : "[" + host + "]") + ":" + std::to_string(port);
 }
-/// EtherCAT in UDP, to a slave or as one.
-inline opened_link open_udp_link(link_end end, const std::string& host, std::uint16_t port) {
-    using jauscat::net::udp_link;
-    return {std::make_unique<jauscat::net::held_link<udp_link>>(end == link_end::slave ? udp_link::serve(port, host)
-                                                                                       : udp_link::connect(host, port)),
-            "EtherCAT in UDP, " + host + ":" + std::to_string(port), false};
-}
-/// The link that the options choose.
-inline opened_link open_link(const boost::program_options::variables_map& values, link_end end) {
+/// The one that the options choose.
+inline std::string link_name(const boost::program_options::variables_map& values) {
     const auto& kind = values["link"].as<std::string>();
     if (kind != "raw" && kind != "udp") throw usage_error{"--link must be udp or raw, not '" + kind + "'"};
-    if (kind == "udp")
-        return open_udp_link(end, values["ethercat-host"].as<std::string>(),
-                             values["ethercat-port"].as<std::uint16_t>());
-    if (values.count("interface") == 0) throw usage_error{"--link raw needs --interface NAME"};
-    return open_raw_link(values["interface"].as<std::string>());
+    if (kind == "raw" && values.count("interface") == 0) throw usage_error{"--link raw needs --interface NAME"};
+    if (kind == "raw") return values["interface"].as<std::string>();
+    return udp_link_name(values["ethercat-host"].as<std::string>(), values["ethercat-port"].as<std::uint16_t>());
+}
+inline bool is_raw_link(const std::string& name) { return !name.starts_with("udp:"); }
+/// The link for an operator.
+inline std::string describe_link(const std::string& name) {
+    return is_raw_link(name) ? "raw Ethernet on " + name : "EtherCAT in UDP, " + name.substr(name.find(':') + 1);
+}
+
+/// The link that the options choose.
+inline opened_link open_link(const boost::program_options::variables_map& values, link_end end) {
+    using jauscat::net::udp_link;
+    const auto name = link_name(values);
+    opened_link opened{.where = describe_link(name), .is_raw = is_raw_link(name)};
+    if (opened.is_raw || end == link_end::master)
+        opened.link = jauscat::net::open_link(name);
+    else
+        opened.link = std::make_unique<jauscat::net::held_link<udp_link>>(
+            udp_link::serve(values["ethercat-port"].as<std::uint16_t>(), values["ethercat-host"].as<std::string>()));
+    return opened;
 }
 
 /// Permanently drops the privileges for raw Ethernet. Call before threads are started.
