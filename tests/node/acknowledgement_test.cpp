@@ -97,6 +97,23 @@ TEST_CASE("a message requests acknowledgement and is not sent again once acknowl
     REQUIRE(o.heard.size() == 1);
 }
 
+TEST_CASE("a message that is forgotten is not sent again, and has no outcome") {
+    ocu o;
+    const auto sent = o.commands.send(to_arm, jaus::standby{}, instant{1s}, o.sent.sink());
+    REQUIRE(sent);
+    const auto head = o.sent.header(0);
+    auto another = head;
+    ++another.sequence_number;
+    REQUIRE_FALSE(o.commands.forget(another));
+    REQUIRE(o.commands.forget(head));
+    REQUIRE_FALSE(o.commands.forget(head));
+    REQUIRE(o.commands.waiting() == 0);
+    o.on_time(instant{10s});
+    REQUIRE(o.sent.size() == 1);
+    REQUIRE_FALSE(o.answer(0x0003, *sent, ack_nak::ack));
+    REQUIRE(o.heard.empty());
+}
+
 TEST_CASE("a NAK is an outcome") {
     ocu o;
     REQUIRE(o.commands.send(to_arm, jaus::standby{}, instant{0s}, o.sent.sink()));

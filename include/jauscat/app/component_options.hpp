@@ -18,9 +18,9 @@ struct component_options {
     std::uint8_t authority{}; ///< its own authority: a request for control needs a higher one, or the same
     /// Motion commands are refused unless the component is Ready; see docs/safety.md.
     bool obeys_only_when_ready{true};
+    /// Private messages that move nothing: taken from every sender, in every state.
+    std::vector<std::uint16_t> harmless{};
     /// Control ends when its controller was silent for this time; 0: only when that disappears.
-    std::vector<std::uint16_t>
-        harmless{}; ///< private messages that move nothing: taken from every sender, in every state
     duration controller_timeout{std::chrono::milliseconds{500}};
     /// Of messages that this component sends and that must be acknowledged.
     retry_policy retry{.interval = std::chrono::milliseconds{250}, .attempts = 4};

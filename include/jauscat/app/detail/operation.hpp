@@ -18,6 +18,7 @@
 #    include <boost/asio/associated_cancellation_slot.hpp>
 #endif
 
+#include <functional>
 #include <memory>
 #include <tuple>
 
@@ -48,6 +49,14 @@ template <class... Results> class operation {
         if (!std::exchange(is_done_, true)) deliver(error, std::move(results)...);
     }
     [[nodiscard]] bool is_done() const noexcept { return is_done_; }
+    /// Aborts it, on the thread of the io_context.
+    void cancel() {
+        if (is_done_) return;
+        complete(boost::asio::error::operation_aborted, Results{}...);
+        if (when_cancelled) when_cancelled();
+    }
+
+    std::function<void()> when_cancelled{}; ///< ends what it has begun
 
   private:
     virtual void deliver(error_code error, Results... results) = 0;
@@ -90,9 +99,9 @@ operation_ptr<Results...> make_operation(Handler handler, Convert convert, boost
 #if BOOST_VERSION >= 107700
     if (slot.is_connected())
         slot.assign([weak = std::weak_ptr{made}, &context](boost::asio::cancellation_type) {
+            if (weak.expired()) return; // and perhaps the context
             boost::asio::post(context, [weak] {
-                if (const auto still = weak.lock())
-                    still->complete(boost::asio::error::operation_aborted, Results{}...);
+                if (const auto still = weak.lock()) still->cancel();
             });
         });
 #endif

@@ -65,10 +65,14 @@ class clients {
     void request_event(const jaus::address& of, bytes request, std::shared_ptr<subscription_state> made);
     void end(subscription_state& ended);
     void control(const control_options& options, std::shared_ptr<control_state> made);
+    /// Ends what cancelled operations have begun.
+    void end_cancelled();
     void release(control_state& released);
 
   private:
     static constexpr std::size_t capacity = 64;
+    /// A confirmation may come as late, and is answered with a release.
+    static constexpr duration late = std::chrono::seconds{5};
 
     struct sent_message { ///< waits for its acknowledgement
         jaus::header head{};
@@ -83,9 +87,14 @@ class clients {
         time_point repeated_at{};
         std::uint32_t made{};
     };
-    struct held {
+    struct held { ///< control, or what is left of it
         std::shared_ptr<control_state> state;
         std::optional<jaus::held_control> machine{};
+        jaus::header release{}; ///< as sent
+        time_point over_at{};   ///< control is not wanted any more
+        [[nodiscard]] bool is_wanted() const noexcept {
+            return state->state == jaus::control_state::held || state->state == jaus::control_state::asking;
+        }
         void changed(jaus::control_state now);
     };
     struct connection_hook {

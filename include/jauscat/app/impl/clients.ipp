@@ -145,15 +145,15 @@ JAUSCAT_DECL jaus::message_outcome clients::on_message(const jaus::header& head,
 
 JAUSCAT_DECL void clients::on_time(time_point now, jaus::message_sink out) {
     for (auto& one : held_) one.machine->on_time(now, out);
-    std::erase_if(held_, [](const held& one) {
-        return one.state->state != jaus::control_state::held && one.state->state != jaus::control_state::asking;
-    });
+    std::erase_if(held_, [&](const held& one) { return !one.is_wanted() && now - one.over_at >= late; });
     connections_.on_time(now, out);
     events_.on_time(now, out);
     note_events();
-    std::erase_if(sent_, [](const sent_message& one) { return one.done->is_done(); });
     for (auto& one : questions_) {
-        if (one.until.is_reached(now)) one.done->complete(node_errc::no_answer, {});
+        if (one.until.is_reached(now)) {
+            one.done->complete(node_errc::no_answer, {});
+            component_.forget(one.head);
+        }
         if (one.done->is_done() || one.made == 0 || one.repeated_at > now) continue;
         if (!retry_.allows_another(one.made)) {
             one.repeated_at = time_point::max();
@@ -201,6 +201,21 @@ JAUSCAT_DECL void clients::end_all(error_code why, time_point now, jaus::message
         for (const auto& lost : std::exchange(one.state->when_lost, {})) lost->complete(why);
     }
     held_.clear();
+}
+
+JAUSCAT_DECL void clients::end_cancelled() {
+    const auto is_cancelled = [](const auto& operation) { return operation != nullptr && operation->is_done(); };
+    const auto forget = [&](const auto& one) {
+        if (!is_cancelled(one.done)) return false;
+        component_.forget(one.head);
+        return true;
+    };
+    std::erase_if(sent_, forget);
+    std::erase_if(questions_, forget);
+    for (const auto& one : std::vector{subscriptions_})
+        if (is_cancelled(one->asked)) end(*one);
+    for (const auto& one : held_)
+        if (is_cancelled(one.state->asked)) release(*one.state);
 }
 
 // Reports as streams.
@@ -302,6 +317,7 @@ JAUSCAT_DECL void clients::end(subscription_state& ended) {
 
 JAUSCAT_DECL void clients::held::changed(jaus::control_state now) {
     state->state = now;
+    over_at = net::now();
     const auto is_over = [&] {
         for (const auto& one : std::exchange(state->when_lost, {})) one->complete(node_errc::control_lost);
     };
@@ -328,11 +344,12 @@ JAUSCAT_DECL void clients::held::changed(jaus::control_state now) {
 JAUSCAT_DECL void clients::control(const control_options& options, std::shared_ptr<control_state> made) {
     const auto fail = [&](node_errc why) { std::exchange(made->asked, nullptr)->complete(why, nullptr); };
     if (!jaus::names_one_component(made->of)) return fail(node_errc::not_one_address);
-    const auto is_wanted = [&](const held& one) {
-        return one.state->of == made->of &&
-               (one.state->state == jaus::control_state::held || one.state->state == jaus::control_state::asking);
-    };
-    if (std::ranges::any_of(held_, is_wanted)) return fail(node_errc::already_asked);
+    const auto is_same = [&](const held& one) { return one.state->of == made->of; };
+    if (std::ranges::any_of(held_, [&](const held& one) { return is_same(one) && one.is_wanted(); }))
+        return fail(node_errc::already_asked);
+    for (const auto& one : held_)
+        if (is_same(one)) component_.forget(one.release); // a repeat of it would end the control that is asked for now
+    std::erase_if(held_, is_same);
     auto& one = held_.emplace_back(held{.state = std::move(made)});
     one.machine.emplace(self_, one.state->of,
                         jaus::held_control_options{.retry = options.retry, .renewal = options.renewal},
@@ -342,9 +359,12 @@ JAUSCAT_DECL void clients::control(const control_options& options, std::shared_p
 
 JAUSCAT_DECL void clients::release(control_state& released) {
     const auto found = std::ranges::find_if(held_, [&](const held& one) { return one.state.get() == &released; });
-    if (found == held_.end()) return;
+    if (found == held_.end() || !found->is_wanted()) return;
     // Acknowledged: a lost release would leave the component without its controller until that is noticed.
-    found->machine->release([&](bytes message) { static_cast<void>(component_.send_acknowledged(message)); });
+    found->machine->release([&](bytes message) {
+        static_cast<void>(wire::decode_prefix(found->release, message));
+        found->release.sequence_number = component_.send_acknowledged(message).value_or(std::uint16_t{});
+    });
 }
 
 // What the typed functions call, from any thread: the rest happens on the thread of the io_context.
@@ -360,7 +380,14 @@ void enqueue(const std::shared_ptr<component_state>& component, const operation_
     post(context_of(*component), [component, done, begin = std::move(begin)] {
         if (component->is_closed()) return done->complete(boost::asio::error::operation_aborted, Results{}...);
         if (!component->is_running()) return done->complete(node_errc::not_running, Results{}...);
-        if (!done->is_done()) begin(component->others());
+        if (done->is_done()) return;
+        done->when_cancelled = [weak = std::weak_ptr{component}] {
+            const auto still = weak.lock();
+            if (still == nullptr || !still->is_running()) return;
+            still->others().end_cancelled();
+            still->node().wake();
+        };
+        begin(component->others());
         component->node().wake();
     });
 }
@@ -465,6 +492,7 @@ JAUSCAT_DECL void begin_send(const std::shared_ptr<control_state>& by, std::uint
 JAUSCAT_DECL void begin_lost(const std::shared_ptr<control_state>& of, operation_ptr<> done) {
     post(of->context, [of, done] {
         if (of->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
+        std::erase_if(of->when_lost, [](const auto& one) { return one->is_done(); });
         of->when_lost.push_back(done);
     });
 }

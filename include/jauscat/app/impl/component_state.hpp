@@ -68,6 +68,8 @@ class component_state {
     [[nodiscard]] boost::asio::io_context& context() noexcept { return context_; }
     /// Sends a whole message of this component until it is acknowledged.
     result<std::uint16_t, jaus::send_error> send_acknowledged(bytes message);
+    /// Sends it no more, if it still waits for its acknowledgement.
+    void forget(const jaus::header& sent) noexcept;
     /// Whether the configuration has a system for it.
     [[nodiscard]] bool is_routable(const jaus::address& to) const;
 

@@ -141,6 +141,7 @@ JAUSCAT_DECL void component_state::on_delivered(const jaus::header& head, jaus::
 JAUSCAT_DECL result<std::uint16_t, jaus::send_error> component_state::send_acknowledged(bytes message) {
     return core_->machine.send(message, net::now(), node_.net().out());
 }
+JAUSCAT_DECL void component_state::forget(const jaus::header& sent) noexcept { core_->machine.forget(sent); }
 JAUSCAT_DECL bool component_state::is_routable(const jaus::address& to) const {
     return node_.is_open() || node_.net().config().next_hop(to) != nullptr;
 }

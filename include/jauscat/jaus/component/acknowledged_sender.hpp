@@ -154,6 +154,18 @@ class acknowledged_sender {
         return true;
     }
 
+    /// Sends a waiting message no more: it has no outcome, and may have arrived. `sent`: its header with the sequence
+    /// number. False: no such message waits.
+    constexpr bool forget(const header& sent) noexcept {
+        const auto found = std::ranges::find_if(places_, [&](const awaited_message& m) {
+            return m.size != 0 && m.header.command_code == sent.command_code &&
+                   m.header.sequence_number == sent.sequence_number && m.header.destination == sent.destination;
+        });
+        if (found == places_.end()) return false;
+        *found = {};
+        return true;
+    }
+
     /// Repeats messages that were not acknowledged within the interval; after the last attempt they time out.
     constexpr void on_time(time_point now, message_sink out, auto&& tell) {
         for (awaited_message& place : places_) {

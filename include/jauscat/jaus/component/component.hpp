@@ -100,6 +100,8 @@ template <class... Parts> class component {
             return send_error{.code = send_errc::invalid_message, .message = errc::invalid_source};
         return sender_.send(message, now, out);
     }
+    /// Sends a waiting message no more, see acknowledged_sender::forget.
+    constexpr bool forget(const header& sent) noexcept { return sender_.forget(sent); }
     /// An event of the application's; see component_state::change.
     constexpr bool change(state_event event) {
         const bool changed = state_.change(event);
