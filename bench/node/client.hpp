@@ -5,15 +5,19 @@
 #include <jauscat/net/link/latency_histogram.hpp>
 #include <jauscat/schema/jaus/core.hpp>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <netinet/in.h>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <sys/socket.h>
 #include <sys/time.h>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace node_bench {
@@ -91,17 +95,24 @@ class client {
                 ::recvmmsg(socket_, receives_.data(), static_cast<unsigned>(window), MSG_WAITFORONE, nullptr);
             now = clock::now();
             if (got <= 0) { // all that were on their way are gone
-                result.lost += window;
+                result.lost += on_way_;
+                forget();
                 send(window);
                 continue;
             }
-            for (int i = 0; i != got; ++i)
-                result.latency.add(now - sent_[sequence_of(in_[static_cast<std::size_t>(i)])]);
-            result.answered += static_cast<std::uint64_t>(got);
-            send(static_cast<std::size_t>(got));
+            std::size_t answers = 0;
+            for (int i = 0; i != got; ++i) {
+                const auto sent = answered(i);
+                if (!sent) continue;
+                result.latency.add(now - *sent);
+                ++answers;
+            }
+            result.answered += answers;
+            if (answers != 0) send(answers);
         }
         result.time = clock::now() - start;
         while (::recvmmsg(socket_, receives_.data(), most, MSG_WAITFORONE, nullptr) > 0) {}
+        forget();
         return result;
     }
 
@@ -109,9 +120,24 @@ class client {
     static constexpr std::size_t most = 64;
     using packet = std::array<std::byte, 64>;
 
-    static std::uint16_t sequence_of(const packet& answer) {
+    /// When the request was sent that the `i`th received message answers; nothing for any other message, such as a
+    /// heartbeat, and for the answer to a request that counts as lost.
+    std::optional<clock::time_point> answered(int i) {
         jaus::header head;
-        return jauscat::wire::decode_prefix(head, answer) ? head.sequence_number : std::uint16_t{};
+        const auto at = static_cast<std::size_t>(i);
+        const auto received = std::span{in_[at]}.first(std::min<std::size_t>(receives_[at].msg_len, in_[at].size()));
+        if (!jauscat::wire::decode_prefix(head, received) ||
+            (head.command_code != jaus::command_code_of<jaus::report_component_status> &&
+             head.command_code != jaus::command_code_of<jaus::query_component_status>)) // an echo
+            return {};
+        const auto sent = std::exchange(sent_[head.sequence_number], clock::time_point{});
+        if (sent == clock::time_point{}) return {};
+        --on_way_;
+        return sent;
+    }
+    void forget() {
+        std::ranges::fill(sent_, clock::time_point{});
+        on_way_ = 0;
     }
 
     void send(std::size_t count) {
@@ -121,6 +147,7 @@ class client {
                 throw std::runtime_error{"no message"};
             sent_[sequence_] = clock::now();
         }
+        on_way_ += count;
         for (std::size_t done = 0; done < count;) {
             const int taken = ::sendmmsg(socket_, &sends_[done], static_cast<unsigned>(count - done), 0);
             if (taken > 0) done += static_cast<std::size_t>(taken);
@@ -129,7 +156,8 @@ class client {
 
     int socket_{open_socket()};
     std::uint16_t sequence_{};
-    std::vector<clock::time_point> sent_ = std::vector<clock::time_point>(65536);
+    std::size_t on_way_{};
+    std::vector<clock::time_point> sent_ = std::vector<clock::time_point>(65536); ///< by sequence number; 0: answered
     std::array<packet, most> out_{}, in_{};
     std::array<iovec, most> parts_{}, answers_{};
     std::array<mmsghdr, most> sends_{}, receives_{};
