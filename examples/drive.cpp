@@ -11,6 +11,7 @@
 namespace asio = boost::asio;
 namespace jaus = jauscat::jaus;
 
+// [drive]
 asio::awaitable<void> drive(jauscat::component& unit, jaus::address driver) {
     auto control = co_await unit.async_control(driver, {.authority = 100}); // until the end of the scope
     co_await control.async_send(jaus::set_wrench_effort{.propulsive_linear_effort_x = 50}); // until acknowledged
@@ -22,6 +23,7 @@ asio::awaitable<void> drive(jauscat::component& unit, jaus::address driver) {
         std::cout << "reported: " << next.propulsive_linear_effort_x.value() << " %\n";
     }
 }
+// [drive end]
 
 int main(int argc, char** argv) {
     jauscat::node node{argc, argv};

@@ -9,6 +9,7 @@
 
 namespace asio = boost::asio;
 
+// [bus]
 asio::awaitable<void> list_objects(jauscat::bus& bus) {
     co_await bus.async_start(); // finds the slaves and brings them to PRE-OP
     const auto slave = bus.slave({.position = 0});
@@ -20,6 +21,7 @@ asio::awaitable<void> list_objects(jauscat::bus& bus) {
     const auto vendor = co_await slave.async_read<std::uint32_t>(0x1018, 1);
     std::cout << "vendor " << std::hex << vendor << "h\n";
 }
+// [bus end]
 
 int main(int argc, char** argv) try {
     if (argc != 2) return std::cerr << "objects INTERFACE, such as eth0 or udp:127.0.0.1\n", 2;

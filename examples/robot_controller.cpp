@@ -17,10 +17,11 @@ namespace example {
 /// A JAUS node, the bus of its slave, and the bridge between them. Several work on threads of their own.
 class front {
   public:
-    front(const place& at, const std::string& name, const values_map& values, std::deque<front>& all)
+    // [front]
+    front(const place& at, const values_map& values, std::deque<front>& all)
         : config_{at.config},
-          say_{name.empty() ? "controller" : "controller " + name, {{"system", config_.this_system}}},
-          log_{say_, name},
+          say_{at.name.empty() ? "controller" : "controller " + at.name, {{"system", config_.this_system}}},
+          log_{say_, at.name},
           options_{bridge_options_of(values)},
           node_{log_.of_node(node_options_of(at, values))},
           bus_{node_.context(), at.link, log_.of_bus(bus_options_of(values))} {
@@ -41,6 +42,7 @@ class front {
         });
         node_.start();
     }
+    // [front end]
 
     /// A front's node manager has lost a component. From any thread.
     void lose(const jauscat::jaus::address& who) {
@@ -111,8 +113,7 @@ int main(int argc, char** argv) {
         const auto values = parse(argc, argv, controller_options(), controller_help);
         const auto places = places_of(values);
         std::deque<front> fronts;
-        for (const auto& at : places)
-            fronts.emplace_back(at, places.size() == 1 ? std::string{} : at.config.this_system, values, fronts);
+        for (const auto& at : places) fronts.emplace_back(at, values, fronts);
         if (std::ranges::any_of(places, [](const auto& at) { return is_raw_link(at.link); })) give_up_privileges();
         return run_all(fronts, std::chrono::milliseconds{values["wait"].as<unsigned>()});
     });

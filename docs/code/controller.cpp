@@ -1,4 +1,4 @@
-// write-a-controller.md: JAUS messages carried to an EtherCAT slave, and its reports back.
+// machinery-controller.md: JAUS messages carried to an EtherCAT slave, and its reports back.
 // [includes]
 #include "driver.hpp"
 #include <jauscat/bridge/listed_objects.hpp>

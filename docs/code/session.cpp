@@ -1,4 +1,4 @@
-// write-a-component.md: an operator takes control of a driver, connects to its reports, and commands it. Both nodes run
+// machinery-component.md: an operator takes control of a driver, connects to its reports, and commands it. Both nodes run
 // in this program, and talk by UDP.
 // [includes]
 #include <jauscat/jauscat.hpp>

@@ -67,6 +67,7 @@ struct place {
     jauscat::net::jaus_config config{}; ///< seen by the system
     std::uint16_t station{};
     std::string link{}; ///< see link_name
+    std::string name{}; ///< in front of log lines, where there are several
 };
 
 /// The masters of the configuration, or else the one of the command line.
@@ -75,7 +76,7 @@ inline std::vector<place> places_of(const values_map& values) {
     const auto masters = config.masters_of(config.this_system);
     const auto station = values["station"].as<std::uint16_t>();
     if (masters.empty() && (station < 1 || station > 254)) throw usage_error{"--station must be 1 to 254"};
-    if (masters.empty()) return {{config, station, link_name(values)}};
+    if (masters.empty()) return {{config, station, link_name(values), {}}};
     for (const std::string option : {"station", "link", "interface", "ethercat-host", "ethercat-port"})
         if (values.count(option) != 0 && !values[option].defaulted())
             throw usage_error{"--" + option + " is not for " + config.this_system + ", whose masters are in " +
@@ -83,9 +84,10 @@ inline std::vector<place> places_of(const values_map& values) {
     std::vector<place> places;
     for (const auto* system : masters) {
         const auto& wire = *system->ethercat;
-        places.push_back(
-            {config.with_this(system->name), system->jausip.node,
-             wire.interface_name.empty() ? udp_link_name(wire.udp_host, wire.udp_port) : wire.interface_name});
+        const auto link =
+            wire.interface_name.empty() ? udp_link_name(wire.udp_host, wire.udp_port) : wire.interface_name;
+        places.push_back({config.with_this(system->name), system->jausip.node, link,
+                          masters.size() == 1 ? std::string{} : system->name});
     }
     return places;
 }

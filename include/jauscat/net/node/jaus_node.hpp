@@ -20,7 +20,7 @@ inline namespace JAUSCAT_WAY {
 /// Messages are sent to the systems of the configuration, each with its framing. Received messages are accepted only
 /// from the configured addresses, reassembled if they are large data sets, and delivered to the components or
 /// forwarded. Messages between local components are delivered when the sender has returned. Unroutable, refused and
-/// timed-out messages are logged. docs/jaus-node.md is the manual.
+/// timed-out messages are logged. docs/machinery-node.md is the manual.
 ///
 ///     net::jaus_node node{context, config, {.log = log}};
 ///     node.add(arm, arm_messages); // a jaus::component and a dispatcher for its own messages
