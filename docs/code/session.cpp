@@ -1,5 +1,5 @@
-// machinery-component.md: an operator takes control of a driver, connects to its reports, and commands it. Both nodes run
-// in this program, and talk by UDP.
+// machinery-component.md: an operator takes control of a driver, connects to its reports, and commands it. Both nodes
+// run in this program, and talk by UDP.
 // [includes]
 #include <jauscat/jauscat.hpp>
 #include <jauscat/net.hpp>
