@@ -280,6 +280,66 @@ TEST_CASE("an end does not wait longer than a second for a slave that does not c
     b.robot->stop();
     CHECK(jauscat::net::now() - begun < 1s);
     CHECK(b.has_line("slave 0 has not confirmed that it is at rest"));
+    CHECK_FALSE(b.bridge->at_rest());
+}
+
+TEST_CASE("a bus that ends first says whether its slaves are at rest") {
+    const bool is_silent = GENERATE(false, true);
+    bench b;
+    b.serve();
+    b.start();
+    REQUIRE(b.drive(40));
+    b.ring.is_silent = is_silent;
+    b.bus->stop();
+    b.robot->stop();
+    CHECK(b.bridge->at_rest() == !is_silent);
+    CHECK(b.has_line("slave 0 has not confirmed that it is at rest") == is_silent);
+}
+
+TEST_CASE("an application logs each step of a bridge itself") {
+    std::vector<std::string> steps{};
+    std::size_t frames_out{}, frames_in{};
+    jauscat::bus_options options{.frame_timeout = 5ms};
+    options.on_frame = [&](const jauscat::passing_frame& frame) { ++(frame.is_sent ? frames_out : frames_in); };
+    bench b{1, options};
+    auto of_node = b.config.of("arm", b.lines);
+    of_node.on_received = [&](const auto&, const jaus::header& head, auto) {
+        if (head.command_code == jaus::command_code_of<jaus::set_wrench_effort>) steps.emplace_back("received");
+    };
+    of_node.on_handled = [&](const auto&, const jaus::header& head, jaus::component_outcome what) {
+        if (head.command_code == jaus::command_code_of<jaus::set_wrench_effort>) steps.emplace_back(describe(what));
+    };
+    of_node.on_sent = [&](std::span<const std::byte> message) {
+        const auto head = jaus::split(message).header;
+        if (head.source == arm && head.command_code == jaus::command_code_of<jaus::confirm_component_control>)
+            steps.emplace_back("sent");
+    };
+    b.robot.emplace(b.context, of_node);
+    b.serve();
+    const auto translated = [&](const auto&, auto) { steps.emplace_back("translated"); };
+    const auto stop = [&](const auto&, auto, jauscat::bridging::stop_cause why) {
+        if (why == jauscat::bridging::stop_cause::program_ends) steps.emplace_back("stop");
+    };
+    const jauscat::bridging::observer by{.stop_required = stop, .translated = translated};
+    b.bridge->observe(by);
+    b.start();
+    REQUIRE(b.until([&] { return b.state == status::ready; }));
+    steps.clear();
+    REQUIRE(b.drive(40));
+    const auto before = [&](const std::string& first, const std::string& second) {
+        return std::ranges::find(steps, first) < std::ranges::find(steps, second) &&
+               std::ranges::find(steps, second) != steps.end();
+    };
+    CHECK(before("sent", "received"));
+    CHECK(before("received", "translated"));
+    CHECK(std::ranges::find(steps, describe(jaus::component_outcome::deferred)) != steps.end());
+    CHECK(frames_out != 0);
+    CHECK(frames_in != 0);
+    CHECK_FALSE(b.has_line("slave 0 answers"));
+    b.robot->stop();
+    CHECK(std::ranges::find(steps, "stop") != steps.end());
+    CHECK(b.bridge->at_rest());
+    CHECK(b.ring.effort() == 0);
 }
 
 TEST_CASE("a node starts again with its bridge") {
