@@ -1,5 +1,7 @@
-// write-a-component.md: a driver with motors, reports and a message of its own, and an operator that uses it. Both
-// nodes run in this program, and talk by UDP. [includes]
+// write-a-component.md: a driver with motors, reports and a message of its own, and its operator. Both nodes run in
+// this program, and talk by UDP.
+//     docs_component
+// [includes]
 #include <jauscat/app.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
 

@@ -6,6 +6,7 @@
 #include <jauscat/app/bridge.hpp>
 #include <jauscat/app/component.hpp>
 #include <jauscat/app/own_table.hpp>
+#include <jauscat/bridge/observer.hpp>
 #include <jauscat/net/link/udp_link.hpp>
 #include <jauscat/net/now.hpp>
 #include <jauscat/schema/jaus/platform.hpp>

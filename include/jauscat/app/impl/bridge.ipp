@@ -25,7 +25,7 @@ JAUSCAT_DECL void bridge::serve(const served_component& component, const slave& 
 }
 JAUSCAT_DECL void bridge::when_up(std::function<void(const slave_choice&)> f) { state_->on_up = std::move(f); }
 JAUSCAT_DECL void bridge::when_lost(std::function<void(const slave_choice&, boost::system::error_code)> f) {
-    state_->on_slave_lost = std::move(f);
+    state_->on_lost = std::move(f);
 }
 JAUSCAT_DECL void bridge::when_changed(std::function<void(const jaus::address&, jaus::primary_status_code)> f) {
     state_->on_changed = std::move(f);

@@ -83,7 +83,6 @@ class served_slave final : public bus_user {
     void stop() noexcept;
     /// It was up and should have been brought to rest: if it was not, that is logged.
     [[nodiscard]] bool check_rest();
-    void on_lost(const jaus::address& who);
     [[nodiscard]] const slave_choice& choice() const noexcept { return which_; }
     [[nodiscard]] std::uint16_t station() const noexcept { return station_; }
     [[nodiscard]] bool is_served() const noexcept { return is_served_; }
@@ -168,7 +167,7 @@ class bridge_state final : public std::enable_shared_from_this<bridge_state> {
     template <class F, class... Arguments> void call_later(F bridge_state::* function, Arguments... arguments);
 
     std::function<void(const slave_choice&)> on_up{};
-    std::function<void(const slave_choice&, error_code)> on_slave_lost{};
+    std::function<void(const slave_choice&, error_code)> on_lost{};
     std::function<void(const jaus::address&, jaus::primary_status_code)> on_changed{};
     std::function<void(const jaus::address&)> on_at_rest{};
     std::function<void(const slave_choice&, const ethercat::coe_emergency&)> on_emergency{};
@@ -177,7 +176,6 @@ class bridge_state final : public std::enable_shared_from_this<bridge_state> {
   private:
     void start();
     void stop() noexcept;
-    void on_lost(const jaus::address& who);
     [[nodiscard]] bool has(const jaus::address& component) const;
     void flush();
 

@@ -78,7 +78,6 @@ JAUSCAT_DECL node_part bridge_state::as_part() {
     return {.owner = shared_from_this(),
             .start = bound<&bridge_state::start>(*this),
             .stop = bound<&bridge_state::stop>(*this),
-            .on_lost = bound<&bridge_state::on_lost>(*this),
             .has = bound<&bridge_state::has>(*this)};
 }
 JAUSCAT_DECL void bridge_state::start() {
@@ -109,16 +108,13 @@ JAUSCAT_DECL void bridge_state::close() noexcept {
     for (const auto& each : slaves_) bus_->release_station(each.station());
     bus_->release_timing();
     on_up = nullptr;
-    on_slave_lost = nullptr;
+    on_lost = nullptr;
     on_changed = nullptr;
     on_at_rest = nullptr;
     on_emergency = nullptr;
 }
 JAUSCAT_DECL bool bridge_state::has(const jaus::address& component) const {
     return std::ranges::any_of(slaves_, [&](const auto& each) { return each.has(component); });
-}
-JAUSCAT_DECL void bridge_state::on_lost(const jaus::address& who) {
-    for (auto& each : slaves_) each.on_lost(who);
 }
 JAUSCAT_DECL bool bridge_state::at_rest() const noexcept {
     if (ended_at_rest_) return *ended_at_rest_;
@@ -235,9 +231,6 @@ JAUSCAT_DECL bool served_slave::check_rest() {
     log(name() + " has not confirmed that it is at rest: it stops by its own watchdog or not at all");
     return false;
 }
-JAUSCAT_DECL void served_slave::on_lost(const jaus::address& who) {
-    for (auto& each : components_) each.on_lost(who);
-}
 
 JAUSCAT_DECL void served_slave::send(bytes message) { bridge_.send(message); }
 JAUSCAT_DECL void served_slave::bus_ends() noexcept {
@@ -254,7 +247,7 @@ JAUSCAT_DECL void served_slave::bus_ends() noexcept {
     const auto out = [this](bytes message) { send(message); };
     for (auto& each : components_)
         if (each.unit) each.unit->on_slave_lost(net::now(), out);
-    bridge_.call_later(&bridge_state::on_slave_lost, which_, error_code{bus_errc::not_started});
+    bridge_.call_later(&bridge_state::on_lost, which_, error_code{bus_errc::not_started});
 }
 
 // ---- The slave.
@@ -393,7 +386,7 @@ JAUSCAT_DECL void served_slave::slave_lost(const bridging::slave_front& slave, b
     bridge_.bus()->note_served_lost(*this, error);
     last_problem_ = error.message();
     log_event(name() + " is lost: " + std::string{text_of(what)} + " (" + last_problem_ + ")");
-    bridge_.call_later(&bridge_state::on_slave_lost, which_, error);
+    bridge_.call_later(&bridge_state::on_lost, which_, error);
 }
 JAUSCAT_DECL void served_slave::slave_emergency(const bridging::slave_front& slave,
                                                 const ethercat::coe_emergency& emergency) {

@@ -13,7 +13,6 @@ struct node_part {
     std::shared_ptr<void> owner{};                          ///< which the node keeps
     jaus::hook<void()> start{};                             ///< the node has started
     jaus::hook<void()> stop{};                              ///< the node will stop: its messages still go out
-    jaus::hook<void(const jaus::address& who)> on_lost{};   ///< it has disappeared; an octet of 255 stands for all
     jaus::hook<bool(const jaus::address& component)> has{}; ///< one of its components has this ID
 };
 

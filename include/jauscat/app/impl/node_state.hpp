@@ -28,7 +28,6 @@ class node_state {
     void add(node_part part) { parts_.push_back(std::move(part)); }
     /// A component has this ID.
     [[nodiscard]] bool has(const jaus::address& self) const;
-    void lose(const jaus::address& who);
     void log(std::string_view line) const;
     /// Of the component's state machines: its next event may be earlier.
     void wake() { net_.wake(); }

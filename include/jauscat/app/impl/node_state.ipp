@@ -66,14 +66,6 @@ JAUSCAT_DECL void node_state::log(std::string_view line) const {
     std::cerr << whole.append(line).append("\n");
 }
 
-JAUSCAT_DECL void node_state::lose(const jaus::address& who) {
-    if (!net_.running() || net_.present() != nullptr) return;
-    const auto gone = jaus::is_node_manager(who) ? jaus::address{255, 255, who.node, who.subsystem} : who;
-    for (const auto& one : components_) one->on_lost(gone);
-    for (const auto& one : parts_) one.on_lost(gone);
-    wake();
-}
-
 JAUSCAT_DECL void node_state::add(const std::shared_ptr<component_state>& component) {
     const auto& self = component->self();
     if (net_.running())
@@ -206,7 +198,7 @@ JAUSCAT_DECL void node::when_appeared(std::function<void(const jaus::address& wh
 JAUSCAT_DECL void node::when_disappeared(std::function<void(const jaus::address& who)> f) {
     state_->on_disappeared = std::move(f);
 }
-JAUSCAT_DECL void node::lose(const jaus::address& who) { state_->lose(who); }
+JAUSCAT_DECL void node::lose(const jaus::address& who) { state_->net().lose(who); }
 
 } // namespace JAUSCAT_WAY
 } // namespace jauscat

@@ -78,6 +78,9 @@ class jaus_node {
     /// Call after changing a component without sending: its next event may be earlier.
     JAUSCAT_DECL void wake();
 
+    /// The node manager of another node has lost a component. Ignored by a node that has a node manager.
+    JAUSCAT_DECL void lose(const jaus::address& who);
+
     /// The time of the steady clock, as components get it.
     [[nodiscard]] static time_point now() noexcept { return net::now(); }
     /// The node manager's address, also if it is in another program.

@@ -115,6 +115,8 @@ class node_machine {
     void wake(time_point now) noexcept {
         if (running()) wake_at_ = now;
     }
+    /// The node manager of another node has lost a component. Ignored by a node that has a node manager.
+    JAUSCAT_DECL void lose(const jaus::address& who, time_point now);
     /// Logs a line, such as an error of its sockets.
     JAUSCAT_DECL void log(std::string_view line, time_point now);
 

@@ -68,6 +68,10 @@ JAUSCAT_DECL void jaus_node::wake() {
     machine_.wake(now());
     arm();
 }
+JAUSCAT_DECL void jaus_node::lose(const jaus::address& who) {
+    machine_.lose(who, now());
+    arm();
+}
 JAUSCAT_DECL udp_counters jaus_node::counts() const noexcept {
     return parts_->socket ? parts_->socket->counts() : udp_counters{};
 }

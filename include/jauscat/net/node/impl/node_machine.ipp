@@ -195,6 +195,12 @@ JAUSCAT_DECL jaus::message_sink node_machine::out(time_point now) noexcept {
     return parts_->own_out;
 }
 
+JAUSCAT_DECL void node_machine::lose(const jaus::address& who, time_point now) {
+    if (!running() || has_manager()) return;
+    parts_->core.components.on_lost(is_node_manager(who) ? jaus::address{255, 255, who.node, who.subsystem} : who);
+    wake(now);
+}
+
 JAUSCAT_DECL void node_machine::log(std::string_view line, time_point now) {
     parts_->log(now, [&] { return std::string{line}; });
 }
