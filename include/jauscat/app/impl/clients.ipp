@@ -394,6 +394,7 @@ void enqueue(const std::shared_ptr<component_state>& component, const operation_
 /// The same for what has no operation, and nothing to do at a component that does not run.
 inline void enqueue_end(const std::weak_ptr<component_state>& component, boost::asio::io_context& context,
                         std::function<void(clients&)> end) noexcept {
+    if (component.expired()) return; // and perhaps the context
     try {
         post(context, [component, end = std::move(end)] {
             const auto still = component.lock();
