@@ -7,9 +7,11 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/redirect_error.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_future.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -138,6 +140,56 @@ TEST_CASE("a subscription says once that its provider is silent, and goes on whe
         CHECK(why == jauscat::node_errc::silent);
         test.robots.start();
         static_cast<void>(co_await efforts.async_next());
+    });
+}
+
+TEST_CASE("a subscription keeps the newest reports, and counts those that it drops") {
+    driver_and_operator test;
+    test.run([&]() -> boost::asio::awaitable<void> {
+        auto efforts =
+            co_await test.unit.async_connect<jaus::report_wrench_effort>(test.arm, {.rate = 200, .max_waiting = 2});
+        CHECK(efforts.dropped() == 0);
+        boost::asio::steady_timer timer{test.context};
+        while (efforts.dropped() < 3) {
+            timer.expires_after(std::chrono::milliseconds{5});
+            co_await timer.async_wait(boost::asio::use_awaitable);
+        }
+        const auto dropped = efforts.dropped();
+        static_cast<void>(co_await efforts.async_next());
+        static_cast<void>(co_await efforts.async_next());
+        static_cast<void>(co_await efforts.async_next());
+        CHECK(efforts.dropped() == dropped);
+    });
+    CHECK(jauscat::subscription<jaus::report_wrench_effort>{}.dropped() == 0);
+}
+
+TEST_CASE("a subscription to an event says once that its provider is silent") {
+    driver_and_operator test;
+    test.run([&]() -> boost::asio::awaitable<void> {
+        auto efforts = co_await test.unit.async_event<jaus::report_wrench_effort>(
+            test.arm, jaus::create_event{.event_type = jaus::event_type::periodic, .requested_periodic_rate = 50});
+        static_cast<void>(co_await efforts.async_next());
+        test.robots.stop();
+        error_code why;
+        do {
+            co_await efforts.async_next(boost::asio::redirect_error(boost::asio::use_awaitable, why));
+        } while (!why);
+        CHECK(why == jauscat::node_errc::silent);
+    });
+}
+
+TEST_CASE("an event that comes once leaves its place to the next") {
+    driver_and_operator test;
+    test.run([&]() -> boost::asio::awaitable<void> {
+        const jaus::create_event once{.event_type = jaus::event_type::one_time_on_demand};
+        auto first = co_await test.unit.async_event<jaus::report_wrench_effort>(test.arm, once);
+        static_cast<void>(co_await first.async_next());
+        error_code why;
+        co_await first.async_next(boost::asio::redirect_error(boost::asio::use_awaitable, why));
+        CHECK(why == boost::asio::error::operation_aborted);
+        auto second = co_await test.unit.async_event<jaus::report_wrench_effort>(test.arm, once);
+        first.end(); // not the second
+        static_cast<void>(co_await second.async_next());
     });
 }
 

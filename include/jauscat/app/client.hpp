@@ -111,7 +111,7 @@ struct ask_options {
 struct connect_options {
     double rate{10};                           ///< hertz, up to 1092
     std::uint32_t presence_vector{0xFFFFFFFF}; ///< fields of the report; by default all that it has
-    std::size_t max_waiting{256};              ///< reports that async_next has not taken; then the oldest is dropped
+    std::size_t max_waiting{256}; ///< reports that async_next has not taken; then the oldest is dropped, and counted
 };
 
 /// What a component must be or have to be found.
@@ -156,6 +156,7 @@ JAUSCAT_DECL void end(const std::shared_ptr<control_state>&) noexcept;
 JAUSCAT_DECL std::shared_ptr<component_state> component_of(const control_state&) noexcept;
 JAUSCAT_DECL boost::asio::io_context& context_of(const subscription_state&) noexcept;
 JAUSCAT_DECL boost::asio::io_context& context_of(const control_state&) noexcept;
+JAUSCAT_DECL std::uint64_t dropped_of(const subscription_state&) noexcept;
 
 /// Makes the message of received bytes.
 template <class T> struct decoded_as {

@@ -30,6 +30,8 @@ template <jaus::coded_message Report> class subscription {
             },
             token, state_);
     }
+    /// Number of reports that came and were dropped, because `max_waiting` others waited for async_next.
+    [[nodiscard]] std::uint64_t dropped() const noexcept { return state_ ? app::dropped_of(*state_) : 0; }
     /// Ends the connection or the event.
     void end() noexcept {
         if (state_) app::end(std::exchange(state_, nullptr));

@@ -27,6 +27,9 @@ struct control_state {
     std::vector<operation_ptr<>> when_lost{};
 };
 
+/// State of a connection or an event, as its subscription has it.
+enum class stream_state : std::uint8_t { asking, active, silent, refused, unanswered, over };
+
 /// Behind a subscription.
 struct subscription_state {
     std::weak_ptr<component_state> component;
@@ -34,6 +37,7 @@ struct subscription_state {
     bool is_event{};
     std::size_t max_waiting{};
     std::optional<std::size_t> place{}; ///< in the consumer
+    stream_state seen{};                ///< when the consumer was last looked at
     operation_ptr<std::shared_ptr<subscription_state>> asked{};
     operation_ptr<bytes> next{};
     std::deque<std::vector<std::byte>> reports{};
@@ -97,15 +101,12 @@ class clients {
         }
         void changed(jaus::control_state now);
     };
-    struct connection_hook {
-        clients& of;
-        void changed(const jaus::consumed_connection& connection) const { of.note(connection); }
-    };
 
     /// Sends a message that must be acknowledged; its sequence number, or why not.
     result<std::uint16_t, node_errc> send_acknowledged(const jaus::header& head, bytes body);
-    void note(const jaus::consumed_connection& connection);
-    void note_events();
+    [[nodiscard]] stream_state state_of(const subscription_state& of) const;
+    /// The consumers have handled a message, or time: tells subscriptions what has changed.
+    void note_streams();
     void deliver(subscription_state& to, bytes body);
     void tell(subscription_state& to, node_errc why);
     [[nodiscard]] std::shared_ptr<subscription_state> subscription_at(bool is_event, std::size_t place) const;
@@ -113,7 +114,6 @@ class clients {
     component_state& component_;
     jaus::address self_;
     retry_policy retry_;
-    connection_hook hook_{*this};
     jaus::service_consumer<capacity> connections_;
     jaus::event_consumer<capacity> events_;
     std::list<sent_message> sent_{};

@@ -18,11 +18,7 @@ inline namespace JAUSCAT_WAY {
 namespace app {
 
 JAUSCAT_DECL clients::clients(component_state& component, const jaus::address& self, const retry_policy& retry)
-    : component_{component},
-      self_{self},
-      retry_{retry},
-      connections_{self, {.retry = retry}, jaus::bound<&connection_hook::changed>(hook_)},
-      events_{self, retry} {}
+    : component_{component}, self_{self}, retry_{retry}, connections_{self, {.retry = retry}}, events_{self, retry} {}
 
 inline node_errc error_of(net::errc error) {
     switch (error) {
@@ -118,15 +114,20 @@ JAUSCAT_DECL jaus::message_outcome clients::on_message(const jaus::header& head,
     const auto connection = connections_.on_message(head, body, now, out);
     if (connection.what == jaus::consumer_notice::report)
         if (const auto to = subscription_at(false, connection.place)) deliver(*to, body);
-    if (connection.what == jaus::consumer_notice::malformed) return jaus::message_outcome::malformed;
-    if (connection.what != jaus::consumer_notice::unhandled) return jaus::message_outcome::handled;
+    if (connection.what != jaus::consumer_notice::unhandled) {
+        note_streams();
+        return connection.what == jaus::consumer_notice::malformed ? jaus::message_outcome::malformed
+                                                                   : jaus::message_outcome::handled;
+    }
 
     const auto event = events_.on_message(head, body, now, out);
     if (event.what == jaus::event_notice::event)
         if (const auto to = subscription_at(true, event.place)) deliver(*to, event.report);
-    note_events();
-    if (event.what == jaus::event_notice::malformed) return jaus::message_outcome::malformed;
-    if (event.what != jaus::event_notice::unhandled) return jaus::message_outcome::handled;
+    if (event.what != jaus::event_notice::unhandled) {
+        note_streams();
+        return event.what == jaus::event_notice::malformed ? jaus::message_outcome::malformed
+                                                           : jaus::message_outcome::handled;
+    }
 
     if (head.service_connection) return jaus::message_outcome::unhandled;
     // An answer has the number of its question; there are components that have not.
@@ -148,7 +149,7 @@ JAUSCAT_DECL void clients::on_time(time_point now, jaus::message_sink out) {
     std::erase_if(held_, [&](const held& one) { return !one.is_wanted() && now - one.over_at >= late; });
     connections_.on_time(now, out);
     events_.on_time(now, out);
-    note_events();
+    note_streams();
     for (auto& one : questions_) {
         if (one.until.is_reached(now)) {
             one.done->complete(node_errc::no_answer, {});
@@ -184,7 +185,7 @@ JAUSCAT_DECL std::optional<time_point> clients::next_event() const {
 JAUSCAT_DECL void clients::on_lost(const jaus::address& who) {
     for (auto& one : held_) one.machine->on_lost(who);
     events_.on_lost(who);
-    note_events();
+    note_streams();
 }
 
 JAUSCAT_DECL void clients::end_all(error_code why, time_point now, jaus::message_sink out) noexcept {
@@ -241,44 +242,40 @@ JAUSCAT_DECL void clients::tell(subscription_state& to, node_errc why) {
     to.news = why;
 }
 
-JAUSCAT_DECL void clients::note(const jaus::consumed_connection& connection) {
-    const auto place = static_cast<std::size_t>(&connection - connections_.connections().data());
-    const auto of = subscription_at(false, place);
-    if (of == nullptr) return;
-    switch (connection.state) {
-    case jaus::consumed_state::active:
-        if (of->asked) std::exchange(of->asked, nullptr)->complete({}, of);
-        break;
-    case jaus::consumed_state::stale: tell(*of, node_errc::silent); break;
-    case jaus::consumed_state::refused:
-    case jaus::consumed_state::unanswered:
-        of->place.reset();
-        std::erase(subscriptions_, of);
-        tell(*of,
-             connection.state == jaus::consumed_state::refused ? node_errc::connection_refused : node_errc::no_answer);
-        break;
-    default: break;
+JAUSCAT_DECL stream_state clients::state_of(const subscription_state& of) const {
+    if (of.is_event) switch (events_.requested()[*of.place].state) {
+        case jaus::requested_state::active: return stream_state::active;
+        case jaus::requested_state::stale: return stream_state::silent;
+        case jaus::requested_state::rejected: return stream_state::refused;
+        case jaus::requested_state::unanswered: return stream_state::unanswered;
+        case jaus::requested_state::free: return stream_state::over; // it came once
+        default: return stream_state::asking;
+        }
+    switch (connections_.connections()[*of.place].state) {
+    case jaus::consumed_state::active: return stream_state::active;
+    case jaus::consumed_state::stale: return stream_state::silent;
+    case jaus::consumed_state::refused: return stream_state::refused;
+    case jaus::consumed_state::unanswered: return stream_state::unanswered;
+    default: return stream_state::asking;
     }
 }
 
-/// An event consumer has no hook: its places are looked at.
-JAUSCAT_DECL void clients::note_events() {
-    for (const auto& of : std::vector{subscriptions_}) {
-        if (!of->is_event || !of->place) continue;
-        switch (events_.requested()[*of->place].state) {
-        case jaus::requested_state::active:
-            if (of->asked) std::exchange(of->asked, nullptr)->complete({}, of);
-            break;
-        case jaus::requested_state::rejected:
-        case jaus::requested_state::unanswered: {
-            const bool is_refused = events_.requested()[*of->place].state == jaus::requested_state::rejected;
+JAUSCAT_DECL void clients::note_streams() {
+    for (auto i = subscriptions_.size(); i-- != 0;) {
+        const auto of = subscriptions_[i];
+        const auto state = state_of(*of);
+        if (std::exchange(of->seen, state) == state || state == stream_state::asking) continue;
+        if (state == stream_state::silent) {
+            tell(*of, node_errc::silent);
+            continue;
+        }
+        if (state != stream_state::active) {
             of->place.reset();
             std::erase(subscriptions_, of);
-            tell(*of, is_refused ? node_errc::connection_refused : node_errc::no_answer);
-            break;
         }
-        default: break;
-        }
+        if (state == stream_state::refused) tell(*of, node_errc::connection_refused);
+        if (state == stream_state::unanswered) tell(*of, node_errc::no_answer);
+        if (of->asked) std::exchange(of->asked, nullptr)->complete({}, of);
     }
 }
 
@@ -409,6 +406,7 @@ inline void enqueue_end(const std::weak_ptr<component_state>& component, boost::
 JAUSCAT_DECL boost::asio::io_context& context_of(component_state& of) noexcept { return of.context(); }
 JAUSCAT_DECL boost::asio::io_context& context_of(const subscription_state& of) noexcept { return of.context; }
 JAUSCAT_DECL boost::asio::io_context& context_of(const control_state& of) noexcept { return of.context; }
+JAUSCAT_DECL std::uint64_t dropped_of(const subscription_state& of) noexcept { return of.dropped; }
 
 JAUSCAT_DECL void begin_send(const std::shared_ptr<component_state>& from, const jaus::address& to, std::uint16_t code,
                              std::vector<std::byte> body, operation_ptr<> done) {
