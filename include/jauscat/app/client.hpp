@@ -135,23 +135,28 @@ struct control_state;
 
 JAUSCAT_DECL boost::asio::io_context& context_of(component_state&) noexcept;
 JAUSCAT_DECL void begin_send(const std::shared_ptr<component_state>&, const jaus::address& to, std::uint16_t code,
-                             std::vector<std::byte> body, operation_ptr<> done);
-JAUSCAT_DECL void begin_ask(const std::shared_ptr<component_state>&, const jaus::address& of, std::uint16_t code,
-                            std::vector<std::byte> body, const ask_options& options, operation_ptr<bytes> done);
+                             std::vector<std::byte> body, const operation_ptr<>& done);
+/// The command codes of a query and its report.
+struct question_codes {
+    std::uint16_t query{}, report{};
+};
+JAUSCAT_DECL void begin_ask(const std::shared_ptr<component_state>&, const jaus::address& of, question_codes codes,
+                            std::vector<std::byte> body, const ask_options& options, const operation_ptr<bytes>& done);
 JAUSCAT_DECL void begin_connect(const std::shared_ptr<component_state>&, const jaus::address& of, std::uint16_t code,
                                 const connect_options& options,
-                                operation_ptr<std::shared_ptr<subscription_state>> done);
+                                const operation_ptr<std::shared_ptr<subscription_state>>& done);
 /// `request` is the body of a Create Event.
 JAUSCAT_DECL void begin_event(const std::shared_ptr<component_state>&, const jaus::address& of,
                               std::vector<std::byte> request, std::size_t max_waiting,
-                              operation_ptr<std::shared_ptr<subscription_state>> done);
-JAUSCAT_DECL void begin_next(const std::shared_ptr<subscription_state>&, operation_ptr<bytes> done);
+                              const operation_ptr<std::shared_ptr<subscription_state>>& done);
+JAUSCAT_DECL void begin_next(const std::shared_ptr<subscription_state>&, const operation_ptr<bytes>& done);
 JAUSCAT_DECL void end(const std::shared_ptr<subscription_state>&) noexcept;
 JAUSCAT_DECL void begin_control(const std::shared_ptr<component_state>&, const jaus::address& of,
-                                const control_options& options, operation_ptr<std::shared_ptr<control_state>> done);
+                                const control_options& options,
+                                const operation_ptr<std::shared_ptr<control_state>>& done);
 JAUSCAT_DECL void begin_find(const std::shared_ptr<component_state>&, const find_options& options,
-                             operation_ptr<std::vector<found_component>> done);
-JAUSCAT_DECL void begin_lost(const std::shared_ptr<control_state>&, operation_ptr<> done);
+                             const operation_ptr<std::vector<found_component>>& done);
+JAUSCAT_DECL void begin_lost(const std::shared_ptr<control_state>&, const operation_ptr<>& done);
 JAUSCAT_DECL void end(const std::shared_ptr<control_state>&) noexcept;
 JAUSCAT_DECL std::shared_ptr<component_state> component_of(const control_state&) noexcept;
 JAUSCAT_DECL boost::asio::io_context& context_of(const subscription_state&) noexcept;

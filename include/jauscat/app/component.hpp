@@ -155,7 +155,7 @@ class component {
                 auto done = app::make_operation<std::shared_ptr<app::subscription_state>>(
                     std::move(handler), app::handled_as<subscription<Report>>{}, app::context_of(*state));
                 if (!is_good) return done->complete(node_errc::not_encodable, nullptr);
-                app::begin_event(state, whom, std::move(request), connect_options{}.max_waiting, std::move(done));
+                app::begin_event(state, whom, std::move(request), connect_options{}.max_waiting, done);
             },
             token, state_, of, std::move(body), why == wire::errc::ok);
     }
@@ -216,9 +216,16 @@ template <class Query, class F> auto report_of(F& f, const Query& query) {
 
 } // namespace app
 
+namespace app {
+/// The command code of what a handler returns; 0 where that is no message.
+template <class R> inline constexpr std::uint16_t answer_code_of = 0;
+template <jaus::coded_message R> inline constexpr std::uint16_t answer_code_of<R> = jaus::command_code_of<R>;
+} // namespace app
+
 template <class F> void component::take(F f) {
     using T = app::subject_of<F>;
     app::take(*state_, {.command_code = jaus::command_code_of<T>,
+                        .answer_code = app::answer_code_of<app::plain<app::result_of<F>>>,
                         .presence_bits = jaus::presence_bits_of<T>,
                         .handle = [f = std::move(f)](const app::incoming& from) mutable {
                             T message{};
@@ -291,7 +298,7 @@ auto component::async_send(const jaus::address& to, const T& message, Token&& to
            std::vector<std::byte> encoded, bool is_good) {
             auto done = app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state));
             if (!is_good) return done->complete(node_errc::not_encodable);
-            app::begin_send(state, whom, jaus::command_code_of<T>, std::move(encoded), std::move(done));
+            app::begin_send(state, whom, jaus::command_code_of<T>, std::move(encoded), done);
         },
         token, state_, to, std::move(body), why == wire::errc::ok);
 }
@@ -308,7 +315,8 @@ auto component::async_ask(const jaus::address& of, const Query& query, const ask
             auto done =
                 app::make_operation<app::bytes>(std::move(handler), app::decoded_as<Report>{}, app::context_of(*state));
             if (!is_good) return done->complete(node_errc::not_encodable, {});
-            app::begin_ask(state, whom, jaus::command_code_of<Query>, std::move(encoded), how, std::move(done));
+            app::begin_ask(state, whom, {jaus::command_code_of<Query>, jaus::command_code_of<Report>},
+                           std::move(encoded), how, done);
         },
         token, state_, of, std::move(body), options, why == wire::errc::ok);
 }

@@ -47,7 +47,7 @@ class control {
 namespace app {
 /// Of a control: fails with control_lost where that is lost.
 JAUSCAT_DECL void begin_send(const std::shared_ptr<control_state>&, std::uint16_t code, std::vector<std::byte> body,
-                             operation_ptr<> done);
+                             const operation_ptr<>& done);
 } // namespace app
 
 template <jaus::coded_message T, class Token> auto control::async_send(const T& message, Token&& token) {
@@ -58,7 +58,7 @@ template <jaus::coded_message T, class Token> auto control::async_send(const T& 
            bool is_good) {
             auto done = app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state));
             if (!is_good) return done->complete(node_errc::not_encodable);
-            app::begin_send(state, jaus::command_code_of<T>, std::move(encoded), std::move(done));
+            app::begin_send(state, jaus::command_code_of<T>, std::move(encoded), done);
         },
         token, state_, std::move(body), why == wire::errc::ok);
 }

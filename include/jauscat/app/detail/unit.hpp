@@ -34,6 +34,7 @@ struct incoming {
 /// A type of message that a component takes.
 struct taken_message {
     std::uint16_t command_code{};
+    std::uint16_t answer_code{}; ///< of the message that the handler returns; 0: none
     std::uint32_t presence_bits{};
     std::function<jaus::message_outcome(const incoming&)> handle{};
 };

@@ -61,9 +61,11 @@ class clients {
     /// All operations end, control is released.
     void end_all(error_code why, time_point now, jaus::message_sink out) noexcept;
 
-    void send(jaus::header head, std::vector<std::byte> body, const operation_ptr<>& done);
-    void ask(const jaus::header& head, std::vector<std::byte> body, const ask_options& options,
+    void send(jaus::header head, bytes body, const operation_ptr<>& done);
+    void ask(const jaus::address& of, question_codes codes, std::vector<std::byte> body, const ask_options& options,
              const operation_ptr<bytes>& done);
+    /// A message is a report that was asked for or subscribed to.
+    [[nodiscard]] bool awaits(const jaus::header& head) const;
     void connect(const jaus::address& to, std::uint16_t code, const connect_options& options,
                  std::shared_ptr<subscription_state> made);
     void request_event(const jaus::address& of, bytes request, std::shared_ptr<subscription_state> made);

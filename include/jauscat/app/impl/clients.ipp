@@ -59,20 +59,18 @@ inline result<std::uint16_t, node_errc> clients::send_acknowledged(const jaus::h
     return *sent;
 }
 
-JAUSCAT_DECL void clients::send(jaus::header head, std::vector<std::byte> body, const operation_ptr<>& done) {
+JAUSCAT_DECL void clients::send(jaus::header head, bytes body, const operation_ptr<>& done) {
     const auto number = send_acknowledged(head, body);
     if (!number) return done->complete(number.error());
     head.sequence_number = *number;
     sent_.push_back({head, done});
 }
 
-JAUSCAT_DECL void clients::ask(const jaus::header& head, std::vector<std::byte> body, const ask_options& options,
-                               const operation_ptr<bytes>& done) {
+JAUSCAT_DECL void clients::ask(const jaus::address& of, question_codes codes, std::vector<std::byte> body,
+                               const ask_options& options, const operation_ptr<bytes>& done) {
     const auto now = net::now();
-    question asked{.head = head,
-                   .report = jaus::report_code_of(head.command_code),
-                   .done = done,
-                   .until = deadline{now, options.timeout}};
+    const auto head = component_.head_of(codes.query, of);
+    question asked{.head = head, .report = codes.report, .done = done, .until = deadline{now, options.timeout}};
     if (options.acknowledged) {
         const auto number = send_acknowledged(head, body);
         if (!number) return done->complete(number.error(), {});
@@ -142,6 +140,18 @@ JAUSCAT_DECL jaus::message_outcome clients::on_message(const jaus::header& head,
     found->done->complete({}, body);
     questions_.erase(found);
     return jaus::message_outcome::handled;
+}
+
+JAUSCAT_DECL bool clients::awaits(const jaus::header& head) const {
+    if (head.ack_nak != jaus::ack_nak::none) return false;
+    const auto is_provided = [&](const jaus::consumed_connection& one) {
+        return one.state != jaus::consumed_state::free && one.provider == head.source &&
+               one.request.command_code == head.command_code;
+    };
+    if (head.service_connection) return std::ranges::any_of(connections_.connections(), is_provided);
+    return std::ranges::any_of(questions_, [&](const question& one) {
+        return one.report == head.command_code && one.head.destination == head.source;
+    });
 }
 
 JAUSCAT_DECL void clients::on_time(time_point now, jaus::message_sink out) {
@@ -409,37 +419,37 @@ JAUSCAT_DECL boost::asio::io_context& context_of(const control_state& of) noexce
 JAUSCAT_DECL std::uint64_t dropped_of(const subscription_state& of) noexcept { return of.dropped; }
 
 JAUSCAT_DECL void begin_send(const std::shared_ptr<component_state>& from, const jaus::address& to, std::uint16_t code,
-                             std::vector<std::byte> body, operation_ptr<> done) {
-    const jaus::header head{.command_code = code, .destination = to, .source = from->self()};
-    enqueue(from, done,
-            [head, body = std::move(body), done](clients& all) mutable { all.send(head, std::move(body), done); });
+                             std::vector<std::byte> body, const operation_ptr<>& done) {
+    enqueue(from, done, [head = from->head_of(code, to), body = std::move(body), done](clients& all) {
+        all.send(head, body, done);
+    });
 }
-JAUSCAT_DECL void begin_ask(const std::shared_ptr<component_state>& from, const jaus::address& of, std::uint16_t code,
-                            std::vector<std::byte> body, const ask_options& options, operation_ptr<bytes> done) {
-    const jaus::header head{.command_code = code, .destination = of, .source = from->self()};
-    enqueue(from, done, [head, body = std::move(body), options, done](clients& all) mutable {
-        all.ask(head, std::move(body), options, done);
+JAUSCAT_DECL void begin_ask(const std::shared_ptr<component_state>& from, const jaus::address& of, question_codes codes,
+                            std::vector<std::byte> body, const ask_options& options, const operation_ptr<bytes>& done) {
+    enqueue(from, done, [of, codes, body = std::move(body), options, done](clients& all) mutable {
+        all.ask(of, codes, std::move(body), options, done);
     });
 }
 
-inline std::shared_ptr<subscription_state> new_subscription(const std::shared_ptr<component_state>& by,
-                                                            operation_ptr<std::shared_ptr<subscription_state>> asked) {
+inline std::shared_ptr<subscription_state>
+new_subscription(const std::shared_ptr<component_state>& by,
+                 const operation_ptr<std::shared_ptr<subscription_state>>& asked) {
     auto made = std::make_shared<subscription_state>(subscription_state{.component = by, .context = context_of(*by)});
-    made->asked = std::move(asked);
+    made->asked = asked;
     return made;
 }
-JAUSCAT_DECL void begin_connect(const std::shared_ptr<component_state>& from, const jaus::address& to,
+JAUSCAT_DECL void begin_connect(const std::shared_ptr<component_state>& from, const jaus::address& of,
                                 std::uint16_t code, const connect_options& options,
-                                operation_ptr<std::shared_ptr<subscription_state>> done) {
-    enqueue(from, done, [from, to, code, options, done](clients& all) {
+                                const operation_ptr<std::shared_ptr<subscription_state>>& done) {
+    enqueue(from, done, [from, of, code, options, done](clients& all) {
         auto made = new_subscription(from, done);
         made->max_waiting = options.max_waiting;
-        all.connect(to, code, options, std::move(made));
+        all.connect(of, code, options, std::move(made));
     });
 }
 JAUSCAT_DECL void begin_event(const std::shared_ptr<component_state>& from, const jaus::address& of,
                               std::vector<std::byte> request, std::size_t max_waiting,
-                              operation_ptr<std::shared_ptr<subscription_state>> done) {
+                              const operation_ptr<std::shared_ptr<subscription_state>>& done) {
     enqueue(from, done, [from, of, request = std::move(request), max_waiting, done](clients& all) {
         auto made = new_subscription(from, done);
         made->is_event = true;
@@ -447,7 +457,7 @@ JAUSCAT_DECL void begin_event(const std::shared_ptr<component_state>& from, cons
         all.request_event(of, request, std::move(made));
     });
 }
-JAUSCAT_DECL void begin_next(const std::shared_ptr<subscription_state>& of, operation_ptr<bytes> done) {
+JAUSCAT_DECL void begin_next(const std::shared_ptr<subscription_state>& of, const operation_ptr<bytes>& done) {
     if (of == nullptr) return done->complete(boost::asio::error::operation_aborted, {});
     post(of->context, [of, done] {
         if (!of->reports.empty()) {
@@ -471,7 +481,8 @@ JAUSCAT_DECL void end(const std::shared_ptr<subscription_state>& of) noexcept {
 }
 
 JAUSCAT_DECL void begin_control(const std::shared_ptr<component_state>& from, const jaus::address& of,
-                                const control_options& options, operation_ptr<std::shared_ptr<control_state>> done) {
+                                const control_options& options,
+                                const operation_ptr<std::shared_ptr<control_state>>& done) {
     enqueue(from, done, [from, of, options, done](clients& all) {
         auto made = std::make_shared<control_state>(control_state{.component = from, .context = context_of(*from)});
         made->of = of;
@@ -480,15 +491,15 @@ JAUSCAT_DECL void begin_control(const std::shared_ptr<component_state>& from, co
     });
 }
 JAUSCAT_DECL void begin_send(const std::shared_ptr<control_state>& by, std::uint16_t code, std::vector<std::byte> body,
-                             operation_ptr<> done) {
+                             const operation_ptr<>& done) {
     const auto from = by->component.lock();
     if (from == nullptr) return done->complete(boost::asio::error::operation_aborted);
-    enqueue(from, done, [by, code, self = from->self(), body = std::move(body), done](clients& all) mutable {
+    enqueue(from, done, [by, head = from->head_of(code, by->of), body = std::move(body), done](clients& all) {
         if (by->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
-        all.send({.command_code = code, .destination = by->of, .source = self}, std::move(body), done);
+        all.send(head, body, done);
     });
 }
-JAUSCAT_DECL void begin_lost(const std::shared_ptr<control_state>& of, operation_ptr<> done) {
+JAUSCAT_DECL void begin_lost(const std::shared_ptr<control_state>& of, const operation_ptr<>& done) {
     post(of->context, [of, done] {
         if (of->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
         std::erase_if(of->when_lost, [](const auto& one) { return one->is_done(); });

@@ -39,7 +39,7 @@ JAUSCAT_DECL std::optional<jaus::address> component::controller() const noexcept
 JAUSCAT_DECL const jaus::address& component::address() const noexcept { return state_->self(); }
 JAUSCAT_DECL result<void, net::error> component::send(const jaus::address& to, std::uint16_t command_code,
                                                       app::bytes body) {
-    return state_->node().net().send({.command_code = command_code, .destination = to, .source = state_->self()}, body);
+    return state_->node().net().send(state_->head_of(command_code, to), body);
 }
 
 namespace app {

@@ -66,6 +66,13 @@ class component_state {
     /// A message of this component was acknowledged, or not; also a large data set.
     void on_delivered(const jaus::header& head, jaus::delivered what);
     [[nodiscard]] boost::asio::io_context& context() noexcept { return context_; }
+    /// The header of a message to another component.
+    [[nodiscard]] jaus::header head_of(std::uint16_t command_code, const jaus::address& to) const noexcept {
+        return {.experimental = jaus::is_private(command_code),
+                .command_code = command_code,
+                .destination = to,
+                .source = self_};
+    }
     /// Sends a whole message of this component until it is acknowledged.
     result<std::uint16_t, jaus::send_error> send_acknowledged(bytes message);
     /// Sends it no more, if it still waits for its acknowledgement.

@@ -72,6 +72,7 @@ struct component_state::core {
     connections_type connections;
     events_type events;
     net::detail::offered_messages offered;
+    std::vector<std::uint16_t> harmless; ///< also the queries of reports
     std::array<jaus::offered_service, 2> services{jaus::core_messages::service};
     jaus::described_component described;
     clients others;
@@ -103,6 +104,11 @@ inline component_state::core::core(component_state& of, const jaus::identity& id
       connections{of.self_, connectable, fill_connection, connection_memory},
       events{of.self_, eventful, fill_event, event_memory},
       offered{of, connections, events},
+      harmless{[&] {
+          auto all = of.options_.harmless;
+          for (const auto& one : of.gives_) all.push_back(one.query_code);
+          return all;
+      }()},
       described{of.self_,
                 {identity,
                  [&]() -> std::span<const jaus::offered_service> {
@@ -120,7 +126,7 @@ inline component_state::core::core(component_state& of, const jaus::identity& id
                .on_controller = jaus::bound<&hooks::controller>(hook),
                .on_delivered = jaus::bound<&hooks::delivered>(hook)},
               {.control = {.authority_code = identity.authority_code,
-                           .harmless = of.options_.harmless,
+                           .harmless = harmless,
                            .timeout = of.options_.controller_timeout},
                .acknowledgement = {.retry = of.options_.retry,
                                    .first_number = static_cast<std::uint16_t>(std::random_device{}())},
@@ -346,6 +352,10 @@ component_state::on_message(const jaus::header& head, bytes body, time_point now
                             jaus::hook<jaus::message_outcome(const jaus::header&, bytes)> unhandled) {
     if (!is_running_) return jaus::component_outcome::unknown;
     const auto outcome = in_turn([&] {
+        // A private report may be a command, for all that the state machines know.
+        if (jaus::is_private(head.command_code) && core_->others.awaits(head) &&
+            core_->others.on_message(head, body, now, out) == jaus::message_outcome::handled)
+            return jaus::component_outcome::handled;
         return core_->machine.on_message(head, body, now, out, [&](const jaus::header& h, bytes b) {
             const auto what = handle(h, b);
             return what == jaus::message_outcome::unhandled ? unhandled(h, b) : what;
@@ -391,8 +401,8 @@ JAUSCAT_DECL void component_state::on_lost(const jaus::address& who) {
 JAUSCAT_DECL void component_state::list_messages(listing takes, listing sends) const {
     for (const auto& one : takes_) {
         takes(jaus::supported_message{one.command_code, one.presence_bits});
-        if (const auto report = jaus::report_code_of(one.command_code); report != 0)
-            sends(jaus::supported_message{report});
+        const auto report = one.answer_code != 0 ? one.answer_code : jaus::report_code_of(one.command_code);
+        if (report != 0) sends(jaus::supported_message{report});
     }
     for (const auto& one : gives_) {
         takes(jaus::supported_message{one.query_code, one.presence_bits});
@@ -403,6 +413,7 @@ JAUSCAT_DECL void component_state::list_messages(listing takes, listing sends) c
 JAUSCAT_DECL bool answer(component_state& from, const jaus::header& request, std::uint16_t command_code, bytes body) {
     auto head = jaus::answer_to(request, from.self());
     head.command_code = command_code;
+    head.experimental = jaus::is_private(command_code);
     const auto sent = from.node().net().send(head, body);
     if (!sent)
         from.node().log(net::to_jausip(from.self()) + ": " + text::message_name(command_code) +

@@ -57,7 +57,7 @@ class search : public std::enable_shared_from_this<search> {
             if (!error && why == wire::errc::ok) use(*mine, *report);
             mine->close();
         };
-        by_.ask({.command_code = jaus::command_code_of<Query>, .destination = whom, .source = self_}, std::move(body),
+        by_.ask(whom, {jaus::command_code_of<Query>, jaus::command_code_of<jaus::report_of<Query>>}, std::move(body),
                 {.timeout = until_.remaining(net::now()), .acknowledged = false},
                 std::make_shared<function_operation>(std::move(answered)));
     }
@@ -109,7 +109,7 @@ class search : public std::enable_shared_from_this<search> {
 };
 
 JAUSCAT_DECL void begin_find(const std::shared_ptr<component_state>& by, const find_options& options,
-                             operation_ptr<std::vector<found_component>> done) {
+                             const operation_ptr<std::vector<found_component>>& done) {
     enqueue(by, done, [by, options, name = std::string{options.name}, done](clients& all) {
         std::vector<jaus::address> managers{by->node().net().manager()};
         if (const auto* const present = by->node().net().present(); present != nullptr)

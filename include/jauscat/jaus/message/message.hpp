@@ -157,6 +157,9 @@ constexpr result<std::span<std::byte>, errc> make_message(const header&, const T
     return *encoded;
 }
 
+/// Whether RA 3.3 leaves the code to private messages, D000h to FFFFh: their header says that they are experimental.
+[[nodiscard]] constexpr bool is_private(std::uint16_t command_code) noexcept { return command_code >= 0xD000; }
+
 /// The command code of the report that answers a query, 2000h above the query's; 0 for what is no query. RA 3.3 part 3.
 [[nodiscard]] constexpr std::uint16_t report_code_of(std::uint16_t command_code) noexcept {
     const bool is_query = command_code >= 0x2000 && command_code < 0x4000;
