@@ -74,6 +74,16 @@ std::span<const std::byte> body_of(const bytes& message) { return std::span{mess
     return found != functions.end() && found->second(head, body_of(message));
 }
 
+// Functions behind the look-up that the dispatcher has, instead of a jump.
+template <class... Messages> bool by_look_up(const bytes& message, jaus::message_list<Messages...>) {
+    static constexpr std::array codes{jaus::command_code_of<Messages>...};
+    static constexpr std::array<function, sizeof...(Messages)> functions{&decode_and_take<Messages>...};
+    const jaus::header head = head_of(message);
+    const auto place = wire::code_index<codes>::find(head.command_code);
+    return place < functions.size() && functions[place](head, body_of(message));
+}
+[[gnu::noinline]] bool by_look_up(const bytes& message) { return by_look_up(message, jaus::messages{}); }
+
 // Every message once with all it need not have left out, where that makes a message of at most `largest` bytes.
 template <class... Messages>
 std::vector<bytes> smallest_messages(jaus::message_list<Messages...>, std::size_t largest) {
@@ -96,13 +106,15 @@ bool add(const std::string& name, std::size_t largest, std::vector<bytes>& messa
     for (std::size_t i = 0; i != item_count; ++i) messages.push_back(distinct[random() % distinct.size()]);
     bool agree = distinct.size() > 50;
     for (const auto& message : distinct)
-        for (const auto way : {by_dispatcher, by_switch, by_map}) {
+        for (const auto way : {by_dispatcher, by_switch, by_map, static_cast<bool (*)(const bytes&)>(by_look_up)}) {
             last_handled = 0;
             agree = agree && way(message) && last_handled == head_of(message).command_code;
         }
     const std::string label = "dispatch, " + std::to_string(distinct.size()) + " " + name;
     bench::pair(label + " (switch)", std::span{messages}, by_dispatcher, std::span{messages}, by_switch);
     bench::pair(label + " (map)", std::span{messages}, by_dispatcher, std::span{messages}, by_map);
+    bench::pair(label + " (500-byte look-up)", std::span{messages}, by_dispatcher, std::span{messages},
+                static_cast<bool (*)(const bytes&)>(by_look_up));
     return agree;
 }
 

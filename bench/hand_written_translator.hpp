@@ -1,6 +1,7 @@
 // Both tables by hand: what a programmer with the two layouts beside the keyboard writes. The floor for the translator.
 #pragma once
 #include <jauscat/schema/translation/command_ranks.hpp>
+#include <jauscat/wire/code_index.hpp>
 
 #include <array>
 #include <cstddef>
@@ -18,6 +19,18 @@ inline constexpr auto rank_of = [] {
     for (const std::uint16_t code : jauscat::translation::ra_command_codes) ranks[code] = ++rank;
     return ranks;
 }();
+
+/// The rank of a command code, 0 for an unknown one: a load from 64 KiB.
+struct direct_look_up {
+    unsigned operator()(unsigned code) const { return rank_of[code]; }
+};
+/// The same by the library's look-up in 500 bytes.
+struct small_look_up {
+    unsigned operator()(unsigned code) const {
+        using ranks = jauscat::wire::code_index<jauscat::translation::ra_command_codes>;
+        return static_cast<unsigned>(ranks::find(static_cast<std::uint16_t>(code)) + 1); // npos becomes 0
+    }
+};
 
 inline unsigned u16(const std::byte* p) {
     std::uint16_t v;
@@ -38,14 +51,15 @@ inline void put32(std::byte* p, std::uint32_t v) { std::memcpy(p, &v, 4); }
 } // namespace detail
 
 /// JAUS message to packet; 0 if it cannot be translated.
-inline std::size_t translate_forth(std::span<const std::byte> message, std::span<std::byte> packet) {
+template <class LookUp = detail::direct_look_up>
+std::size_t translate_forth(std::span<const std::byte> message, std::span<std::byte> packet) {
     using namespace detail;
     const std::byte* const m = message.data();
     std::byte* const p = packet.data();
     if (message.size() < 16) return 0;
     const std::size_t body = message.size() - 16, data = body + 8;
     if (data > 1540 || packet.size() < 56 + data) return 0;
-    const unsigned control = u16(m + 12), rank = rank_of[u16(m + 2)];
+    const unsigned control = u16(m + 12), rank = LookUp{}(u16(m + 2));
     if ((control & 0xFFF) != body || rank == 0) return 0;
     std::uint32_t ext = 0;
     switch (control >> 12) {
@@ -117,14 +131,15 @@ inline std::size_t translate_back(std::span<const std::byte> packet, std::span<s
 
 namespace self_contained {
 
-inline std::size_t translate_forth(std::span<const std::byte> message, std::span<std::byte> packet) {
+template <class LookUp = detail::direct_look_up>
+std::size_t translate_forth(std::span<const std::byte> message, std::span<std::byte> packet) {
     using namespace detail;
     const std::byte* const m = message.data();
     std::byte* const p = packet.data();
     if (message.size() < 16) return 0;
     const std::size_t body = message.size() - 16, data = body + 12;
     if (data > 1540 || packet.size() < 56 + data) return 0;
-    const unsigned rank = rank_of[u16(m + 2)];
+    const unsigned rank = LookUp{}(u16(m + 2));
     if ((u16(m + 12) & 0xFFF) != body || rank == 0) return 0;
     put32(p + 0, 0x20);
     put32(p + 4, 0);

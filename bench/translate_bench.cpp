@@ -30,6 +30,9 @@ template <class Table> struct ours {
     }
 };
 struct seed : ours<translation::seed_table> {
+    [[gnu::noinline, gnu::flatten]] static std::size_t forth_by_small_look_up(in_bytes message, out_bytes packet) {
+        return hand_written::translate_forth<hand_written::detail::small_look_up>(message, packet);
+    }
     [[gnu::noinline, gnu::flatten]] static std::size_t forth_by_hand(in_bytes message, out_bytes packet) {
         return hand_written::translate_forth(message, packet);
     }
@@ -38,6 +41,9 @@ struct seed : ours<translation::seed_table> {
     }
 };
 struct self_contained : ours<translation::self_contained_table> {
+    [[gnu::noinline, gnu::flatten]] static std::size_t forth_by_small_look_up(in_bytes message, out_bytes packet) {
+        return hand_written::self_contained::translate_forth<hand_written::detail::small_look_up>(message, packet);
+    }
     [[gnu::noinline, gnu::flatten]] static std::size_t forth_by_hand(in_bytes message, out_bytes packet) {
         return hand_written::self_contained::translate_forth(message, packet);
     }
@@ -84,6 +90,8 @@ template <class Table> bool add(const std::string& name, message_set& set, std::
     const auto into_message = [](auto way) { return [way](const bytes& p) { return way(p, message); }; };
     const std::span messages{set.messages}, packets{set.packets};
     bench::pair(name + ", to packet", messages, into_packet(Table::forth), messages, into_packet(Table::forth_by_hand));
+    bench::pair(name + ", to packet (500-byte look-up)", messages, into_packet(Table::forth), messages,
+                into_packet(Table::forth_by_small_look_up));
     bench::pair(name + ", to message", packets, into_message(Table::back), packets, into_message(Table::back_by_hand));
     bench::pair(name + ", to packet (memcpy)", messages, into_packet(Table::forth), messages, into_packet(copy));
     bench::pair(name + ", to message (memcpy)", packets, into_message(Table::back), packets, into_message(copy));
