@@ -1,5 +1,7 @@
 // Nodes of one process that talk over the loopback interface: what the sans-I/O parts do, done by sockets and a timer.
 #include "net/node_program.hpp"
+#include <jauscat/jaus/routing/routed.hpp>
+#include <jauscat/net/node/detail/presence_changes.hpp>
 
 #include <boost/asio/post.hpp>
 
