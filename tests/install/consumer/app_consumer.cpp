@@ -1,5 +1,6 @@
 // A node on the API for applications, in two sources.
 #include <jauscat/app.hpp>
+#include <jauscat/net.hpp>
 
 #include <exception>
 

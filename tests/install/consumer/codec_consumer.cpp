@@ -1,5 +1,10 @@
 // The example of the README, as a program of its own.
-#include <jauscat/jauscat.hpp>
+#include <jauscat/wire/wire.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
 
 struct gripper {
     double force{};

@@ -1,5 +1,5 @@
 // jauscat::net links and opens a socket.
-#include <jauscat/net.hpp>
+#include <jauscat/net/link/udp_transport.hpp>
 
 int main() {
     boost::asio::io_context context;
