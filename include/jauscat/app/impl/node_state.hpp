@@ -6,10 +6,8 @@
 #include <jauscat/net/node/jaus_node.hpp>
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace jauscat {
@@ -49,9 +47,7 @@ class node_state {
     boost::asio::io_context* context_;
     std::vector<std::shared_ptr<component_state>> components_{};
     std::vector<node_part> parts_{};
-    std::size_t added_{}; ///< components that net_ has
     net::jaus_node net_;
-    std::optional<boost::asio::signal_set> signals_{};
 };
 
 } // namespace app

@@ -7,6 +7,8 @@
 #include <jauscat/net/detail/endpoint_text.hpp>
 #include <jauscat/net/node/detail/configured_identity.hpp>
 
+#include <boost/asio/signal_set.hpp>
+
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
