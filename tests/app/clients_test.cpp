@@ -193,6 +193,24 @@ TEST_CASE("an event that comes once leaves its place to the next") {
     });
 }
 
+TEST_CASE("a subscription of before a restart of the node leaves later ones alone") {
+    driver_and_operator test;
+    test.run([&]() -> boost::asio::awaitable<void> {
+        auto before = co_await test.unit.async_connect<jaus::report_wrench_effort>(test.arm, {.rate = 50});
+        test.mine.stop();
+        test.mine.start();
+        test.unit.ready();
+        error_code why;
+        do {
+            co_await before.async_next(boost::asio::redirect_error(boost::asio::use_awaitable, why));
+        } while (!why);
+        CHECK(why == boost::asio::error::operation_aborted);
+        auto after = co_await test.unit.async_connect<jaus::report_wrench_effort>(test.arm, {.rate = 50});
+        before.end();
+        for (int i = 0; i != 10; ++i) static_cast<void>(co_await after.async_next());
+    });
+}
+
 TEST_CASE("a report is subscribed to once, and again when that has ended") {
     driver_and_operator test;
     test.run([&]() -> boost::asio::awaitable<void> {

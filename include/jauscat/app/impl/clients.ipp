@@ -202,7 +202,8 @@ JAUSCAT_DECL void clients::end_all(error_code why, time_point now, jaus::message
     for (auto& one : std::exchange(sent_, {})) one.done->complete(why);
     for (auto& one : std::exchange(questions_, {})) one.done->complete(why, {});
     for (const auto& one : std::exchange(subscriptions_, {})) {
-        if (one->place) one->is_event ? events_.cancel(*one->place, now, out) : connections_.end(*one->place, now, out);
+        if (const auto place = std::exchange(one->place, std::nullopt)) // the next start has other places
+            one->is_event ? events_.cancel(*place, now, out) : connections_.end(*place, now, out);
         if (one->asked) one->asked->complete(why, nullptr);
         if (one->next) one->next->complete(why, {});
     }
@@ -325,9 +326,6 @@ JAUSCAT_DECL void clients::end(subscription_state& ended) {
 JAUSCAT_DECL void clients::held::changed(jaus::control_state now) {
     state->state = now;
     over_at = net::now();
-    const auto is_over = [&] {
-        for (const auto& one : std::exchange(state->when_lost, {})) one->complete(node_errc::control_lost);
-    };
     switch (now) {
     case jaus::control_state::held:
         if (state->asked) std::exchange(state->asked, nullptr)->complete({}, state);
@@ -336,12 +334,9 @@ JAUSCAT_DECL void clients::held::changed(jaus::control_state now) {
         if (state->asked) std::exchange(state->asked, nullptr)->complete(node_errc::control_refused, nullptr);
         break;
     case jaus::control_state::unanswered:
-        if (state->asked) std::exchange(state->asked, nullptr)->complete(node_errc::no_answer, nullptr);
-        is_over();
-        break;
     case jaus::control_state::lost:
         if (state->asked) std::exchange(state->asked, nullptr)->complete(node_errc::no_answer, nullptr);
-        is_over();
+        for (const auto& one : std::exchange(state->when_lost, {})) one->complete(node_errc::control_lost);
         break;
     case jaus::control_state::none:
     case jaus::control_state::asking: break;
