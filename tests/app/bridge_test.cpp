@@ -413,6 +413,49 @@ TEST_CASE("a slave that is not there, or another one, is not served") {
     CHECK_FALSE(b.bridge->is_up());
 }
 
+TEST_CASE("a bus works in a thread of its own") {
+    const auto period = GENERATE(0ms, 5ms);
+    bench b{2, {.frame_timeout = 5ms, .thread = true}};
+    b.serve({.position = 0}, {.period = period});
+    b.start();
+    REQUIRE(b.drive(40));
+    b.run(200ms);
+    std::this_thread::sleep_for(300ms); // the program is busy
+    CHECK(b.lost.empty());
+    std::optional<std::pair<error_code, std::uint32_t>> read;
+    std::optional<std::thread::id> where;
+    b.bus->slave({.position = 0}).async_read<std::uint32_t>(0x1018, 3, [&](error_code why, std::uint32_t value) {
+        read.emplace(why, value);
+        where = std::this_thread::get_id();
+    });
+    REQUIRE(b.until([&] { return read.has_value(); }));
+    CHECK_FALSE(read->first);
+    CHECK(read->second == 1);
+    CHECK(where == std::this_thread::get_id());
+    b.ring.is_silent = true;
+    REQUIRE(b.until([&] { return b.state == status::failure; }));
+    b.ring.is_silent = false;
+    REQUIRE(b.until([&] { return b.state == status::ready; }));
+    REQUIRE(b.drive(30));
+    SECTION("the node stops") { b.robot->stop(); }
+    SECTION("the bridge ends") { b.bridge.reset(); }
+    SECTION("the bus ends") { b.bus.reset(); }
+    CHECK(b.ring.effort() == 0);
+    b.run(20ms);
+}
+
+TEST_CASE("a stop order that the slave refuses is repeated, and logged") {
+    bench b;
+    b.ring.with(0, [](auto& each) {
+        each.behind.abort_code_of = jaus::command_code_of<jaus::set_wrench_effort>;
+        each.behind.aborts = 3;
+    });
+    b.serve();
+    b.start();
+    REQUIRE(b.until([&] { return b.state == status::ready; }));
+    CHECK(b.has_line("slave 0 has refused the stop order of 2.2.33.1"));
+}
+
 TEST_CASE("in cycles an effort goes by process data") {
     bench b;
     b.serve({.position = 0}, {.period = 10ms});

@@ -495,6 +495,25 @@ TEST_CASE("a bus may end in its own callbacks, and with its io_context before it
     }
 }
 
+TEST_CASE("a bus in a thread of its own") {
+    bench b{three(), {.check_interval = 10ms, .frame_timeout = 5ms, .frame_retries = 3, .thread = true, .priority = 1}};
+    REQUIRE_FALSE(b.start());
+    const auto drive = b.bus->slave(first);
+    CHECK_FALSE(b.write(drive, 0x2000, 0, std::uint32_t{7}));
+    CHECK(std::get<1>(b.read<std::uint32_t>(drive, 0x2000, 0)) == 7);
+    b.ring.is_silent = true;
+    REQUIRE(support::until(b.context, [&] { return b.lost.size() == 3; }));
+    b.ring.is_silent = false;
+    REQUIRE(support::until(b.context, [&] { return b.found.size() == 3; }));
+    std::vector<error_code> errors;
+    for (int i = 0; i != 5; ++i)
+        drive.async_read<std::uint32_t>(0x2000, 0, [&](error_code why, std::uint32_t) { errors.push_back(why); });
+    SECTION("ends with operations pending") { b.bus.reset(); }
+    SECTION("stops with operations pending") { b.bus->stop(); }
+    SECTION("cancels") { b.bus->cancel(); }
+    REQUIRE(support::until(b.context, [&] { return errors.size() == 5; }));
+}
+
 TEST_CASE("a link that cannot be opened says why") {
     asio::io_context context;
     const auto opening = [&](const char* where) { const bus never{context, where}; };

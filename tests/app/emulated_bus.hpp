@@ -95,7 +95,8 @@ class emulated_bus {
         }
     }
     void pass(std::span<std::byte> frame) {
-        for (std::size_t i = 0; i != std::min<std::size_t>(reach_, slaves_.size()); ++i) {
+        const std::size_t reached = reach_;
+        for (std::size_t i = 0; i != reached; ++i) {
             auto& each = slaves_[i];
             each.device.pass(frame);
             if (each.works) each.device.work();

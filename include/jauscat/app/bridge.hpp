@@ -79,8 +79,8 @@ class bridge {
     [[nodiscard]] JAUSCAT_DECL bool is_up() const;
 
     /// For a log of each step, before the node is started: the functions of `by` (<jauscat/bridge/observer.hpp>) take
-    /// the place of the lines about slaves and components in the node's log. They are called while the bridge works and
-    /// must not use it; they must outlive it.
+    /// the place of the lines about slaves and components in the node's log. They are called while the bridge works, in
+    /// the thread of the bus if it has one, and must not use the bridge; they must outlive it.
     JAUSCAT_DECL void observe(const bridging::observer& by);
 
   private:

@@ -35,6 +35,9 @@ inline namespace JAUSCAT_WAY {
 /// callback is called, operations go on to try it. When it answers again, it is used again; if it was reset, it is
 /// brought to PRE-OP first, provided that it is the same slave.
 ///
+/// With the option `thread` the bus has a thread of its own, with a real-time priority if wanted; all that the
+/// application gets is still called by the io_context, or by the executor of a handler.
+///
 /// Use it, its slaves and its bridges on the thread that runs the io_context. While it works, run() of the io_context
 /// does not return.
 class bus {

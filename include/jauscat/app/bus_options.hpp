@@ -44,6 +44,10 @@ struct bus_options {
     bool frames_may_be_copied{};
     /// Before an object is written, 0 is written to subindex 0: for slaves that abort with 06010003h otherwise.
     bool clear_subindex_0{};
+    /// The bus works in a thread of its own, so that handlers of the program do not delay it. They still run where the
+    /// io_context does.
+    bool thread{};
+    int priority{};     ///< of that thread: SCHED_FIFO, 1 to 99, which takes CAP_SYS_NICE or an rtprio limit; 0: none
     std::string name{}; ///< in front of lines of the log; empty: the name of the link
     /// Gets a line when a slave is lost, returns or reports an emergency, and for each problem of the link. By default
     /// they are written to standard error.

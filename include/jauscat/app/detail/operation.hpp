@@ -18,6 +18,7 @@
 #    include <boost/asio/associated_cancellation_slot.hpp>
 #endif
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <tuple>
@@ -44,9 +45,9 @@ template <class... Results> class operation {
     operation(const operation&) = delete;
     operation& operator=(const operation&) = delete;
 
-    /// On the thread of the io_context. The handler is called later.
+    /// On any thread. The handler is called later.
     void complete(error_code error, Results... results) {
-        if (!std::exchange(is_done_, true)) deliver(error, std::move(results)...);
+        if (!is_done_.exchange(true)) deliver(error, std::move(results)...);
     }
     [[nodiscard]] bool is_done() const noexcept { return is_done_; }
     /// Aborts it, on the thread of the io_context.
@@ -60,7 +61,7 @@ template <class... Results> class operation {
 
   private:
     virtual void deliver(error_code error, Results... results) = 0;
-    bool is_done_{};
+    std::atomic<bool> is_done_{};
 };
 template <class... Results> using operation_ptr = std::shared_ptr<operation<Results...>>;
 

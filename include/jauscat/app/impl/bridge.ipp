@@ -23,17 +23,24 @@ JAUSCAT_DECL void bridge::serve(const served_component& component, const slave& 
     if (by.bus() != state_->bus()) throw std::invalid_argument{"bridge: a slave of another bus"};
     state_->serve(component, by.choice());
 }
-JAUSCAT_DECL void bridge::when_up(std::function<void(const slave_choice&)> f) { state_->on_up = std::move(f); }
+JAUSCAT_DECL void bridge::when_up(std::function<void(const slave_choice&)> f) {
+    const auto locked = state_->bus()->lock();
+    state_->on_up = std::move(f);
+}
 JAUSCAT_DECL void bridge::when_lost(std::function<void(const slave_choice&, boost::system::error_code)> f) {
+    const auto locked = state_->bus()->lock();
     state_->on_lost = std::move(f);
 }
 JAUSCAT_DECL void bridge::when_changed(std::function<void(const jaus::address&, jaus::primary_status_code)> f) {
+    const auto locked = state_->bus()->lock();
     state_->on_changed = std::move(f);
 }
 JAUSCAT_DECL void bridge::when_at_rest(std::function<void(const jaus::address&)> f) {
+    const auto locked = state_->bus()->lock();
     state_->on_at_rest = std::move(f);
 }
 JAUSCAT_DECL void bridge::when_emergency(std::function<void(const slave_choice&, const ethercat::coe_emergency&)> f) {
+    const auto locked = state_->bus()->lock();
     state_->on_emergency = std::move(f);
 }
 JAUSCAT_DECL void bridge::observe(const bridging::observer& by) { state_->watcher = by; }

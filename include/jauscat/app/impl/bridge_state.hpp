@@ -27,20 +27,25 @@ using exchange_maker = std::unique_ptr<bridging::any_exchange> (*)(const bridgin
 /// A component for the node, which refers to it as long as it lives; the unit exists while the bridge works.
 class bridged_component {
   public:
-    bridged_component(const jaus::address& self, std::uint8_t authority) : self_{self}, authority_{authority} {}
+    bridged_component(const jaus::address& self, std::uint8_t authority, const bus_state& bus)
+        : self_{self}, authority_{authority}, bus_{bus} {}
 
     [[nodiscard]] const jaus::address& self() const noexcept { return self_; }
     jaus::component_outcome on_message(const jaus::header& head, bytes body, time_point now, jaus::message_sink out,
                                        auto&& application) {
+        const auto locked = bus_.lock();
         return unit ? unit->on_message(head, body, now, out, application) : jaus::component_outcome::unknown;
     }
     void on_time(time_point now, jaus::message_sink out) {
+        const auto locked = bus_.lock();
         if (unit) unit->on_time(now, out);
     }
     [[nodiscard]] std::optional<time_point> next_event() const {
+        const auto locked = bus_.lock();
         return unit ? unit->next_event() : std::optional<time_point>{};
     }
     void on_lost(const jaus::address& who) {
+        const auto locked = bus_.lock();
         if (unit) unit->on_lost(who);
     }
     [[nodiscard]] std::uint8_t authority() const noexcept { return authority_; }
@@ -50,6 +55,7 @@ class bridged_component {
   private:
     jaus::address self_;
     std::uint8_t authority_;
+    const bus_state& bus_;
 };
 
 /// Exchanges packets with a slave whose station address is not the number of the node of its components.

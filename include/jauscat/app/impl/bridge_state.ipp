@@ -81,11 +81,13 @@ JAUSCAT_DECL node_part bridge_state::as_part() {
             .has = bound<&bridge_state::has>(*this)};
 }
 JAUSCAT_DECL void bridge_state::start() {
+    const auto locked = bus_->lock();
     if (is_closed_) return;
     ended_at_rest_.reset();
     for (auto& each : slaves_) each.start();
 }
 JAUSCAT_DECL void bridge_state::stop() noexcept {
+    auto locked = bus_->lock();
     try {
         std::vector<bus_user*> served;
         std::vector<served_slave*> moving;
@@ -96,14 +98,16 @@ JAUSCAT_DECL void bridge_state::stop() noexcept {
         bus_->bring_to_rest(served);
         note_rest(true);
         for (auto* const each : moving) note_rest(each->check_rest());
-        flush();
     } catch (...) { // of the log
     }
     for (auto& each : slaves_) each.stop();
+    locked.unlock();
+    flush();
 }
 JAUSCAT_DECL void bridge_state::close() noexcept {
     if (is_closed_) return;
     stop();
+    const auto locked = bus_->lock();
     is_closed_ = true;
     for (const auto& each : slaves_) bus_->release_station(each.station());
     bus_->release_timing();
@@ -117,10 +121,12 @@ JAUSCAT_DECL bool bridge_state::has(const jaus::address& component) const {
     return std::ranges::any_of(slaves_, [&](const auto& each) { return each.has(component); });
 }
 JAUSCAT_DECL bool bridge_state::at_rest() const noexcept {
+    const auto locked = bus_->lock();
     if (ended_at_rest_) return *ended_at_rest_;
     return std::ranges::all_of(slaves_, [](const auto& each) { return each.at_rest(); });
 }
 JAUSCAT_DECL bool bridge_state::is_up() const noexcept {
+    const auto locked = bus_->lock();
     return std::ranges::all_of(slaves_, [](const auto& each) { return each.is_up(); });
 }
 
@@ -132,7 +138,10 @@ JAUSCAT_DECL void bridge_state::send(bytes message) {
         });
 }
 JAUSCAT_DECL void bridge_state::flush() {
-    for (const auto& message : std::exchange(outbox_, {}))
+    auto locked = bus_->lock();
+    const auto messages = std::exchange(outbox_, {});
+    locked.unlock();
+    for (const auto& message : messages)
         if (node_.net().running()) node_.net().out()(message);
 }
 template <class F, class... Arguments>
@@ -140,8 +149,12 @@ void bridge_state::call_later(F bridge_state::* function, Arguments... arguments
     if (!(this->*function)) return;
     boost::asio::post(node_.context(), [weak = weak_from_this(), function, arguments...] {
         const auto self = weak.lock();
-        if (!self || self->is_closed_) return;
-        if (const auto call = (*self).*function) call(arguments...); // it may end the bridge
+        if (!self) return;
+        auto locked = self->bus_->lock();
+        if (self->is_closed_) return;
+        const auto call = (*self).*function; // it may end the bridge
+        locked.unlock();
+        if (call) call(arguments...);
     });
 }
 
@@ -173,7 +186,7 @@ JAUSCAT_DECL void served_slave::add(const jaus::address& self, std::uint8_t auth
     if (components_.size() == bridging::component_capacity)
         throw std::invalid_argument{"bridge: more than " + std::to_string(bridging::component_capacity) +
                                     " components in front of one slave"};
-    bridge_.node().net().add(components_.emplace_back(self, authority), application_);
+    bridge_.node().net().add(components_.emplace_back(self, authority, *bridge_.bus()), application_);
 }
 JAUSCAT_DECL bool served_slave::has(const jaus::address& component) const {
     return std::ranges::any_of(components_, [&](const auto& each) { return each.self() == component; });
@@ -183,7 +196,12 @@ JAUSCAT_DECL bool served_slave::at_rest() const noexcept {
                                 [](const auto& each) { return each.unit && each.unit->stops().stop_is_pending(); });
 }
 JAUSCAT_DECL std::uint8_t served_slave::node() const noexcept { return bridge_.node().net().manager().node; }
-JAUSCAT_DECL void served_slave::log(std::string_view line) { bridge_.node().log(line); }
+JAUSCAT_DECL void served_slave::log(std::string_view line) {
+    if (!bridge_.bus()->is_own_thread()) return bridge_.node().log(line);
+    boost::asio::post(bridge_.node().context(), [weak = bridge_.weak_from_this(), text = std::string{line}] {
+        if (const auto alive = weak.lock()) alive->node().log(text);
+    });
+}
 JAUSCAT_DECL void served_slave::log_event(std::string_view line) {
     if (!bridge_.watcher) log(line);
 }
@@ -259,7 +277,10 @@ struct served_slave::search final : operation<> {
         const auto still = bridge.lock();
         if (!still) return;
         boost::asio::post(still->node().context(), [&of = slave, weak = bridge] {
-            if (const auto alive = weak.lock(); alive && of.works_ && !of.is_served_) of.retry();
+            const auto alive = weak.lock();
+            if (!alive) return;
+            const auto locked = alive->bus()->lock();
+            if (of.works_ && !of.is_served_) of.retry();
         });
     }
     served_slave& slave; ///< lives as long as its bridge
@@ -289,7 +310,10 @@ JAUSCAT_DECL void served_slave::retry() {
     timer_.emplace(bridge_.node().context(), std::chrono::seconds{1});
     timer_->async_wait([this, weak = bridge_.weak_from_this()](error_code cancelled) {
         if (cancelled) return;
-        if (const auto alive = weak.lock(); alive && works_ && !is_served_) find();
+        const auto alive = weak.lock();
+        if (!alive) return;
+        const auto locked = alive->bus()->lock();
+        if (works_ && !is_served_) find();
     });
 }
 JAUSCAT_DECL void served_slave::found(std::uint16_t position, const ethercat::identity_check& expected) {

@@ -24,13 +24,19 @@ JAUSCAT_DECL std::vector<slave_info> bus::slaves() const { return state_->infos(
 JAUSCAT_DECL void bus::cancel() { state_->cancel(); }
 JAUSCAT_DECL void bus::stop() { state_->stop(); }
 JAUSCAT_DECL void bus::when_lost(std::function<void(const slave_info&, boost::system::error_code)> f) {
+    const auto locked = state_->lock();
     state_->on_lost = std::move(f);
 }
-JAUSCAT_DECL void bus::when_found(std::function<void(const slave_info&)> f) { state_->on_found = std::move(f); }
+JAUSCAT_DECL void bus::when_found(std::function<void(const slave_info&)> f) {
+    const auto locked = state_->lock();
+    state_->on_found = std::move(f);
+}
 JAUSCAT_DECL void bus::when_changed(std::function<void(const slave_info&, const ethercat::al_status&)> f) {
+    const auto locked = state_->lock();
     state_->on_changed = std::move(f);
 }
 JAUSCAT_DECL void bus::when_emergency(std::function<void(const slave_info&, const ethercat::coe_emergency&)> f) {
+    const auto locked = state_->lock();
     state_->on_emergency = std::move(f);
 }
 JAUSCAT_DECL boost::asio::io_context& bus::context() const noexcept { return state_->context(); }

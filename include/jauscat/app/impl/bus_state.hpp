@@ -3,6 +3,7 @@
 #include <jauscat/app/bus_error.hpp>
 #include <jauscat/app/bus_options.hpp>
 #include <jauscat/app/impl/numbered.hpp>
+#include <jauscat/app/impl/ring_thread.hpp>
 #include <jauscat/app/object_value.hpp>
 #include <jauscat/app/slave.hpp>
 #include <jauscat/bridge/ring.hpp>
@@ -73,7 +74,8 @@ struct bus_slave {
     time_point next_look{};
 };
 
-/// One link. What it calls of the application runs later, from the io_context.
+/// One link. What it calls of the application runs later, from the io_context. All functions may be called on the
+/// threads of the io_context and of the bus; what they refer to is used under the lock.
 class bus_state : public std::enable_shared_from_this<bus_state> {
   public:
     static constexpr std::size_t max_object_size = 65536;
@@ -84,7 +86,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     void start(operation_ptr<> done);
     void read(const slave_choice& which, std::uint16_t index, std::uint8_t subindex, std::optional<std::size_t> size,
               operation_ptr<object_bytes> done);
-    void write(const slave_choice& which, std::uint16_t index, std::uint8_t subindex, object_bytes bytes,
+    void write(const slave_choice& which, std::uint16_t index, std::uint8_t subindex, object_bytes value,
                operation_ptr<> done);
     void list_objects(const slave_choice& which, ethercat::object_list_type list,
                       operation_ptr<std::vector<std::uint16_t>> done);
@@ -118,6 +120,9 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     [[nodiscard]] bus_user* user_at(std::uint16_t position) noexcept;
 
     [[nodiscard]] boost::asio::io_context& context() noexcept { return context_; }
+    [[nodiscard]] auto lock() const { return std::unique_lock{mutex_}; }
+    /// This is the thread of the bus.
+    [[nodiscard]] bool is_own_thread() const noexcept { return thread_ && thread_->is_this(); }
     [[nodiscard]] std::vector<slave_info> infos() const;
     /// Nullptr and the error where none, or several, are as required.
     [[nodiscard]] bus_slave* find(const slave_choice& which, error_code& error);
@@ -163,7 +168,10 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     bool begin_job(ethercat::master& master);
     void end_job(ethercat::master& master);
     std::unique_ptr<bus_job> next_job(time_point now);
-    void look_at_time();
+    /// Ends what is late; returns when to look again.
+    time_point look_at_time();
+    void wake();
+    void write_line(const std::string& line) const;
     void look_at_link();
     void tell_fault(link_fault what, std::string_view line) const;
     void abort_all(error_code why);
@@ -171,6 +179,7 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     template <class F, class... Arguments> void call_later(F bus_state::* function, Arguments... arguments);
 
     boost::asio::io_context& context_;
+    mutable inheriting_mutex mutex_{};
     std::string where_;
     bus_options options_;
     std::unique_ptr<net::any_link> link_;
@@ -182,6 +191,8 @@ class bus_state : public std::enable_shared_from_this<bus_state> {
     unsigned timed_{};                      ///< bridges
     std::optional<net::detail::wake_timer> timer_{};
     std::optional<net::ring_runner<net::any_link>> runner_{};
+    std::unique_ptr<ring_thread> thread_{}; ///< in place of timer and runner
+    std::optional<boost::asio::executor_work_guard<boost::asio::io_context::executor_type>> work_{}; ///< while it works
     std::vector<std::byte> memory_;
     std::deque<std::unique_ptr<bus_job>> queue_{};
     std::unique_ptr<bus_job> current_{};

@@ -439,12 +439,18 @@ JAUSCAT_DECL bus_state::bus_state(boost::asio::io_context& context, std::string_
 JAUSCAT_DECL bus_state::~bus_state() { close(); }
 
 JAUSCAT_DECL void bus_state::log(std::string_view line) const {
-    const auto whole = where_ + ": " + std::string{line};
+    auto whole = where_ + ": " + std::string{line};
+    if (!is_own_thread()) return write_line(whole);
+    boost::asio::post(context_, [weak = weak_from_this(), text = std::move(whole)] {
+        if (const auto self = weak.lock()) self->write_line(text);
+    });
+}
+JAUSCAT_DECL void bus_state::write_line(const std::string& line) const {
     try {
         if (options_.log)
-            options_.log(whole);
+            options_.log(line);
         else
-            std::cerr << whole + "\n";
+            std::cerr << line + "\n";
     } catch (...) { // of the application's log: frames are under way
     }
 }
@@ -453,35 +459,63 @@ template <class F, class... Arguments> void bus_state::call_later(F bus_state::*
     if (!(this->*function)) return;
     boost::asio::post(context_, [weak = weak_from_this(), function, arguments...] {
         const auto self = weak.lock();
-        if (!self || self->is_closed_) return;
-        if (const auto call = (*self).*function) call(arguments...); // it may end the bus
+        if (!self) return;
+        auto lock = self->lock();
+        if (self->is_closed_) return;
+        const auto call = (*self).*function; // it may end the bus
+        lock.unlock();
+        if (call) call(arguments...);
     });
 }
 
 // ---- The queue.
 
 JAUSCAT_DECL void bus_state::open() {
-    if (runner_) return;
+    if (ring_) return;
     ring_ = std::make_unique<bridging::ring>(timing_);
     ring_->share({.begin = jaus::bound<&bus_state::begin_job>(*this), .done = jaus::bound<&bus_state::end_job>(*this)});
+    if (options_.thread) {
+        try {
+            thread_ = std::make_unique<ring_thread>(*link_, *ring_, output_, mutex_, [this] {
+                look_at_link();
+                return look_at_time();
+            });
+        } catch (...) {
+            ring_.reset(); // opened anew by the next operation
+            throw;
+        }
+        work_.emplace(context_.get_executor());
+        if (options_.priority == 0) return;
+        if (const auto problem = thread_->set_priority(options_.priority); !problem.empty())
+            log("the bus works without the priority " + std::to_string(options_.priority) + ": " + problem);
+        return;
+    }
     runner_.emplace(context_, *link_, *ring_, output_);
-    runner_->after_turn = [this] {
-        look_at_link();
-        look_at_time();
+    const auto look = [this] {
+        if (const auto next = look_at_time(); next != time_point::max()) timer_->arm(next);
     };
-    timer_.emplace(context_, [this] {
-        look_at_time();
-        runner_->wake()();
+    runner_->after_turn = [this, look] {
+        look_at_link();
+        look();
+    };
+    timer_.emplace(context_, [this, look] {
+        look();
+        wake();
     });
     runner_->start();
 }
+JAUSCAT_DECL void bus_state::wake() {
+    if (thread_) thread_->wake()();
+    if (runner_) runner_->wake()();
+}
 
 JAUSCAT_DECL void bus_state::add(std::unique_ptr<bus_job> job, duration limit) {
+    const auto locked = lock();
     if (is_closed_) return job->fail(boost::asio::error::operation_aborted);
     open();
     job->limit = limit;
     queue_.push_back(std::move(job));
-    runner_->wake()();
+    wake();
 }
 
 JAUSCAT_DECL bool bus_state::begin_job(ethercat::master& master) {
@@ -518,22 +552,21 @@ JAUSCAT_DECL std::unique_ptr<bus_job> bus_state::next_job(time_point now) {
     return next;
 }
 
-JAUSCAT_DECL void bus_state::look_at_time() {
-    if (!runner_) return;
+JAUSCAT_DECL time_point bus_state::look_at_time() {
     const auto now = net::now();
     auto next = time_point::max();
     std::erase_if(queue_, [](const auto& each) { return each->is_over(); });
     if (current_ && current_->due <= now) current_->fail(bus_errc::timed_out);
     if (current_ && current_->is_over()) {
         if (!ring_->cancel_shared()) current_.reset();
-        runner_->wake()(); // it ends, or the next one begins
+        wake(); // it ends, or the next one begins
     }
     if (current_) next = current_->due;
     if (options_.check_interval > duration{} && is_started_ && !current_)
         for (const auto& each : slaves_)
             if (!each.info.is_served)
                 next = std::min(next, std::max(each.next_look, now + std::chrono::milliseconds{1}));
-    if (next != time_point::max()) timer_->arm(next);
+    return next;
 }
 
 JAUSCAT_DECL void bus_state::look_at_link() {
@@ -561,23 +594,33 @@ JAUSCAT_DECL void bus_state::abort_all(error_code why) {
     if (current_) current_->fail(why);
 }
 JAUSCAT_DECL void bus_state::cancel() {
+    const auto locked = lock();
     abort_all(boost::asio::error::operation_aborted);
-    look_at_time();
+    if (ring_) static_cast<void>(look_at_time());
 }
 JAUSCAT_DECL void bus_state::stop() noexcept {
-    abort_all(boost::asio::error::operation_aborted);
-    if (ring_) bring_to_rest(users_);
-    for (auto* const user : std::exchange(users_, {})) user->bus_ends();
-    current_.reset();
-    if (runner_) runner_->stop();
+    {
+        const auto locked = lock();
+        abort_all(boost::asio::error::operation_aborted);
+        if (ring_) bring_to_rest(users_);
+        for (auto* const user : std::exchange(users_, {})) user->bus_ends();
+        current_.reset();
+        is_started_ = false;
+        if (runner_) runner_->stop();
+    }
+    if (thread_) thread_->stop(); // without the lock, which it waits for
+    thread_.reset();
+    work_.reset();
     runner_.reset();
     timer_.reset();
     ring_.reset();
     slaves_.clear();
-    is_started_ = false;
 }
 JAUSCAT_DECL void bus_state::close() noexcept {
-    if (std::exchange(is_closed_, true)) return;
+    {
+        const auto locked = lock();
+        if (std::exchange(is_closed_, true)) return;
+    }
     stop();
     link_.reset();
     on_lost = nullptr;
@@ -589,6 +632,7 @@ JAUSCAT_DECL void bus_state::close() noexcept {
 // ---- The slaves.
 
 JAUSCAT_DECL std::vector<slave_info> bus_state::infos() const {
+    const auto locked = lock();
     std::vector<slave_info> all;
     for (const auto& each : slaves_) all.push_back(each.info);
     return all;
@@ -673,6 +717,7 @@ JAUSCAT_DECL void bus_state::note_emergencies(bus_slave& slave, ethercat::master
 // ---- Bridges.
 
 JAUSCAT_DECL bool bus_state::set_timing(bridging::bridge_options timing) {
+    const auto locked = lock();
     const auto common = timing_of(options_);
     timing.master.frame_timeout = common.master.frame_timeout;
     timing.master.frames_may_be_copied = common.master.frames_may_be_copied;
@@ -694,6 +739,7 @@ JAUSCAT_DECL std::uint16_t bus_state::reserve_station(std::uint16_t node) {
     return station;
 }
 JAUSCAT_DECL std::string bus_state::join(bus_user& user) {
+    const auto locked = lock();
     if (is_closed_) return "the bus has ended";
     auto& front = user.front();
     const auto position = front.options().position;
@@ -710,11 +756,12 @@ JAUSCAT_DECL std::string bus_state::join(bus_user& user) {
     }
     slave->info.station = front.station();
     slave->info.is_served = slave->info.is_lost = true;
-    front.on_work(runner_->wake());
-    runner_->wake()();
+    front.on_work(thread_ ? thread_->wake() : runner_->wake());
+    wake();
     return {};
 }
 JAUSCAT_DECL void bus_state::leave(const bus_user& user) noexcept {
+    const auto locked = lock();
     const auto found = std::ranges::find(users_, &user);
     if (found == users_.end()) return;
     auto& front = (*found)->front();
@@ -735,6 +782,7 @@ JAUSCAT_DECL void bus_state::send(std::span<const std::byte> message) {
 }
 
 JAUSCAT_DECL void bus_state::bring_to_rest(std::span<bus_user* const> users) {
+    const auto locked = lock();
     constexpr duration longest = std::chrono::milliseconds{700}; // Ctrl-C ends a program within a second
     for (auto* const user : users)
         for (auto* const unit : user->front().components()) unit->shut_down(net::now(), output_);
@@ -795,10 +843,10 @@ JAUSCAT_DECL void bus_state::read(const slave_choice& which, std::uint16_t index
         [](auto value, auto& to) { to.complete({}, {value.begin(), value.end()}); });
 }
 JAUSCAT_DECL void bus_state::write(const slave_choice& which, std::uint16_t index, std::uint8_t subindex,
-                                   object_bytes octets, operation_ptr<> done) {
+                                   object_bytes value, operation_ptr<> done) {
     ask(
         which, std::move(done),
-        [=, this, data = std::move(octets)](const bus_slave& slave) {
+        [=, this, data = std::move(value)](const bus_slave& slave) {
             return ethercat::download{slave.info.station, index, subindex, data, download_options()};
         },
         [](auto& to) { to.complete({}); });
@@ -830,7 +878,7 @@ JAUSCAT_DECL void bus_state::describe_entry(const slave_choice& which, std::uint
             return ethercat::describe_entry{slave.info.station, index, subindex, all_values, memory_};
         },
         [](const auto& found, auto& to) {
-            const auto copy = [](auto read) { return object_bytes(read.begin(), read.end()); };
+            const auto copy = [](auto value) { return object_bytes(value.begin(), value.end()); };
             to.complete({}, {found.entry, std::string{found.name}, found.unit, copy(found.default_value),
                              copy(found.minimum), copy(found.maximum)});
         });

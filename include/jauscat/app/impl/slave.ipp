@@ -11,6 +11,7 @@ namespace jauscat {
 inline namespace JAUSCAT_WAY {
 
 JAUSCAT_DECL slave_info slave::info(boost::system::error_code& error) const {
+    const auto locked = bus_->lock();
     const auto* const found = bus_->find(which_, error);
     return found == nullptr ? slave_info{} : found->info;
 }
