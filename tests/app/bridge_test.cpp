@@ -17,6 +17,7 @@
 #include <chrono>
 #include <cstdio>
 #include <deque>
+#include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <optional>
@@ -94,7 +95,8 @@ class configuration {
             return "<system><name>" + std::string{name} + "</name><jausip>" + id + "</jausip><ip>127.0.0.1</ip><port>" +
                    std::to_string(ports[i]) + "</port></system>\n";
         };
-        path_ = std::tmpnam(nullptr);
+        const auto name = "jauscat_bridge_" + std::to_string(ports[0]) + ".xml"; // nobody else has this port
+        path_ = std::filesystem::temp_directory_path() / name;
         std::ofstream{path_} << "<jausconfig>\n<thissystem>ocu</thissystem>\n"
                              << system("ocu", "1.1.0.0", 0) << system("arm", "2.2.0.0", 1)
                              << system("leg", "2.3.0.0", 2) << "</jausconfig>\n";
