@@ -8,7 +8,7 @@
 #include <jauscat/ethercat/link.hpp>
 #include <jauscat/ethercat/slave/slave.hpp>
 #include <jauscat/ethercat/slave/standard_objects.hpp>
-#include <jauscat/net/link/udp_link.hpp>
+#include <jauscat/net/link/any_link.hpp>
 #include <jauscat/net/now.hpp>
 #include <jauscat/schema/ethercat/esc_registers.hpp>
 
@@ -18,11 +18,13 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace jauscat::test {
@@ -53,11 +55,12 @@ class emulated_bus {
   public:
     using bytes = std::vector<std::byte>;
 
-    explicit emulated_bus(const std::vector<ethercat::slave_description>& slaves, bool are_described = false) {
-        for (const auto& each : slaves) slaves_.emplace_back(each, are_described);
-        reach_ = slaves_.size();
-        thread_ = std::thread{[this] { serve(); }};
-    }
+    explicit emulated_bus(const std::vector<ethercat::slave_description>& slaves, bool are_described = false)
+        : emulated_bus{slaves, are_described, udp_end()} {}
+    /// At the end `interface` of a cable with the other end `where`.
+    emulated_bus(const std::vector<ethercat::slave_description>& slaves, const std::string& interface,
+                 std::string where)
+        : emulated_bus{slaves, false, slaves_end{net::open_link(interface), std::move(where)}} {}
     ~emulated_bus() {
         stop_ = true;
         thread_.join();
@@ -66,7 +69,7 @@ class emulated_bus {
     emulated_bus& operator=(const emulated_bus&) = delete;
 
     /// For a bus.
-    [[nodiscard]] std::string where() const { return "udp:127.0.0.1:" + std::to_string(port_); }
+    [[nodiscard]] const std::string& where() const { return where_; }
 
     /// No frame returns.
     std::atomic<bool> is_silent{};
@@ -82,10 +85,26 @@ class emulated_bus {
     }
 
   private:
+    /// A link, and where a bus finds it.
+    struct slaves_end {
+        std::unique_ptr<net::any_link> link;
+        std::string where;
+    };
+    static slaves_end udp_end() {
+        auto link = net::udp_link::serve(0, "127.0.0.1");
+        auto where = "udp:127.0.0.1:" + std::to_string(link.port());
+        return {std::make_unique<net::held_link<net::udp_link>>(std::move(link)), std::move(where)};
+    }
+    emulated_bus(const std::vector<ethercat::slave_description>& slaves, bool are_described, slaves_end end)
+        : link_{std::move(end.link)}, where_{std::move(end.where)} {
+        for (const auto& each : slaves) slaves_.emplace_back(each, are_described);
+        reach_ = slaves_.size();
+        thread_ = std::thread{[this] { serve(); }};
+    }
     void serve() {
         std::array<std::byte, ethercat::max_frame_size> buffer{};
         while (!stop_) {
-            const auto size = link_.receive(buffer, std::chrono::milliseconds{5});
+            const auto size = link_->receive(buffer, std::chrono::milliseconds{5});
             const std::lock_guard lock{mutex_};
             if (size != 0) {
                 ++frames_;
@@ -104,7 +123,7 @@ class emulated_bus {
         }
         if (is_garbage)
             for (auto& each : frame.subspan(16)) each ^= std::byte{0x5A};
-        if (!is_silent) static_cast<void>(link_.send(frame));
+        if (!is_silent) static_cast<void>(link_->send(frame));
     }
     // The emulated slave sends no emergencies by itself.
     static void put_mail(emulated_slave& of, std::span<std::byte> frame) {
@@ -130,8 +149,8 @@ class emulated_bus {
         }
     }
 
-    net::udp_link link_{net::udp_link::serve(0, "127.0.0.1")};
-    std::uint16_t port_{link_.port()};
+    std::unique_ptr<net::any_link> link_;
+    std::string where_;
     std::mutex mutex_{};
     std::deque<emulated_slave> slaves_{};
     std::atomic<std::size_t> reach_{};
