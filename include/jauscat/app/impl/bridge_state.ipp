@@ -262,10 +262,13 @@ JAUSCAT_DECL void served_slave::bus_ends() noexcept {
     }
     front_->set_up(false);
     if (!was_up) return;
-    const auto out = [this](bytes message) { send(message); };
-    for (auto& each : components_)
-        if (each.unit) each.unit->on_slave_lost(net::now(), out);
-    bridge_.call_later(&bridge_state::on_lost, which_, error_code{bus_errc::not_started});
+    try {
+        const auto out = [this](bytes message) { send(message); };
+        for (auto& each : components_)
+            if (each.unit) each.unit->on_slave_lost(net::now(), out);
+        bridge_.call_later(&bridge_state::on_lost, which_, error_code{bus_errc::not_started});
+    } catch (...) { // no memory to tell of it
+    }
 }
 
 // ---- The slave.

@@ -601,8 +601,14 @@ JAUSCAT_DECL void bus_state::cancel() {
 JAUSCAT_DECL void bus_state::stop() noexcept {
     {
         const auto locked = lock();
-        abort_all(boost::asio::error::operation_aborted);
-        if (ring_) bring_to_rest(users_);
+        try {
+            abort_all(boost::asio::error::operation_aborted);
+        } catch (...) { // no memory to tell of it
+        }
+        try {
+            if (ring_) bring_to_rest(users_);
+        } catch (...) { // each slave has its watchdog
+        }
         for (auto* const user : std::exchange(users_, {})) user->bus_ends();
         current_.reset();
         is_started_ = false;
