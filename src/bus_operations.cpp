@@ -1,0 +1,2 @@
+// The operations of an EtherCAT bus on objects.
+#include <jauscat/app/impl/bus_operations.ipp>

@@ -1,0 +1,2 @@
+// The queue of a bus, its slaves and its bridges.
+#include <jauscat/app/impl/bus_state.ipp>
