@@ -30,7 +30,7 @@ struct taker {
 };
 constexpr taker take{};
 
-template <class... Messages> auto dispatcher_of(jaus::message_list<Messages...>) {
+template <class... Messages> constexpr auto dispatcher_of(jaus::message_list<Messages...>) {
     return jaus::dispatcher{jaus::on<Messages>(take)...};
 }
 
@@ -59,7 +59,7 @@ jaus::header head_of(const bytes& message) {
 std::span<const std::byte> body_of(const bytes& message) { return std::span{message}.subspan(jaus::header_size); }
 
 [[gnu::noinline]] bool by_dispatcher(const bytes& message) {
-    static auto handlers = dispatcher_of(jaus::messages{});
+    static constinit auto handlers = dispatcher_of(jaus::messages{});
     return handlers(head_of(message), body_of(message), lists) == jaus::dispatched::handled;
 }
 [[gnu::noinline]] bool by_switch(const bytes& message) {

@@ -24,10 +24,10 @@ template <const auto& Codes> class code_index {
                 if (Codes[i] == code) return i;
             return npos;
         } else {
-            const std::size_t high = code >> 8;
+            const std::size_t all = code, high = all >> 8; // not narrower: each conversion is an instruction
             if (high >= rows.size()) return npos;
             const row& r = rows[high];
-            const unsigned at = (code & 0xFFu) - r.first;
+            const std::size_t at = (all & 0xFFu) - r.first;
             if (at > r.span) return npos;
             return std::size_t{places[r.start + at]} - 1u; // 0 becomes npos
         }

@@ -183,7 +183,7 @@ template <class... Handlers> class dispatcher {
     using codes = wire::code_index<table::codes>;
 
     constexpr dispatched dispatch(const header& head, std::span<const std::byte> body, wire::arena* memory) {
-        if (is_acknowledgement(head) && body.empty()) {
+        if (body.empty() && is_acknowledgement(head)) [[unlikely]] {
             detail::tell<detail::acknowledgement_handler>(handlers_, head);
             return dispatched::acknowledgement;
         }
