@@ -8,8 +8,6 @@
 #include <jauscat/app/impl/bridge_state.ipp>
 #include <jauscat/app/impl/bus.ipp>
 #include <jauscat/app/impl/bus_error.ipp>
-#include <jauscat/app/impl/bus_jobs.ipp>
-#include <jauscat/app/impl/bus_operations.ipp>
 #include <jauscat/app/impl/bus_state.ipp>
 #include <jauscat/app/impl/clients.ipp>
 #include <jauscat/app/impl/component.ipp>

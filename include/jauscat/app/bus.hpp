@@ -98,7 +98,5 @@ class bus {
 
 #ifndef JAUSCAT_SEPARATE_COMPILATION
 #    include <jauscat/app/impl/bus.ipp>
-#    include <jauscat/app/impl/bus_jobs.ipp>
-#    include <jauscat/app/impl/bus_operations.ipp>
 #    include <jauscat/app/impl/bus_state.ipp>
 #endif

@@ -74,26 +74,6 @@ struct bus_slave {
     time_point next_look{};
 };
 
-inline std::string name_of(const slave_info& slave) {
-    auto name = "slave " + std::to_string(slave.position);
-    if (!slave.name.empty()) name += " (" + slave.name + ")";
-    return name;
-}
-
-inline void identify(bus_slave& slave, const ethercat::slave_record& record) noexcept {
-    auto& info = slave.info;
-    info.station = record.station;
-    info.vendor = record.identity.vendor;
-    info.product = record.identity.product;
-    info.revision = record.identity.revision;
-    info.serial = record.identity.serial;
-    info.has_objects = record.mailbox.coe && record.mailbox.receive_size != 0;
-    slave.is_identified = true;
-}
-
-/// Looks at the state of a slave, collects its emergencies, and brings it up again after it was reset.
-[[nodiscard]] JAUSCAT_DECL std::unique_ptr<bus_job> make_look_job(std::uint16_t position);
-
 /// One link. What it calls of the application runs later, from the io_context. All functions may be called on the
 /// threads of the io_context and of the bus; what they refer to is used under the lock.
 class bus_state : public std::enable_shared_from_this<bus_state> {

@@ -1,2 +1,0 @@
-// The operations of an EtherCAT bus on objects.
-#include <jauscat/app/impl/bus_operations.ipp>
