@@ -81,8 +81,8 @@ TEST_CASE("the end of the node stops its components") {
 }
 
 TEST_CASE("an exception of a handler is logged with its message, and stops the component but not the node") {
+    int stopped = 0; // outlives the component, whose end calls when_stopped
     operator_and_robot test;
-    int stopped = 0;
     test.driver.on([&](const jaus::set_wrench_effort&) { throw std::runtime_error{"the motor is gone"}; });
     test.driver.when_stopped([&] { ++stopped; });
     test.driver.ready();
