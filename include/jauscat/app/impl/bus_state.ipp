@@ -599,20 +599,24 @@ JAUSCAT_DECL void bus_state::cancel() {
     if (ring_) static_cast<void>(look_at_time());
 }
 JAUSCAT_DECL void bus_state::stop() noexcept {
+    const auto attempt = [](auto&& work) {
+        try {
+            work();
+        } catch (...) { // no memory to tell of it: the rest must be done
+        }
+    };
     {
         const auto locked = lock();
-        try {
-            abort_all(boost::asio::error::operation_aborted);
-        } catch (...) { // no memory to tell of it
-        }
-        try {
+        attempt([&] { abort_all(boost::asio::error::operation_aborted); });
+        attempt([&] {
             if (ring_) bring_to_rest(users_);
-        } catch (...) { // each slave has its watchdog
-        }
+        });
         for (auto* const user : std::exchange(users_, {})) user->bus_ends();
         current_.reset();
         is_started_ = false;
-        if (runner_) runner_->stop();
+        attempt([&] {
+            if (runner_) runner_->stop();
+        });
     }
     if (thread_) thread_->stop(); // without the lock, which it waits for
     thread_.reset();
