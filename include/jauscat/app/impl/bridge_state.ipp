@@ -251,17 +251,17 @@ JAUSCAT_DECL bool served_slave::check_rest() {
 }
 
 JAUSCAT_DECL void served_slave::send(bytes message) { bridge_.send(message); }
-JAUSCAT_DECL void served_slave::bus_ends() noexcept {
+JAUSCAT_DECL void served_slave::bus_ends(bool was_up) noexcept {
     is_served_ = false;
     if (!front_) return;
     front_->on_work({});
-    const bool was_up = front_->up();
     try {
         if (was_up) bridge_.note_rest(check_rest());
     } catch (...) { // of the log
     }
+    const bool is_up = front_->up();
     front_->set_up(false);
-    if (!was_up) return;
+    if (!is_up) return;
     try {
         const auto out = [this](bytes message) { send(message); };
         for (auto& each : components_)

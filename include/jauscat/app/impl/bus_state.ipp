@@ -10,6 +10,7 @@
 #include <array>
 #include <exception>
 #include <iostream>
+#include <iterator>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -608,10 +609,15 @@ JAUSCAT_DECL void bus_state::stop() noexcept {
     {
         const auto locked = lock();
         attempt([&] { abort_all(boost::asio::error::operation_aborted); });
+        std::vector<bus_user*> were_up;
+        attempt([&] {
+            std::ranges::copy_if(users_, std::back_inserter(were_up), [](auto* user) { return user->front().up(); });
+        });
         attempt([&] {
             if (ring_) bring_to_rest(users_);
         });
-        for (auto* const user : std::exchange(users_, {})) user->bus_ends();
+        for (auto* const user : std::exchange(users_, {}))
+            user->bus_ends(std::ranges::find(were_up, user) != were_up.end());
         current_.reset();
         is_started_ = false;
         attempt([&] {
