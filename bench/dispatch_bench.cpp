@@ -67,11 +67,12 @@ std::span<const std::byte> body_of(const bytes& message) { return std::span{mess
     return hand_written::dispatch(head.command_code,
                                   [&]<class Message>() { return decode_and_take<Message>(head, body_of(message)); });
 }
+// Neither these nor the dispatcher are initialised at the first call, which would be a check in each.
+const auto functions_by_code = map_of(jaus::messages{});
 [[gnu::noinline]] bool by_map(const bytes& message) {
-    static const auto functions = map_of(jaus::messages{});
     const jaus::header head = head_of(message);
-    const auto found = functions.find(head.command_code);
-    return found != functions.end() && found->second(head, body_of(message));
+    const auto found = functions_by_code.find(head.command_code);
+    return found != functions_by_code.end() && found->second(head, body_of(message));
 }
 
 // Functions behind the look-up that the dispatcher has, instead of a jump.
