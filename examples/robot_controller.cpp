@@ -55,7 +55,7 @@ class front {
         if (stop_requested) return true; // by a signal before this took them
         wait_.expires_after(wait);
         wait_.async_wait([this, may_come_later](auto error) {
-            if (error || bridge_->is_up()) return;
+            if (error || is_ready_ || bridge_->is_up()) return; // it is or was there
             if (!may_come_later) throw std::runtime_error{"no slave to work with: " + log_.failure()};
             tell_ready();
         });
