@@ -1,6 +1,7 @@
 # Where CMAKE_UNITY_BUILD is on, several sources of a test program are compiled as one: most of the time goes into reading
 # headers and into templates that all of them instantiate. Each source is then in a namespace of its own, after the headers
-# of all, so that names in one do not meet those in another. A source that specialises templates stays alone.
+# of all, so that names in one do not meet those in another. A source that specialises templates, or includes headers on a
+# condition, stays alone.
 function(jauscat_unity target)
     if(CMAKE_UNITY_BUILD)
         cmake_language(EVAL CODE "cmake_language(DEFER CALL jauscat_unity_sources ${target})") # when it has all its sources
@@ -13,8 +14,8 @@ function(jauscat_unity_sources target)
     foreach(source IN LISTS sources)
         set(path ${source})
         cmake_path(ABSOLUTE_PATH path)
-        file(STRINGS ${path} specialisations REGEX "^template <.*> struct jauscat::")
-        if(NOT source MATCHES "_test[.]cpp$" OR specialisations)
+        file(STRINGS ${path} alone REGEX "^template <.*> struct jauscat::|^# +include ")
+        if(NOT source MATCHES "_test[.]cpp$" OR alone)
             set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
             continue()
         endif()
