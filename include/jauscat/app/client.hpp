@@ -138,7 +138,8 @@ JAUSCAT_DECL void begin_send(const std::shared_ptr<component_state>&, const jaus
                              std::vector<std::byte> body, const operation_ptr<>& done);
 /// The command codes of a query and its report.
 struct question_codes {
-    std::uint16_t query{}, report{};
+    std::uint16_t query{};
+    std::uint16_t report{}; ///< 0: that of the standard
 };
 JAUSCAT_DECL void begin_ask(const std::shared_ptr<component_state>&, const jaus::address& of, question_codes codes,
                             std::vector<std::byte> body, const ask_options& options, const operation_ptr<bytes>& done);
@@ -176,6 +177,12 @@ template <class T> struct decoded_as {
             const auto decoded = wire::decode(value, body);
             return {decoded ? error : make_error_code(node_errc::malformed_answer), value};
         }
+    }
+};
+/// The received bytes.
+struct copied {
+    std::tuple<error_code, std::vector<std::byte>> operator()(error_code error, bytes body) const {
+        return {error, {body.begin(), body.end()}};
     }
 };
 /// Makes a handle of what is behind it.

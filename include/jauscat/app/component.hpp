@@ -12,6 +12,7 @@
 #include <jauscat/schema/jaus/core.hpp>
 
 #include <array>
+#include <concepts>
 #include <string_view>
 
 namespace jauscat {
@@ -48,6 +49,10 @@ class component {
     ///
     /// Throws `std::logic_error` for a second handler of a message.
     template <class... F> void on(F... f);
+
+    /// Called for each message that neither the component nor a handler takes, such as an unexpected report; `f` says
+    /// what has become of it. For programs that show or store messages of any type.
+    JAUSCAT_DECL void on_others(std::function<jaus::message_outcome(const jaus::header& head, app::bytes body)> f);
 
     /// A report: `f()` returns it with all its fields, or a std::optional of it that is empty if there is none now. It
     /// answers the query of the report with the fields of the presence vector, and serves service connections and
@@ -99,6 +104,9 @@ class component {
     /// not_one_address, unroutable, queue_full, not_running. Of any size.
     template <jaus::coded_message T, class Token = default_token>
     auto async_send(const jaus::address& to, const T& message, Token&& token = Token{});
+    /// The same for a body in bytes, as of a message that a command line or a file names.
+    template <class Token = default_token>
+    auto async_send(const jaus::address& to, std::uint16_t command_code, app::bytes body, Token&& token = Token{});
     /// Sends a query and gives its report. Errors: as async_send, and malformed_answer.
     template <jaus::query_message Query, class Token = default_token>
     requires(!std::same_as<std::remove_cvref_t<Token>, ask_options>)
@@ -107,8 +115,13 @@ class component {
     }
     template <jaus::query_message Query, class Token = default_token>
     auto async_ask(const jaus::address& of, const Query& query, const ask_options& options, Token&& token = Token{});
+    /// The same for a query of the standard as bytes; gives the body of its report, a std::vector<std::byte>. Errors:
+    /// as async_send, and not_a_query.
+    template <class Token = default_token>
+    auto async_ask(const jaus::address& of, std::uint16_t command_code, app::bytes body, const ask_options& options,
+                   Token&& token = Token{});
     template <class T>
-    requires(!jaus::query_message<T>)
+    requires(!jaus::query_message<T> && !std::integral<T>)
     void async_ask(const jaus::address&, const T&, auto&&...) {
         static_assert(jaus::query_message<T>,
                       "async_ask: no report answers this message; the schema of a query names its report");
@@ -301,6 +314,31 @@ auto component::async_send(const jaus::address& to, const T& message, Token&& to
             app::begin_send(state, whom, jaus::command_code_of<T>, std::move(encoded), done);
         },
         token, state_, to, std::move(body), why == wire::errc::ok);
+}
+
+template <class Token>
+auto component::async_send(const jaus::address& to, std::uint16_t command_code, app::bytes body, Token&& token) {
+    return boost::asio::async_initiate<Token, void(app::error_code)>(
+        [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
+           // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
+           std::uint16_t code, std::vector<std::byte> encoded) {
+            app::begin_send(state, whom, code, std::move(encoded),
+                            app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state)));
+        },
+        token, state_, to, command_code, std::vector<std::byte>(body.begin(), body.end()));
+}
+
+template <class Token>
+auto component::async_ask(const jaus::address& of, std::uint16_t command_code, app::bytes body,
+                          const ask_options& options, Token&& token) {
+    return boost::asio::async_initiate<Token, void(app::error_code, std::vector<std::byte>)>(
+        [](auto handler, const std::shared_ptr<app::component_state>& state, const jaus::address& whom,
+           // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
+           std::uint16_t code, std::vector<std::byte> encoded, const ask_options& how) {
+            auto done = app::make_operation<app::bytes>(std::move(handler), app::copied{}, app::context_of(*state));
+            app::begin_ask(state, whom, {code}, std::move(encoded), how, done);
+        },
+        token, state_, of, command_code, std::vector<std::byte>(body.begin(), body.end()), options);
 }
 
 template <jaus::query_message Query, class Token>

@@ -23,6 +23,12 @@ class control {
     /// Sends a command until it is acknowledged. Errors: as component::async_send, and control_lost.
     template <jaus::coded_message T, class Token = default_token>
     auto async_send(const T& message, Token&& token = Token{});
+    /// The same for a body in bytes.
+    template <class Token = default_token>
+    auto async_send(std::uint16_t command_code, app::bytes body, Token&& token = Token{});
+    /// Releases control, and completes when the component has acknowledged that. Errors: as component::async_send
+    /// (refused: another component has control already), and control_lost.
+    template <class Token = default_token> auto async_release(Token&& token = Token{});
     /// Completes when control is lost, with control_lost, or operation_aborted after `release`.
     template <class Token = default_token> auto async_lost(Token&& token = Token{}) {
         return boost::asio::async_initiate<Token, void(app::error_code)>(
@@ -48,7 +54,28 @@ namespace app {
 /// Of a control: fails with control_lost where that is lost.
 JAUSCAT_DECL void begin_send(const std::shared_ptr<control_state>&, std::uint16_t code, std::vector<std::byte> body,
                              const operation_ptr<>& done);
+JAUSCAT_DECL void begin_release(const std::shared_ptr<control_state>&, const operation_ptr<>& done);
 } // namespace app
+
+template <class Token> auto control::async_send(std::uint16_t command_code, app::bytes body, Token&& token) {
+    return boost::asio::async_initiate<Token, void(app::error_code)>(
+        [](auto handler, const std::shared_ptr<app::control_state>& state, std::uint16_t code,
+           // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved on
+           std::vector<std::byte> encoded) {
+            app::begin_send(state, code, std::move(encoded),
+                            app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state)));
+        },
+        token, state_, command_code, std::vector<std::byte>(body.begin(), body.end()));
+}
+
+template <class Token> auto control::async_release(Token&& token) {
+    return boost::asio::async_initiate<Token, void(app::error_code)>(
+        [](auto handler, const std::shared_ptr<app::control_state>& state) {
+            app::begin_release(
+                state, app::make_operation<>(std::move(handler), app::no_conversion{}, app::context_of(*state)));
+        },
+        token, state_);
+}
 
 template <jaus::coded_message T, class Token> auto control::async_send(const T& message, Token&& token) {
     std::vector<std::byte> body;

@@ -16,6 +16,7 @@ enum class node_errc : std::uint8_t {
     ok,
     not_running,        ///< the node is not started, or stopped
     not_encodable,      ///< a value of the message is outside the limits of its field
+    not_a_query,        ///< no report answers the command code
     not_one_address,    ///< an octet of the destination is 0 or 255: no single component would answer
     unroutable,         ///< the configuration has no system for the destination
     queue_full,         ///< too many messages wait to be sent or acknowledged: send it again later
@@ -35,6 +36,7 @@ enum class node_errc : std::uint8_t {
     case node_errc::ok: return "ok";
     case node_errc::not_running: return "the node is not running";
     case node_errc::not_encodable: return "a value of the message is outside the limits of its field";
+    case node_errc::not_a_query: return "no report answers this command code";
     case node_errc::not_one_address: return "the destination names no single component";
     case node_errc::unroutable: return "the configuration has no system for the destination";
     case node_errc::queue_full: return "too many messages wait to be sent or acknowledged";

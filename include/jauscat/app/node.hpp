@@ -2,6 +2,7 @@
 #pragma once
 #include <jauscat/app/detail/unit.hpp>
 #include <jauscat/app/node_options.hpp>
+#include <jauscat/net/link/udp_counters.hpp>
 
 #include <boost/asio/io_context.hpp>
 
@@ -47,6 +48,8 @@ class node {
     [[nodiscard]] JAUSCAT_DECL boost::asio::io_context& context() noexcept;
     /// JAUS ID of the node manager, also where that is another program.
     [[nodiscard]] JAUSCAT_DECL const jaus::address& manager() const noexcept;
+    /// Datagrams since the last start.
+    [[nodiscard]] JAUSCAT_DECL net::udp_counters counts() const noexcept;
     /// Called for each component whose heartbeats begin, and for each one that is lost.
     JAUSCAT_DECL void when_appeared(std::function<void(const jaus::address& who)> f);
     JAUSCAT_DECL void when_disappeared(std::function<void(const jaus::address& who)> f);

@@ -20,11 +20,16 @@ struct node_options {
     std::string config_text{};            ///< the configuration itself, instead of a file
     std::string this_system{};            ///< the system of the file that this program is; empty: its <thissystem>
     std::uint8_t node{};                  ///< JAUS node; 0: the one that the system's jausip names, or 1
+    std::uint8_t primary{};               ///< the node that relays within the subsystem; 0: none
     bool open{};                          ///< accepts messages of systems that the configuration does not have
+    bool reuse_address{};                 ///< shares address and port with other programs (SO_REUSEADDR)
     std::string name{};                   ///< of the program, in front of lines on standard error
     /// Gets a line for each message that was refused, unroutable or lost, and for each exception of a handler. By
     /// default they are written to standard error.
     std::function<void(std::string_view line)> log{};
+    /// The field and byte at which a message does not decode, for its line in the log: text::why_malformed says it for
+    /// the messages of a list. Without, the line has the error alone.
+    std::function<std::string(std::uint16_t command_code, std::span<const std::byte> body)> explain_malformed{};
     /// For traces. Called for each message before a component of this node gets it, with its outcome after that, and
     /// for each message that a component sends. The node manager is a component, too.
     std::function<void(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body)>

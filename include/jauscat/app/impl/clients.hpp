@@ -73,7 +73,8 @@ class clients {
     void control(const control_options& options, std::shared_ptr<control_state> made);
     /// Ends what cancelled operations have begun.
     void end_cancelled();
-    void release(control_state& released);
+    /// `done`, if any, ends when it is acknowledged.
+    void release(control_state& released, const operation_ptr<>& done = {});
 
   private:
     static constexpr std::size_t capacity = 64;
@@ -104,6 +105,8 @@ class clients {
         void changed(jaus::control_state now);
     };
 
+    /// Sends a waiting message no more; an operation that waits for its outcome is aborted.
+    void forget(const jaus::header& sent);
     /// Sends a message that must be acknowledged; its sequence number, or why not.
     result<std::uint16_t, node_errc> send_acknowledged(const jaus::header& head, bytes body);
     [[nodiscard]] stream_state state_of(const subscription_state& of) const;

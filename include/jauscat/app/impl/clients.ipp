@@ -4,6 +4,7 @@
 #include <jauscat/app/impl/clients.hpp>
 #include <jauscat/app/impl/component_state.hpp>
 #include <jauscat/app/impl/node_state.hpp>
+#include <jauscat/jaus/message/message.hpp>
 #include <jauscat/net/now.hpp>
 
 #include <boost/asio/post.hpp>
@@ -350,7 +351,7 @@ JAUSCAT_DECL void clients::control(const control_options& options, std::shared_p
     if (std::ranges::any_of(held_, [&](const held& one) { return is_same(one) && one.is_wanted(); }))
         return fail(node_errc::already_asked);
     for (const auto& one : held_)
-        if (is_same(one)) component_.forget(one.release); // a repeat of it would end the control that is asked for now
+        if (is_same(one)) forget(one.release); // a repeat of it would end the control that is asked for now
     std::erase_if(held_, is_same);
     auto& one = held_.emplace_back(held{.state = std::move(made)});
     one.machine.emplace(self_, one.state->of,
@@ -359,13 +360,29 @@ JAUSCAT_DECL void clients::control(const control_options& options, std::shared_p
     one.machine->ask(options.authority, net::now(), component_.node().net().out());
 }
 
-JAUSCAT_DECL void clients::release(control_state& released) {
+JAUSCAT_DECL void clients::forget(const jaus::header& sent) {
+    component_.forget(sent);
+    const auto is_it = [&](const sent_message& one) {
+        return one.head.command_code == sent.command_code && one.head.destination == sent.destination &&
+               one.head.sequence_number == sent.sequence_number;
+    };
+    const auto found = std::ranges::find_if(sent_, is_it);
+    if (found == sent_.end()) return;
+    found->done->complete(boost::asio::error::operation_aborted);
+    sent_.erase(found);
+}
+
+JAUSCAT_DECL void clients::release(control_state& released, const operation_ptr<>& done) {
     const auto found = std::ranges::find_if(held_, [&](const held& one) { return one.state.get() == &released; });
     if (found == held_.end() || !found->is_wanted()) return;
     // Acknowledged: a lost release would leave the component without its controller until that is noticed.
     found->machine->release([&](bytes message) {
         static_cast<void>(wire::decode_prefix(found->release, message));
-        found->release.sequence_number = component_.send_acknowledged(message).value_or(std::uint16_t{});
+        const auto number = component_.send_acknowledged(message);
+        found->release.sequence_number = number.value_or(std::uint16_t{});
+        if (done == nullptr) return;
+        if (!number) return done->complete(node_errc::queue_full);
+        sent_.push_back({found->release, done});
     });
 }
 
@@ -421,6 +438,8 @@ JAUSCAT_DECL void begin_send(const std::shared_ptr<component_state>& from, const
 }
 JAUSCAT_DECL void begin_ask(const std::shared_ptr<component_state>& from, const jaus::address& of, question_codes codes,
                             std::vector<std::byte> body, const ask_options& options, const operation_ptr<bytes>& done) {
+    if (codes.report == 0) codes.report = jaus::report_code_of(codes.query);
+    if (codes.report == 0) return done->complete(node_errc::not_a_query, {});
     enqueue(from, done, [of, codes, body = std::move(body), options, done](clients& all) mutable {
         all.ask(of, codes, std::move(body), options, done);
     });
@@ -492,6 +511,15 @@ JAUSCAT_DECL void begin_send(const std::shared_ptr<control_state>& by, std::uint
     enqueue(from, done, [by, head = from->head_of(code, by->of), body = std::move(body), done](clients& all) {
         if (by->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
         all.send(head, body, done);
+    });
+}
+JAUSCAT_DECL void begin_release(const std::shared_ptr<control_state>& of, const operation_ptr<>& done) {
+    const auto from = of->component.lock();
+    if (from == nullptr) return done->complete(boost::asio::error::operation_aborted);
+    enqueue(from, done, [of, done](clients& all) {
+        if (of->state != jaus::control_state::held) return done->complete(node_errc::control_lost);
+        all.release(*of, done);
+        for (const auto& one : std::exchange(of->when_lost, {})) one->complete(boost::asio::error::operation_aborted);
     });
 }
 JAUSCAT_DECL void begin_lost(const std::shared_ptr<control_state>& of, const operation_ptr<>& done) {

@@ -19,6 +19,10 @@ JAUSCAT_DECL component::component(node& of, const component_options& options) {
 }
 JAUSCAT_DECL component::~component() { state_->close(); }
 
+JAUSCAT_DECL void
+component::on_others(std::function<jaus::message_outcome(const jaus::header& head, app::bytes body)> f) {
+    state_->on_others = std::move(f);
+}
 JAUSCAT_DECL void component::changed() { state_->changed(); }
 JAUSCAT_DECL void component::when_stopped(std::function<void()> f) { state_->on_stopped = std::move(f); }
 JAUSCAT_DECL void component::when_ready(std::function<void()> f) { state_->on_ready = std::move(f); }

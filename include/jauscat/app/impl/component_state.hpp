@@ -93,6 +93,7 @@ class component_state {
     std::function<void()> on_stopped{}, on_ready{};
     std::function<void(bool begins)> on_emergency{};
     std::function<void(const std::optional<jaus::address>& by)> on_controlled{};
+    std::function<jaus::message_outcome(const jaus::header& head, bytes body)> on_others{};
     std::vector<periodic_function> periodic{};
     std::vector<std::byte> lists{};  ///< memory for the lists of the message that is handled
     std::string malformed_because{}; ///< of the last malformed message

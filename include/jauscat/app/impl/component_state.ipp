@@ -286,6 +286,7 @@ JAUSCAT_DECL void component_state::close() noexcept {
     on_stopped = on_ready = nullptr;
     on_emergency = nullptr;
     on_controlled = nullptr;
+    on_others = nullptr;
     takes_.clear();
     gives_.clear();
     periodic.clear();
@@ -310,13 +311,15 @@ JAUSCAT_DECL jaus::message_outcome component_state::write(const given_report& re
 
 JAUSCAT_DECL jaus::message_outcome component_state::handle(const jaus::header& head, bytes body) {
     const auto handler = std::ranges::find(takes_, head.command_code, &taken_message::command_code);
-    if (handler != takes_.end()) {
+    const auto report = std::ranges::find(gives_, head.command_code, &given_report::query_code);
+    if (handler != takes_.end() || (report == gives_.end() && on_others)) {
         auto outcome = jaus::message_outcome::refused;
-        const auto call = [&] { outcome = handler->handle({head, body, *this}); };
+        const auto call = [&] {
+            outcome = handler != takes_.end() ? handler->handle({head, body, *this}) : on_others(head, body);
+        };
         guard("the handler of ", head.command_code, call);
         return outcome;
     }
-    const auto report = std::ranges::find(gives_, head.command_code, &given_report::query_code);
     if (report == gives_.end()) return jaus::message_outcome::unhandled;
     const auto outcome = write(*report, {&body});
     if (outcome != jaus::message_outcome::handled) return outcome;

@@ -36,13 +36,16 @@ JAUSCAT_DECL node_state::node_state(boost::asio::io_context* context, node_optio
 
 JAUSCAT_DECL net::jaus_node_options node_state::net_options() {
     net::jaus_node_options net{.accept = options_.open ? net::access::open : net::access::closed,
-                               .node = options_.node};
+                               .node = options_.node,
+                               .primary = options_.primary,
+                               .socket = {.reuse_address = options_.reuse_address}};
     net.log = [this](std::string_view line) { log(line); };
-    net.explain_malformed = [this](std::uint16_t, bytes) {
-        std::string why;
+    net.explain_malformed = [this](std::uint16_t command_code, bytes body) {
+        std::string error;
         for (const auto& one : components_)
-            if (!one->malformed_because.empty()) why = std::exchange(one->malformed_because, {});
-        return why;
+            if (!one->malformed_because.empty()) error = std::exchange(one->malformed_because, {});
+        const auto why = options_.explain_malformed ? options_.explain_malformed(command_code, body) : std::string{};
+        return why.empty() ? error : why;
     };
     net.large_data_done = [this](const jaus::header& head, jaus::delivered what) {
         for (const auto& one : components_)
@@ -194,6 +197,7 @@ JAUSCAT_DECL void node::start() { state_->start(); }
 JAUSCAT_DECL void node::stop() { state_->stop(); }
 JAUSCAT_DECL boost::asio::io_context& node::context() noexcept { return state_->context(); }
 JAUSCAT_DECL const jaus::address& node::manager() const noexcept { return state_->net().manager(); }
+JAUSCAT_DECL net::udp_counters node::counts() const noexcept { return state_->net().counts(); }
 JAUSCAT_DECL void node::when_appeared(std::function<void(const jaus::address& who)> f) {
     state_->on_appeared = std::move(f);
 }
