@@ -5,9 +5,12 @@
 #include "support/message_event.hpp"
 #include "support/program.hpp"
 #include "support/say.hpp"
+#include <jauscat/net/node/run_until.hpp>
+#include <jauscat/schema/jaus/core.hpp>
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/jaus.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace ocu {
@@ -51,23 +54,18 @@ operator_unit::operator_unit(const net::jaus_config& config, const jaus::address
                              const jauscat::retry_policy& retry, bool acknowledged)
     : self_{example::component_of(config.me())},
       robot_{robot},
-      manager_of_robot_{.instance = 1, .component = 1, .node = robot.node, .subsystem = robot.subsystem},
       retry_{retry},
       acknowledged_{acknowledged},
-      held_{self_, robot, {.retry = retry, .renewal = std::chrono::seconds{5}}},
-      described_{self_,
-                 {.name = {.identification = "operator control unit", .type = 60001}},
-                 jaus::heartbeat_to_node_manager(self_),
-                 services_},
-      core_{self_,
-            memory_,
-            {.on_delivered = jaus::bound<&operator_unit::on_delivered>(*this)},
-            {.acknowledgement = {.retry = retry, .first_number = example::any_number()}},
-            held_,
-            described_},
-      node_{context_, config, node_options()} {
-    core_.change(jaus::state_event::initialized);
-    node_.add(core_, application_);
+      node_{context_, node_options(config)},
+      unit_{node_,
+            {.id = self_.component, .instance = self_.instance, .name = "operator control unit", .retry = retry}} {
+    // Reports of the robot are for the operator; commands are for robots.
+    unit_.on_others([](const jaus::header& head, bytes) {
+        return head.command_code >= 0x4000 ? jaus::message_outcome::handled : jaus::message_outcome::unhandled;
+    });
+    node_.when_appeared([this](const jaus::address& who) { robot_is_there(who, true); });
+    node_.when_disappeared([this](const jaus::address& who) { robot_is_there(who, false); });
+    unit_.ready();
     node_.start();
 }
 
@@ -81,14 +79,28 @@ bool operator_unit::hear_robot(milliseconds patience) {
 }
 
 bool operator_unit::take_control(std::uint8_t authority) {
-    held_.ask(authority, now(), out_);
-    wait([this] { return held_.state() != control_state::asking; });
-    if (held_.state() == control_state::refused) tell_why();
+    asks_control_ = true;
+    will_send(jaus::command_code_of<jaus::request_component_control>);
+    unit_.async_control(robot_, {.authority = authority, .retry = retry_, .renewal = std::chrono::seconds{5}},
+                        [this](error_code error, jauscat::control made) { on_control(error, std::move(made)); });
+    wait([this] { return !asks_control_; });
+    if (is_refused_) tell_why();
     return holds();
 }
 
-bool operator_unit::has_lost_control() const noexcept {
-    return held_.state() == control_state::lost || held_.state() == control_state::unanswered;
+void operator_unit::on_control(error_code error, jauscat::control made) {
+    asks_control_ = false;
+    has_control_ = !error;
+    control_ = std::move(made);
+    const auto name = text::to_text(robot_);
+    const example::event_members robot{{"address", name}};
+    if (has_control_)
+        say(events::control_gained, robot, "controls " + name);
+    else if (error == jauscat::node_errc::control_refused)
+        say(events::control_refused, robot, "FAILED: control of " + name + " is refused: another has it");
+    else
+        tell_unanswered();
+    is_refused_ = error == jauscat::node_errc::control_refused;
 }
 
 reply operator_unit::give(const order& what, bool may_be_obeyed_silently) {
@@ -118,24 +130,30 @@ void operator_unit::hold(milliseconds how_long) {
 }
 
 bool operator_unit::finish() {
+    const auto never = [] { return false; };
+    work([this] { return !asks_control_; }, never); // what is confirmed after Ctrl-C is released, too
     bool released = true;
-    if (holds() || held_.state() == control_state::asking) {
-        outcome_.reset();
-        held_.release([&](bytes message) { released = send(message); });
-        if (released && acknowledged_) work([this] { return outcome_.has_value(); }, [] { return false; });
+    if (holds()) {
         const auto name = text::to_text(robot_);
-        released = released && outcome_ != jaus::delivered::timed_out;
+        has_control_ = false;
+        will_send(jaus::command_code_of<jaus::release_component_control>);
+        if (acknowledged_) {
+            control_.async_release([this](error_code error) { release_outcome_ = error; });
+            work([this] { return release_outcome_.has_value(); }, never);
+            tell_copies();
+        } else
+            node_.stop(); // releases once, without acknowledgement
+        const bool is_acknowledged = release_outcome_ == error_code{};
+        released = release_outcome_ != make_error_code(jauscat::node_errc::no_answer);
         if (!released)
             say(events::release_unanswered, {{"address", name}},
                 "FAILED: nobody acknowledged that control of " + name + " is released");
-        else if (!acknowledged_)
-            say(events::control_released, {{"address", name}, {"acknowledged", false}},
-                "control of " + name + " is released, as far as is known");
         else
-            say(events::control_released,
-                {{"address", name}, {"acknowledged", outcome_ == jaus::delivered::acknowledged}},
-                outcome_ == jaus::delivered::acknowledged ? "control of " + name + " is released"
-                                                          : "control of " + name + " is another's already");
+            say(events::control_released, {{"address", name}, {"acknowledged", is_acknowledged}},
+                "control of " + name +
+                    (is_acknowledged ? " is released"
+                     : acknowledged_ ? " is another's already"
+                                     : " is released, as far as is known"));
     }
     if (heartbeats_ != 0)
         say(events::heartbeats_counted, {{"count", heartbeats_}, {"address", text::to_text(heard_)}},
@@ -145,40 +163,22 @@ bool operator_unit::finish() {
     return released;
 }
 
-void operator_unit::on_delivered(const jaus::awaited_message& m, jaus::delivered what) {
-    if (m.sent > 1)
-        say(events::copies_sent, {{"code", m.header.command_code}, {"copies", m.sent}},
-            text::message_name(m.header.command_code) + " was sent " + std::to_string(m.sent) + " times");
-    if (m.header.sequence_number == number_) outcome_ = what;
-}
-
-// Reports of the robot are for the operator; commands are for robots.
-jaus::message_outcome operator_unit::application_type::operator()(const jaus::header& head, bytes) const noexcept {
-    return head.command_code >= 0x4000 ? jaus::message_outcome::handled : jaus::message_outcome::unhandled;
-}
-
-void operator_unit::shown_output::operator()(bytes message) const {
-    if (!mine.quiet_) show(events::message_sent, "sends", message);
-    mine.node_.out()(message);
-}
-
-net::jaus_node_options operator_unit::node_options() {
-    net::jaus_node_options options{.node = self_.node};
+jauscat::node_options operator_unit::node_options(const net::jaus_config& config) {
+    jauscat::node_options options{.config = config.source, .this_system = config.this_system, .node = self_.node};
     options.log = [this](std::string_view line) {
         if (const auto times = log_lines_.shown(line)) // the node limits them
             say(events::node_log, {{"line", line}, {"times", *times}}, log_lines_.text(line, *times));
     };
     options.explain_malformed = &why_malformed;
-    options.on_message = [this](const jaus::address& component, const jaus::header& head, bytes body, auto) {
-        seen(component, head, body);
-    };
-    options.appeared = [this](const jaus::address& who) { robot_is_there(who, true); };
-    options.disappeared = [this](const jaus::address& who) { robot_is_there(who, false); };
+    options.on_received = [this](const auto& component, const auto& head, bytes body) { seen(component, head, body); };
+    options.on_sent = [this](bytes message) { sent(message); };
     return options;
 }
 
 void operator_unit::robot_is_there(const jaus::address& who, bool is_there) {
     if (!is_of_robot(who)) return;
+    std::erase(present_, who);
+    if (is_there) present_.push_back(who);
     tell("presence", is_there ? events::robot_heard : events::robot_silent, {{"address", text::to_text(who)}},
          (is_there ? "hears the robot: heartbeat of " : "the robot is silent: no heartbeat of ") + text::to_text(who));
 }
@@ -192,21 +192,39 @@ void operator_unit::seen(const jaus::address& component, const jaus::header& hea
         return;
     }
     if (component != self_) return;
-    const bool renews = head.command_code == jaus::command_code_of<jaus::confirm_component_control> &&
-                        told_state_ == control_state::held;
+    jaus::confirm_component_control answer{};
+    const bool is_answer = head.command_code == jaus::command_code_of<jaus::confirm_component_control>;
+    const bool confirms = is_answer && wire::decode(answer, body) &&
+                          answer.response_code == jaus::component_control_response::control_accepted;
+    const bool rejects = head.command_code == jaus::command_code_of<jaus::reject_component_control>;
+    if (holds() && head.source == robot_ && (rejects || (is_answer && !confirms))) is_taken_away_ = true;
     const bool is_second_answer =
         head.ack_nak == jaus::ack_nak::ack && jaus::report_code_of(head.command_code) != 0; // the report is the first
     std::vector<std::byte> message(jaus::header_size + body.size());
-    if (!quiet_ && !is_second_answer && !(renews && holds()) && jaus::join(head, body, message))
+    if (!quiet_ && !is_second_answer && !(confirms && holds()) && jaus::join(head, body, message))
         show(events::message_received, "receives", message);
-    if (head.command_code == awaited_report_ && head.source == robot_ && !jaus::is_acknowledgement(head))
-        report_.emplace(body.begin(), body.end());
+}
+
+/// The first copy of each message that the operator has asked for.
+void operator_unit::sent(bytes message) {
+    const auto head = jaus::split(message).header;
+    if (head.source != self_ || head.destination != robot_ || head.command_code != sent_code_) return;
+    if (++copies_ == 1 && !quiet_) show(events::message_sent, "sends", message);
+}
+void operator_unit::will_send(std::uint16_t command_code) {
+    sent_code_ = command_code;
+    copies_ = 0;
+}
+void operator_unit::tell_copies() const {
+    if (copies_ > 1)
+        say(events::copies_sent, {{"code", sent_code_}, {"copies", copies_}},
+            text::message_name(sent_code_) + " was sent " + std::to_string(copies_) + " times");
 }
 
 /// Lets the node work until `done()` or `given_up()`. Returns `done()`.
 bool operator_unit::work(const std::function<bool()>& done, const std::function<bool()>& given_up) {
     const auto look = [&] {
-        tell_control();
+        tell_loss();
         return done();
     };
     bool is_done = look();
@@ -223,26 +241,33 @@ bool operator_unit::wait(const std::function<bool()>& done, jauscat::duration ho
 
 reply operator_unit::exchange(const order& what) {
     outcome_.reset();
-    report_.reset();
-    awaited_report_ = jaus::report_code_of(what.command_code);
-    std::vector<std::byte> message(jaus::header_size + what.body.size());
-    const jaus::header head{.command_code = what.command_code, .destination = robot_, .source = self_};
-    if (const auto made = jaus::join(head, what.body, message); !made) {
-        say(events::not_sent, {{"code", what.command_code}}, "FAILED: " + std::string{describe(made.error())});
+    report_.clear();
+    will_send(what.command_code);
+    const auto not_sent = [&](std::string_view why) {
+        say(events::not_sent, {{"code", what.command_code}}, "FAILED: " + std::string{why});
         return reply::not_sent;
+    };
+    const auto done = [this](error_code error, std::vector<std::byte> report = {}) {
+        outcome_ = error;
+        report_ = std::move(report);
+    };
+    if (jaus::report_code_of(what.command_code) != 0) {
+        // There are components that report after the acknowledgement.
+        const auto patience = acknowledged_ ? 2 * retry_.total() + retry_.interval : retry_.total();
+        unit_.async_ask(robot_, what.command_code, what.body, {.timeout = patience, .acknowledged = acknowledged_},
+                        done);
+    } else if (acknowledged_) {
+        unit_.async_send(robot_, what.command_code, what.body, done);
+    } else {
+        const auto sent = unit_.send(robot_, what.command_code, what.body);
+        return sent ? reply::sent : not_sent(sent.error().message);
     }
-    const bool asks = awaited_report_ != 0;
-    if (asks && !acknowledged_)
-        wait_for_report(message);
-    else if (!send(message))
-        return reply::not_sent;
-    if (!asks && !acknowledged_) return reply::sent;
-    if (acknowledged_) wait([&] { return report_ || outcome_; });
-    if (asks && outcome_ == jaus::delivered::acknowledged) // there are components that report later
-        wait([&] { return report_.has_value(); }, retry_.total() + retry_.interval);
-    if (outcome_ == jaus::delivered::refused) return reply::refused;
-    if (asks ? report_.has_value() : outcome_ == jaus::delivered::acknowledged) return reply::taken;
-    return example::stop_requested ? reply::stopped : reply::silence;
+    wait([this] { return outcome_.has_value(); });
+    tell_copies();
+    if (!outcome_) return reply::stopped;
+    if (!*outcome_) return reply::taken;
+    if (*outcome_ == jauscat::node_errc::refused) return reply::refused;
+    return *outcome_ == jauscat::node_errc::no_answer ? reply::silence : not_sent(outcome_->message());
 }
 
 /// Foreign nodes may have their heartbeats sent by another component than the node manager, and by one node for all.
@@ -253,35 +278,8 @@ std::string operator_unit::part_of_robot() const {
     const auto subsystem = "subsystem " + std::to_string(robot_.subsystem);
     return robot_.subsystem != self_.subsystem ? subsystem : "node " + std::to_string(robot_.node) + " of " + subsystem;
 }
-bool operator_unit::is_robot_gone() const {
-    bool is_heard = false;
-    if (const auto* const present = node_.present(); present != nullptr)
-        present->for_each([&](const jaus::address& who) { is_heard |= is_of_robot(who); });
-    return heartbeats_ != 0 && !is_heard;
-}
-
-/// Queries again if no report arrives.
-void operator_unit::wait_for_report(bytes message) {
-    for (std::uint32_t made = 0; retry_.allows_another(made) && !report_ && !example::stop_requested; ++made) {
-        out_(message);
-        wait([this] { return report_.has_value(); }, retry_.interval);
-    }
-}
-
-/// To be acknowledged: the component repeats it. Otherwise it is sent once.
-bool operator_unit::send(bytes message) {
-    if (!acknowledged_) {
-        out_(message);
-        return true;
-    }
-    const auto sent = core_.send(message, now(), [&](bytes numbered) {
-        jaus::header head{};
-        if (wire::decode_prefix(head, numbered)) number_ = head.sequence_number;
-        out_(numbered);
-    });
-    if (!sent) say(events::not_sent, {}, "FAILED: " + std::string{describe(sent.error())});
-    return static_cast<bool>(sent);
-}
+/// None of its components is heard any more.
+bool operator_unit::is_robot_gone() const { return heartbeats_ != 0 && present_.empty(); }
 
 /// Hints if there is no answer.
 std::string operator_unit::hint() const {
@@ -291,26 +289,20 @@ std::string operator_unit::hint() const {
                             : "its node " + who + " is there, so look at the JAUS ID";
 }
 
-void operator_unit::tell_control() {
-    if (std::exchange(told_state_, held_.state()) == held_.state()) return;
+void operator_unit::tell_unanswered() const {
     const auto name = text::to_text(robot_);
-    const example::event_members robot{{"address", name}};
-    switch (told_state_) {
-    case control_state::held: say(events::control_gained, robot, "controls " + name); break;
-    case control_state::refused:
-        say(events::control_refused, robot, "FAILED: control of " + name + " is refused: another has it");
-        break;
-    case control_state::unanswered:
-        say(events::control_unanswered, robot + example::event_members{{"heard", heartbeats_ != 0}},
-            "FAILED: " + name + " does not answer requests for control; " + hint());
-        break;
-    case control_state::lost:
-        say(events::control_lost, robot + example::event_members{{"robot_gone", is_robot_gone()}},
-            "LOST control of " + name + (is_robot_gone() ? ": the robot is gone" : ": it was taken away"));
-        break;
-    case control_state::none:
-    case control_state::asking: break;
-    }
+    say(events::control_unanswered, {{"address", name}, {"heard", heartbeats_ != 0}},
+        "FAILED: " + name + " does not answer requests for control; " + hint());
+}
+void operator_unit::tell_loss() {
+    if (!has_control_ || holds()) return;
+    has_control_ = false;
+    has_lost_control_ = true;
+    const auto name = text::to_text(robot_);
+    const bool is_gone = is_robot_gone();
+    if (!is_gone && !is_taken_away_) return tell_unanswered();
+    say(events::control_lost, {{"address", name}, {"robot_gone", is_gone}},
+        "LOST control of " + name + (is_gone ? ": the robot is gone" : ": it was taken away"));
 }
 
 /// The controller of the robot, and its state: mostly the reason of a refusal. Only the results are shown.

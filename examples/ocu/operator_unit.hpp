@@ -2,12 +2,15 @@
 #pragma once
 #include "support/event.hpp"
 #include "support/repeated_lines.hpp"
-#include <jauscat/jaus/component/component.hpp>
-#include <jauscat/jaus/component/described_component.hpp>
-#include <jauscat/jaus/component/held_control.hpp>
-#include <jauscat/net.hpp>
+#include <jauscat/app/component.hpp>
+#include <jauscat/net/config/jaus_config.hpp>
 
+#include <boost/asio/io_context.hpp>
+
+#include <chrono>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,72 +53,62 @@ class operator_unit {
     bool hear_robot(milliseconds patience);
     /// Requests control of the robot. False: it is refused, or there is no answer.
     bool take_control(std::uint8_t authority);
-    [[nodiscard]] bool has_lost_control() const noexcept;
+    [[nodiscard]] bool has_lost_control() const noexcept { return has_lost_control_; }
     /// Sends an order and waits until it is acknowledged, and for the report if it is a query. Silence is a failure,
     /// unless its caller checks whether the order was executed.
     reply give(const order& what, bool may_be_obeyed_silently = false);
     /// For a peer that has executed a command without an acknowledgement: none is requested from now on.
     void expect_no_acknowledgements() noexcept { acknowledged_ = false; }
     /// The body of the report to the last answered query.
-    [[nodiscard]] bytes report() const { return report_.value(); }
+    [[nodiscard]] bytes report() const noexcept { return report_; }
     /// Continues to receive from the robot, and to control it; ends when control is lost.
     void hold(milliseconds how_long);
     /// Releases control if it is held, also after Ctrl-C. False: it was not acknowledged.
     bool finish();
 
   private:
-    using control_state = jaus::control_state;
+    using error_code = boost::system::error_code;
 
-    struct application_type {
-        jaus::message_outcome operator()(const jaus::header& head, bytes body) const noexcept;
-    };
-    /// Shows sent messages.
-    struct shown_output {
-        operator_unit& mine;
-        void operator()(bytes message) const;
-    };
-
-    [[nodiscard]] bool holds() const noexcept { return held_.state() == control_state::held; }
-    net::jaus_node_options node_options();
-    void on_delivered(const jaus::awaited_message& m, jaus::delivered what);
+    [[nodiscard]] bool holds() const noexcept { return has_control_ && control_.is_held(); }
+    jauscat::node_options node_options(const net::jaus_config& config);
+    void on_control(error_code error, jauscat::control made);
+    void sent(bytes message);
     void seen(const jaus::address& component, const jaus::header& head, bytes body);
     void robot_is_there(const jaus::address& who, bool is_there);
     bool work(const std::function<bool()>& done, const std::function<bool()>& given_up);
     void wait(const std::function<bool()>& done);
     bool wait(const std::function<bool()>& done, jauscat::duration how_long);
     reply exchange(const order& what);
-    bool send(bytes message);
     [[nodiscard]] bool is_of_robot(const jaus::address& who) const noexcept;
     [[nodiscard]] std::string part_of_robot() const;
     [[nodiscard]] bool is_robot_gone() const;
-    void wait_for_report(bytes message);
+    void will_send(std::uint16_t command_code);
+    void tell_copies() const;
     [[nodiscard]] std::string hint() const;
-    void tell_control();
+    void tell_unanswered() const;
+    void tell_loss();
     void tell_why();
 
-    jaus::address self_, robot_, manager_of_robot_, heard_{manager_of_robot_};
+    jaus::address self_, robot_, heard_{};
     jauscat::retry_policy retry_;
     bool acknowledged_;
-    boost::asio::io_context context_{};
+    bool quiet_{};
 
     // What the message that was sent last has come to.
-    std::uint16_t number_{}, awaited_report_{};
-    std::optional<jaus::delivered> outcome_{};
-    std::optional<std::vector<std::byte>> report_{};
+    std::uint16_t sent_code_{};
+    std::uint32_t copies_{};
+    std::optional<error_code> outcome_{}, release_outcome_{};
+    std::vector<std::byte> report_{};
 
-    control_state told_state_{};
-    bool quiet_{};
+    bool asks_control_{}, is_refused_{}, has_control_{}, is_taken_away_{}, has_lost_control_{};
     std::uint64_t heartbeats_{};
+    std::vector<jaus::address> present_{}; ///< of the robot's components, those whose heartbeats come
     example::repeated_lines log_lines_{};
 
-    application_type application_{};
-    shown_output out_{*this};
-    std::array<std::byte, 512> services_{};
-    jaus::component_memory<16, jaus::header_size + jaus::max_body_size> memory_{};
-    jaus::held_control held_;
-    jaus::described_component described_;
-    jaus::component<jaus::held_control, jaus::described_component> core_;
-    net::jaus_node node_;
+    boost::asio::io_context context_{};
+    jauscat::node node_;
+    jauscat::component unit_;
+    jauscat::control control_{};
 };
 
 } // namespace ocu
