@@ -37,7 +37,8 @@ class narrator {
         options.on_received = [this](const auto& component, const auto& head, auto body) {
             if (is_shown(component, head)) received(head, body);
         };
-        options.on_handled = [this](const auto& component, const auto& head, jauscat::jaus::component_outcome what) {
+        options.on_handled = [this](const auto& component, const auto& head, auto,
+                                    jauscat::jaus::component_outcome what) {
             if (what == jauscat::jaus::component_outcome::repeated && is_shown(component, head))
                 say_(events::message_repeated, message_members(head), std::string{describe(what)});
         };

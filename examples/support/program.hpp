@@ -11,7 +11,6 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
-#include <random>
 #include <string>
 
 namespace example {
@@ -158,8 +157,5 @@ inline jauscat::jaus::address parse_address(const std::string& text) {
             .node = static_cast<std::uint8_t>(n),
             .subsystem = static_cast<std::uint8_t>(s)};
 }
-
-/// A first sequence number: another one than in the last run, whose messages may still be remembered.
-inline std::uint16_t any_number() { return static_cast<std::uint16_t>(std::random_device{}()); }
 
 } // namespace example

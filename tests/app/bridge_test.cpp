@@ -309,7 +309,7 @@ TEST_CASE("an application logs each step of a bridge itself") {
     of_node.on_received = [&](const auto&, const jaus::header& head, auto) {
         if (head.command_code == jaus::command_code_of<jaus::set_wrench_effort>) steps.emplace_back("received");
     };
-    of_node.on_handled = [&](const auto&, const jaus::header& head, jaus::component_outcome what) {
+    of_node.on_handled = [&](const auto&, const jaus::header& head, auto, jaus::component_outcome what) {
         if (head.command_code == jaus::command_code_of<jaus::set_wrench_effort>) steps.emplace_back(describe(what));
     };
     of_node.on_sent = [&](std::span<const std::byte> message) {

@@ -6,7 +6,9 @@
 #include "support/program.hpp"
 #include "support/repeated_lines.hpp"
 #include "support/say.hpp"
-#include <jauscat/jaus/component/component.hpp>
+#include <jauscat/app/component.hpp>
+#include <jauscat/net/config/jaus_config.hpp>
+#include <jauscat/net/node/run_until.hpp>
 #include <jauscat/text/from_text.hpp>
 #include <jauscat/text/jaus.hpp>
 
@@ -45,18 +47,29 @@ constexpr const char* commands =
   exit                                  end the program; also q and quit
 )";
 
+using boost::system::error_code;
 using words = std::vector<std::string>;
 
 class communicator {
   public:
-    communicator(const net::jaus_config& config, net::jaus_node_options options, std::unique_ptr<line_source> input)
+    communicator(const net::jaus_config& config, jauscat::node_options options, std::unique_ptr<line_source> input)
         : input_{std::move(input)},
+          config_{config},
           self_{own_component(config.me(), options.node)},
-          core_{self_, memory_, hooks(), {.acknowledgement = {.first_number = example::any_number()}}},
-          node_{context_, config, with_hooks(std::move(options))} {
-        core_.change(jaus::state_event::initialized);
-        node_.add(core_, application_);
+          node_{context_, with_hooks(std::move(options))},
+          unit_{node_, {.id = self_.component, .instance = self_.instance, .name = "communicator"}} {
+        unit_.on_others([](const jaus::header& head, auto) { return outcome_of(head); });
+        node_.when_appeared([this](const jaus::address& who) {
+            present_.push_back(who);
+            tell("presence", events::peer_heard, {{"address", text::to_text(who)}}, text::to_text(who) + " is there\n");
+        });
+        node_.when_disappeared([this](const jaus::address& who) {
+            std::erase(present_, who);
+            tell("presence", events::peer_lost, {{"address", text::to_text(who)}}, text::to_text(who) + " is gone\n");
+        });
+        unit_.ready();
         node_.start();
+        tell_changes();
         show(events::ready,
              {{"address", text::to_text(self_)},
               {"system", config.this_system},
@@ -75,12 +88,7 @@ class communicator {
                     quit();
             }
             static_cast<void>(net::run_until(context_, 10ms, [] { return example::stop_requested.load(); }));
-            std::erase_if(awaited_, [this](const awaited_report& report) {
-                if (!report.until.is_reached(now())) return false;
-                wrong(events::no_answer, {{"code", report.command_code}, {"address", text::to_text(report.from)}},
-                      "no " + text::message_name(report.command_code) + " from " + text::to_text(report.from));
-                return true;
-            });
+            tell_changes();
         }
         node_.stop();
         show(events::stopped, counts(), "communicator: stopped; " + summary(node_.counts()) + "\n");
@@ -88,51 +96,86 @@ class communicator {
     }
 
   private:
-    struct awaited_report {
-        std::uint16_t command_code{};
-        jaus::address from{};
-        jauscat::deadline until{};
-    };
-    void on_state(jaus::primary_status_code from, jaus::primary_status_code to) {
-        tell("state", events::state_changed,
-             {{"address", text::to_text(self_)}, {"from", state_name(from)}, {"to", state_name(to)}},
-             "state: " + state_name(to) + "\n");
+    /// Reports and answers are shown and no more; a command that the component does not know cannot be obeyed.
+    static jaus::message_outcome outcome_of(const jaus::header& head) {
+        constexpr std::array<std::uint16_t, 5> answers{0x0009, 0x000F, 0x0010, 0x01F3, 0x01F4};
+        const bool informs = head.command_code >= 0x4000 && head.command_code < 0x6000;
+        return informs || std::ranges::find(answers, head.command_code) != answers.end()
+                   ? jaus::message_outcome::handled
+                   : jaus::message_outcome::unhandled;
     }
-    void on_controller(const std::optional<jaus::controller>& who, jaus::control_change) {
+    /// State and controller, if they have changed.
+    void tell_changes() {
         const auto self = text::to_text(self_);
-        if (who)
+        const auto state = unit_.state();
+        if (const auto before = std::exchange(state_, state); before != state)
+            tell("state", events::state_changed,
+                 {{"address", self}, {"from", state_name(before)}, {"to", state_name(state)}},
+                 "state: " + state_name(state) + "\n");
+        const auto controller = unit_.controller();
+        const bool is_same = controller == controller_ && (!controller || authority_ == told_authority_);
+        controller_ = controller;
+        told_authority_ = authority_;
+        if (is_same) return;
+        if (controller)
             tell("controller", events::controller_taken,
-                 {{"address", self}, {"controller", text::to_text(who->address)}, {"authority", who->authority_code}},
-                 "controlled by " + text::to_text(who->address) + "\n");
+                 {{"address", self}, {"controller", text::to_text(*controller)}, {"authority", authority_}},
+                 "controlled by " + text::to_text(*controller) + "\n");
         else
             tell("controller", events::controller_gone, {{"address", self}}, "controlled by no component\n");
     }
-    void on_delivered(const jaus::awaited_message& m, jaus::delivered what) {
-        const auto line = text::message_name(m.header.command_code) + " to " + text::to_text(m.header.destination) +
-                          ": " + std::string{describe(what)};
-        const example::event_members members{{"code", m.header.command_code},
-                                             {"destination", text::to_text(m.header.destination)},
+    /// The authority of the controller is in its request.
+    void note_authority(const jaus::header& head, std::span<const std::byte> body) {
+        jaus::request_component_control request{};
+        if (head.command_code == jaus::command_code_of<jaus::request_component_control> &&
+            unit_.controller() == head.source && jauscat::wire::decode(request, body))
+            authority_ = request.authority_code;
+    }
+    /// A command has an acknowledgement, or none.
+    void delivered(const jaus::header& head, error_code error) {
+        --open_;
+        const bool is_sent = !error || error == jauscat::node_errc::refused || error == jauscat::node_errc::no_answer;
+        if (!is_sent) return not_sent(head, error.message());
+        const auto what = !error                                 ? jaus::delivered::acknowledged
+                          : error == jauscat::node_errc::refused ? jaus::delivered::refused
+                                                                 : jaus::delivered::timed_out;
+        const auto line = text::message_name(head.command_code) + " to " + text::to_text(head.destination) + ": " +
+                          std::string{describe(what)};
+        const example::event_members members{{"code", head.command_code},
+                                             {"destination", text::to_text(head.destination)},
                                              {"result", result_name(what)}};
-        if (what == jaus::delivered::acknowledged)
+        if (!error)
             show(events::delivery, members, line + "\n");
         else
             wrong(events::delivery, members, line);
     }
-    jaus::component_hooks hooks() {
-        return {.on_state = jaus::bound<&communicator::on_state>(*this),
-                .on_controller = jaus::bound<&communicator::on_controller>(*this),
-                .on_delivered = jaus::bound<&communicator::on_delivered>(*this)};
+    /// A query has its report, or none.
+    void answered(const jaus::header& head, error_code error) {
+        --open_;
+        if (error == jauscat::node_errc::no_answer) {
+            const auto report = jaus::report_code_of(head.command_code);
+            wrong(events::no_answer, {{"code", report}, {"address", text::to_text(head.destination)}},
+                  "no " + text::message_name(report) + " from " + text::to_text(head.destination));
+        } else if (error)
+            not_sent(head, error.message());
     }
-    // Reports and answers are shown and no more; a command that the core does not know cannot be obeyed.
-    struct application_type {
-        jaus::message_outcome operator()(const jaus::header& head, std::span<const std::byte>) const {
-            constexpr std::array<std::uint16_t, 5> answers{0x0009, 0x000F, 0x0010, 0x01F3, 0x01F4};
-            const bool informs = head.command_code >= 0x4000 && head.command_code < 0x6000;
-            return informs || std::ranges::find(answers, head.command_code) != answers.end()
-                       ? jaus::message_outcome::handled
-                       : jaus::message_outcome::unhandled;
-        }
-    };
+    static bool is_like(const jaus::header& a, const jaus::header& b) {
+        return a.command_code == b.command_code && a.destination == b.destination;
+    }
+    /// Shows the first copy of a message of the user's.
+    void sent(std::span<const std::byte> message) {
+        const auto parts = jaus::split(message);
+        const auto& head = parts.header;
+        const auto found = std::ranges::find_if(unsent_, [&](const auto& one) { return is_like(one, head); });
+        if (found == unsent_.end() || head.source != self_) return;
+        unsent_.erase(found);
+        show(events::message_sent, example::message_members(head, parts.body),
+             "sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
+    }
+    void not_sent(const jaus::header& head, const std::string& why) {
+        std::erase_if(unsent_, [&](const auto& one) { return is_like(one, head); });
+        wrong(events::not_sent, {{"code", head.command_code}}, why);
+    }
 
     static const char* result_name(jaus::delivered what) {
         switch (what) {
@@ -173,23 +216,21 @@ class communicator {
         return id;
     }
 
-    net::jaus_node_options with_hooks(net::jaus_node_options options) {
+    jauscat::node_options with_hooks(jauscat::node_options options) {
+        options.config = config_.source;
+        options.this_system = config_.this_system;
+        options.node = self_.node;
         options.log = [this](std::string_view line) {
             const auto times = log_lines_.shown(line);
             if (times || log_) // the node limits them
                 show(events::node_log, {{"line", line}, {"times", times.value_or(1)}},
                      "log: " + log_lines_.text(line, times.value_or(1)) + "\n");
         };
-        options.on_message = [this](const jaus::address& component, const jaus::header& head,
+        options.explain_malformed = &why_malformed;
+        options.on_handled = [this](const jaus::address& component, const jaus::header& head,
                                     std::span<const std::byte> body,
                                     jaus::component_outcome what) { seen(component, head, body, what); };
-        options.appeared = [this](const jaus::address& who) {
-            tell("presence", events::peer_heard, {{"address", text::to_text(who)}}, text::to_text(who) + " is there\n");
-        };
-        options.disappeared = [this](const jaus::address& who) {
-            tell("presence", events::peer_lost, {{"address", text::to_text(who)}}, text::to_text(who) + " is gone\n");
-        };
-        options.explain_malformed = &why_malformed;
+        options.on_sent = [this](std::span<const std::byte> message) { sent(message); };
         return options;
     }
     void show(example::event_kind kind, const example::event_members& members, const std::string& lines,
@@ -210,9 +251,10 @@ class communicator {
 
     void seen(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
               jaus::component_outcome what) {
-        std::erase_if(awaited_, [&](const awaited_report& report) {
-            return report.command_code == head.command_code && report.from == head.source;
-        });
+        if (component == self_) {
+            note_authority(head, body);
+            tell_changes();
+        }
         if (component != self_ && !log_) return;
         auto first = "received " + text::summary(head);
         if (what != jaus::component_outcome::handled) first += "; " + std::string{describe(what)};
@@ -252,11 +294,11 @@ class communicator {
     }
     void quit() { quitting_ = true; }
     /// Quitting waits for answers; each arrives or times out within two seconds.
-    [[nodiscard]] bool done() const { return quitting_ && core_.waiting() == 0 && awaited_.empty(); }
+    [[nodiscard]] bool done() const { return quitting_ && open_ == 0; }
 
     void send(const words& all) {
         jaus::header head{.source = self_};
-        if (const auto* const system = node_.config().find(all[1]))
+        if (const auto* const system = config_.find(all[1]))
             head.destination = example::component_of(*system);
         else if (const auto id = net::parse_jausip(all[1]))
             head.destination = *id;
@@ -270,40 +312,32 @@ class communicator {
         const auto filled = kind->from_words(std::span{all}.subspan(3));
         if (!filled) return wrong(filled.error());
         const std::span<const std::byte> body = *filled;
-        head.sequence_number = ++sequence_;
-        const auto report = jaus::report_code_of(head.command_code);
-        const bool to_one = jaus::names_one_component(head.destination);
-        if (report == 0 && to_one && body.size() <= jaus::max_body_size)
-            send_acknowledged(head, body);
-        else if (const auto sent = node_.send(head, body); !sent)
-            wrong(events::not_sent, {{"code", head.command_code}}, sent.error().message);
-        else {
-            show(events::message_sent, example::message_members(head, body),
-                 "sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
-            if (report != 0 && to_one) awaited_.push_back({report, head.destination, jauscat::deadline{now(), 2s}});
+        const bool asks = jaus::report_code_of(head.command_code) != 0;
+        unsent_.push_back(head);
+        if (!jaus::names_one_component(head.destination)) {
+            const auto done = unit_.send(head.destination, head.command_code, body);
+            if (!done) not_sent(head, done.error().message);
+            return;
         }
-    }
-    void send_acknowledged(const jaus::header& head, std::span<const std::byte> body) {
-        std::array<std::byte, jaus::header_size + jaus::max_body_size> message{};
-        const auto made = jaus::join(head, body, message);
-        if (!made) return wrong(events::not_sent, {{"code", head.command_code}}, std::string{describe(made.error())});
-        show(events::message_sent, example::message_members(head, body),
-             "sent " + text::message_name(head.command_code) + " to " + text::to_text(head.destination) + "\n");
-        const auto what = core_.send(*made, now(), node_.out());
-        if (!what) wrong(events::not_sent, {{"code", head.command_code}}, std::string{describe(what.error())});
+        ++open_;
+        if (asks)
+            unit_.async_ask(head.destination, head.command_code, body, {.timeout = 2s, .acknowledged = false},
+                            [this, head](error_code error, auto&&) { answered(head, error); });
+        else
+            unit_.async_send(head.destination, head.command_code, body,
+                             [this, head](error_code error) { delivered(head, error); });
     }
     void peers() {
         std::string lines, names, heard;
-        for (const auto& system : node_.config().systems) {
+        for (const auto& system : config_.systems) {
             names += (names.empty() ? "" : " ") + system.name;
             lines += "  " + padded(system.name, 12) + padded(net::to_jausip(system.jausip), 17) +
                      padded(net_address(system), 28) + "framing " + std::string{jaus::name(system.framing)} +
-                     (system.name == node_.config().this_system ? ", this system" : "") + "\n";
+                     (system.name == config_.this_system ? ", this system" : "") + "\n";
         }
-        if (const auto* const present = node_.present(); present != nullptr && present->size() != 0) {
+        if (!present_.empty()) {
             lines += "  heard:";
-            present->for_each(
-                [&](const jaus::address& who) { heard += (heard.empty() ? "" : " ") + text::to_text(who); });
+            for (const auto& who : present_) heard += (heard.empty() ? "" : " ") + text::to_text(who);
             lines += ' ' + heard + "\n";
         } else
             lines += "  no peers\n";
@@ -311,18 +345,22 @@ class communicator {
     }
 
     std::unique_ptr<line_source> input_;
+    net::jaus_config config_;
     jaus::address self_;
-    boost::asio::io_context context_{};
     example::repeated_lines log_lines_{};
     example::event_limit limit_{};
     bool log_{}, quitting_{}, any_wrong_{};
     jauscat::time_point next_line_at_{};
-    std::vector<awaited_report> awaited_{};
-    std::uint16_t sequence_{};
-    application_type application_{};
-    jaus::component_memory<16, jaus::header_size + jaus::max_body_size> memory_{};
-    jaus::component<> core_;
-    net::jaus_node node_;
+    std::vector<jaus::header> unsent_{}; ///< messages of the user's that are about to be sent
+    std::size_t open_{};                 ///< messages that wait for their answer
+    std::vector<jaus::address> present_{};
+    jaus::primary_status_code state_{};
+    std::optional<jaus::address> controller_{};
+    std::uint8_t authority_{}, told_authority_{}; ///< of the controller
+
+    boost::asio::io_context context_{};
+    jauscat::node node_;
+    jauscat::component unit_;
 };
 
 } // namespace
@@ -347,10 +385,10 @@ int main(int argc, char** argv) {
             if (number > 254) throw example::usage_error{std::string{"--"} + name + " must be 0 to 254"};
             return static_cast<std::uint8_t>(number);
         };
-        net::jaus_node_options how{.accept = values.count("open") != 0 ? net::access::open : net::access::closed,
-                                   .node = id("node"),
-                                   .primary = id("primary"),
-                                   .socket = {.reuse_address = values.count("reuse") != 0}};
+        jauscat::node_options how{.node = id("node"),
+                                  .primary = id("primary"),
+                                  .open = values.count("open") != 0,
+                                  .reuse_address = values.count("reuse") != 0};
         const bool by_hand = ::isatty(STDIN_FILENO) != 0;
         communicator node{example::load_config(values), std::move(how),
                           by_hand ? terminal_lines("> ") : script_lines()};

@@ -34,7 +34,8 @@ struct node_options {
     /// for each message that a component sends. The node manager is a component, too.
     std::function<void(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body)>
         on_received{};
-    std::function<void(const jaus::address& component, const jaus::header& head, jaus::component_outcome what)>
+    std::function<void(const jaus::address& component, const jaus::header& head, std::span<const std::byte> body,
+                       jaus::component_outcome what)>
         on_handled{};
     std::function<void(std::span<const std::byte> message)> on_sent{};
 };

@@ -53,9 +53,7 @@ JAUSCAT_DECL net::jaus_node_options node_state::net_options() {
     };
     net.on_received = options_.on_received;
     net.on_sent = options_.on_sent;
-    if (options_.on_handled)
-        net.on_message = [this](const jaus::address& component, const jaus::header& head, bytes,
-                                jaus::component_outcome what) { options_.on_handled(component, head, what); };
+    net.on_message = options_.on_handled;
     net.appeared = [this](const jaus::address& who) {
         if (on_appeared) on_appeared(who);
     };
