@@ -34,6 +34,9 @@ class narrator {
             if (const auto times = log_lines_.shown(line))
                 say_(events::node_log, {{"line", line}, {"times", *times}}, log_lines_.text(line, *times));
         };
+        options.explain_malformed = [](std::uint16_t command_code, std::span<const std::byte> body) {
+            return jauscat::text::why_malformed(command_code, body, robot_messages{});
+        };
         options.on_received = [this](const auto& component, const auto& head, auto body) {
             if (is_shown(component, head)) received(head, body);
         };

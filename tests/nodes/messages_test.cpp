@@ -207,6 +207,11 @@ TEST_CASE("a datagram with the source of another system is refused, and garbage 
     r.controller().wait_for(
         "not_delivered", {{"address", "2.2.33.1"}, {"status", 0xC065003B}, {"abort_code", 0x06090030}, {"station", 2}});
     r.controller().wait_for("message_sent", {{"code", set_wrench_effort}, {"acknowledgement", "nak"}});
+    // A Set Component Authority without its body: the log names the field.
+    send_bytes(r.controller_port, "16020100012102020120010100006400");
+    r.controller().wait_for("node_log", [&](const json& event) {
+        return event["line"].get<std::string>().find("authority_code") != std::string::npos;
+    });
     // A command code that the table does not have.
     send_bytes(r.controller_port, "16029999012102020120010100006300");
     r.controller().wait_for("not_delivered", {{"code", 0x9999}, {"refusal", "not_translated"}});
