@@ -53,6 +53,15 @@ struct driver_and_operator : operator_and_robot {
     }
 };
 
+/// Takes what a subscription has until it fails.
+boost::asio::awaitable<error_code> next_error(auto& stream) {
+    error_code why;
+    do {
+        co_await stream.async_next(boost::asio::redirect_error(boost::asio::use_awaitable, why));
+    } while (!why);
+    co_return why;
+}
+
 TEST_CASE("an operator takes control, commands, asks, and receives reports in a coroutine") {
     driver_and_operator test;
     test.run([&]() -> boost::asio::awaitable<void> {
@@ -133,10 +142,7 @@ TEST_CASE("a subscription says once that its provider is silent, and goes on whe
         auto efforts = co_await test.unit.async_connect<jaus::report_wrench_effort>(test.arm, {.rate = 50});
         static_cast<void>(co_await efforts.async_next());
         test.robots.stop();
-        error_code why;
-        do {
-            co_await efforts.async_next(boost::asio::redirect_error(boost::asio::use_awaitable, why));
-        } while (!why);
+        const auto why = co_await next_error(efforts);
         CHECK(why == jauscat::node_errc::silent);
         test.robots.start();
         static_cast<void>(co_await efforts.async_next());
@@ -170,10 +176,7 @@ TEST_CASE("a subscription to an event says once that its provider is silent") {
             test.arm, jaus::create_event{.event_type = jaus::event_type::periodic, .requested_periodic_rate = 50});
         static_cast<void>(co_await efforts.async_next());
         test.robots.stop();
-        error_code why;
-        do {
-            co_await efforts.async_next(boost::asio::redirect_error(boost::asio::use_awaitable, why));
-        } while (!why);
+        const auto why = co_await next_error(efforts);
         CHECK(why == jauscat::node_errc::silent);
     });
 }
@@ -200,10 +203,7 @@ TEST_CASE("a subscription of before a restart of the node leaves later ones alon
         test.mine.stop();
         test.mine.start();
         test.unit.ready();
-        error_code why;
-        do {
-            co_await before.async_next(boost::asio::redirect_error(boost::asio::use_awaitable, why));
-        } while (!why);
+        const auto why = co_await next_error(before);
         CHECK(why == boost::asio::error::operation_aborted);
         auto after = co_await test.unit.async_connect<jaus::report_wrench_effort>(test.arm, {.rate = 50});
         before.end();

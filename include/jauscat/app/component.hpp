@@ -227,9 +227,6 @@ template <class Query, class F> auto report_of(F& f, const Query& query) {
         return f(query);
 }
 
-} // namespace app
-
-namespace app {
 /// The command code of what a handler returns; 0 where that is no message.
 template <class R> inline constexpr std::uint16_t answer_code_of = 0;
 template <jaus::coded_message R> inline constexpr std::uint16_t answer_code_of<R> = jaus::command_code_of<R>;
