@@ -54,7 +54,7 @@ struct bus_options {
     std::function<void(std::string_view line)> log{};
     /// Gets the problems of the link besides the log.
     std::function<void(link_fault what, std::string_view line)> on_fault{};
-    /// Gets all frames, for a trace. Must not use the bus.
+    /// Gets all frames, for a trace; in the thread of the bus if it has one. Must not use the bus.
     std::function<void(const passing_frame& frame)> on_frame{};
 };
 

@@ -97,7 +97,7 @@ class served_slave final : public bus_user {
     [[nodiscard]] bool is_up() const noexcept { return front_ && front_->up(); }
 
     JAUSCAT_DECL void send(bytes message) override;
-    JAUSCAT_DECL void bus_ends(bool was_up) noexcept override;
+    JAUSCAT_DECL void bus_ends() noexcept override;
     [[nodiscard]] bridging::slave_front& front() noexcept override { return *front_; }
     [[nodiscard]] JAUSCAT_DECL std::uint8_t node() const noexcept override;
 

@@ -98,11 +98,15 @@ JAUSCAT_DECL void bridge_state::stop() noexcept {
         bus_->bring_to_rest(served);
         note_rest(true);
         for (auto* const each : moving) note_rest(each->check_rest());
-    } catch (...) { // of the log
+    } catch (...) { // of the log, or no memory: what is not known is not confirmed
+        note_rest(false);
     }
     for (auto& each : slaves_) each.stop();
     locked.unlock();
-    flush();
+    try {
+        flush();
+    } catch (...) { // of the application's log
+    }
 }
 JAUSCAT_DECL void bridge_state::close() noexcept {
     if (is_closed_) return;
@@ -251,13 +255,14 @@ JAUSCAT_DECL bool served_slave::check_rest() {
 }
 
 JAUSCAT_DECL void served_slave::send(bytes message) { bridge_.send(message); }
-JAUSCAT_DECL void served_slave::bus_ends(bool was_up) noexcept {
+JAUSCAT_DECL void served_slave::bus_ends() noexcept {
     is_served_ = false;
     if (!front_) return;
     front_->on_work({});
     try {
         if (was_up) bridge_.note_rest(check_rest());
-    } catch (...) { // of the log
+    } catch (...) { // of the log: it is not at rest
+        bridge_.note_rest(false);
     }
     const bool is_up = front_->up();
     front_->set_up(false);

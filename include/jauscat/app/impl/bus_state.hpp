@@ -58,10 +58,12 @@ class bus_user {
     [[nodiscard]] virtual bridging::slave_front& front() noexcept = 0;
     /// A message of one of its components.
     virtual void send(std::span<const std::byte> message) = 0;
-    /// The bus does not serve the slave any more. `was_up`: it answered when the bus was stopped.
-    virtual void bus_ends(bool was_up) noexcept = 0;
+    /// The bus does not serve the slave any more.
+    virtual void bus_ends() noexcept = 0;
     /// Of its components.
     [[nodiscard]] virtual std::uint8_t node() const noexcept = 0;
+
+    bool was_up{}; ///< the slave answered when the bus was stopped
 };
 
 /// A slave that was found.

@@ -10,7 +10,6 @@
 #include <array>
 #include <exception>
 #include <iostream>
-#include <iterator>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -583,7 +582,16 @@ JAUSCAT_DECL void bus_state::look_at_link() {
 }
 JAUSCAT_DECL void bus_state::tell_fault(link_fault what, std::string_view line) const {
     log(line);
-    if (options_.on_fault) options_.on_fault(what, line);
+    if (!options_.on_fault) return;
+    if (!is_own_thread()) return options_.on_fault(what, line);
+    boost::asio::post(context_, [weak = weak_from_this(), what, text = std::string{line}] {
+        const auto self = weak.lock();
+        if (!self) return;
+        auto lock = self->lock();
+        if (self->is_closed_) return;
+        lock.unlock();
+        self->options_.on_fault(what, text);
+    });
 }
 JAUSCAT_DECL void bus_state::show_frame(std::span<const std::byte> frame, bool is_sent) const {
     options_.on_frame({.bytes = frame, .is_sent = is_sent, .is_keep_alive = ring_ && ring_->keeps_alive()});
@@ -609,15 +617,11 @@ JAUSCAT_DECL void bus_state::stop() noexcept {
     {
         const auto locked = lock();
         attempt([&] { abort_all(boost::asio::error::operation_aborted); });
-        std::vector<bus_user*> were_up;
-        attempt([&] {
-            std::ranges::copy_if(users_, std::back_inserter(were_up), [](auto* user) { return user->front().up(); });
-        });
+        for (auto* const user : users_) user->was_up = user->front().up();
         attempt([&] {
             if (ring_) bring_to_rest(users_);
         });
-        for (auto* const user : std::exchange(users_, {}))
-            user->bus_ends(std::ranges::find(were_up, user) != were_up.end());
+        for (auto* const user : std::exchange(users_, {})) user->bus_ends();
         current_.reset();
         is_started_ = false;
         attempt([&] {
