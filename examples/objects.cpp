@@ -24,7 +24,7 @@ asio::awaitable<void> list_objects(jauscat::bus& bus) {
 // [bus end]
 
 int main(int argc, char** argv) try {
-    if (argc != 2) return std::cerr << "objects INTERFACE, such as eth0 or udp:127.0.0.1\n", 2;
+    if (argc != 2 || argv[1][0] == '-') return std::cerr << "objects INTERFACE, such as eth0 or udp:127.0.0.1\n", 2;
     asio::io_context context;
     jauscat::bus bus{context, argv[1]};
     asio::co_spawn(context, list_objects(bus), [&](const std::exception_ptr& problem) {

@@ -1,8 +1,13 @@
 #include "two_nodes.hpp"
 #include <jauscat/schema/jaus/platform.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace {
 
@@ -136,6 +141,44 @@ TEST_CASE("a message has one handler") {
     test.driver.reports([] { return jaus::report_wrench_effort{}; });
     CHECK_THROWS_AS(test.driver.reports([] { return jaus::report_wrench_effort{}; }), std::logic_error);
     CHECK_THROWS_AS(test.driver.on([](const jaus::query_wrench_effort&) {}), std::logic_error);
+}
+
+TEST_CASE("only a node with the option primary relays between the nodes of its subsystem") {
+    const auto ports = support::free_ports<3>();
+    const auto system = [&](const std::string& name, const std::string& id, std::size_t at) {
+        return "<system><name>" + name + "</name><jausip>" + id + "</jausip><ip>127.0.0.1</ip><port>" +
+               std::to_string(ports[at]) + "</port></system>";
+    };
+    // Nodes 2 and 3 know each other by the way through node 1 only.
+    const auto first = system("first", "5.1.0.0", 0), second = system("second", "5.2.0.0", 1),
+               third = system("third", "5.3.0.0", 2), through_first = system("first", "5.0.0.0", 0);
+    for (const std::uint8_t primary : {std::uint8_t{1}, std::uint8_t{0}}) {
+        boost::asio::io_context context;
+        std::vector<std::string> log;
+        const auto options = [&](const std::string& name, const std::string& systems) {
+            return jauscat::node_options{.config_text =
+                                             "<jausconfig thissystem='" + name + "'>" + systems + "</jausconfig>",
+                                         .this_system = name,
+                                         .primary = primary,
+                                         .log = [&](std::string_view line) { log.emplace_back(line); }};
+        };
+        jauscat::node one{context, options("first", first + second + third)},
+            two{context, options("second", second + through_first)},
+            three{context, options("third", third + through_first)};
+        jauscat::component unit{two, {.id = 32}}, driver{three, {.id = 33}};
+        driver.ready();
+        one.start();
+        two.start();
+        three.start();
+        outcome of;
+        unit.async_send(driver.address(), jaus::standby{}, of());
+        REQUIRE(support::until(context, [&] { return of.error.has_value(); }));
+        CHECK((*of.error == error_code{}) == (primary == 1));
+        const bool is_refused = std::ranges::any_of(log, [](const std::string& line) {
+            return line.find("only the primary node forwards from node to node") != std::string::npos;
+        });
+        CHECK(is_refused == (primary == 0));
+    }
 }
 
 TEST_CASE("a node with an unusable configuration or port says what is wrong") {
