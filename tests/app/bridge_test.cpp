@@ -1,5 +1,6 @@
 // A bridge between an operator's node and actuators behind EtherCAT in UDP, all in this program.
 #include "bridge/actuator.hpp"
+#include "bridge/joint_part.hpp"
 #include "support/catch.hpp"
 #include "support/free_ports.hpp"
 #include "support/until.hpp"
@@ -12,6 +13,7 @@
 #include <jauscat/schema/jaus/platform.hpp>
 #include <jauscat/schema/translation/seed_table.hpp>
 #include <jauscat/schema/translation/self_contained_table.hpp>
+#include <jauscat/schema/translation/wrench_effort_image.hpp>
 
 #include <atomic>
 #include <chrono>
@@ -470,6 +472,62 @@ TEST_CASE("in cycles an effort goes by process data") {
     CHECK(b.ring.effort() == 0);
 }
 
+TEST_CASE("a component has a process image by tables of the application's") {
+    constexpr jaus::address gripper{.instance = 1, .component = 45, .node = 2, .subsystem = 2};
+    bench b;
+    b.bridge.emplace(*b.robot, *b.bus, translation::seed_table{}, jauscat::bridge_options{.period = 10ms});
+    b.bridge->serve(
+        {.component = 45}, b.bus->slave({.position = 0}),
+        jauscat::process_image<translation::set_wrench_effort_table, translation::report_wrench_effort_table>());
+    b.start();
+    REQUIRE(b.drive(40, 0, gripper));
+    b.ring.with(0, [](auto& each) {
+        CHECK(std::ranges::count(each.behind.executed, jaus::command_code_of<jaus::set_wrench_effort>) == 0);
+    });
+    b.operator_node.stop();
+    REQUIRE(b.until([&] { return b.ring.effort() == 0; }));
+}
+
+TEST_CASE("a component in front of several slaves drives each, and rests when one is lost") {
+    const bool thread = GENERATE(false, true);
+    constexpr jaus::address manipulator{.instance = 1, .component = 56, .node = 2, .subsystem = 2};
+    constexpr std::size_t joints = 3;
+    bench b{joints, {.frame_timeout = 5ms, .thread = thread}};
+    b.bridge.emplace(*b.robot, *b.bus, translation::seed_table{}, jauscat::bridge_options{.period = 10ms});
+    std::vector<jauscat::slave> slaves;
+    for (std::uint16_t i = 0; i != joints; ++i) slaves.push_back(b.bus->slave({.position = i}));
+    b.bridge->serve({.component = 56}, slaves, std::make_unique<test::joint_part>());
+    std::vector<jauscat::slave_choice> lost;
+    b.bridge->when_lost([&](const jauscat::slave_choice& which, error_code) { lost.push_back(which); });
+    b.bridge->when_changed([&](const auto&, status now) { b.state = now; });
+    b.start();
+    const auto drive = [&] {
+        int turns = 0;
+        return b.until([&] {
+            if (turns++ % 20 == 0) {
+                static_cast<void>(b.unit.send(manipulator, jaus::request_component_control{.authority_code = 100}));
+                static_cast<void>(
+                    b.unit.send(manipulator, jaus::basic_set_joint_efforts<3>{.joint_effort = {10, 20, 30}}));
+            }
+            return std::abs(b.ring.effort(0) - 10) < 0.1 && std::abs(b.ring.effort(2) - 30) < 0.1;
+        });
+    };
+    REQUIRE(drive());
+    CHECK(b.bridge->is_up());
+    b.ring.with(1, [](auto& each) { each.power_cycle(); });
+    REQUIRE(b.until([&] { return b.state == status::failure; }));
+    REQUIRE(b.until([&] { return b.ring.effort(0) == 0 && b.ring.effort(2) == 0; }));
+    REQUIRE(b.until([&] { return b.state == status::ready && b.bridge->at_rest(); }));
+    CHECK(lost.size() == 1);
+    CHECK(lost[0].position == std::uint16_t{1});
+    REQUIRE(drive());
+    SECTION("the node ends") { b.robot->stop(); }
+    SECTION("the bridge ends") { b.bridge.reset(); }
+    SECTION("the bus ends") { b.bus->stop(); }
+    for (std::size_t i = 0; i != joints; ++i) CHECK(b.ring.effort(i) == 0);
+    b.run(20ms);
+}
+
 TEST_CASE("operations of a bus go on beside its bridge") {
     bench b{2};
     b.serve();
@@ -570,6 +628,21 @@ TEST_CASE("what cannot be served is refused at once") {
     CHECK_THROWS_AS(bridge.serve({.component = 33}, first), std::invalid_argument);
     CHECK_THROWS_AS(bridge.serve({.component = 0}, first), std::invalid_argument);
     CHECK_NOTHROW(bridge.serve({.component = 34}, first));
+    const auto image = [] {
+        return jauscat::process_image<translation::set_wrench_effort_table, translation::report_wrench_effort_table>();
+    };
+    CHECK_THROWS_AS(bridge.serve({.component = 45}, first, image()), std::invalid_argument); // no period
+    CHECK_THROWS_AS(bridge.serve({.component = 45}, std::vector<jauscat::slave>{}, image()), std::invalid_argument);
+    {
+        bench c{2};
+        c.bridge.emplace(*c.robot, *c.bus, translation::seed_table{}, jauscat::bridge_options{.period = 10ms});
+        const auto one = c.bus->slave({.position = 0}), two = c.bus->slave({.position = 1});
+        CHECK_THROWS_AS(c.bridge->serve({.component = 45}, {one, two}, image()), std::invalid_argument); // by mailbox
+        CHECK_THROWS_AS(c.bridge->serve({.component = 45}, {one, two}, nullptr), std::invalid_argument);
+        CHECK_THROWS_AS(c.bridge->serve({.component = 45}, {one, one}, std::make_unique<test::joint_part>()),
+                        std::invalid_argument);
+        CHECK_NOTHROW(c.bridge->serve({.component = 45}, {one, two}, std::make_unique<test::joint_part>()));
+    }
     CHECK_THROWS_AS((jauscat::component{*b.robot, {.id = 34}}), std::invalid_argument);
     const jauscat::bridge_options other{.at_rest_within = 1s};
     CHECK_THROWS_AS((jauscat::bridge{*b.robot, *b.bus, translation::seed_table{}, other}), std::invalid_argument);

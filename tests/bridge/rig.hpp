@@ -3,6 +3,7 @@
 #include "actuator.hpp"
 #include "support/catch.hpp"
 #include <jauscat/bridge/ring.hpp>
+#include <jauscat/bridge/wrench_effort_part.hpp>
 
 #include <deque>
 #include <functional>
@@ -19,7 +20,8 @@ using bytes = std::span<const std::byte>;
 
 /// Records the bridge's events.
 struct notes {
-    unsigned up{}, lost{}, settled_debts{}, stops_refused{}, failed_bring_ups{};
+    unsigned up{}, lost{}, settled_debts{}, stops_refused{}, failed_bring_ups{}, ended_faults{};
+    std::vector<bridging::drive_fault> faults{};
     std::optional<bridging::loss> last_loss{};
     std::vector<bridging::refusal> refusals{};
     std::vector<std::uint16_t> emergencies{};
@@ -37,6 +39,8 @@ struct notes {
     void stop_refused(const bridging::component&, bridging::stop_order, const bridging::refusal_reason&, unsigned) {
         ++stops_refused;
     }
+    void faulted(const bridging::component&, const bridging::drive_fault& what) { faults.push_back(what); }
+    void fault_ended(const bridging::component&) { ++ended_faults; }
     void refused(const bridging::component&, const jaus::header&, const bridging::refusal_reason& why) {
         refusals.push_back(why.why);
     }
@@ -47,6 +51,8 @@ struct notes {
                 .slave_emergency = jaus::bound<&notes::slave_emergency>(*this),
                 .stop_refused = jaus::bound<&notes::stop_refused>(*this),
                 .settled = jaus::bound<&notes::settled>(*this),
+                .faulted = jaus::bound<&notes::faulted>(*this),
+                .fault_ended = jaus::bound<&notes::fault_ended>(*this),
                 .refused = jaus::bound<&notes::refused>(*this)};
     }
 };
@@ -57,7 +63,8 @@ class rig {
     static constexpr jaus::address operator_unit{.instance = 1, .component = 32, .node = 1, .subsystem = 1};
     static constexpr jaus::address stranger{.instance = 1, .component = 32, .node = 1, .subsystem = 3};
 
-    explicit rig(std::size_t slaves = 1, bool cyclic = false)
+    /// With `group` one unit, 2.2.33.1, is in front of all slaves.
+    explicit rig(std::size_t slaves = 1, bool cyclic = false, bridging::process_part* group = nullptr)
         : options{cyclic ? bridging::at_rest_within(bridging::at_rest_in_cycles, 10ms)
                          : bridging::at_rest_within(bridging::at_rest_by_mailbox)} {
         for (std::size_t i = 0; i != slaves; ++i) {
@@ -69,9 +76,17 @@ class rig {
                                                         .identity = {.subsystem = 2, .station = station},
                                                         .cyclic = cyclic},
                                 exchanges.back(), options, memories_.back(), watcher.observer());
-            units.emplace_back(unit_address(i), fronts.back(), core_options);
             REQUIRE(bus.add(fronts.back()));
+            if (group != nullptr) continue;
+            if (cyclic)
+                units.emplace_back(unit_address(i), fronts.back(), process_parts.emplace_back(), core_options);
+            else
+                units.emplace_back(unit_address(i), fronts.back(), core_options);
         }
+        if (group == nullptr) return;
+        std::vector<bridging::slave_front*> all;
+        for (auto& each : fronts) all.push_back(&each);
+        units.emplace_back(unit_address(0), all, *group, core_options);
     }
 
     static jaus::address unit_address(std::size_t i) {
@@ -172,6 +187,7 @@ class rig {
     std::deque<emulated_actuator> actuators{};
     std::deque<bridging::exchange_under<actuator::table>> exchanges{};
     std::deque<bridging::slave_front> fronts{};
+    std::deque<bridging::wrench_effort_part> process_parts{};
     std::deque<bridging::component> units{};
     bridging::ring bus{options};
     std::vector<std::vector<std::byte>> messages{};

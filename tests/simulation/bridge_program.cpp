@@ -24,7 +24,9 @@ struct bridge_program::unit {
               options,
               orders,
               watcher},
-          component{unit_id(program.places_[i]), front, {.control = {.timeout = options.control_timeout}}},
+          component{program.settings_.cyclic[i]
+                        ? bridging::component{unit_id(program.places_[i]), front, efforts, core(options)}
+                        : bridging::component{unit_id(program.places_[i]), front, core(options)}},
           watched{component, nothing_more},
           node{configuration_of(program.places_, i),
                {},
@@ -35,7 +37,12 @@ struct bridge_program::unit {
         node.add(watched, nothing_more);
     }
 
+    static jaus::component_options core(const bridging::bridge_options& options) {
+        return {.control = {.timeout = options.control_timeout}};
+    }
+
     bridging::slave_identity identity;
+    bridging::wrench_effort_part efforts{};
     bridging::exchange_under<bridge_table> exchange{identity};
     bridging::order_memory<16, 256> orders{};
     bridging::slave_front front;

@@ -5,6 +5,7 @@
 #include "simulation/node_program.hpp"
 #include "simulation/ring.hpp"
 #include <jauscat/bridge/ring.hpp>
+#include <jauscat/bridge/wrench_effort_part.hpp>
 
 #include <deque>
 #include <memory>

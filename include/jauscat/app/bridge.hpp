@@ -7,10 +7,12 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace jauscat {
 namespace bridging {
 class any_exchange;
+class process_part;
 struct observer;
 struct slave_identity;
 } // namespace bridging
@@ -59,6 +61,16 @@ class bridge {
     /// identity is looked for on the whole bus, until it is found. Throws `std::invalid_argument` for an ID that is no
     /// component's or that the node has already, and for a slave of another bus; `std::logic_error` if the node runs.
     JAUSCAT_DECL void serve(const served_component& component, const slave& by);
+    /// The same with messages by process data, as `part` carries them: for a process image of the application's see
+    /// process_image in <jauscat/app/own_table.hpp>, for all else bridging::process_part. Throws
+    /// `std::invalid_argument` also if the bridge has no period. Without a part, wrench efforts of component 33 go by
+    /// process data, if there is a period.
+    JAUSCAT_DECL void serve(const served_component& component, const slave& by,
+                            std::unique_ptr<bridging::process_part> part);
+    /// A component in front of 1 to 32 slaves, in the order that the part gets: element i of a JAUS list is for the
+    /// slave i. If one is lost, all others are brought to rest. The part of several slaves does without mailboxes.
+    JAUSCAT_DECL void serve(const served_component& component, const std::vector<slave>& group,
+                            std::unique_ptr<bridging::process_part> part);
 
     /// Called when a slave answers and takes messages.
     JAUSCAT_DECL void when_up(std::function<void(const slave_choice& slave)> f);

@@ -12,8 +12,9 @@ struct bridge_options {
     /// An actuator is at rest within this time after its controller, the link, the slave's state or this program is
     /// lost: 20 ms to 60 s, with process data 4 periods to 6.5 s. 0: 500 ms, with process data 100 ms or 4 periods.
     duration at_rest_within{};
-    /// Of the process data: the slaves run in OP, and wrench efforts of component 33 go by their process image. 0:
-    /// none, the slaves are in PRE-OP, and all messages go by their mailboxes.
+    /// Of the process data: the slaves run in OP, and wrench efforts of component 33, and what the application has
+    /// process parts for, go by their process data. 0: none, the slaves are in PRE-OP, and all messages go by their
+    /// mailboxes.
     duration period{};
 };
 

@@ -2,6 +2,7 @@
 // and forwards all other messages to the slave.
 #pragma once
 #include <jauscat/base/time.hpp>
+#include <jauscat/bridge/process_channel.hpp>
 #include <jauscat/bridge/slave_front.hpp>
 #include <jauscat/jaus/component/component.hpp>
 #include <jauscat/schema/jaus/platform.hpp>
@@ -23,6 +24,7 @@ inline constexpr std::uint32_t slave_absent = 1;          ///< the slave does no
 inline constexpr std::uint32_t rest_unconfirmed = 2;      ///< the actuator has not confirmed that it is at rest
 inline constexpr std::uint32_t emergency_unconfirmed = 4; ///< it has not confirmed the emergency
 inline constexpr std::uint32_t clear_unconfirmed = 8;     ///< it has not confirmed the end of the emergency
+inline constexpr std::uint32_t drive_fault = 16;          ///< a drive behind it has a fault
 } // namespace secondary_status
 
 /// Added to a node like a jaus::component. Its actuator is brought to rest, by a Set Wrench Effort with zeros in all
@@ -31,32 +33,42 @@ inline constexpr std::uint32_t clear_unconfirmed = 8;     ///< it has not confir
 /// queued messages and is repeated until the actuator confirms it; then the message that caused it is acknowledged.
 /// Queued commands are refused.
 ///
-/// While the slave does not answer, the component is in Failure, and its controller gets Reject Component Control. When
-/// the slave is back and at rest, the component is ready again, or in Standby if it was that or in an emergency.
+/// With a process_part, messages that it takes go by the slave's process data, and its `stop` takes the place of the
+/// Set Wrench Effort.
+///
+/// While a slave does not answer, or a drive has a fault, the component is in Failure, and its controller gets Reject
+/// Component Control. When the slave is back and at rest, the component is ready again, or in Standby if it was that or
+/// in an emergency.
 class component {
   public:
     using bytes = std::span<const std::byte>;
 
     /// The front must outlive it and have a free place: component_capacity.
     component(const jaus::address& self, slave_front& front, const jaus::component_options& options = {}) noexcept
-        : front_{front},
-          stops_{front.timing().stop_interval},
-          core_{self,
-                memory_,
-                {.on_state = jaus::bound<&component::changed_state>(*this),
-                 .on_controller = jaus::bound<&component::changed_controller>(*this),
-                 .on_state_command = jaus::bound<&component::state_command>(*this)},
-                options} {
-        static_cast<void>(front.add(*this)); // has room: see above
-        stops_.require_rest();               // what the actuator does is not known yet
-    }
+        : component{self, front, nullptr, {}, options} {}
+    /// With messages by process data. The slave is cyclic; the part must outlive this and serves no other component.
+    component(const jaus::address& self, slave_front& front, process_part& part,
+              const jaus::component_options& options = {}) noexcept
+        : component{self, front, &part, {}, options} {}
+    /// In front of several slaves, 1 to group_capacity, in the order that the part gets. The part does without
+    /// mailboxes.
+    component(const jaus::address& self, std::span<slave_front* const> group, process_part& part,
+              const jaus::component_options& options = {}) noexcept
+        : component{self, *group.front(), &part, group, options} {}
     component(const component&) = delete;
     component& operator=(const component&) = delete;
-
     [[nodiscard]] const jaus::address& self() const noexcept { return core_.self(); }
     [[nodiscard]] jaus::primary_status_code state() const noexcept { return core_.state(); }
     [[nodiscard]] const jaus::component_control& control() const noexcept { return core_.control(); }
+    /// The first slave.
     [[nodiscard]] const slave_front& front() const noexcept { return front_; }
+    [[nodiscard]] slave_front& front() noexcept { return front_; }
+    /// All slaves answer and take messages.
+    [[nodiscard]] bool is_up() const noexcept { return process_ ? process_->is_started() : front_.up(); }
+    /// Nullptr without process data.
+    [[nodiscard]] process_channel* process() noexcept { return process_ ? &*process_ : nullptr; }
+    [[nodiscard]] const process_channel* process() const noexcept { return process_ ? &*process_ : nullptr; }
+    [[nodiscard]] const std::optional<drive_fault>& fault() const noexcept { return fault_; }
     /// Stop orders that the actuator has not confirmed.
     [[nodiscard]] const pending_stops& stops() const noexcept { return stops_; }
 
@@ -92,15 +104,26 @@ class component {
 
     // For the ring.
 
-    /// Called when the slave answers again. Sends the pending stop orders at once.
+    /// Called when all slaves answer again. Sends the pending stop orders at once.
     void on_slave_up() { require_stop_of_state(stop_cause::slave_returned); }
     void on_slave_lost(time_point now, jaus::message_sink out) {
-        using enum jaus::primary_status_code;
-        was_at_rest_ = was_at_rest_ || core_.state() == standby || core_.state() == emergency;
-        require_stop_of_state(stop_cause::slave_absent);
-        core_.change(jaus::state_event::failed);
-        core_.reject_control(out);
+        if (process_)
+            process_->end(
+                [&](const jaus::header& head) { on_not_executed(head, {.why = refusal::slave_down}, now, out); });
+        fail(stop_cause::slave_absent, out);
         follow_up(now, out);
+    }
+    /// After each step of the part.
+    void on_step(const std::optional<drive_fault>& fault, time_point now, jaus::message_sink out) {
+        const bool was_faulted = fault_.has_value(), is_new = fault && fault != fault_;
+        fault_ = fault;
+        if (is_new) front_.watcher().faulted(*this, *fault);
+        if (was_faulted && !fault) front_.watcher().fault_ended(*this);
+        if (!was_faulted && fault)
+            fail(stop_cause::drive_fault, out);
+        else if (fault && core_.state() == jaus::primary_status_code::initialize)
+            core_.change(jaus::state_event::failed); // after a Reset
+        if (was_faulted || fault) follow_up(now, out);
     }
     /// Writes the message of the stop order `what` to `out`; returns its size.
     [[nodiscard]] std::size_t stop_message(stop_order what, std::span<std::byte> out) const noexcept {
@@ -152,13 +175,32 @@ class component {
     }
 
   private:
+    component(const jaus::address& self, slave_front& front, process_part* part, std::span<slave_front* const> group,
+              const jaus::component_options& options) noexcept
+        : front_{front},
+          stops_{front.timing().stop_interval},
+          core_{self,
+                memory_,
+                {.on_state = jaus::bound<&component::changed_state>(*this),
+                 .on_controller = jaus::bound<&component::changed_controller>(*this),
+                 .on_state_command = jaus::bound<&component::state_command>(*this)},
+                options} {
+        std::array<slave_front*, 1> one{&front};
+        const auto fronts = group.empty() ? std::span<slave_front* const>{one} : group;
+        if (part != nullptr) process_.emplace(*part, fronts);
+        for (auto* const each : fronts) static_cast<void>(each->add(*this)); // has room: see above
+        stops_.require_rest();                                               // what the actuator does is not known yet
+    }
+
     // Queues a message that the core did not take. It is acknowledged when it is delivered.
     jaus::message_outcome accept(jaus::header head, bytes body, time_point now, jaus::message_sink out) {
         const auto refuse = [&](refusal why) {
             front_.watcher().refused(*this, head, {.why = why});
             return jaus::message_outcome::refused;
         };
-        if (!front_.up()) return refuse(refusal::slave_down);
+        if (process_ && !process_->part().uses_mailbox() && !process_->takes(head))
+            return jaus::message_outcome::unhandled;
+        if (!is_up()) return refuse(refusal::slave_down);
         const order message{.header = head, .unit = this, .expires = deadline{now, front_.timing().order_timeout}};
         switch (front_.orders().push(message, body, [&](const jaus::header& older) {
             on_not_executed(older, {.why = refusal::superseded}, now, out);
@@ -172,6 +214,7 @@ class component {
     // The core has obeyed a command that changes its state: acknowledged when the actuator has, too.
     jaus::message_outcome state_command(const jaus::header& head) {
         using enum jaus::message_outcome;
+        if (head.command_code == jaus::command_code_of<jaus::reset> && process_) process_->reset();
         if (head.command_code == jaus::command_code_of<jaus::resume>) return handled;
         if (head.command_code == jaus::command_code_of<jaus::clear_emergency>) {
             if (core_.state() == jaus::primary_status_code::emergency) return handled; // others hold it
@@ -207,7 +250,7 @@ class component {
         front_.watcher().changed_state(*this, from, to);
         if (to == jaus::primary_status_code::emergency)
             require_emergency(stop_cause::state);
-        else if (from == jaus::primary_status_code::ready && front_.up())
+        else if (from == jaus::primary_status_code::ready && is_up())
             require_rest(ends_ ? stop_cause::program_ends : stop_cause::state);
     }
     void changed_controller(const std::optional<jaus::controller>&, jaus::control_change why) {
@@ -217,6 +260,13 @@ class component {
         if (why == jaus::control_change::lost || why == jaus::control_change::released) return;
         foreign_motion_is_dropped_ = true;
         front_.wake();
+    }
+    void fail(stop_cause why, jaus::message_sink out) {
+        using enum jaus::primary_status_code;
+        was_at_rest_ = was_at_rest_ || core_.state() == standby || core_.state() == emergency;
+        require_stop_of_state(why);
+        core_.change(jaus::state_event::failed);
+        core_.reject_control(out);
     }
     void require_stop_of_state(stop_cause why) {
         if (core_.state() == jaus::primary_status_code::emergency)
@@ -235,7 +285,8 @@ class component {
         front_.watcher().stop_required(*this, stop_order::emergency, why);
     }
     void show_pending_stops() noexcept {
-        core_.set_secondary_status((front_.up() ? 0 : secondary_status::slave_absent) |
+        core_.set_secondary_status((is_up() ? 0 : secondary_status::slave_absent) |
+                                   (fault_ ? secondary_status::drive_fault : 0) |
                                    (stops_.rest_is_pending() ? secondary_status::rest_unconfirmed : 0) |
                                    (stops_.emergency_is_pending() ? secondary_status::emergency_unconfirmed : 0) |
                                    (stops_.clear_is_pending() ? secondary_status::clear_unconfirmed : 0));
@@ -255,7 +306,7 @@ class component {
             drop_motion(now, out, [](const jaus::address&) { return true; });
             if (!stops_.clear_is_pending()) answer_waiting(true, false, now, out); // a new emergency arrived before
         }
-        if (!front_.up() || !stops_.settled()) return;
+        if (!is_up() || fault_ || !stops_.settled()) return;
         if (core_.state() == jaus::primary_status_code::failure) core_.change(jaus::state_event::reset);
         if (core_.state() != jaus::primary_status_code::initialize) return;
         core_.change(jaus::state_event::initialized);
@@ -270,6 +321,8 @@ class component {
     }
 
     slave_front& front_;
+    std::optional<process_channel> process_{};
+    std::optional<drive_fault> fault_{};
     pending_stops stops_;
     std::array<jaus::header, 16> waiting_{}; // state commands that the actuator has not confirmed
     std::size_t waiting_count_{};

@@ -74,7 +74,7 @@ class image_exchange {
         const bool wanted = head.ack_nak == jaus::ack_nak::request;
         if (wanted && waiting_ == capacity) return translate::errc::no_capacity;
         const bool seen = given(outputs) == taken(inputs);
-        const auto done = seen ? command::to_image(body, outputs) : command::merge(body, outputs);
+        const auto done = seen ? command::to_image(body, outputs) : merge(body, outputs);
         if (wanted && done) wait_[waiting_++] = {head, deadline{now, timeout_}, given(outputs)};
         return done;
     }
@@ -141,6 +141,15 @@ class image_exchange {
 
   private:
     using count_field = typename CommandTable::counter_row::counts_messages;
+
+    // A command without optional elements replaces the one before.
+    [[nodiscard]] static constexpr result<void, translate::errc> merge(std::span<const std::byte> body,
+                                                                       std::span<std::byte> outputs) noexcept {
+        if constexpr (std::is_void_v<typename CommandTable::presence_row>)
+            return command::to_image(body, outputs);
+        else
+            return command::merge(body, outputs);
+    }
 
     struct waiting {
         jaus::header head{};

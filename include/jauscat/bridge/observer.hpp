@@ -1,6 +1,7 @@
 // Events of a bridge, for logs, traces and displays.
 #pragma once
 #include <jauscat/bridge/pending_stops.hpp>
+#include <jauscat/bridge/process_part.hpp>
 #include <jauscat/ethercat/master/master_errc.hpp>
 #include <jauscat/ethercat/master/slave_record.hpp>
 #include <jauscat/jaus/component/component_control.hpp>
@@ -57,6 +58,7 @@ enum class stop_cause : std::uint8_t {
     slave_absent,    ///< the slave does not answer: what it does is not known
     slave_returned,  ///< it answers: its first order
     not_accepted,    ///< the slave has not executed a command from its outputs in time
+    drive_fault,     ///< a drive behind the component reports a fault
     program_ends,
 };
 
@@ -86,11 +88,16 @@ struct observer {
     /// The actuator has confirmed all pending orders.
     jaus::hook<void(const component& unit)> settled{};
 
+    /// A drive of the component has a fault, or another one than before: it is in Failure.
+    jaus::hook<void(const component& unit, const drive_fault& what)> faulted{};
+    /// None has a fault any more.
+    jaus::hook<void(const component& unit)> fault_ended{};
+
     /// A message was translated into this packet.
     jaus::hook<void(const slave_front& slave, std::span<const std::byte> packet)> translated{};
     /// The report of a query is fetched by this packet.
     jaus::hook<void(const slave_front& slave, std::span<const std::byte> packet)> asks_report{};
-    /// A command went into the outputs, as the `count`th.
+    /// A command or a stop order went to the process data, with this number; `outputs` are those of the first slave.
     jaus::hook<void(const slave_front& slave, std::uint32_t count, std::span<const std::byte> outputs)> into_image{};
     /// A query was answered from the inputs.
     jaus::hook<void(const slave_front& slave, std::span<const std::byte> inputs)> from_image{};

@@ -3,7 +3,6 @@
 #pragma once
 #include <jauscat/base/time.hpp>
 #include <jauscat/bridge/component.hpp>
-#include <jauscat/bridge/image_path.hpp>
 #include <jauscat/ethercat/hilscher/packet_job.hpp>
 #include <jauscat/ethercat/master/master.hpp>
 #include <jauscat/ethercat/master/process_data.hpp>
@@ -27,21 +26,19 @@ struct shared_jobs {
     jaus::hook<void(ethercat::master& idle)> done{};
 };
 
-/// `Image` lists the messages carried by the process data of cyclic slaves.
-///
 /// Other work on the same link goes by the same master, in turn with the slaves' jobs: see `share`.
 ///
 /// Call `on_time` at `next_event()` and after the components have received messages, and `on_frame` for each received
 /// frame; after either, send the frames from `next_frame` until it returns none. JAUS messages (acknowledgements and
 /// reports) are passed to `out`.
-template <class Image = wrench_effort_path> class basic_ring {
+class ring {
   public:
     using bytes = std::span<const std::byte>;
 
     /// The options must outlive it.
-    explicit basic_ring(const bridge_options& options) noexcept : options_{options} {}
-    basic_ring(const basic_ring&) = delete;
-    basic_ring& operator=(const basic_ring&) = delete;
+    explicit ring(const bridge_options& options) noexcept : options_{options} {}
+    ring(const ring&) = delete;
+    ring& operator=(const ring&) = delete;
 
     /// Adds a slave of this link, not from within a turn. It must outlive the ring, or be removed. False if the ring is
     /// full.
@@ -89,7 +86,9 @@ template <class Image = wrench_effort_path> class basic_ring {
 
     /// Takes a frame that arrived. False if it was not waited for: it may be another master's.
     bool on_frame(bytes frame, time_point now, jaus::message_sink out) {
+        const bool waited = data_.waits();
         const bool was_taken = data_.on_frame(frame) || master_.on_frame(frame, now);
+        is_step_due_ = is_step_due_ || (waited && !data_.waits());
         on_time(now, out);
         return was_taken;
     }
@@ -99,7 +98,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         master_.on_time(now);
         watch_cycles(now, out);
         refuse_expired(now, out);
-        use_images(now, out);
+        use_process_data(now, out);
         stop_what_hinders(now);
         while (master_.idle() && advance(now, out)) {}
     }
@@ -109,6 +108,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (cycles() && now >= next_cycle_) {
             // Missed cycles are skipped.
             next_cycle_ = std::max(next_cycle_ + interval(), now + interval() / 2);
+            is_step_due_ = is_step_due_ || data_.waits(); // the last frame is lost
             if (const auto size = data_.next_frame(frame, now)) return size;
         }
         if (cycles() && next_cycle_ - now <= reserve()) return 0; // the process data must not wait behind it
@@ -167,9 +167,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     }
 
   private:
-    using image_type = image_exchange<typename Image::command_table, typename Image::report_table>;
     static constexpr std::size_t message_size = jaus::header_size + jaus::max_body_size;
-    static constexpr std::size_t waiting_capacity = 16;
 
     enum class phase : std::uint8_t {
         absent,     // next: bring_up
@@ -178,14 +176,6 @@ template <class Image = wrench_effort_path> class basic_ring {
         safe_op,    // next: OP; its process data are exchanged from here on
         settling,   // in OP; until its inputs are there
         up,
-    };
-    // A command in the outputs that the slave has not executed yet.
-    struct image_wait {
-        component* unit{};
-        jaus::header header{};
-        typename image_type::counter count{};
-        deadline until{};
-        bool is_stop{};
     };
     struct place {
         slave_front* front{};
@@ -197,11 +187,10 @@ template <class Image = wrench_effort_path> class basic_ring {
         time_point settling_until{};
         bool takes_keep_alive{true};
         bool has_reply{};
-        bool is_exchanged{};     // it is in data_
-        bool has_rest_outputs{}; // no command but zeros is in its outputs
-        std::optional<image_type> image{};
-        std::array<image_wait, waiting_capacity> waiting{};
-        std::size_t waiting_count{};
+        bool is_exchanged{}; // it is in data_, and these are its data
+        std::span<std::byte> outputs{};
+        bytes inputs{};
+        const ethercat::slave_status* status{};
     };
     // Purpose of the master's current job.
     enum class work : std::uint8_t { none, scan, bring_up, configure, safe_op, op, collect, message, shared };
@@ -264,8 +253,7 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (!at.front->up()) return false;
         for (component* unit : at.front->components()) {
             const auto what = unit->stops().next();
-            if (!what || unit->stops().next_attempt() > now) continue;
-            if (*what == stop_order::rest && by_image(at, *unit)) continue; // see use_images
+            if (!what || unit->stops().next_attempt() > now || stops_by_process_data(*unit, *what)) continue;
             unit_ = unit;
             stop_ = *what;
             const auto size = unit->stop_message(*what, message_);
@@ -310,12 +298,12 @@ template <class Image = wrench_effort_path> class basic_ring {
     [[nodiscard]] static bool is_held_back(const order& each) noexcept {
         return each.unit->stops().next() && !is_query(each.header);
     }
-    [[nodiscard]] static bool may_go_by_mailbox(const place& at, const order& each) {
-        return !is_held_back(each) && !goes_by_image(at, each);
+    [[nodiscard]] static bool may_go_by_mailbox(const order& each) {
+        return !is_held_back(each) && !goes_by_process_data(each);
     }
     bool begin_order(place& at, time_point now, jaus::message_sink out) {
         auto& orders = at.front->orders();
-        const order* const next = orders.first([&](const order& each) { return may_go_by_mailbox(at, each); });
+        const order* const next = orders.first(may_go_by_mailbox);
         if (next == nullptr) return false;
         unit_ = next->unit;
         order_ = *next;
@@ -422,7 +410,8 @@ template <class Image = wrench_effort_path> class basic_ring {
         at.last_seen = now;
         if (!at.front->options().cyclic) rebuild_process_data(now);
         at.front->set_up(true);
-        for (component* unit : at.front->components()) unit->on_slave_up();
+        for (component* unit : at.front->components())
+            if (unit->is_up()) unit->on_slave_up();
     }
     void tell_emergencies(place& at) {
         const auto* const record = master_.find(at.front->station());
@@ -502,8 +491,9 @@ template <class Image = wrench_effort_path> class basic_ring {
         return std::ranges::any_of(places(), [&](const place& each) {
             if (!each.front->up() || (work_ == work::message && &each == served_)) return false;
             return std::ranges::any_of(each.front->components(), [&](const component* unit) {
+                const auto what = unit->stops().next();
                 return unit->stops().stop_is_pending() && unit->stops().next_attempt() <= now &&
-                       !(unit->stops().next() == stop_order::rest && by_image(each, *unit));
+                       !stops_by_process_data(*unit, *what);
             });
         });
     }
@@ -524,12 +514,11 @@ template <class Image = wrench_effort_path> class basic_ring {
         case phase::settling: return at.settling_until;
         case phase::up: break;
         }
-        const auto may_go = [&](const order& each) { return may_go_by_mailbox(at, each); };
-        if (at.has_reply || at.front->orders().first(may_go) != nullptr) return time_point::min();
+        if (at.has_reply || at.front->orders().first(may_go_by_mailbox) != nullptr) return time_point::min();
         std::optional<time_point> next;
         const auto consider = [&](time_point other) { next = next ? std::min(*next, other) : other; };
         for (const component* unit : at.front->components())
-            if (const auto what = unit->stops().next(); what && !(*what == stop_order::rest && by_image(at, *unit)))
+            if (const auto what = unit->stops().next(); what && !stops_by_process_data(*unit, *what))
                 consider(unit->stops().next_attempt());
         if (!at.front->options().cyclic && at.takes_keep_alive && options_.keep_alive != duration{})
             consider(at.next_keep_alive);
@@ -541,18 +530,18 @@ template <class Image = wrench_effort_path> class basic_ring {
         const bool was_up = at.front->up();
         at.at = phase::absent;
         at.next_try = was_up ? now : saturating_add(now, options_.bring_up_interval);
+        std::array<bool, component_capacity> were_up{};
+        std::ranges::transform(at.front->components(), were_up.begin(), [](auto* unit) { return unit->is_up(); });
         at.front->set_up(false);
-        at.image.reset();
+        at.front->set_data({});
         at.front->watcher().slave_lost(*at.front, what, why);
-        for (const image_wait& each : std::span{at.waiting}.first(std::exchange(at.waiting_count, 0)))
-            if (!each.is_stop) each.unit->on_not_executed(each.header, {.why = refusal::slave_down}, now, out);
-        at.front->orders().remove_if([](const order&) { return true; },
-                                     [&](const order& each) {
-                                         each.unit->on_not_executed(each.header, {.why = refusal::slave_down}, now,
-                                                                    out);
-                                     });
-        if (was_up)
-            for (component* unit : at.front->components()) unit->on_slave_lost(now, out);
+        for (std::size_t i = 0; i != at.front->components().size(); ++i) {
+            component& unit = *at.front->components()[i];
+            unit.front().orders().remove_if(
+                [&](const order& each) { return each.unit == &unit; },
+                [&](const order& each) { unit.on_not_executed(each.header, {.why = refusal::slave_down}, now, out); });
+            if (were_up[i]) unit.on_slave_lost(now, out);
+        }
         // A pending command would be requested again, and reach a slave that returns.
         if (work_ == work::message && purpose_ == purpose::order && served_ == &at)
             master_.cancel(ethercat::master_errc::timeout);
@@ -577,39 +566,45 @@ template <class Image = wrench_effort_path> class basic_ring {
         for (place& each : places()) {
             const bool stays = std::exchange(each.is_exchanged, is_exchanged(each)) && each.is_exchanged;
             const auto* const record = master_.find(each.front->station());
-            if (stays && record != nullptr) std::ranges::copy(data_.outputs(*record), next.outputs(*record).begin());
+            if (stays && record != nullptr) std::ranges::copy(each.outputs, next.outputs(*record).begin());
         }
         has_process_data_ = next.image().size != 0;
         if (exchanged_ == 0 || next_cycle_ > saturating_add(now, interval())) next_cycle_ = now;
         next.follow(data_);
         data_ = next;
         exchanged_ = count;
+        for (place& each : places()) {
+            const auto* const record = each.is_exchanged ? master_.find(each.front->station()) : nullptr;
+            each.outputs = record == nullptr ? std::span<std::byte>{} : data_.outputs(*record);
+            each.inputs = record == nullptr ? bytes{} : data_.inputs(*record);
+            each.status = record == nullptr ? nullptr : &data_.status(*record);
+            show_data(each);
+        }
     }
-    [[nodiscard]] static bool by_image(const place& at, const component& unit) noexcept {
-        return at.image.has_value() && unit.self().component == Image::component;
+    // What parts see of a slave. Until it is up its outputs remain zeros.
+    static void show_data(place& at) {
+        if (at.at != phase::up || at.status == nullptr || !at.front->options().cyclic) return at.front->set_data({});
+        at.front->set_data({at.outputs, at.inputs, *at.status});
     }
-    [[nodiscard]] std::span<std::byte> outputs(const place& at) {
-        const auto* const record = master_.find(at.front->station());
-        return record == nullptr ? std::span<std::byte>{} : data_.outputs(*record);
+    // Whether a stop order goes to the outputs alone.
+    [[nodiscard]] static bool stops_by_process_data(const component& unit, stop_order what) {
+        const auto* const process = unit.process();
+        return process != nullptr && (what == stop_order::rest || !process->part().uses_mailbox());
     }
-    [[nodiscard]] bytes inputs(const place& at) const {
-        const auto* const record = master_.find(at.front->station());
-        return record == nullptr ? bytes{} : data_.inputs(*record);
-    }
-    [[nodiscard]] ethercat::slave_status status(const place& at) const {
-        const auto* const record = master_.find(at.front->station());
-        return record == nullptr ? ethercat::slave_status{} : data_.status(*record);
+    [[nodiscard]] static bool goes_by_process_data(const order& each) {
+        const auto* const process = each.unit->process();
+        return process != nullptr && process->takes(each.header);
     }
 
     // Evaluates the status of each slave after a cycle.
     void watch_cycles(time_point now, jaus::message_sink out) {
         for (place& each : places()) {
-            if (!is_exchanged(each)) continue;
-            const auto seen = status(each);
+            if (!is_exchanged(each) || each.status == nullptr) continue;
+            const auto& seen = *each.status;
             using enum ethercat::slave_condition;
             if (each.at == phase::settling) {
                 if (seen.condition == running)
-                    start_image(each, now, out);
+                    start_process_data(each, now, out);
                 else if (now >= each.settling_until)
                     lose(each, loss::no_process_data, {.code = ethercat::master_errc::working_counter}, now, out);
                 continue;
@@ -617,6 +612,7 @@ template <class Image = wrench_effort_path> class basic_ring {
             if (each.at != phase::up) continue;
             if (const auto last = last_working(each, seen)) each.last_seen = std::max(each.last_seen, *last);
             each.has_reply = seen.reply_waiting;
+            show_data(each);
             const ethercat::master_error state{.code = ethercat::master_errc::al_error, .al_status = seen.al.code};
             if (seen.condition == absent)
                 lose(each, loss::no_station, {.code = ethercat::master_errc::working_counter}, now, out);
@@ -638,141 +634,114 @@ template <class Image = wrench_effort_path> class basic_ring {
         if (at.front->options().cyclic) return seen.last_running;
         return works_in(at, seen.al.state) ? seen.last_frame : std::nullopt;
     }
-    void start_image(place& at, time_point now, jaus::message_sink out) {
-        auto jaus_identity = at.front->options().identity;
-        if (const auto node = at.front->options().node; node != 0) jaus_identity.station = node;
-        at.image.emplace(jaus_identity, Image::component);
-        if (!at.image->start(outputs(at), inputs(at)))
-            return lose(at, loss::no_process_data, {.code = ethercat::master_errc::size_mismatch}, now, out);
+    // The last slave of a component starts its part.
+    void start_process_data(place& at, time_point now, jaus::message_sink out) {
+        at.front->set_data({at.outputs, at.inputs, *at.status});
+        for (component* unit : at.front->components()) {
+            auto* const process = unit->process();
+            if (process == nullptr || std::ranges::any_of(process->fronts(), [&](const slave_front* each) {
+                    return each != at.front && !each->up();
+                }))
+                continue;
+            if (!process->start(options_.period))
+                return lose(at, loss::no_process_data, {.code = ethercat::master_errc::size_mismatch}, now, out);
+        }
         at.front->watcher().slave_up(*at.front, *master_.find(at.front->station()), true);
         ready(at, now);
     }
 
-    // Messages that go by process data, and the slave's confirmations of those that went.
-    void use_images(time_point now, jaus::message_sink out) {
+    // Messages that go by process data, and the slaves' confirmations of those that went.
+    void use_process_data(time_point now, jaus::message_sink out) {
+        const bool steps = std::exchange(is_step_due_, false);
         for (place& each : places()) {
-            if (each.at != phase::up || !each.image) continue;
-            take_confirmations(each, now, out);
-            if (each.at != phase::up) continue; // lost
-            for (component* unit : each.front->components()) put_rest(each, *unit, now, out);
-            put_orders(each, now, out);
-        }
-    }
-    // An emergency is sent by mailbox; the outputs are set to rest as well.
-    void put_rest(place& at, component& unit, time_point now, jaus::message_sink out) {
-        const auto& stops = unit.stops();
-        if (!by_image(at, unit) || !stops.stop_is_pending()) return;
-        const bool is_awaited = stops.next() == stop_order::rest && stops.next_attempt() <= now;
-        const auto waits = std::span{at.waiting}.first(at.waiting_count);
-        if (std::ranges::any_of(waits, [&](const image_wait& each) { return each.is_stop && each.unit == &unit; }) ||
-            (at.has_rest_outputs && !is_awaited))
-            return;
-        drop_waiting(at, unit, now, out);
-        const auto size = unit.stop_message(stop_order::rest, message_);
-        const auto parts = jaus::split(bytes{message_}.first(size));
-        if (put_command(at, unit, parts.header, parts.body, true, now)) return;
-        at.has_rest_outputs = true;
-        if (!is_awaited) --at.waiting_count;
-    }
-    // Commands in the outputs that a stop order replaces: it is unknown whether the slave has executed them.
-    void drop_waiting(place& at, const component& unit, time_point now, jaus::message_sink out) {
-        const auto dropped = at.waiting;
-        const std::size_t count = std::exchange(at.waiting_count, 0);
-        for (std::size_t i = 0; i != count; ++i)
-            if (dropped[i].unit == &unit && !dropped[i].is_stop)
-                dropped[i].unit->on_not_executed(dropped[i].header, {.why = refusal::stopped}, now, out);
-            else
-                at.waiting[at.waiting_count++] = dropped[i];
-    }
-    void put_orders(place& at, time_point now, jaus::message_sink out) {
-        auto& orders = at.front->orders();
-        while (const order* const next =
-                   orders.first([&](const order& each) { return goes_by_image(at, each) && !is_held_back(each); })) {
-            const order taken = *next;
-            component& unit = *taken.unit;
-            const auto body = orders.body(*next);
-            orders.remove(*next);
-            if (taken.header.command_code == image_type::command_code) {
-                if (const auto why = put_command(at, unit, taken.header, body, false, now))
-                    unit.on_not_executed(taken.header, *why, now, out);
-            } else {
-                answer_from_inputs(at, unit, taken, body, now, out);
+            if (!each.front->options().cyclic) continue;
+            for (component* unit : each.front->components()) {
+                auto* const process = unit->process();
+                if (process == nullptr || process->fronts().front() != each.front || !process->has_begun()) continue;
+                if (steps) unit->on_step(process->step(now), now, out);
+                take_confirmations(*unit, *process, now, out);
+                put_stop(*unit, *process, now, out);
+                if (process->is_started()) put_orders(*unit, *process, now, out);
             }
         }
     }
-    [[nodiscard]] static bool goes_by_image(const place& at, const order& each) {
-        return by_image(at, *each.unit) && at.image->takes(addressed(each));
+    // Also where the slave gets an emergency by mailbox, and where others of the group are lost.
+    void put_stop(component& unit, process_channel& process, time_point now, jaus::message_sink out) {
+        const auto& stops = unit.stops();
+        const auto next = stops.next();
+        if (next == stop_order::clear_emergency && !process.part().uses_mailbox())
+            return unit.on_confirmed(stop_order::clear_emergency, now, out);
+        if (!stops.stop_is_pending() || !process.has_slaves()) return;
+        const bool is_awaited =
+            process.is_started() && stops_by_process_data(unit, *next) && stops.next_attempt() <= now;
+        const auto what = is_awaited ? *next : stop_order::rest;
+        const auto waiting = process.waiting_stop();
+        if (waiting == what || waiting == stop_order::emergency || (process.has_rest_outputs() && !is_awaited)) return;
+        const auto limit = is_awaited ? std::optional{options_.longest_silence} : std::nullopt;
+        const auto number = process.stop(what, limit, now, [&](const jaus::header& head) {
+            unit.on_not_executed(head, {.why = refusal::stopped}, now, out);
+        });
+        unit.front().watcher().into_image(unit.front(), number, unit.front().data().outputs);
     }
-    [[nodiscard]] static jaus::header addressed(const order& each) noexcept {
-        jaus::header head = each.header;
-        head.destination = each.unit->self();
-        return head;
+    void put_orders(component& unit, process_channel& process, time_point now, jaus::message_sink out) {
+        auto& orders = unit.front().orders();
+        while (const order* const next = orders.first([&](const order& each) {
+            return each.unit == &unit && goes_by_process_data(each) && !is_held_back(each);
+        })) {
+            jaus::header head = next->header;
+            const auto body = orders.body(*next);
+            orders.remove(*next);
+            if (is_query(head))
+                answer(unit, process, head, body, now, out);
+            else if (const auto why = put_command(unit, process, head, body, now))
+                unit.on_not_executed(head, *why, now, out);
+        }
     }
 
     // Nothing where it is in the outputs; else why not.
-    std::optional<refusal_reason> put_command(place& at, component& unit, const jaus::header& head, bytes body,
-                                              bool is_stop, time_point now) {
-        if (at.waiting_count == at.waiting.size()) return refusal_reason{.why = refusal::queue_full};
-        jaus::header plain = head;
-        plain.ack_nak = jaus::ack_nak::none; // acknowledged by the component
-        at.has_rest_outputs = false;
-        if (const auto done = at.image->on_command(plain, body, outputs(at), inputs(at), now); !done)
-            return refusal_reason{.why = refusal::not_translated, .error = done.error()};
-        const auto count = at.image->given(outputs(at));
-        at.waiting[at.waiting_count++] = {&unit, head, count, deadline{now, options_.longest_silence}, is_stop};
-        at.front->watcher().into_image(*at.front, count, outputs(at));
+    std::optional<refusal_reason> put_command(component& unit, process_channel& process, const jaus::header& head,
+                                              bytes body, time_point now) {
+        if (process.is_full()) return refusal_reason{.why = refusal::queue_full};
+        const auto number = process.command(head, body, options_.longest_silence, now);
+        if (!number) return refusal_reason{.why = refusal::not_translated, .error = number.error()};
+        unit.front().watcher().into_image(unit.front(), *number, unit.front().data().outputs);
         return std::nullopt;
     }
-    void answer_from_inputs(place& at, component& unit, const order& query, bytes body, time_point now,
-                            jaus::message_sink out) {
-        const auto seen = status(at);
-        if (!seen.has_inputs_within(options_.longest_silence, now))
-            return unit.on_not_executed(query.header, {.why = refusal::stale}, now, out);
-        // Not packet_, which a running transfer may use.
-        std::array<std::byte, jaus::header_size + wire::max_size<typename Image::report_table::message_type>> report{};
-        const auto made =
-            at.image->template on_query<typename Image::query>(addressed(query), body, inputs(at), report);
+    void answer(component& unit, process_channel& process, const jaus::header& query, bytes body, time_point now,
+                jaus::message_sink out) {
+        if (!process.has_inputs_within(options_.longest_silence, now))
+            return unit.on_not_executed(query, {.why = refusal::stale}, now, out);
+        jaus::header head = query;
+        head.destination = unit.self();                          // also where all of a level are meant
+        std::array<std::byte, any_exchange::buffer_size> report; // not packet_, which a running transfer may use
+        const auto made = process.answer(head, body, report);
         if (!made)
-            return unit.on_not_executed(query.header, {.why = refusal::not_translated, .error = made.error()}, now,
-                                        out);
-        at.front->watcher().from_image(*at.front, inputs(at));
+            return unit.on_not_executed(query, {.why = refusal::not_translated, .error = made.error()}, now, out);
+        unit.front().watcher().from_image(unit.front(), unit.front().data().inputs);
         out(*made);
-        unit.on_executed(query.header, now, out);
+        unit.on_executed(query, now, out);
     }
-    void take_confirmations(place& at, time_point now, jaus::message_sink out) {
-        const auto taken = at.image->taken(inputs(at));
-        std::size_t left = 0;
-        const std::size_t count = std::exchange(at.waiting_count, 0);
-        std::array<image_wait, waiting_capacity> over{};
-        std::size_t over_count = 0;
-        for (std::size_t i = 0; i != count; ++i) {
-            const image_wait each = at.waiting[i];
-            if (image_type::has_reached(each.count, taken) || each.until.is_reached(now))
-                over[over_count++] = each;
-            else
-                at.waiting[left++] = each;
+    void take_confirmations(component& unit, process_channel& process, time_point now, jaus::message_sink out) {
+        using enum process_channel::outcome;
+        bool takes_stops = true;
+        while (const auto over = process.next_ended(now)) {
+            if (over->stop && over->how == executed) {
+                unit.on_confirmed(*over->stop, now, out);
+            } else if (over->stop) {
+                unit.on_refused(*over->stop, false, {.why = refusal::not_accepted}, now, out);
+                takes_stops = false;
+            } else if (over->how == executed) {
+                unit.on_executed(over->header, now, out);
+            } else if (over->how == superseded) {
+                unit.on_not_executed(over->header, {.why = refusal::superseded}, now, out);
+            } else {
+                unit.on_not_accepted(over->header, now, out);
+            }
         }
-        at.waiting_count = left;
-        // A later command in the same outputs may have arrived before the slave read them: only the last one that it
-        // repeats is known to be executed. A stop order is confirmed by any, because nothing else is written before it
-        // is.
-        bool takes_zeros = true;
-        for (const image_wait& each : std::span{over}.first(over_count)) {
-            const bool was_reached = image_type::has_reached(each.count, taken);
-            const auto why = was_reached ? refusal::superseded : refusal::not_accepted;
-            if (each.is_stop && was_reached)
-                each.unit->on_confirmed(stop_order::rest, now, out);
-            else if (each.is_stop)
-                each.unit->on_refused(stop_order::rest, false, {.why = why}, now, out);
-            else if (each.count == taken)
-                each.unit->on_executed(each.header, now, out);
-            else if (was_reached)
-                each.unit->on_not_executed(each.header, {.why = why}, now, out);
-            else
-                each.unit->on_not_accepted(each.header, now, out);
-            if (each.is_stop && !was_reached) takes_zeros = false;
-        }
-        if (!takes_zeros) lose(at, loss::no_process_data, {.code = ethercat::master_errc::timeout}, now, out);
+        if (takes_stops) return;
+        for (place& each : places())
+            if (std::ranges::count(process.fronts(), each.front) != 0)
+                lose(each, loss::no_process_data, {.code = ethercat::master_errc::timeout}, now, out);
     }
 
     const bridge_options& options_;
@@ -785,6 +754,7 @@ template <class Image = wrench_effort_path> class basic_ring {
     bool has_process_data_{}; // some of them; else it only reads their states
     bool is_cleared_{};       // the slaves, of what an earlier master has left in them
     bool has_begun_{};
+    bool is_step_due_{}; // a cycle has ended
     std::uint32_t logical_base_{};
     time_point last_turn_{};
     time_point next_cycle_{};
@@ -802,8 +772,5 @@ template <class Image = wrench_effort_path> class basic_ring {
     std::array<std::byte, std::max(any_exchange::buffer_size, message_size)> packet_{};
     std::array<std::byte, ethercat::packet_job::confirmation_size> confirmation_{};
 };
-
-/// With wrench efforts by process data.
-using ring = basic_ring<>;
 
 } // namespace jauscat::bridging

@@ -4,6 +4,7 @@
 #include <jauscat/bridge/bridge_options.hpp>
 #include <jauscat/bridge/observer.hpp>
 #include <jauscat/bridge/order_queue.hpp>
+#include <jauscat/bridge/process_part.hpp>
 #include <jauscat/jaus/message/hook.hpp>
 
 #include <array>
@@ -33,6 +34,9 @@ class slave_front {
     /// Whether the slave answers and takes messages.
     [[nodiscard]] bool up() const noexcept { return up_; }
     void set_up(bool up) noexcept { up_ = up; }
+    /// Process data of a cyclic slave that is up.
+    [[nodiscard]] const slave_data& data() const noexcept { return data_; }
+    void set_data(const slave_data& data) noexcept { data_ = data; }
 
     /// Where the slave was found, before the ring has the front.
     void place_at(std::uint16_t position, const ethercat::identity_check& expected) noexcept {
@@ -68,6 +72,7 @@ class slave_front {
     std::array<component*, component_capacity> components_{};
     std::size_t component_count_{};
     bool up_{};
+    slave_data data_{};
     jaus::hook<void()> wake_{};
 };
 

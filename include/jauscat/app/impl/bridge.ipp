@@ -9,6 +9,7 @@
 
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace jauscat {
 inline namespace JAUSCAT_WAY {
@@ -20,8 +21,20 @@ JAUSCAT_DECL bridge::bridge(node& of, bus& on, app::exchange_maker make, const b
 JAUSCAT_DECL bridge::~bridge() { state_->close(); }
 
 JAUSCAT_DECL void bridge::serve(const served_component& component, const slave& by) {
-    if (by.bus() != state_->bus()) throw std::invalid_argument{"bridge: a slave of another bus"};
-    state_->serve(component, by.choice());
+    serve(component, std::vector{by}, nullptr);
+}
+JAUSCAT_DECL void bridge::serve(const served_component& component, const slave& by,
+                                std::unique_ptr<bridging::process_part> part) {
+    serve(component, std::vector{by}, std::move(part));
+}
+JAUSCAT_DECL void bridge::serve(const served_component& component, const std::vector<slave>& group,
+                                std::unique_ptr<bridging::process_part> part) {
+    std::vector<slave_choice> choices;
+    for (const auto& each : group) {
+        if (each.bus() != state_->bus()) throw std::invalid_argument{"bridge: a slave of another bus"};
+        choices.push_back(each.choice());
+    }
+    state_->serve(component, choices, std::move(part));
 }
 JAUSCAT_DECL void bridge::when_up(std::function<void(const slave_choice&)> f) {
     const auto locked = state_->bus()->lock();

@@ -6,6 +6,7 @@
 #include <jauscat/app/impl/node_part.hpp>
 #include <jauscat/bridge/any_exchange.hpp>
 #include <jauscat/bridge/component.hpp>
+#include <jauscat/bridge/process_part.hpp>
 #include <jauscat/net/limited_log.hpp>
 
 #include <boost/asio/steady_timer.hpp>
@@ -21,14 +22,35 @@ namespace jauscat {
 inline namespace JAUSCAT_WAY {
 namespace app {
 
+class bridge_state;
 class node_state;
+class served_slave;
 using exchange_maker = std::unique_ptr<bridging::any_exchange> (*)(const bridging::slave_identity& slave);
+
+/// The messages of a component besides those of the core.
+struct slave_messages {
+    /// Nullptr: the slave has objects for them, and may have more than these.
+    const bridging::process_part* part{};
+
+    jaus::message_outcome operator()(const jaus::header&, bytes) const { return jaus::message_outcome::unhandled; }
+    void list_messages(auto&& takes, auto&& sends) const;
+};
 
 /// A component for the node, which refers to it as long as it lives; the unit exists while the bridge works.
 class bridged_component {
   public:
-    bridged_component(const jaus::address& self, std::uint8_t authority, const bus_state& bus)
-        : self_{self}, authority_{authority}, bus_{bus} {}
+    /// Without process data `part` is empty; without one of the application's, `of_slaves` has none.
+    bridged_component(const jaus::address& self, std::uint8_t authority, const bus_state& bus,
+                      std::span<served_slave* const> slaves, std::unique_ptr<bridging::process_part> part,
+                      const slave_messages& of_slaves)
+        : messages{of_slaves},
+          self_{self},
+          authority_{authority},
+          bus_{bus},
+          slaves_{slaves.begin(), slaves.end()},
+          part_{std::move(part)} {}
+
+    void start(bridge_state& of);
 
     [[nodiscard]] const jaus::address& self() const noexcept { return self_; }
     jaus::component_outcome on_message(const jaus::header& head, bytes body, time_point now, jaus::message_sink out,
@@ -51,11 +73,14 @@ class bridged_component {
     [[nodiscard]] std::uint8_t authority() const noexcept { return authority_; }
 
     std::optional<bridging::component> unit{};
+    const slave_messages messages;
 
   private:
     jaus::address self_;
     std::uint8_t authority_;
     const bus_state& bus_;
+    std::vector<served_slave*> slaves_; ///< one or more
+    std::unique_ptr<bridging::process_part> part_;
 };
 
 /// Exchanges packets with a slave whose station address is not the number of the node of its components.
@@ -75,8 +100,6 @@ class renumbered_exchange final : public bridging::any_exchange {
     std::vector<std::byte> message_{};
 };
 
-class bridge_state;
-
 /// A slave of a bridge, with the components in front of it.
 class served_slave final : public bus_user {
   public:
@@ -84,15 +107,21 @@ class served_slave final : public bus_user {
                  std::uint16_t station)
         : bridge_{of}, which_{which}, station_{station}, exchange_{std::move(exchange)} {}
 
-    void add(const jaus::address& self, std::uint8_t authority);
+    /// Throws `std::invalid_argument` if it has the most components already.
+    void check_place() const;
+    void add(bridged_component& component) { components_.push_back(&component); }
+    /// Its front exists from here until `stop`.
     void start();
-    void stop() noexcept;
+    /// Has the ring serve the slave once its position is known; until then it is looked for.
+    void find();
+    /// The bus leaves the slave as it is.
+    void leave() noexcept;
+    void stop() noexcept { front_.reset(); }
     /// It was up and should have been brought to rest: if it was not, that is logged.
     [[nodiscard]] bool check_rest();
     [[nodiscard]] const slave_choice& choice() const noexcept { return which_; }
     [[nodiscard]] std::uint16_t station() const noexcept { return station_; }
     [[nodiscard]] bool is_served() const noexcept { return is_served_; }
-    [[nodiscard]] bool has(const jaus::address& component) const;
     [[nodiscard]] bool at_rest() const noexcept;
     [[nodiscard]] bool is_up() const noexcept { return front_ && front_->up(); }
 
@@ -102,11 +131,6 @@ class served_slave final : public bus_user {
     [[nodiscard]] JAUSCAT_DECL std::uint8_t node() const noexcept override;
 
   private:
-    struct nothing_more {
-        jaus::message_outcome operator()(const jaus::header&, bytes) const { return jaus::message_outcome::unhandled; }
-        /// The slave has objects for these, and may have more.
-        static void list_messages(auto&& takes, auto&& sends);
-    };
     struct search;
 
     // The bridge's observer.
@@ -122,8 +146,6 @@ class served_slave final : public bus_user {
     void refused(const bridging::component& unit, const jaus::header& message, const bridging::refusal_reason& why);
     [[nodiscard]] bridging::observer observer() noexcept;
 
-    /// Has the ring serve the slave once its position is known; until then it is looked for.
-    void find();
     void found(std::uint16_t position, const ethercat::identity_check& expected);
     void retry();
     void log(std::string_view line);
@@ -136,8 +158,7 @@ class served_slave final : public bus_user {
     slave_choice which_;
     std::uint16_t station_;
     std::unique_ptr<bridging::any_exchange> exchange_;
-    std::deque<bridged_component> components_{};
-    nothing_more application_{};
+    std::vector<bridged_component*> components_{};
     bridging::order_memory<> memory_{};
     std::optional<bridging::slave_front> front_{};
     std::optional<boost::asio::steady_timer> timer_{};
@@ -152,7 +173,8 @@ class bridge_state final : public std::enable_shared_from_this<bridge_state> {
   public:
     bridge_state(node_state& of, std::shared_ptr<bus_state> on, exchange_maker make, const bridge_options& options);
 
-    void serve(const served_component& component, const slave_choice& by);
+    void serve(const served_component& component, std::span<const slave_choice> by,
+               std::unique_ptr<bridging::process_part> part);
     [[nodiscard]] bool at_rest() const noexcept;
     /// All slaves are.
     [[nodiscard]] bool is_up() const noexcept;
@@ -183,6 +205,7 @@ class bridge_state final : public std::enable_shared_from_this<bridge_state> {
     void start();
     void stop() noexcept;
     [[nodiscard]] bool has(const jaus::address& component) const;
+    [[nodiscard]] served_slave& slave_of(const slave_choice& which);
     void flush();
 
     node_state& node_;
@@ -190,6 +213,7 @@ class bridge_state final : public std::enable_shared_from_this<bridge_state> {
     exchange_maker make_;
     bridge_options options_;
     std::deque<served_slave> slaves_{};
+    std::deque<bridged_component> components_{};
     std::vector<std::vector<std::byte>> outbox_{};
     std::optional<bool> ended_at_rest_{};
     bool is_closed_{};

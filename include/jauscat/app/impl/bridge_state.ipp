@@ -3,7 +3,9 @@
 #include <jauscat/app/impl/bridge_state.hpp>
 #include <jauscat/app/impl/bus_state.hpp>
 #include <jauscat/app/impl/node_state.hpp>
+#include <jauscat/bridge/wrench_effort_part.hpp>
 #include <jauscat/net/node/detail/configured_identity.hpp>
+#include <jauscat/schema/translation/command_ranks.hpp>
 #include <jauscat/text/jaus.hpp>
 
 #include <boost/asio/post.hpp>
@@ -17,7 +19,16 @@ namespace jauscat {
 inline namespace JAUSCAT_WAY {
 namespace app {
 
-inline void served_slave::nothing_more::list_messages(auto&& takes, auto&& sends) {
+inline void slave_messages::list_messages(auto&& takes, auto&& sends) const {
+    constexpr std::uint32_t all_fields = 0xFFFF'FFFF;
+    if (part != nullptr)
+        for (const auto code : translation::ra_command_codes) {
+            if (!part->takes(code)) continue;
+            takes(jaus::supported_message{code, all_fields});
+            if (const auto report = jaus::report_code_of(code); report != 0)
+                sends(jaus::supported_message{report, all_fields});
+        }
+    if (part != nullptr) return;
     takes(jaus::supported_message{jaus::command_code_of<jaus::set_wrench_effort>,
                                   jaus::presence_bits_of<jaus::set_wrench_effort>});
     takes(jaus::supported_message{jaus::command_code_of<jaus::query_wrench_effort>,
@@ -25,6 +36,8 @@ inline void served_slave::nothing_more::list_messages(auto&& takes, auto&& sends
     sends(jaus::supported_message{jaus::command_code_of<jaus::report_wrench_effort>,
                                   jaus::presence_bits_of<jaus::report_wrench_effort>});
 }
+
+constexpr std::uint8_t primitive_driver = 33;
 
 /// The times of the ring.
 inline bridging::bridge_options timing_of(const bridge_options& options) {
@@ -51,7 +64,8 @@ JAUSCAT_DECL bridge_state::bridge_state(node_state& of, std::shared_ptr<bus_stat
         throw std::invalid_argument{"bridge: another bridge of this bus has other options"};
 }
 
-JAUSCAT_DECL void bridge_state::serve(const served_component& component, const slave_choice& by) {
+JAUSCAT_DECL void bridge_state::serve(const served_component& component, std::span<const slave_choice> by,
+                                      std::unique_ptr<bridging::process_part> part) {
     auto self = node_.net().manager();
     self.component = component.component;
     self.instance = component.instance;
@@ -60,17 +74,35 @@ JAUSCAT_DECL void bridge_state::serve(const served_component& component, const s
     if (!jaus::names_one_component(self))
         throw std::invalid_argument{"component ID and instance are 1 to 254, not " + net::to_jausip(self)};
     if (node_.has(self)) throw std::invalid_argument{"the node has a component " + net::to_jausip(self) + " already"};
-    auto slave = std::ranges::find(slaves_, by, &served_slave::choice);
-    if (slave == slaves_.end()) {
-        const auto station = bus_->reserve_station(self.node);
-        auto exchange = make_({.subsystem = self.subsystem, .station = station});
-        if (station != self.node)
-            exchange = std::make_unique<renumbered_exchange>(std::move(exchange), self.node,
-                                                             static_cast<std::uint8_t>(station));
-        slaves_.emplace_back(*this, by, std::move(exchange), station);
-        slave = slaves_.end() - 1;
-    }
-    slave->add(self, component.authority);
+    const bool cycles = options_.period > duration{};
+    if (part && !cycles) throw std::invalid_argument{"bridge: process data need a period in the bridge's options"};
+    if (by.empty() || by.size() > bridging::group_capacity)
+        throw std::invalid_argument{"bridge: a component has 1 to " + std::to_string(bridging::group_capacity) +
+                                    " slaves"};
+    if (by.size() > 1 && (!part || part->uses_mailbox()))
+        throw std::invalid_argument{"bridge: a component with several slaves needs process data for all its messages"};
+    for (auto each = by.begin(); each != by.end(); ++each)
+        if (std::find(by.begin(), each, *each) != each)
+            throw std::invalid_argument{"bridge: a slave stands in a group twice"};
+    const slave_messages messages{part.get()};
+    if (!part && cycles && self.component == primitive_driver) part = std::make_unique<bridging::wrench_effort_part>();
+    std::vector<served_slave*> slaves;
+    for (const auto& each : by) slaves.push_back(&slave_of(each));
+    for (const auto* const each : slaves) each->check_place();
+    auto& added = components_.emplace_back(self, component.authority, *bus_, slaves, std::move(part), messages);
+    node_.net().add(added, added.messages);
+    for (auto* const each : slaves) each->add(added);
+}
+JAUSCAT_DECL served_slave& bridge_state::slave_of(const slave_choice& which) {
+    const auto known = std::ranges::find(slaves_, which, &served_slave::choice);
+    if (known != slaves_.end()) return *known;
+    const auto& self = node_.net().manager();
+    const auto station = bus_->reserve_station(self.node);
+    auto exchange = make_({.subsystem = self.subsystem, .station = station});
+    if (station != self.node)
+        exchange =
+            std::make_unique<renumbered_exchange>(std::move(exchange), self.node, static_cast<std::uint8_t>(station));
+    return slaves_.emplace_back(*this, which, std::move(exchange), station);
 }
 
 JAUSCAT_DECL node_part bridge_state::as_part() {
@@ -85,6 +117,8 @@ JAUSCAT_DECL void bridge_state::start() {
     if (is_closed_) return;
     ended_at_rest_.reset();
     for (auto& each : slaves_) each.start();
+    for (auto& each : components_) each.start(*this);
+    for (auto& each : slaves_) each.find();
 }
 JAUSCAT_DECL void bridge_state::stop() noexcept {
     auto locked = bus_->lock();
@@ -101,6 +135,8 @@ JAUSCAT_DECL void bridge_state::stop() noexcept {
     } catch (...) { // of the log, or no memory: what is not known is not confirmed
         note_rest(false);
     }
+    for (auto& each : slaves_) each.leave();
+    for (auto& each : components_) each.unit.reset();
     for (auto& each : slaves_) each.stop();
     locked.unlock();
     try {
@@ -122,7 +158,7 @@ JAUSCAT_DECL void bridge_state::close() noexcept {
     on_emergency = nullptr;
 }
 JAUSCAT_DECL bool bridge_state::has(const jaus::address& component) const {
-    return std::ranges::any_of(slaves_, [&](const auto& each) { return each.has(component); });
+    return std::ranges::any_of(components_, [&](const auto& each) { return each.self() == component; });
 }
 JAUSCAT_DECL bool bridge_state::at_rest() const noexcept {
     const auto locked = bus_->lock();
@@ -186,18 +222,27 @@ JAUSCAT_DECL bridging::exchange_step renumbered_exchange::on_confirmation(bytes 
 
 // ---- Start and end of a slave.
 
-JAUSCAT_DECL void served_slave::add(const jaus::address& self, std::uint8_t authority) {
+JAUSCAT_DECL void bridged_component::start(bridge_state& of) {
+    if (unit) return;
+    const auto identity = net::detail::identity_of(of.node().net().config(), self_, {.authority_code = authority_});
+    const jaus::component_options options{
+        .control = {.authority_code = identity.authority_code, .timeout = bus_.timing().control_timeout}};
+    std::vector<bridging::slave_front*> fronts;
+    for (auto* const each : slaves_) fronts.push_back(&each->front());
+    if (part_)
+        unit.emplace(self_, fronts, *part_, options);
+    else
+        unit.emplace(self_, *fronts.front(), options);
+}
+
+JAUSCAT_DECL void served_slave::check_place() const {
     if (components_.size() == bridging::component_capacity)
         throw std::invalid_argument{"bridge: more than " + std::to_string(bridging::component_capacity) +
                                     " components in front of one slave"};
-    bridge_.node().net().add(components_.emplace_back(self, authority, *bridge_.bus()), application_);
-}
-JAUSCAT_DECL bool served_slave::has(const jaus::address& component) const {
-    return std::ranges::any_of(components_, [&](const auto& each) { return each.self() == component; });
 }
 JAUSCAT_DECL bool served_slave::at_rest() const noexcept {
     return std::ranges::none_of(components_,
-                                [](const auto& each) { return each.unit && each.unit->stops().stop_is_pending(); });
+                                [](const auto* each) { return each->unit && each->unit->stops().stop_is_pending(); });
 }
 JAUSCAT_DECL std::uint8_t served_slave::node() const noexcept { return bridge_.node().net().manager().node; }
 JAUSCAT_DECL void served_slave::log(std::string_view line) {
@@ -229,23 +274,13 @@ JAUSCAT_DECL void served_slave::start() {
                                            .cyclic = bridge_.options().period > duration{},
                                            .node = node.manager().node},
                    *exchange_, timing, memory_, observer());
-    for (auto& each : components_) {
-        const auto identity =
-            net::detail::identity_of(node.config(), each.self(), {.authority_code = each.authority()});
-        each.unit.emplace(each.self(), *front_,
-                          jaus::component_options{.control = {.authority_code = identity.authority_code,
-                                                              .timeout = timing.control_timeout}});
-    }
     works_ = true;
     last_problem_.clear();
-    find();
 }
-JAUSCAT_DECL void served_slave::stop() noexcept {
+JAUSCAT_DECL void served_slave::leave() noexcept {
     if (!std::exchange(works_, false)) return;
     timer_.reset();
     if (std::exchange(is_served_, false)) bridge_.bus()->leave(*this);
-    for (auto& each : components_) each.unit.reset();
-    front_.reset();
 }
 
 JAUSCAT_DECL bool served_slave::check_rest() {
@@ -269,8 +304,8 @@ JAUSCAT_DECL void served_slave::bus_ends() noexcept {
     if (!is_up) return;
     try {
         const auto out = [this](bytes message) { send(message); };
-        for (auto& each : components_)
-            if (each.unit) each.unit->on_slave_lost(net::now(), out);
+        for (auto* const each : components_)
+            if (each->unit) each->unit->on_slave_lost(net::now(), out);
         bridge_.call_later(&bridge_state::on_lost, which_, error_code{bus_errc::not_started});
     } catch (...) { // no memory to tell of it
     }
@@ -296,6 +331,7 @@ struct served_slave::search final : operation<> {
 };
 
 JAUSCAT_DECL void served_slave::find() {
+    if (!works_ || is_served_) return;
     const auto& id = which_.identity;
     ethercat::identity_check expected{id.vendor, id.product, id.revision, id.serial};
     const bool is_by_position = which_.position && !which_.alias && which_.name.empty();

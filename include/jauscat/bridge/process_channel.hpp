@@ -1,0 +1,162 @@
+// The process data of a component's slaves, and the commands in their outputs that are not executed yet.
+#pragma once
+#include <jauscat/base/time.hpp>
+#include <jauscat/bridge/process_part.hpp>
+#include <jauscat/bridge/slave_front.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace jauscat::bridging {
+
+/// Slaves that one component can have.
+inline constexpr std::size_t group_capacity = 32;
+
+/// Between the ring and the process_part of a component.
+class process_channel {
+  public:
+    using bytes = std::span<const std::byte>;
+    /// Commands that wait for their execution.
+    static constexpr std::size_t capacity = 16;
+
+    enum class outcome : std::uint8_t {
+        executed,
+        superseded, ///< a later command was executed: whether this one was is not known
+        late,       ///< it was not executed in time
+    };
+    /// A command that does not wait any more.
+    struct ended {
+        jaus::header header{};
+        outcome how{};
+        std::optional<stop_order> stop{};
+    };
+
+    /// The part and the fronts, 1 to group_capacity, must outlive this.
+    process_channel(process_part& part, std::span<slave_front* const> slaves) noexcept : part_{part} {
+        for (auto* const each : slaves.first(std::min(slaves.size(), group_capacity))) fronts_[count_++] = each;
+    }
+
+    [[nodiscard]] process_part& part() const noexcept { return part_; }
+    [[nodiscard]] std::span<slave_front* const> fronts() const noexcept { return std::span{fronts_}.first(count_); }
+    /// Whether all of its slaves are in OP, and the part has begun.
+    [[nodiscard]] bool is_started() const noexcept { return is_started_; }
+    /// Whether the part has ever begun: it needs its steps.
+    [[nodiscard]] bool has_begun() const noexcept { return has_begun_; }
+    /// Whether messages of this kind go by process data.
+    [[nodiscard]] bool takes(const jaus::header& head) const {
+        return head.data_flag == jaus::data_flag::only && !jaus::is_acknowledgement(head) &&
+               part_.takes(head.command_code);
+    }
+    /// Whether a slave is left to bring to rest.
+    [[nodiscard]] bool has_slaves() const noexcept {
+        return std::ranges::any_of(fronts(), [](const slave_front* each) { return !each->data().outputs.empty(); });
+    }
+    /// The ages of all inputs are at most `limit`.
+    [[nodiscard]] bool has_inputs_within(duration limit, time_point now) const noexcept {
+        return std::ranges::all_of(
+            fronts(), [&](const slave_front* each) { return each->data().status.has_inputs_within(limit, now); });
+    }
+
+    [[nodiscard]] result<void, translate::errc> start(duration period) {
+        has_rest_outputs_ = false;
+        const auto started = part_.start(slaves(), period);
+        is_started_ = static_cast<bool>(started);
+        has_begun_ = has_begun_ || is_started_;
+        return started;
+    }
+    /// A slave was lost. No command waits any more; `refused(const jaus::header&)` gets those that did.
+    void end(auto&& refused) {
+        is_started_ = false;
+        drop(refused);
+    }
+    /// No stop order waits any more either.
+    void drop(auto&& refused) {
+        has_rest_outputs_ = false;
+        const auto all = waiting_;
+        for (const waiting& each : std::span{all}.first(std::exchange(waiting_count_, 0)))
+            if (!each.stop) refused(each.header);
+    }
+    std::optional<drive_fault> step(time_point now) { return part_.step(slaves(), now); }
+    void reset() { part_.reset(); }
+
+    [[nodiscard]] bool is_full() const noexcept { return waiting_count_ == waiting_.size(); }
+    /// The channel is not full, and no stop order waits.
+    [[nodiscard]] result<std::uint32_t, translate::errc> command(const jaus::header& head, bytes body, duration limit,
+                                                                 time_point now) {
+        const auto number = part_.command(head, body, slaves(), now);
+        if (!number) return number;
+        has_rest_outputs_ = false;
+        waiting_[waiting_count_++] = {head, *number, deadline{now, limit}, {}};
+        return number;
+    }
+    /// The outputs are at rest, and no command follows: to be repeated where the slaves are to confirm it.
+    [[nodiscard]] bool has_rest_outputs() const noexcept { return has_rest_outputs_; }
+    /// A stop order that waits for its execution.
+    [[nodiscard]] std::optional<stop_order> waiting_stop() const noexcept {
+        return waiting_count_ == 0 ? std::nullopt : waiting_[0].stop;
+    }
+    /// Replaces all that waits; `refused(const jaus::header&)` gets the commands. Without a limit no execution is
+    /// waited for. Returns its number.
+    std::uint32_t stop(stop_order what, std::optional<duration> limit, time_point now, auto&& refused) {
+        drop(refused);
+        const auto number = part_.stop(what, slaves());
+        has_rest_outputs_ = true;
+        if (limit) waiting_[waiting_count_++] = {{}, number, deadline{now, *limit}, what};
+        return number;
+    }
+    /// The next command that has come to an end. A later command in the same outputs may have arrived before the slave
+    /// read them: only the last one is known to be executed.
+    [[nodiscard]] std::optional<ended> next_ended(time_point now) {
+        if (waiting_count_ == 0) return std::nullopt;
+        const auto last = part_.executed(slaves());
+        const auto waits = std::span{waiting_}.first(waiting_count_);
+        const auto found = std::ranges::find_if(
+            waits, [&](const waiting& each) { return has_reached(each.number, last) || each.until.is_reached(now); });
+        if (found == waits.end()) return std::nullopt;
+        const waiting over = *found;
+        std::copy(found + 1, waits.end(), found);
+        --waiting_count_;
+        const auto how = over.number == last               ? outcome::executed
+                         : !has_reached(over.number, last) ? outcome::late
+                         : over.stop                       ? outcome::executed
+                                                           : outcome::superseded;
+        return ended{over.header, how, over.stop};
+    }
+    [[nodiscard]] result<std::span<std::byte>, translate::errc> answer(const jaus::header& query, bytes body,
+                                                                       std::span<std::byte> out) {
+        return part_.answer(query, body, slaves(), out);
+    }
+
+  private:
+    struct waiting {
+        jaus::header header{};
+        std::uint32_t number{};
+        deadline until{};
+        std::optional<stop_order> stop{};
+    };
+
+    // Numbers go round.
+    [[nodiscard]] static constexpr bool has_reached(std::uint32_t wanted, std::uint32_t last) noexcept {
+        return last - wanted <= UINT32_MAX / 2;
+    }
+    [[nodiscard]] slave_group slaves() noexcept {
+        for (std::size_t i = 0; i != count_; ++i) data_[i] = fronts_[i]->data();
+        return std::span{std::as_const(data_)}.first(count_);
+    }
+
+    process_part& part_;
+    std::array<slave_front*, group_capacity> fronts_{};
+    std::array<slave_data, group_capacity> data_{};
+    std::size_t count_{};
+    std::array<waiting, capacity> waiting_{};
+    std::size_t waiting_count_{};
+    bool is_started_{}, has_begun_{};
+    bool has_rest_outputs_{}; // no command after a stop order is in them
+};
+
+} // namespace jauscat::bridging

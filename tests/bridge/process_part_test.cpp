@@ -1,0 +1,179 @@
+// A component with a process part of its own, in front of several slaves.
+#include "joint_part.hpp"
+#include "rig.hpp"
+
+using namespace test;
+using jaus::ack_nak;
+using status = jaus::primary_status_code;
+
+namespace {
+
+/// An arm: one component in front of as many actuators as joints.
+struct arm {
+    explicit arm(std::size_t joints) : r{joints, true, &part} { r.run_until_ready(); }
+
+    std::uint16_t drive(double percent) {
+        jaus::basic_set_joint_efforts<joint_part::most> message{};
+        for (std::size_t i = 0; i != r.actuators.size(); ++i)
+            REQUIRE(message.joint_effort.push_back(percent + static_cast<double>(i)));
+        return r.tell(message);
+    }
+    void run_until_moving(double percent) {
+        r.run_until([&, number = drive(percent)] { return r.is_acknowledged(number); });
+    }
+    bool is_at_rest() const {
+        return std::ranges::all_of(r.actuators, [](const auto& each) { return each.behind.effort == 0; });
+    }
+
+    joint_part part{};
+    rig r;
+};
+
+} // namespace
+
+TEST_CASE("element i of a joint list goes to slave i, and is acknowledged when all have executed it") {
+    arm a{6};
+    a.r.actuators[4].hangs = true;
+    const auto number = a.drive(30);
+    a.r.run(35ms);
+    CHECK(!a.r.answer(number));
+    a.r.actuators[4].hangs = false;
+    a.r.run_until([&] { return a.r.is_acknowledged(number); });
+    for (std::size_t i = 0; i != 6; ++i) CHECK(a.r.motor(i).effort == Approx(30 + static_cast<double>(i)).margin(0.01));
+    a.r.tell(jaus::query_joint_efforts{}, 0, ack_nak::none);
+    a.r.run(30ms);
+    const auto reports = a.r.received<jaus::basic_report_joint_efforts<joint_part::most>>();
+    REQUIRE(reports.size() == 1);
+    REQUIRE(reports[0].joint_effort.size() == 6);
+    CHECK(reports[0].joint_effort[5] == Approx(35).margin(0.01));
+    CHECK(a.part.starts == 1);
+}
+
+TEST_CASE("a part takes one step in each cycle, also when the cycle's frame is lost") {
+    arm a{2};
+    const auto before = a.part.steps;
+    a.r.run(200ms);
+    CHECK(a.part.steps - before >= 19);
+    CHECK(a.part.steps - before <= 21);
+    a.r.frames_to_lose = 3;
+    const auto lossy = a.part.steps;
+    a.r.run(50ms);
+    CHECK(a.part.steps - lossy >= 4);
+    CHECK(a.part.steps - lossy <= 6);
+}
+
+TEST_CASE("a lost slave brings the others of its component to rest") {
+    arm a{6};
+    a.run_until_moving(30);
+    SECTION("it was reset") { a.r.actuators[3].power_cycle(); }
+    SECTION("it left its state") {
+        a.r.actuators[3].slave.power_on(); // also its address
+    }
+    SECTION("the cable behind the third is out") { a.r.dead_from = 3; }
+    const auto took = a.r.run_until([&] { return a.r.watcher.lost != 0; });
+    CHECK(took <= 21ms); // two cycles
+    CHECK(a.r.unit().state() == status::failure);
+    CHECK(a.r.run_until([&] {
+        return std::ranges::all_of(std::array{0, 1, 2}, [&](std::size_t i) { return a.r.motor(i).effort == 0; });
+    }) <= 21ms);
+    CHECK(a.part.starts == 1);
+    const auto number = a.drive(20);
+    CHECK(a.r.last_outcome == jaus::component_outcome::not_ready);
+    CHECK(!a.r.is_acknowledged(number));
+    a.r.run(20ms);
+    if (a.r.dead_from != 3) CHECK(a.part.missing <= 1);
+    a.r.dead_from = 100;
+    a.r.run_until_ready();
+    CHECK(a.part.starts == 2);
+    CHECK(a.is_at_rest());
+    a.run_until_moving(20);
+    CHECK(a.r.motor(3).effort == Approx(23).margin(0.01));
+}
+
+TEST_CASE("a drive's fault brings the component to Failure and all its slaves to rest, until it has ended") {
+    arm a{3};
+    a.run_until_moving(30);
+    a.part.fault = bridging::drive_fault{.slave = 1, .code = 0x8611};
+    const auto took = a.r.run_until([&] { return a.r.unit().state() == status::failure; });
+    CHECK(took <= 21ms);
+    REQUIRE(a.r.watcher.faults.size() == 1);
+    CHECK(a.r.watcher.faults[0] == bridging::drive_fault{.slave = 1, .code = 0x8611});
+    CHECK(a.r.run_until([&] { return a.is_at_rest() && a.r.unit().stops().settled(); }) <= 30ms);
+    CHECK(a.r.watcher.lost == 0);
+    a.r.run(100ms);
+    CHECK(a.r.unit().state() == status::failure);
+    const auto number = a.drive(20);
+    a.r.run(50ms);
+    CHECK(!a.r.is_acknowledged(number));
+    CHECK(a.is_at_rest());
+
+    SECTION("it does not end by a Reset") {
+        a.part.reset_helps = false;
+        a.r.tell(jaus::reset{});
+        a.r.run(50ms);
+        CHECK(a.part.resets == 1);
+        CHECK(a.r.unit().state() == status::failure);
+        a.part.fault.reset();
+    }
+    SECTION("a Reset acknowledges it") { a.r.tell(jaus::reset{}); }
+    a.r.run_until_ready();
+    CHECK(a.r.watcher.ended_faults == 1);
+    CHECK(a.part.starts == 1);
+    a.run_until_moving(20);
+}
+
+TEST_CASE("a part without a mailbox gets emergencies, and other messages are unknown") {
+    arm a{2};
+    a.run_until_moving(30);
+    for (auto& each : a.r.actuators) each.behind.executed.clear();
+    const auto number = a.r.tell(rig::stop());
+    const auto took = a.r.run_until([&] { return a.r.is_acknowledged(number); });
+    CHECK(took <= 30ms);
+    CHECK(a.is_at_rest());
+    a.r.run_until([&, cleared = a.r.tell(rig::clear())] { return a.r.is_acknowledged(cleared); });
+    a.r.tell(jaus::resume{});
+    a.run_until_moving(10);
+    a.r.tell(jaus::set_travel_speed{.desired_speed = 3});
+    CHECK(a.r.last_outcome == jaus::component_outcome::unknown);
+    for (const auto& each : a.r.actuators) CHECK(each.behind.executed.empty());
+}
+
+TEST_CASE("an operator that is lost, and the end of the program, bring all slaves of a component to rest") {
+    arm a{3};
+    a.r.tell(jaus::request_component_control{.authority_code = 100}, 0, ack_nak::none);
+    a.run_until_moving(30);
+    SECTION("the operator") {
+        a.r.lose(rig::operator_unit);
+        CHECK(a.r.run_until([&] { return a.is_at_rest(); }) <= 30ms);
+        CHECK(a.r.unit().state() == status::ready);
+    }
+    SECTION("the program") {
+        a.r.shut_down();
+        CHECK(a.r.run_until([&] { return a.r.bus.at_rest(); }) <= 30ms);
+        CHECK(a.is_at_rest());
+    }
+}
+
+TEST_CASE("a slave that does not obey a stop order is lost with its group") {
+    arm a{3};
+    a.run_until_moving(30);
+    a.r.actuators[2].hangs = true;
+    a.r.tell(jaus::standby{});
+    const auto took = a.r.run_until([&] { return a.r.watcher.lost == 3; });
+    CHECK(took <= 120ms);
+    CHECK(a.r.unit().state() == status::failure);
+    a.r.actuators[2].hangs = false;
+    a.r.run_until([&] { return a.r.unit().state() == status::standby; });
+    CHECK(a.is_at_rest());
+}
+
+TEST_CASE("slaves with other process data than a part needs are not served") {
+    joint_part part;
+    bridging::process_channel empty{part, {}};
+    CHECK(empty.fronts().empty());
+    std::array<std::byte, 4> few{};
+    const bridging::slave_data wrong{.outputs = few, .inputs = few};
+    CHECK(part.start({&wrong, 1}, 10ms).error() == jauscat::translate::errc::wrong_size);
+    bridging::wrench_effort_part efforts;
+    CHECK(efforts.start({&wrong, 1}, 10ms).error() == jauscat::translate::errc::wrong_size);
+}
